@@ -1,0 +1,36 @@
+# Decides whether the CUDA back end is built (GLINT_HAS_CUDA) and enables the language when it is.
+# Nothing else depends on nvcc: without it the program is the same but for this back end.
+
+set(GLINT_HAS_CUDA 0)
+if(GLINT_CUDA STREQUAL "OFF")
+    return()
+endif()
+
+if(NOT CMAKE_CUDA_COMPILER)
+    find_program(GLINT_NVCC nvcc HINTS ENV CUDA_PATH ENV CUDA_HOME PATHS /usr/local/cuda PATH_SUFFIXES bin)
+    if(GLINT_NVCC)
+        set(CMAKE_CUDA_COMPILER ${GLINT_NVCC})
+    elseif(GLINT_CUDA STREQUAL "AUTO")
+        message(STATUS "CUDA back end: left out, nvcc was not found")
+        return()
+    else()
+        message(FATAL_ERROR "GLINT_CUDA is ON, but nvcc was not found in PATH, CUDA_PATH or /usr/local/cuda/bin. "
+                            "Install the CUDA Toolkit, or configure with -DGLINT_CUDA=OFF.")
+    endif()
+endif()
+
+# 7.5 (Turing) is the oldest architecture of CUDA 13. Its PTX is kept, so newer cards compile it when they load it.
+if(NOT DEFINED CMAKE_CUDA_ARCHITECTURES)
+    set(CMAKE_CUDA_ARCHITECTURES 75-real 75-virtual)
+endif()
+set(CMAKE_CUDA_HOST_COMPILER ${CMAKE_CXX_COMPILER})
+set(CMAKE_CUDA_RUNTIME_LIBRARY Static)
+enable_language(CUDA)
+# CMake 3.25 does not know this dialect of nvcc's.
+if(NOT CMAKE_CUDA20_STANDARD_COMPILE_OPTION)
+    set(CMAKE_CUDA20_STANDARD_COMPILE_OPTION -std=c++20)
+    set(CMAKE_CUDA20_EXTENSION_COMPILE_OPTION -std=c++20)
+endif()
+find_package(CUDAToolkit REQUIRED)
+set(GLINT_HAS_CUDA 1)
+message(STATUS "CUDA back end: nvcc ${CMAKE_CUDA_COMPILER_VERSION}")

@@ -1,0 +1,25 @@
+// OpenMP behind a function, so that callers need no pragmas.
+#include "engine/base/parallel.h"
+
+#include <omp.h>
+
+#include <algorithm>
+
+namespace glint {
+
+int defaultThreadCount() {
+    return std::max(1, omp_get_max_threads());
+}
+
+void parallelChunks(int64_t count, int64_t chunkSize, int threads,
+                    const std::function<void(int64_t begin, int64_t end)>& body) {
+    const int64_t size = std::max<int64_t>(1, chunkSize);
+    const int64_t chunks = (count + size - 1) / size;
+    const int used = threads > 0 ? threads : defaultThreadCount();
+#pragma omp parallel for schedule(dynamic, 1) num_threads(used) if (chunks > 1 && used > 1)
+    for (int64_t chunk = 0; chunk < chunks; ++chunk) {
+        body(chunk * size, std::min(count, (chunk + 1) * size));
+    }
+}
+
+}  // namespace glint

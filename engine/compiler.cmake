@@ -1,0 +1,63 @@
+# How Glint's own code is compiled: code generation, warnings, sanitizers, compiler cache and linker.
+# glint_codegen goes to every target, CUDA's host pass included; glint_warnings to every target of ours in C++.
+
+find_program(GLINT_CCACHE ccache)
+if(GLINT_CCACHE)
+    foreach(language CXX CUDA)
+        if(NOT DEFINED CMAKE_${language}_COMPILER_LAUNCHER)
+            set(CMAKE_${language}_COMPILER_LAUNCHER ${GLINT_CCACHE})
+        endif()
+    endforeach()
+endif()
+
+find_program(GLINT_LLD ld.lld)
+find_program(GLINT_GOLD ld.gold)
+if(GLINT_LLD)
+    add_link_options(-fuse-ld=lld)
+elseif(GLINT_GOLD)
+    add_link_options(-fuse-ld=gold)
+endif()
+# A test that draws nothing should not load Mesa.
+add_link_options(LINKER:--as-needed)
+
+set(CMAKE_CXX_FLAGS_RELEASE "-O3 -g0 -DNDEBUG")
+
+set(codegen_flags "")
+if(GLINT_NATIVE)
+    list(APPEND codegen_flags -march=native)
+else()
+    list(APPEND codegen_flags -march=x86-64-v3)
+endif()
+# Never -ffast-math: it deletes the checks for NaN and infinity. These two change no result.
+list(APPEND codegen_flags -fno-math-errno -fno-trapping-math)
+# Contraction makes a*b - c*d asymmetric in its two products. Code that needs the symmetry (edge functions, cross
+# products that must cancel) has to ask for it; everything else gains speed and accuracy.
+list(APPEND codegen_flags -ffp-contract=fast)
+
+if(GLINT_SANITIZE STREQUAL "address")
+    set(sanitizer_flags -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+elseif(GLINT_SANITIZE STREQUAL "thread")
+    set(sanitizer_flags -fsanitize=thread -fno-omit-frame-pointer)
+elseif(GLINT_SANITIZE STREQUAL "")
+    set(sanitizer_flags "")
+else()
+    message(FATAL_ERROR "GLINT_SANITIZE is \"${GLINT_SANITIZE}\"; expected \"\", address or thread.")
+endif()
+
+# CUDA's host pass gets the same flags: inline functions that both compilers emit are merged by the linker, and it
+# must not matter which copy it keeps.
+add_library(glint_codegen INTERFACE)
+foreach(flag IN LISTS codegen_flags sanitizer_flags)
+    target_compile_options(glint_codegen INTERFACE
+        $<$<COMPILE_LANGUAGE:CXX>:${flag}> $<$<COMPILE_LANGUAGE:CUDA>:-Xcompiler=${flag}>)
+endforeach()
+target_compile_definitions(glint_codegen INTERFACE $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)
+target_link_options(glint_codegen INTERFACE ${sanitizer_flags})
+
+# Left out: -Wconversion and -Wsign-conversion, which reject every int that becomes a float or an index. Their two
+# useful parts stay: a float that is cut to an int, and a double that slips into float arithmetic.
+add_library(glint_warnings INTERFACE)
+foreach(flag -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wfloat-conversion -Wdouble-promotion
+             -Wnull-dereference -Wundef -Werror)
+    target_compile_options(glint_warnings INTERFACE $<$<COMPILE_LANGUAGE:CXX>:${flag}>)
+endforeach()

@@ -1,0 +1,46 @@
+// What a scene can need of a kernel, as bits. Kernels are templates on a mask and leave the rest out at compile time.
+//
+// feature_scan sets the bits; a kernel compiled for a superset of them may run.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/base/host_device.h"
+
+namespace glint {
+
+using FeatureMask = uint32_t;
+
+enum Feature : FeatureMask {
+    kFeatureSphere = 1u << 0,
+    kFeaturePlane = 1u << 1,
+    kFeatureFlat = 1u << 2,  ///< rectangle, disc
+    kFeatureMesh = 1u << 3,
+    kFeatureMeshNormals = 1u << 4,
+    kFeatureMeshColors = 1u << 5,
+    kFeatureTransforms = 1u << 6,  ///< any mesh object with a transform other than the identity
+    kFeatureFrontOnly = 1u << 7,
+    kFeatureTextures = 1u << 8,
+    kFeatureDiffuse = 1u << 9,
+    kFeatureSpecular = 1u << 10,  ///< mirror, smooth conductor
+    kFeatureDielectric = 1u << 11,
+    kFeatureGlossy = 1u << 12,  ///< any GGX lobe
+    kFeaturePlastic = 1u << 13,
+    kFeatureMixture = 1u << 14,
+    kFeatureAreaLights = 1u << 15,
+    kFeatureDeltaLights = 1u << 16,  ///< point, spot, directional
+    kFeatureEnvironmentConstant = 1u << 17,
+    kFeatureEnvironmentImage = 1u << 18,
+    kFeatureManyLights = 1u << 19,  ///< the light tree is used; otherwise a table of powers is enough
+    kFeatureDepthOfField = 1u << 20,
+    kFeatureIndependentSampler = 1u << 21,
+};
+
+constexpr FeatureMask kAllFeatures = (1u << 22) - 1;
+
+template <FeatureMask kMask>
+GLINT_HD constexpr bool hasFeature(Feature feature) {
+    return (kMask & feature) != 0;
+}
+
+}  // namespace glint

@@ -1,0 +1,59 @@
+// Geometry as kernels see it: flat arrays of instances, meshes and acceleration structures. Plain data.
+//
+// Filled by engine/build, read by intersect.h and surface.h. Never points into a SceneDescription.
+#pragma once
+
+#include "engine/base/view.h"
+#include "engine/math/bounds.h"
+#include "engine/math/transform.h"
+#include "engine/math/vec.h"
+
+namespace glint {
+
+struct WideNode;      // bvh_nodes.h
+struct LeafTriangle;  // bvh_nodes.h
+
+constexpr uint32_t kNone = 0xffffffffu;
+
+/// Same order as scene.h's ShapeKind; kernels do not include the description.
+enum class ShapeTag : uint8_t { Sphere, Plane, Rectangle, Disc, Mesh };
+
+enum InstanceFlag : uint8_t {
+    kInstanceFrontOnly = 1u << 0,
+    kInstanceIdentity = 1u << 1,  ///< object space is world space: rays need no transform
+    kInstanceMirrored = 1u << 2,  ///< the transform turns counter-clockwise into clockwise
+};
+
+struct InstanceData {
+    Affine objectToWorld;
+    Affine worldToObject;
+    uint32_t mesh = kNone;         ///< ShapeTag::Mesh: index into GeometryView::meshes
+    uint32_t material = 0;         ///< index into SceneView::materials
+    uint32_t firstEmitter = kNone; ///< emissive: index of this instance's first emitter (one per triangle, in order)
+    ShapeTag shape = ShapeTag::Sphere;
+    uint8_t flags = 0;
+};
+
+/// One mesh in object space. Optional arrays are null when the mesh does not have them.
+struct MeshView {
+    const WideNode* nodes = nullptr;
+    const LeafTriangle* leafTriangles = nullptr;
+    const Vec3* positions = nullptr;
+    const uint32_t* indices = nullptr;
+    const Vec3* normals = nullptr;
+    const Vec2* uvs = nullptr;
+    const Vec3* colors = nullptr;
+    uint32_t triangleCount = 0;
+    Bounds bounds;
+};
+
+struct GeometryView {
+    View<InstanceData> instances;
+    View<MeshView> meshes;
+    View<WideNode> topNodes;            ///< over all finite instances
+    View<uint32_t> topInstances;        ///< leaf contents of topNodes: indices into instances
+    View<uint32_t> planes;              ///< infinite instances, tested one by one
+    Bounds bounds;                      ///< of the finite instances; a single point at 0 when there are none
+};
+
+}  // namespace glint

@@ -1,0 +1,58 @@
+// Materials, textures, lights and the camera as kernels see them. Plain data, filled by engine/build.
+#pragma once
+
+#include "engine/base/view.h"
+#include "engine/math/frame.h"
+#include "engine/math/vec.h"
+
+namespace glint {
+
+/// Same order as scene/material.h's MaterialKind.
+enum class MaterialTag : uint8_t { Diffuse, Mirror, Conductor, Dielectric, Plastic, Mixture };
+
+enum MaterialFlag : uint8_t {
+    kMaterialThin = 1u << 0,
+    kMaterialEmitsBothSides = 1u << 1,
+    kMaterialEmissive = 1u << 2,
+};
+
+/// A GGX alpha below this is treated as perfectly smooth: its lobe is narrower than float directions resolve well.
+constexpr float kSmoothAlpha = 1e-4f;
+
+struct MaterialData {
+    Vec3 color{0.5f};
+    uint32_t colorTexture = 0xffffffffu;  ///< index into SceneView::textures, or none
+    Vec3 eta{1.0f};  ///< conductor
+    Vec3 k{0.0f};    ///< conductor
+    float ior = 1.5f;
+    float alpha = 0.0f;                    ///< GGX; 0: smooth
+    Vec3 mixtureProbability{1, 0, 0};      ///< sums to 1
+    Vec3 emission{0.0f};                   ///< radiance, strength included
+    MaterialTag kind = MaterialTag::Diffuse;
+    uint8_t flags = 0;
+};
+
+/// 3 bytes (sRGB or linear) or 3 floats a texel; exactly one of the pointers is set. Row 0 is the image's top row.
+struct TextureView {
+    const uint8_t* bytes = nullptr;
+    const float* floats = nullptr;
+    int width = 0;
+    int height = 0;
+    Vec2 scale{1.0f};
+    bool srgb = false;
+    bool flipV = false;
+};
+
+/// A pinhole or thin lens, ready for rays: see camera_ray.h.
+struct CameraData {
+    Vec3 position;
+    Frame frame;  ///< s: image right, t: image up, n: backwards (against the view direction)
+    float tanHalfFovX = 1.0f;
+    float tanHalfFovY = 1.0f;
+    float lensRadius = 0.0f;
+    float focalDistance = 1.0f;
+    int blades = 0;
+    float bladeRotationRad = 0.0f;
+};
+
+}  // namespace glint

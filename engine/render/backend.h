@@ -1,0 +1,39 @@
+// The one virtual seam of the renderer: who runs the kernels. A call per pass, never per ray.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/build/built_scene.h"
+#include "engine/kernels/pass.h"
+#include "engine/render/film.h"
+
+namespace glint {
+
+class Backend {
+public:
+    virtual ~Backend() = default;
+
+    /// "CPU, 2 threads" or "CUDA, <device name>".
+    virtual std::string name() const = 0;
+
+    /// Takes the scene for the following passes (uploads what changed). Error: does not fit the device's memory.
+    virtual Status setScene(std::shared_ptr<const BuiltScene> scene) = 0;
+
+    /// Renders one path for each pixel into `out`, which is resized as needed. Checks `stop` at least once a tile;
+    /// returns false when it stopped early, and `out` is then to be thrown away.
+    virtual Result<bool> renderPass(const PassParams& params, const std::atomic<bool>& stop,
+                                    std::vector<PixelSample>* out) = 0;
+
+    /// The same for the first-hit pictures, with the same camera rays.
+    virtual Result<bool> renderAovPass(const PassParams& params, const std::atomic<bool>& stop,
+                                       std::vector<AovSample>* out) = 0;
+};
+
+/// threads 0: all.
+std::unique_ptr<Backend> makeCpuBackend(int threads);
+
+}  // namespace glint

@@ -1,0 +1,121 @@
+// A render that runs on its own thread while someone edits: the heart of the window, of `glint render` and of the tests.
+//
+// Everything public may be called from one controlling thread (the UI) and returns at once, unless it says otherwise.
+// Edits and requests go into a mailbox, coalesced; the render thread takes them between passes, or at once through the
+// backend's stop flag. What comes back are immutable snapshots. Exceptions and errors end up in SessionStatus.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/render/backend.h"
+#include "engine/render/film.h"
+#include "engine/scene/scene_edit.h"
+
+namespace glint {
+
+/// When to stop by itself; 0: no such limit. Changing one never restarts anything.
+struct StopLimits {
+    uint32_t passes = 0;
+    double renderSeconds = 0.0;
+    double relativeError = 0.0;
+};
+
+/// A picture at one moment. Immutable and shared.
+struct FilmSnapshot {
+    uint64_t generation = 0;  ///< counts the edits that had been taken when it was made
+    int width = 0;            ///< smaller than the film's while something moves
+    int height = 0;
+    int previewScale = 1;     ///< film pixels per snapshot pixel in each direction; 1: full resolution
+    uint32_t passes = 0;
+    double renderSeconds = 0.0;   ///< time spent in passes since the last restart, resumed time included
+    double relativeError = 0.0;   ///< Film::relativeErrorEstimate
+    std::vector<float> radiance;       ///< linear RGB, 3 per pixel
+    std::vector<float> standardError;  ///< of the mean luminance, 1 per pixel; empty unless asked for
+    std::shared_ptr<const AovFilm> aovs;  ///< null unless asked for
+};
+
+enum class SessionState { Empty, Building, Rendering, Paused, Finished, Failed };
+
+struct SessionStatus {
+    SessionState state = SessionState::Empty;
+    uint64_t generation = 0;
+    uint32_t passes = 0;
+    double renderSeconds = 0.0;
+    double passesPerSecond = 0.0;
+    double pathsPerSecond = 0.0;
+    double raysPerSecond = 0.0;
+    double relativeError = 0.0;
+    std::array<uint64_t, kSampleFaultCount> faultCounts{};
+    std::string backend;
+    std::string error;  ///< Failed: why. The last good picture stays available
+    /// How often each part was rebuilt or cleared since the session began: what tests and the log read.
+    struct Counters {
+        uint64_t meshBuilds = 0;
+        uint64_t topLevelBuilds = 0;
+        uint64_t materialTables = 0;
+        uint64_t textureTables = 0;
+        uint64_t lightTables = 0;
+        uint64_t featureScans = 0;
+        uint64_t filmRestarts = 0;
+        uint64_t filmAllocations = 0;
+        uint64_t passesDiscarded = 0;
+    } counters;
+    /// Latency of the last edit, seconds: from post() to the stop of the pass in flight, and to the first new snapshot.
+    double lastCancelSeconds = 0.0;
+    double lastEditToPictureSeconds = 0.0;
+};
+
+/// What is needed to go on exactly where a render stopped (io/checkpoint.h saves and loads it).
+struct ResumePoint {
+    Film film;
+    double renderSeconds = 0.0;
+};
+
+class RenderSession {
+public:
+    explicit RenderSession(std::unique_ptr<Backend> backend);
+    /// Stops within one tile and joins.
+    ~RenderSession();
+    RenderSession(const RenderSession&) = delete;
+    RenderSession& operator=(const RenderSession&) = delete;
+
+    /// Takes the scene after an edit. The first edit must be EditKind::Everything.
+    void post(SceneEdit edit);
+    /// Like post() with EditKind::Everything, going on from a checkpoint instead of an empty film.
+    void resume(std::shared_ptr<const SceneDescription> scene, ResumePoint from);
+
+    void setLimits(const StopLimits& limits);
+    void setPaused(bool paused);
+    void restart();
+    /// While true (a drag, a flight), passes run at low resolution so that the picture stays fluid. Full resolution
+    /// follows at once when it turns false.
+    void setInteracting(bool interacting);
+    /// Bits of Aov, plus whether snapshots carry standard errors. Never restarts the film.
+    void request(uint32_t aovs, bool standardError);
+
+    /// The newest picture of the current generation, or of the one before while there is none; null before the first.
+    std::shared_ptr<const FilmSnapshot> snapshot() const;
+    SessionStatus status() const;
+
+    /// Blocks until the state is Finished, Failed or Paused, or `seconds` have passed; returns the state then.
+    SessionState wait(double seconds);
+    /// Blocks until the pass in flight is committed, and copies the film exactly, with the description that made it.
+    struct Capture {
+        std::shared_ptr<const SceneDescription> scene;
+        Film film;
+        AovFilm aovs;
+        double renderSeconds = 0.0;
+    };
+    std::optional<Capture> capture();
+
+private:
+    class Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace glint

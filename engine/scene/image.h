@@ -1,0 +1,36 @@
+// A decoded image in memory: what textures and environments are made of, and what is saved.
+//
+// Row 0 is the top row. Pixels are interleaved. Immutable once shared. Knows nothing of files or formats.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+/// 8-bit colour as stored in PNG, JPEG and BMP files: usually sRGB-encoded. 3 channels.
+struct Image8 {
+    int width = 0;
+    int height = 0;
+    std::vector<uint8_t> rgb;
+};
+
+/// Linear float colour. 3 channels.
+struct ImageF {
+    int width = 0;
+    int height = 0;
+    std::vector<float> rgb;
+};
+
+enum class ColorEncoding : uint8_t { Srgb, Linear };
+
+/// An image together with where it came from, so that a scene can be saved again. Exactly one of the two is set.
+struct ImageSource {
+    std::string path;  ///< as written in the scene file, for saving; empty for generated images
+    std::shared_ptr<const Image8> bytes;
+    std::shared_ptr<const ImageF> floats;
+};
+
+}  // namespace glint

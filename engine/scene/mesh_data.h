@@ -1,0 +1,40 @@
+// Triangle meshes as loaded or generated. Immutable once shared; an edit replaces the whole mesh.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/math/vec.h"
+
+namespace glint {
+
+/// Indexed triangles. Optional arrays are either empty or have one entry per vertex. Every index is below
+/// positions.size(); every position is finite: loaders see to both.
+struct MeshData {
+    std::vector<Vec3> positions;
+    std::vector<Vec3> normals;  ///< shading normals, not necessarily of unit length; zero: use the face normal
+    std::vector<Vec2> uvs;      ///< v runs upwards: (0, 0) is the image's bottom left corner
+    std::vector<Vec3> colors;   ///< linear vertex colours that multiply the material's colour
+    std::vector<uint32_t> indices;  ///< three per triangle, counter-clockwise seen from the front
+
+    uint32_t triangleCount() const { return static_cast<uint32_t>(indices.size() / 3); }
+};
+
+/// Where a mesh comes from, so that a scene can be saved without its triangles.
+struct MeshSource {
+    std::string path;       ///< as written in the scene file; empty for generated and inline meshes
+    int part = -1;          ///< OBJ: the n-th part (a run of one material), in file order; -1: the whole file
+    std::string generator;  ///< name of a procedural mesh (generated_mesh.h); empty otherwise
+    uint32_t triangles = 0;  ///< generator: about how many triangles
+    uint32_t seed = 0;
+};
+
+struct Mesh {
+    std::string name;
+    MeshSource source;
+    std::shared_ptr<const MeshData> data;
+};
+
+}  // namespace glint

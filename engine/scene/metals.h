@@ -1,0 +1,23 @@
+// Measured optical constants of metals by name, reduced to linear Rec.709.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "engine/math/vec.h"
+
+namespace glint {
+
+struct MetalConstants {
+    Vec3 eta;  ///< index of refraction at R, G, B
+    Vec3 k;    ///< extinction coefficient at R, G, B
+};
+
+/// The constants of "gold", "silver", "copper", "aluminium", …; nothing for an unknown name.
+std::optional<MetalConstants> findMetal(std::string_view name);
+
+/// All known names in alphabetical order.
+std::vector<std::string_view> metalNames();
+
+}  // namespace glint

@@ -1,0 +1,65 @@
+// The editable scene. Belongs to whoever edits it (the UI thread, a command); knows nothing of rendering.
+//
+// Heavy parts (triangles, pixels) are immutable and shared, so that a copy is cheap: an edit copies the description,
+// changes the copy and posts it together with what changed (scene_edit.h).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/math/transform.h"
+#include "engine/scene/camera.h"
+#include "engine/scene/image.h"
+#include "engine/scene/light.h"
+#include "engine/scene/material.h"
+#include "engine/scene/mesh_data.h"
+#include "engine/scene/render_options.h"
+
+namespace glint {
+
+/// Canonical shapes; everything else comes from the object's transform.
+enum class ShapeKind : uint8_t {
+    Sphere,     ///< radius 1 around the origin
+    Plane,      ///< z = 0, infinite, normal +z
+    Rectangle,  ///< z = 0, x and y in [-1, 1], normal +z
+    Disc,       ///< z = 0, radius 1, normal +z
+    Mesh,       ///< triangles of meshes[mesh]
+};
+
+/// A placed shape. Several objects may share one mesh (instances).
+struct Object {
+    std::string name;
+    ShapeKind shape = ShapeKind::Sphere;
+    int mesh = -1;      ///< ShapeKind::Mesh: index into SceneDescription::meshes
+    int material = 0;   ///< index into SceneDescription::materials
+    Affine objectToWorld;  ///< must be invertible
+    bool frontOnly = false;  ///< rays meet it only from the side the geometric normal points to
+};
+
+/// An image used as a colour.
+struct Texture {
+    std::string name;
+    ImageSource image;
+    ColorEncoding encoding = ColorEncoding::Srgb;
+    bool flipV = false;  ///< v counted from the image's top row
+    Vec2 scale{1.0f};    ///< uv is multiplied by this, then repeats
+};
+
+struct SceneDescription {
+    std::string path;    ///< the file it came from; relative paths inside are relative to its folder
+    std::string title;   ///< what the scene shows, one line
+    Camera camera;
+    Resolution resolution;
+    RenderOptions options;
+    std::vector<Texture> textures;
+    std::vector<ImageSource> environmentImages;
+    std::vector<Material> materials;  ///< never empty when there are objects
+    std::vector<Mesh> meshes;
+    std::vector<Object> objects;
+    std::vector<Light> lights;
+    Environment environment;
+    std::vector<std::string> warnings;  ///< what the loader had to guess or leave out, for the log
+};
+
+}  // namespace glint
