@@ -10,4 +10,8 @@ namespace glint {
 
 enum class EmitterTag : uint8_t { Sphere, Rectangle, Disc, Triangle, Point, Spot, Directional, Environment };
 
+struct LightView {
+    Vec3 environmentRadiance{0.0f};  ///< constant environment; multiplies the image where there is one
+};
+
 }  // namespace glint
