@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+"""Runs the commands of README.md, so that none of them goes stale: readme_commands_test.py ROOT PROGRAM.
+
+Each line of a fenced ```sh block is run in a scratch folder that mirrors the repository by links, with
+build/release/glint being PROGRAM. A block that opens a window or takes long has a comment before it,
+<!-- not run by the tests: WHY -->; of its commands only the program and the repository's files that they name must exist.
+"""
+import os
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+BLOCK = re.compile(r"(<!-- not run by the tests: [^>]+ -->\n)?```sh\n(.*?)```", re.DOTALL)
+TOP_LEVEL = {"assets", "cuda", "engine", "scenes", "shaders", "tests", "third_party", "viewer", "run", "test"}
+TIMEOUT_S = 120
+
+
+def commands(readme):
+    """(command, is run) for each line of each sh block."""
+    for match in BLOCK.finditer(readme):
+        for line in match.group(2).splitlines():
+            line = line.split("  #")[0].strip()
+            if line and not line.startswith("#"):
+                yield line, match.group(1) is None
+
+
+def mirror(root, program, folder):
+    for entry in root.iterdir():
+        if entry.name not in {"build", ".git"}:
+            (folder / entry.name).symlink_to(entry)
+    (folder / "build/release").mkdir(parents=True)
+    if program:
+        (folder / "build/release/glint").symlink_to(program)
+
+
+def missing_files(command, folder):
+    for word in shlex.split(command):
+        name = word.removeprefix("./")
+        if (name.split("/")[0] in TOP_LEVEL or name == "build/release/glint") and not (folder / name).exists():
+            yield f"{word} does not exist"
+
+
+def failure(command, folder):
+    environment = {key: value for key, value in os.environ.items() if key not in {"DISPLAY", "WAYLAND_DISPLAY"}}
+    try:
+        done = subprocess.run(command, shell=True, cwd=folder, env=environment, timeout=TIMEOUT_S,
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    except subprocess.TimeoutExpired:
+        return f"took more than {TIMEOUT_S} s"
+    return f"exit {done.returncode}\n{done.stdout[-2000:]}" if done.returncode != 0 else None
+
+
+def main():
+    root, program = Path(sys.argv[1]).resolve(), sys.argv[2] if len(sys.argv) > 2 else ""
+    failures, count = [], 0
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = Path(scratch)
+        mirror(root, program, folder)
+        for command, is_run in commands((root / "README.md").read_text(encoding="utf-8")):
+            count += 1
+            problems = list(missing_files(command, folder))
+            if is_run and not problems:
+                problems = [problem for problem in [failure(command, folder)] if problem]
+            print(f"{'FAIL' if problems else 'ok' if is_run else 'ok, not run'}: {command}", flush=True)
+            failures += [f"{command}: {problem}" for problem in problems]
+    if count == 0:
+        failures.append("README.md has no command")
+    print("\n".join(failures))
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
