@@ -1,0 +1,32 @@
+// The scene ready for rendering: immutable flat arrays in shared parts. An edit makes a new BuiltScene that shares every
+// part the edit did not touch. Never points into a SceneDescription.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/kernels/features.h"
+#include "engine/kernels/scene_view.h"
+
+namespace glint {
+
+struct BuiltMesh;       // build/mesh_builder.h: one mesh with its acceleration structure
+struct InstanceTable;   // build/instance_builder.h: instances and the top-level structure
+struct MaterialTable;   // build/material_table.h
+struct TextureTable;    // build/texture_table.h
+struct LightTable;      // build/light_table.h
+
+struct BuiltScene {
+    std::vector<std::shared_ptr<const BuiltMesh>> meshes;  ///< same indices as SceneDescription::meshes
+    std::shared_ptr<const InstanceTable> instances;
+    std::shared_ptr<const MaterialTable> materials;
+    std::shared_ptr<const TextureTable> textures;
+    std::shared_ptr<const LightTable> lights;
+    FeatureMask features = 0;
+    CameraData camera;
+
+    /// Host pointers into this object's parts: valid while it lives.
+    SceneView view() const;
+};
+
+}  // namespace glint
