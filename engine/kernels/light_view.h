@@ -1,6 +1,7 @@
 // Lights as kernels see them: emitters of every kind, how one is chosen, and the environment. Plain data.
 //
-// Filled by build/light_table, read by light_sampling.h.
+// Filled by build/light_table, read by light_sampling.h. All of it is in world space: no transform is needed
+// to sample a light, except for ellipsoids, which use their instance's.
 #pragma once
 
 #include "engine/base/view.h"
@@ -8,10 +9,79 @@
 
 namespace glint {
 
-enum class EmitterTag : uint8_t { Sphere, Rectangle, Disc, Triangle, Point, Spot, Directional, Environment };
+enum class EmitterTag : uint8_t {
+    Sphere,         ///< sampled by solid angle
+    Ellipsoid,      ///< a sphere under a transform that is not a similarity: by area
+    Rectangle,      ///< right angles: by solid angle
+    Parallelogram,  ///< a sheared rectangle: by area
+    Disc,           ///< circular or elliptical: by area
+    Triangle,
+    Point,
+    Spot,
+    Directional,
+    Environment,
+};
+
+/// One light that can be chosen. Area emitters stand in the order of SceneDescription::objects, the triangles
+/// of an emissive mesh in order and without gaps (degenerate ones included, with area 0).
+struct EmitterData {
+    Vec3 position{0.0f};  ///< centre of sphere, ellipsoid, rectangle, disc; triangle: vertex 0; point and
+                          ///< spot: position
+    Vec3 axisU{0.0f};     ///< rectangle, disc: images of the unit half axes; triangle: vertex 1 - vertex 0
+    Vec3 axisV{0.0f};     ///< likewise; triangle: vertex 2 - vertex 0
+    Vec3 direction{
+        0.0f};  ///< flat shapes: unit normal of the front; spot, directional: unit, where the light travels
+    Vec3 radiance{0.0f};         ///< area: W/(sr m^2); point, spot: W/sr; directional: W/m^2 facing it
+    float area = 0.0f;           ///< flat shapes and triangles; a sphere's radius is in radiusWorld instead
+    float radiusWorld = 0.0f;    ///< sphere
+    float cosConeOuter = -1.0f;  ///< spot: the light ends here
+    float cosConeInner = -1.0f;  ///< spot: begins to fall off here
+    uint32_t instance = 0;       ///< area emitters: index into GeometryView::instances
+    EmitterTag tag = EmitterTag::Point;
+    bool emitsBothSides = false;
+};
+
+/// Bounds of where a light or a group of lights is, where it shines and how strongly (Conty Estevez and Kulla
+/// 2018): the lights lie within `radius` of `center`, emit around normals within acos(cosNormals) of `axis`,
+/// and each of them up to acos(cosEmission) away from its normal. `intensity` is the sum of the greatest
+/// radiant intensities (luminance, W/sr).
+struct LightNode {
+    Vec3 center{0.0f};
+    float radius = 0.0f;
+    Vec3 axis{0.0f, 0.0f, 1.0f};
+    float cosNormals = -1.0f;
+    float cosEmission = 0.0f;
+    float intensity = 0.0f;
+    uint32_t child = 0;   ///< inner node: its children are child and child + 1; leaf: index of the emitter
+    uint32_t parent = 0;  ///< tree only; the root is its own parent
+    bool isLeaf = true;
+    bool bothSides = false;  ///< some light also emits around the opposite of its normal
+};
+
+/// A lat-long image around the scene and the distribution that samples it. Row 0 is +y, the middle column is
+/// -z, and columns run to the right seen from inside (towards +x from -z). Empty: width 0.
+struct EnvironmentView {
+    const float* texels = nullptr;     ///< linear RGB, 3 a texel
+    const float* rowCdf = nullptr;     ///< height + 1 entries, from 0 to 1
+    const float* columnCdf = nullptr;  ///< height rows of width + 1 entries, each from 0 to 1
+    int width = 0;
+    int height = 0;
+    float cosRotation = 1.0f;  ///< about +y, counter-clockwise seen from above
+    float sinRotation = 0.0f;
+};
 
 struct LightView {
+    View<EmitterData>
+        emitters;  ///< area, point and spot lights first, then directional ones, then the environment
+    View<LightNode>
+        nodes;  ///< usesTree: the tree, root first; otherwise one leaf for each finite emitter, in order
+    View<uint32_t> emitterNodes;  ///< usesTree: the leaf of each finite emitter; otherwise empty
+    uint32_t finiteCount = 0;     ///< emitters[0 .. finiteCount) have a place, the rest are infinitely far
+    bool usesTree = false;
+    float environmentIrradiance =
+        0.0f;                        ///< luminance times pi, averaged over all directions: weighs its choice
     Vec3 environmentRadiance{0.0f};  ///< constant environment; multiplies the image where there is one
+    EnvironmentView environment;
 };
 
 }  // namespace glint

@@ -8,12 +8,22 @@ namespace glint {
 enum class FilterTag : uint8_t { Box, Gaussian, BlackmanHarris };  ///< same order as FilterKind
 enum class SamplerTag : uint8_t { Sobol, Independent };            ///< same order as SamplerKind
 
-/// Extra pictures of the first hit, made on request only, by passes of their own: asking for one never touches the film.
+/// How direct light is found. All three have the same expectation; the last two are for tests and for showing
+/// why.
+enum class DirectLightTag : uint8_t {
+    Mis,        ///< light and BSDF sampling, combined by the power heuristic (Veach and Guibas 1995)
+    LightOnly,  ///< light sampling; light that cannot be sampled (planes, through mirrors) still counts when
+                ///< hit
+    BsdfOnly,   ///< no light sampling, except of point, spot and directional lights
+};
+
+/// Extra pictures of the first hit, made on request only, by passes of their own: asking for one never
+/// touches the film.
 enum Aov : uint32_t {
     kAovAlbedo = 1u << 0,
     kAovShadingNormal = 1u << 1,
     kAovGeometricNormal = 1u << 2,
-    kAovDepth = 1u << 3,  ///< distance along the view axis of the first hit, world units; 0: nothing hit
+    kAovDepth = 1u << 3,       ///< distance along the view axis of the first hit, world units; 0: nothing hit
     kAovObjectId = 1u << 4,    ///< object index + 1; 0: nothing hit
     kAovMaterialId = 1u << 5,  ///< material index + 1; 0: nothing hit
 };
@@ -29,6 +39,7 @@ struct PassParams {
     float filterRadius = 1.5f;
     SamplerTag sampler = SamplerTag::Sobol;
     float fireflyClamp = 0.0f;  ///< 0: off
+    DirectLightTag directLight = DirectLightTag::Mis;
 };
 
 /// Why a sample was dropped.
@@ -37,7 +48,7 @@ constexpr int kSampleFaultCount = 4;
 
 struct AovSample {
     Vec3 albedo{0.0f};
-    Vec3 shadingNormal{0.0f};    ///< world space, unit, on the side of the geometric normal; 0: nothing hit
+    Vec3 shadingNormal{0.0f};  ///< world space, unit, on the side of the geometric normal; 0: nothing hit
     Vec3 geometricNormal{0.0f};
     float depth = 0.0f;
     uint32_t objectId = 0;
