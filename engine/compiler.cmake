@@ -56,9 +56,17 @@ target_link_options(glint_codegen INTERFACE ${sanitizer_flags})
 
 # Left out: -Wconversion and -Wsign-conversion, which reject every int that becomes a float or an index. Their two
 # useful parts stay: a float that is cut to an int, and a double that slips into float arithmetic.
-# -Wno-restrict: GCC 12 sees overlapping copies in "text" + std::string (GCC bug 105329).
+set(warning_flags -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wfloat-conversion
+    -Wdouble-promotion -Wundef -Werror)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # GCC 12 sees overlapping copies in "text" + std::string (GCC bug 105329).
+    list(APPEND warning_flags -Wno-restrict)
+    if(GLINT_SANITIZE)
+        # The sanitizers' own checks look like uses of uninitialised variables to it.
+        list(APPEND warning_flags -Wno-maybe-uninitialized)
+    endif()
+endif()
 add_library(glint_warnings INTERFACE)
-foreach(flag -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wfloat-conversion -Wdouble-promotion
-             -Wnull-dereference -Wundef -Werror -Wno-restrict)
+foreach(flag IN LISTS warning_flags)
     target_compile_options(glint_warnings INTERFACE $<$<COMPILE_LANGUAGE:CXX>:${flag}>)
 endforeach()

@@ -53,7 +53,7 @@ installPackages() {
 # build PRESET [TARGET…]: configures when there is no build folder yet (Ninja reconfigures by itself later) and
 # builds. Silent when nothing is to be done; the compiler's output is shown only when it fails.
 build() {
-    local preset=$1 dir="$GLINT_ROOT/build/$1" log="$GLINT_ROOT/build/$1.log"
+    local preset=$1 dir="$GLINT_ROOT/build/$1" log="$GLINT_ROOT/build/$1.log" started=$SECONDS
     shift
     mkdir -p "$dir"
     if [[ ! -e $dir/build.ninja ]]; then
@@ -67,18 +67,19 @@ build() {
         cat "$log" >&2
         fail "building $preset failed"
     fi
+    if grep -qE "$buildStep" "$log"; then say "built $preset in $((SECONDS - started)) s"; fi
 }
 
-# Reads Ninja's output: one line that counts up on a terminal, a line at the start and the end elsewhere.
+buildStep='^\[([0-9]+)/([0-9]+)\] (Building|Linking)'
+
+# Reads Ninja's output: a line at the start and, on a terminal, one that counts up.
 showProgress() {
-    local line started=$SECONDS steps=""
+    local line steps=""
     while IFS= read -r line; do
-        [[ $line =~ ^\[([0-9]+)/([0-9]+)\]\ (Building|Linking) ]] || continue
+        [[ $line =~ $buildStep ]] || continue
         if [[ -z $steps ]]; then say "building $1 (${BASH_REMATCH[2]} steps)"; fi
         steps="${BASH_REMATCH[1]} of ${BASH_REMATCH[2]}"
         if [[ -t 1 ]]; then printf '\rglint: %s ' "$steps"; fi
     done
-    if [[ -z $steps ]]; then return; fi
-    if [[ -t 1 ]]; then printf '\r'; fi
-    say "built $1 in $((SECONDS - started)) s"
+    if [[ -n $steps && -t 1 ]]; then printf '\r'; fi
 }
