@@ -1,7 +1,7 @@
 // The accumulation buffer: a running mean and variance for each pixel over whole passes, in double.
 //
-// The render thread alone writes it, one committed pass at a time, in pixel order, so that its bits do not depend on
-// the number of threads. Displays and files read FilmSnapshots.
+// The render thread alone writes it, one committed pass at a time, in pixel order, so that its bits do not
+// depend on the number of threads. Displays and files read FilmSnapshots.
 #pragma once
 
 #include <array>
@@ -28,12 +28,15 @@ struct FaultRecord {
 };
 
 class Film {
-public:
+  public:
     Film() = default;
     Film(int width, int height);
 
-    /// Adds a whole pass. Samples with a fault are counted, and the first kMaxFaultRecords of them kept, but not added.
-    /// `samples` has one entry a pixel, row 0 at the top.
+    /// Forgets every pass and keeps the storage.
+    void clear();
+
+    /// Adds a whole pass. Samples with a fault are counted, and the first kMaxFaultRecords of them kept, but
+    /// not added. `samples` has one entry a pixel, row 0 at the top.
     void commit(const std::vector<PixelSample>& samples, uint32_t passIndex, int threads);
 
     int width() const { return width_; }
@@ -46,15 +49,18 @@ public:
 
     /// Standard error of a pixel's mean luminance; infinite with fewer than two samples.
     double standardError(const FilmPixel& pixel) const;
-    /// Root of the mean squared standard error over all pixels, relative to the picture's mean luminance: what a stop
-    /// limit and the panel show. Infinite with fewer than two passes; 0 for a black picture without variance.
-    double relativeErrorEstimate() const;
+    /// Root of the mean squared standard error over all pixels, relative to the picture's mean luminance:
+    /// what a stop limit and the panel show. Infinite with fewer than two passes; 0 for a black picture
+    /// without variance. The same bits for any number of threads (0: all).
+    double relativeErrorEstimate(int threads = 0) const;
 
     size_t bytes() const;
 
     static constexpr size_t kMaxFaultRecords = 1000;
 
-private:
+  private:
+    void recordFaults(const std::vector<PixelSample>& samples, size_t begin, uint32_t passIndex);
+
     friend struct FilmCheckpoint;  // io/checkpoint reads and writes all members exactly
 
     int width_ = 0;
@@ -68,9 +74,12 @@ private:
 
 /// First-hit pictures (kernels/pass.h, AovSample), accumulated beside a film and independent of it.
 class AovFilm {
-public:
+  public:
     AovFilm() = default;
     AovFilm(int width, int height);
+
+    /// Forgets every pass and keeps the storage.
+    void clear();
 
     /// Running means; ids are those of the first pass.
     void commit(const std::vector<AovSample>& samples, int threads);
@@ -81,7 +90,7 @@ public:
     const std::vector<AovSample>& pixels() const { return pixels_; }
     size_t bytes() const { return pixels_.size() * sizeof(AovSample); }
 
-private:
+  private:
     int width_ = 0;
     int height_ = 0;
     uint32_t passes_ = 0;
