@@ -14,20 +14,25 @@ listPackages() {
 
 # Asking dpkg takes longer than an up-to-date build, so a stamp remembers the list that was complete.
 ensurePackages() {
-    local stamp packages missing
+    local stamp packages
     stamp="$GLINT_ROOT/build/.packages-$(IFS=-; echo "$*")"
     if [[ -e $stamp && ! "$GLINT_ROOT/third_party/packages.txt" -nt $stamp ]]; then return; fi
     mapfile -t packages < <(listPackages "$@")
 
-    if ! command -v dpkg-query >/dev/null; then
+    if command -v dpkg-query >/dev/null; then
+        installMissing "${packages[@]}"
+    else
         say "this is not a Debian system; the build needs the equivalents of these packages: ${packages[*]}"
-        return
     fi
-    missing=$({ dpkg-query -W -f '${db:Status-Status} ${Package}\n' "${packages[@]}" 2>/dev/null || true; } |
-        awk '$1 == "installed" { print $2 }' | sort | comm -13 - <(printf '%s\n' "${packages[@]}" | sort) | tr '\n' ' ')
-    if [[ -n $missing ]]; then installPackages $missing; fi
     mkdir -p "$GLINT_ROOT/build"
     touch "$stamp"
+}
+
+installMissing() {
+    local missing
+    missing=$({ dpkg-query -W -f '${db:Status-Status} ${Package}\n' "$@" 2>/dev/null || true; } |
+        awk '$1 == "installed" { print $2 }' | sort | comm -13 - <(printf '%s\n' "$@" | sort) | tr '\n' ' ')
+    if [[ -n $missing ]]; then installPackages $missing; fi
 }
 
 installPackages() {
@@ -35,7 +40,8 @@ installPackages() {
     if ((EUID != 0)); then
         if ! sudo -n true 2>/dev/null; then
             say "some packages are missing. Install them with this command, then start again:" >&2
-            fail "  sudo apt-get install --no-install-recommends $*"
+            echo "sudo apt-get install --no-install-recommends $*" >&2
+            exit 1
         fi
         asRoot=(sudo -n)
     fi
