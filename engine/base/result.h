@@ -15,7 +15,7 @@ struct SourcePlace {
     std::string file;
     int line = 0;
     int column = 0;
-    std::string lineText;  ///< the whole offending line, empty when not known or not text
+    std::string lineText{};  ///< the whole offending line, empty when not known or not text
 };
 
 /// Why something the user asked for cannot be done: what is wrong and what was expected, in one sentence.

@@ -1,0 +1,171 @@
+// POSIX file calls, since the standard streams can neither flush to the disk nor say why something failed.
+#include "engine/io/atomic_file.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <climits>
+#include <cstdlib>
+#include <cstring>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace glint {
+namespace {
+
+Error fileError(const std::string& path, const std::string& what, int code) {
+    return {code == 0 ? what : fmt::format("{}: {}", what, std::strerror(code)), {.file = path}};
+}
+
+class FileDescriptor {
+  public:
+    explicit FileDescriptor(int fd) : fd_(fd) {}
+    ~FileDescriptor() { close(); }
+    FileDescriptor(const FileDescriptor&) = delete;
+    FileDescriptor& operator=(const FileDescriptor&) = delete;
+
+    int get() const { return fd_; }
+    bool valid() const { return fd_ >= 0; }
+    /// False when the last of the data could not be written (a network disk may say so only now).
+    bool close() {
+        const int fd = fd_;
+        fd_ = -1;
+        return fd < 0 || ::close(fd) == 0;
+    }
+
+  private:
+    int fd_;
+};
+
+/// 0, or errno.
+int writeAll(int fd, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(fd, bytes.data(), bytes.size());
+        if (written < 0 && errno != EINTR) {
+            return errno;
+        }
+        bytes.remove_prefix(written > 0 ? static_cast<size_t>(written) : 0);
+    }
+    return 0;
+}
+
+/// Creates a file that did not exist, beside `target`.
+int openTemporary(const std::string& target, std::string* name) {
+    for (unsigned attempt = 0; attempt < 10000; ++attempt) {
+        *name = fmt::format("{}.{}-{}.tmp", target, ::getpid(), attempt);
+        const int fd = ::open(name->c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (fd >= 0 || errno != EEXIST) {
+            return fd;
+        }
+    }
+    return -1;
+}
+
+/// Makes the new name last through a power cut. Not every file system can; the file itself is safe either
+/// way.
+void flushFolder(const std::string& target) {
+    const size_t slash = target.find_last_of('/');
+    const std::string folder = slash == std::string::npos ? "." : target.substr(0, slash + 1);
+    const FileDescriptor fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (fd.valid()) {
+        ::fsync(fd.get());
+    }
+}
+
+/// Where a symbolic link leads; the path itself when it is none or leads nowhere.
+std::string resolveLink(const std::string& path) {
+    char resolved[PATH_MAX];
+    return ::realpath(path.c_str(), resolved) != nullptr ? std::string(resolved) : path;
+}
+
+Status replaceFile(const std::string& path, const std::string& target, std::string_view bytes, mode_t mode) {
+    std::string temporary;
+    FileDescriptor fd(openTemporary(target, &temporary));
+    if (!fd.valid()) {
+        return fileError(path, "cannot create a file in this folder", errno);
+    }
+    int code = writeAll(fd.get(), bytes);
+    if (code == 0 && mode != 0) {
+        ::fchmod(fd.get(),
+                 mode);  // keeping the old permissions is a courtesy; failing to is no reason not to save
+    }
+    if (code == 0 && ::fsync(fd.get()) != 0) {
+        code = errno;
+    }
+    if (!fd.close() && code == 0) {
+        code = errno;
+    }
+    if (code == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) {
+        code = errno;
+    }
+    if (code != 0) {
+        ::unlink(temporary.c_str());
+        return fileError(path, "cannot write", code);
+    }
+    flushFolder(target);
+    return {};
+}
+
+Status writeDirectly(const std::string& path, std::string_view bytes) {
+    FileDescriptor fd(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+    if (!fd.valid()) {
+        return fileError(path, "cannot open for writing", errno);
+    }
+    if (const int code = writeAll(fd.get(), bytes); code != 0) {
+        return fileError(path, "cannot write", code);
+    }
+    return fd.close() ? Status() : Status(fileError(path, "cannot write", errno));
+}
+
+}  // namespace
+
+Result<std::string> readFile(const std::string& path) {
+    const FileDescriptor fd(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    struct stat info {};
+    if (!fd.valid() || ::fstat(fd.get(), &info) != 0) {
+        return fileError(path, "cannot open", errno);
+    }
+    if (S_ISDIR(info.st_mode)) {
+        return fileError(path, "is a folder; expected a file", 0);
+    }
+    if (static_cast<uint64_t>(info.st_size) > kMaxFileBytes) {
+        return fileError(path, fmt::format("has {} bytes; at most {} are read", info.st_size, kMaxFileBytes),
+                         0);
+    }
+    // Pipes and files that grow have no size to rely on, so reading ends only at the end. The one byte more
+    // lets a file of the expected size end without growing the buffer.
+    std::string bytes(static_cast<size_t>(info.st_size) + 1, '\0');
+    for (size_t filled = 0;;) {
+        if (filled == bytes.size()) {
+            bytes.resize(std::max<size_t>(2 * bytes.size(), 65536));
+        }
+        const ssize_t count = ::read(fd.get(), bytes.data() + filled, bytes.size() - filled);
+        if (count < 0 && errno != EINTR) {
+            return fileError(path, "cannot read", errno);
+        }
+        if (count == 0) {
+            bytes.resize(filled);
+            return bytes;
+        }
+        filled += count > 0 ? static_cast<size_t>(count) : 0;
+        if (filled > kMaxFileBytes) {
+            return fileError(path, fmt::format("is longer than {} bytes", kMaxFileBytes), 0);
+        }
+    }
+}
+
+Status writeFileAtomically(const std::string& path, std::string_view bytes) {
+    struct stat info {};
+    const bool exists = ::stat(path.c_str(), &info) == 0;
+    if (exists && S_ISDIR(info.st_mode)) {
+        return fileError(path, "is a folder; expected a file name to write to", 0);
+    }
+    if (exists && !S_ISREG(info.st_mode)) {
+        return writeDirectly(path, bytes);
+    }
+    return replaceFile(path, exists ? resolveLink(path) : path, bytes, exists ? info.st_mode & 07777 : 0);
+}
+
+}  // namespace glint

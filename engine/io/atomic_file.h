@@ -1,0 +1,28 @@
+// Whole files in and out of memory. Every file Glint writes goes through writeFileAtomically, so that an
+// interrupted save leaves the old file, never half of a new one.
+//
+// Knows nothing of formats.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "engine/base/result.h"
+
+namespace glint {
+
+/// Largest file that is read into memory at once.
+constexpr uint64_t kMaxFileBytes = uint64_t{16} << 30;
+
+/// The file's bytes. Error: missing, a folder, unreadable, larger than kMaxFileBytes; the place names the
+/// file.
+Result<std::string> readFile(const std::string& path);
+
+/// Replaces `path` by `bytes`: writes a new file in the same folder, flushes it to the disk and renames it.
+/// On any error (no such folder, not writable, disk full, `path` is a folder) the old file stays and the new
+/// one is removed. A symbolic link stays and its target is replaced. Devices and pipes cannot be replaced;
+/// they are written directly.
+Status writeFileAtomically(const std::string& path, std::string_view bytes);
+
+}  // namespace glint

@@ -1,0 +1,14 @@
+// A camera and light for files that hold only shapes: OBJ and PLY opened directly.
+#pragma once
+
+#include "engine/scene/scene.h"
+
+namespace glint {
+
+/// Frames all finite objects in a three-quarter view from the front right and above, puts the focal distance
+/// on their centre with a pinhole, sets 800 x 600 pixels, and adds a soft white environment unless the scene
+/// has a light of any kind. Objects without materials get one default material. Does nothing to a scene
+/// without objects but the resolution.
+void applyDefaultView(SceneDescription* scene);
+
+}  // namespace glint

@@ -1,0 +1,223 @@
+// stb_image and stb_image_write come compiled from the distribution's libstb; only their declarations are
+// included.
+#include "engine/io/image_io.h"
+
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <stb/stb_image.h>
+#include <stb/stb_image_write.h>
+
+#include "engine/io/atomic_file.h"
+#include "engine/io/exr_io.h"
+#include "engine/math/color.h"
+
+namespace glint {
+namespace {
+
+constexpr const char* kExpectedFormats = "expected PNG, JPEG, BMP, TGA, HDR or EXR";
+
+Error imageError(const std::string& path, std::string message) {
+    return {std::move(message), {.file = path}};
+}
+
+const stbi_uc* stbBytes(const std::string& bytes) { return reinterpret_cast<const stbi_uc*>(bytes.data()); }
+
+bool looksLikeHdr(const std::string& bytes) {
+    return stbi_is_hdr_from_memory(stbBytes(bytes), static_cast<int>(bytes.size())) != 0;
+}
+
+/// Checks the size that the header states, before stb allocates for it.
+Status checkHeader(const std::string& bytes, const std::string& path) {
+    if (bytes.empty()) {
+        return imageError(path, fmt::format("the file is empty; {}", kExpectedFormats));
+    }
+    if (bytes.size() > INT32_MAX) {
+        return imageError(path,
+                          fmt::format("has {} bytes; an image file may have at most 2 GiB", bytes.size()));
+    }
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    if (stbi_info_from_memory(stbBytes(bytes), static_cast<int>(bytes.size()), &width, &height, &channels) ==
+        0) {
+        return imageError(path, fmt::format("is not an image that can be read ({}); {}",
+                                            stbi_failure_reason(), kExpectedFormats));
+    }
+    if (width <= 0 || height <= 0) {
+        return imageError(path, fmt::format("the image has no pixels ({} x {})", width, height));
+    }
+    if (static_cast<uint64_t>(width) * static_cast<uint64_t>(height) > kMaxImagePixels) {
+        return imageError(path, fmt::format("the image is too large ({} x {}); at most {} pixels are read",
+                                            width, height, kMaxImagePixels));
+    }
+    return {};
+}
+
+Error brokenImage(const std::string& path) {
+    return imageError(path, fmt::format("the image is broken or cut off ({})", stbi_failure_reason()));
+}
+
+Result<std::shared_ptr<const Image8>> decode8(const std::string& bytes, const std::string& path) {
+    if (Status header = checkHeader(bytes, path); !header) {
+        return header.error();
+    }
+    auto image = std::make_shared<Image8>();
+    int channels = 0;
+    stbi_uc* pixels = stbi_load_from_memory(stbBytes(bytes), static_cast<int>(bytes.size()), &image->width,
+                                            &image->height, &channels, 3);
+    if (pixels == nullptr) {
+        return brokenImage(path);
+    }
+    image->rgb.assign(
+        pixels, pixels + size_t{3} * static_cast<size_t>(image->width) * static_cast<size_t>(image->height));
+    stbi_image_free(pixels);
+    return std::shared_ptr<const Image8>(std::move(image));
+}
+
+Status checkFinite(const ImageF& image, const std::string& path) {
+    for (size_t i = 0; i < image.rgb.size(); ++i) {
+        if (!std::isfinite(image.rgb[i])) {
+            const size_t pixel = i / 3;
+            const size_t width = static_cast<size_t>(image.width);
+            return imageError(path,
+                              fmt::format("the pixel in column {}, row {} is {}; expected finite numbers",
+                                          pixel % width, pixel / width, image.rgb[i]));
+        }
+    }
+    return {};
+}
+
+Result<std::shared_ptr<const ImageF>> decodeHdr(const std::string& bytes, const std::string& path) {
+    if (Status header = checkHeader(bytes, path); !header) {
+        return header.error();
+    }
+    auto image = std::make_shared<ImageF>();
+    int channels = 0;
+    float* pixels = stbi_loadf_from_memory(stbBytes(bytes), static_cast<int>(bytes.size()), &image->width,
+                                           &image->height, &channels, 3);
+    if (pixels == nullptr) {
+        return brokenImage(path);
+    }
+    image->rgb.assign(
+        pixels, pixels + size_t{3} * static_cast<size_t>(image->width) * static_cast<size_t>(image->height));
+    stbi_image_free(pixels);
+    if (Status finite = checkFinite(*image, path); !finite) {
+        return finite.error();
+    }
+    return std::shared_ptr<const ImageF>(std::move(image));
+}
+
+Result<std::shared_ptr<const ImageF>> decodeExrColor(const std::string& bytes, const std::string& path) {
+    const Result<ExrPicture> picture = decodeExr(bytes, path);
+    if (!picture) {
+        return picture.error();
+    }
+    Result<ImageF> color = exrColor(*picture, path);
+    if (!color) {
+        return color.error();
+    }
+    return std::shared_ptr<const ImageF>(std::make_shared<ImageF>(std::move(color).value()));
+}
+
+std::shared_ptr<const ImageF> decodedFromSrgb(const Image8& image) {
+    std::array<float, 256> linear{};
+    for (size_t i = 0; i < linear.size(); ++i) {
+        linear[i] = srgbToLinear(static_cast<float>(i) / 255.0f);
+    }
+    auto out = std::make_shared<ImageF>();
+    out->width = image.width;
+    out->height = image.height;
+    out->rgb.reserve(image.rgb.size());
+    for (const uint8_t byte : image.rgb) {
+        out->rgb.push_back(linear[byte]);
+    }
+    return out;
+}
+
+void appendBytes(void* context, void* data, int size) {
+    static_cast<std::string*>(context)->append(static_cast<const char*>(data), static_cast<size_t>(size));
+}
+
+template <class Image>
+Status checkToSave(const Image& image, const std::string& path) {
+    const bool whole =
+        image.width > 0 && image.height > 0 &&
+        image.rgb.size() == size_t{3} * static_cast<size_t>(image.width) * static_cast<size_t>(image.height);
+    return whole ? Status() : Status(imageError(path, "there is no picture to save"));
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const Image8>> loadImage8(const std::string& path) {
+    const Result<std::string> bytes = readFile(path);
+    if (!bytes) {
+        return bytes.error();
+    }
+    if (looksLikeExr(*bytes) || looksLikeHdr(*bytes)) {
+        return imageError(path,
+                          "holds high-dynamic-range values; expected an 8-bit image (PNG, JPEG, BMP, TGA)");
+    }
+    return decode8(*bytes, path);
+}
+
+Result<std::shared_ptr<const ImageF>> loadImageF(const std::string& path) {
+    const Result<ImageSource> source = loadImage(path);
+    if (!source) {
+        return source.error();
+    }
+    return source->floats ? source->floats : decodedFromSrgb(*source->bytes);
+}
+
+Result<ImageSource> loadImage(const std::string& path) {
+    const Result<std::string> bytes = readFile(path);
+    if (!bytes) {
+        return bytes.error();
+    }
+    ImageSource source{.path = path, .bytes = nullptr, .floats = nullptr};
+    if (looksLikeExr(*bytes) || looksLikeHdr(*bytes)) {
+        auto floats = looksLikeExr(*bytes) ? decodeExrColor(*bytes, path) : decodeHdr(*bytes, path);
+        if (!floats) {
+            return floats.error();
+        }
+        source.floats = std::move(floats).value();
+    } else {
+        auto decoded = decode8(*bytes, path);
+        if (!decoded) {
+            return decoded.error();
+        }
+        source.bytes = std::move(decoded).value();
+    }
+    return source;
+}
+
+Status savePng(const std::string& path, const Image8& image) {
+    if (Status whole = checkToSave(image, path); !whole) {
+        return whole;
+    }
+    std::string bytes;
+    if (stbi_write_png_to_func(appendBytes, &bytes, image.width, image.height, 3, image.rgb.data(),
+                               3 * image.width) == 0) {
+        return imageError(path, "not enough memory to compress the picture");
+    }
+    return writeFileAtomically(path, bytes);
+}
+
+Status saveHdr(const std::string& path, const ImageF& image) {
+    if (Status whole = checkToSave(image, path); !whole) {
+        return whole;
+    }
+    std::vector<float> representable(image.rgb);
+    for (float& value : representable) {
+        value = clampf(value, 0.0f, 1e38f);
+    }
+    std::string bytes;
+    if (stbi_write_hdr_to_func(appendBytes, &bytes, image.width, image.height, 3, representable.data()) ==
+        0) {
+        return imageError(path, "not enough memory to encode the picture");
+    }
+    return writeFileAtomically(path, bytes);
+}
+
+}  // namespace glint

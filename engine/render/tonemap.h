@@ -1,0 +1,74 @@
+// From linear radiance to 8-bit display values: exposure and tone curves, and false colours for the other
+// pictures.
+//
+// `glint render` writes PNGs with this; shaders/tonemap.frag mirrors toneMapped() line by line and agrees to
+// 1/255. All formulas are plain float arithmetic, per channel except where said. Nothing here reaches the
+// renderer or a film.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "engine/math/color.h"
+#include "engine/scene/image.h"
+
+namespace glint {
+
+enum class ToneMap : uint8_t {
+    Clamp,     ///< linear values cut to [0, 1] and stored without a gamma, as the seed's published pictures
+    Srgb,      ///< cut to [0, 1], then the sRGB curve
+    Filmic,    ///< filmicCurve(), then the sRGB curve
+    Reinhard,  ///< reinhard(), then the sRGB curve
+};
+
+constexpr int kToneMapCount = 4;
+
+/// "clamp", "srgb", "filmic", "reinhard".
+std::string_view toneMapName(ToneMap map);
+std::optional<ToneMap> toneMapFromName(std::string_view name);
+
+/// Rational fit of the ACES reference curve, x >= 0 (Narkowicz 2015, "ACES Filmic Tone Mapping Curve"), with
+/// the input scaled by 0.6 as there, so that middle grey keeps its brightness. The result is in [0, 1].
+inline float filmicCurve(float x) {
+    const float v = 0.6f * x;
+    return clampf((v * (2.51f * v + 0.03f)) / (v * (2.43f * v + 0.59f) + 0.14f), 0.0f, 1.0f);
+}
+
+/// Luminance that extended Reinhard maps to white.
+constexpr float kReinhardWhite = 4.0f;
+
+/// Extended Reinhard on luminance, keeping the colour's ratios (Reinhard et al. 2002, equation 4):
+/// L' = L (1 + L / white^2) / (1 + L). Black stays black. Channels may exceed 1 and are cut afterwards.
+inline Vec3 reinhard(const Vec3& rgb) {
+    const float l = luminance(rgb);
+    return rgb * ((1.0f + l / (kReinhardWhite * kReinhardWhite)) / (1.0f + l));
+}
+
+/// Largest value that enters a curve: keeps every step finite in float for infinite input.
+constexpr float kMaxToneInput = 1e6f;
+
+/// Radiance to display values in [0, 1]: multiplied by 2^exposureStops, cut to [0, kMaxToneInput] (NaN
+/// becomes 0), then the operator. A stored byte is floor(255 v + 0.5).
+Vec3 toneMapped(Vec3 radiance, float exposureStops, ToneMap map);
+
+/// The whole picture, 3 floats a pixel, row 0 at the top, on `threads` threads (0: all).
+Image8 toneMapPicture(const float* radianceRgb, int width, int height, float exposureStops, ToneMap map,
+                      int threads);
+
+/// False colours, in [0, 1]. A unit vector: 0.5 v + 0.5, and black for the zero vector (nothing hit).
+Vec3 normalColor(const Vec3& unitOrZero);
+/// An id (0: nothing, black): a bright colour that differs clearly between neighbouring ids.
+Vec3 idColor(uint32_t id);
+/// A depth (0: nothing, black): near white, far dark, by 1 - 0.9 (depth - nearest) / (farthest - nearest).
+Vec3 depthColor(float depth, float nearest, float farthest);
+
+/// Smallest and largest positive depth; {0, 0} when there is none.
+struct DepthRange {
+    float nearest = 0.0f;
+    float farthest = 0.0f;
+};
+DepthRange depthRange(const std::vector<float>& depths);
+
+}  // namespace glint
