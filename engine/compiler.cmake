@@ -30,9 +30,9 @@ else()
 endif()
 # Never -ffast-math: it deletes the checks for NaN and infinity. These two change no result.
 list(APPEND codegen_flags -fno-math-errno -fno-trapping-math)
-# Contraction makes a*b - c*d asymmetric in its two products. Code that needs the symmetry (edge functions, cross
-# products that must cancel) has to ask for it; everything else gains speed and accuracy.
-list(APPEND codegen_flags -ffp-contract=fast)
+# No contraction: a*b - c*d must be antisymmetric in its two products (watertight edge functions), and kernels compiled
+# for different feature masks must compute the same bits. Where a fused operation pays, the code says std::fma.
+list(APPEND codegen_flags -ffp-contract=off)
 
 if(GLINT_SANITIZE STREQUAL "address")
     set(sanitizer_flags -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
