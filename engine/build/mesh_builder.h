@@ -1,0 +1,31 @@
+// One mesh made ready for rays: its triangles with an acceleration structure in object space.
+//
+// Called by the scene builder for every mesh that is new. The vertex arrays are shared with the MeshData.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/kernels/bvh_nodes.h"
+#include "engine/scene/mesh_data.h"
+
+namespace glint {
+
+struct BuiltMesh {
+    std::shared_ptr<const MeshData> data;
+    std::vector<WideNode> nodes;  ///< empty when the mesh has no triangles
+    std::vector<TriangleCluster> clusters;
+    std::vector<uint32_t> clusterPrimitives;
+    Bounds bounds;  ///< of the vertices that triangles use
+
+    /// Host pointers into this object and its data.
+    MeshView view() const;
+    /// Memory of the acceleration structure, without the vertex arrays.
+    size_t accelerationBytes() const;
+};
+
+/// Deterministic for any number of threads (0: all). Any triangles are accepted: none at all, degenerate,
+/// duplicate.
+std::shared_ptr<const BuiltMesh> buildMesh(std::shared_ptr<const MeshData> data, int threads);
+
+}  // namespace glint

@@ -1,0 +1,58 @@
+// Memory layout of the acceleration structures: wide nodes and clusters of triangles. Plain data, host and
+// device alike.
+//
+// Built by engine/build/bvh_builder and mesh_builder, read by box_test.h, triangle.h and intersect.h. Nothing
+// but layout belongs here.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/kernels/geometry_view.h"
+
+namespace glint {
+
+constexpr int kNodeWidth = 8;
+
+/// Entries a traversal stack must hold; builders guarantee that no tree needs more.
+constexpr int kTraversalStackSize = 192;
+
+/// Row of WideNode::bounds for an axis (0..2): the lower bounds of all children; the upper ones are in the
+/// next row.
+constexpr int lowerRow(int axis) { return 2 * axis; }
+
+/// Up to eight children with their boxes. Unused children have lower = +inf, upper = -inf: no ray meets them.
+struct alignas(64) WideNode {
+    float bounds[6][kNodeWidth];
+    uint32_t child[kNodeWidth];
+    uint32_t unused[kNodeWidth];
+};
+static_assert(sizeof(WideNode) == 256);
+
+// A child reference is the index of an inner node, or a leaf: `count` (1..16) items from index `first` (<
+// 2^27) on.
+constexpr uint32_t kLeafBit = 0x80000000u;
+constexpr uint32_t kMaxLeafItems = 16;
+constexpr uint32_t kMaxLeafFirst = (1u << 27) - 1;
+
+GLINT_HD constexpr uint32_t makeLeaf(uint32_t first, uint32_t count) {
+    return kLeafBit | ((count - 1) << 27) | first;
+}
+GLINT_HD constexpr bool isLeaf(uint32_t child) { return (child & kLeafBit) != 0; }
+GLINT_HD constexpr uint32_t leafFirst(uint32_t child) { return child & kMaxLeafFirst; }
+GLINT_HD constexpr uint32_t leafCount(uint32_t child) { return ((child >> 27) & 15u) + 1; }
+
+constexpr int kClusterVertices = 8;
+constexpr int kClusterTriangles = 8;
+
+/// Up to eight neighbouring triangles that share up to eight vertices: 128 bytes, two cache lines, instead of
+/// the 288 that eight separate triangles need. Vertices are exact copies, so that edges stay watertight
+/// across clusters. A triangle that is not used has three equal indices: no ray meets it.
+struct alignas(64) TriangleCluster {
+    float position[3][kClusterVertices];   ///< x, y, z of each vertex
+    uint8_t vertex[3][kClusterTriangles];  ///< the three corners of each triangle, in the mesh's order
+    uint32_t firstPrimitive;               ///< into MeshView::clusterPrimitives
+    uint32_t count;                        ///< triangles in use
+};
+static_assert(sizeof(TriangleCluster) == 128);
+
+}  // namespace glint

@@ -1,0 +1,80 @@
+// Walking a tree of wide nodes from near to far, for one ray, with an explicit stack. Both levels use it.
+//
+// Called by intersect.h only. Knows nothing of what leaves hold.
+#pragma once
+
+#include <bit>
+
+#include "engine/kernels/box_test.h"
+#include "engine/kernels/bvh_nodes.h"
+
+namespace glint {
+
+/// A child still to visit: its entry distance in the high half, so that keys order by distance (never
+/// negative).
+using StackEntry = uint64_t;
+
+GLINT_HD inline uint32_t floatBits(float x) { return std::bit_cast<uint32_t>(x); }
+
+GLINT_HD inline uint32_t lowestBit(uint32_t mask) {
+#if GLINT_ON_DEVICE
+    return static_cast<uint32_t>(__ffs(static_cast<int>(mask)) - 1);
+#else
+    return static_cast<uint32_t>(__builtin_ctz(mask));
+#endif
+}
+
+/// Pushes the children of `mask`, farthest first, so that the nearest is on top.
+GLINT_HD inline StackEntry* pushSorted(const WideNode& node, uint32_t mask, const float* distance,
+                                       StackEntry* top) {
+    StackEntry* const base = top;
+    for (; mask != 0; mask &= mask - 1) {
+        const uint32_t i = lowestBit(mask);
+        const StackEntry entry = (StackEntry{floatBits(distance[i])} << 32) | node.child[i];
+        StackEntry* slot = top++;
+        while (slot > base && slot[-1] < entry) {
+            slot[0] = slot[-1];
+            --slot;
+        }
+        *slot = entry;
+    }
+    return top;
+}
+
+/// Visits the leaves that the ray may meet, roughly from near to far. `visitLeaf(first, count, &tMax)`
+/// answers whether it found a hit, and lowers tMax to it; with kAnyHit the first hit ends the walk. ray.tMin
+/// must not be negative.
+template <bool kAnyHit, class VisitLeaf>
+GLINT_HD inline bool traverse(const WideNode* nodes, const Ray& ray, VisitLeaf&& visitLeaf) {
+    const BoxRay box = makeBoxRay(ray);
+    float tMax = ray.tMax;
+    bool found = false;
+    StackEntry stack[kTraversalStackSize];
+    StackEntry* top = stack;
+    alignas(32) float distance[kNodeWidth];
+    uint32_t current = 0;
+    while (true) {
+        if (isLeaf(current)) {
+            if (visitLeaf(leafFirst(current), leafCount(current), &tMax)) {
+                found = true;
+                if (kAnyHit) return true;
+            }
+        } else {
+            const WideNode& node = nodes[current];
+            const uint32_t mask = boxHits(node, box, ray.tMin, tMax, distance);
+            if (mask != 0 && (mask & (mask - 1)) == 0) {
+                current = node.child[lowestBit(mask)];
+                continue;
+            }
+            top = pushSorted(node, mask, distance, top);
+        }
+        const uint64_t limit = uint64_t{floatBits(tMax)} << 32;
+        do {
+            if (top == stack) return found;
+            --top;
+        } while (*top > limit);
+        current = static_cast<uint32_t>(*top);
+    }
+}
+
+}  // namespace glint
