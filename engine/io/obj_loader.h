@@ -26,7 +26,7 @@ struct ObjPart {
 struct ObjScene {
     std::vector<ObjPart> parts;       ///< in file order; never empty, each with at least one triangle
     std::vector<Material> materials;  ///< those that parts use, in order of first use; never empty
-    std::vector<Texture> textures;    ///< what these materials use; paths as written in the MTL file
+    std::vector<Texture> textures;    ///< what these materials use; paths include the MTL file's folder
     std::vector<std::string>
         warnings;  ///< `file:line: …`: missing MTL files, materials and images, statements left out
 };

@@ -1,0 +1,67 @@
+// Collects the faces of one OBJ part into a mesh: vertices with equal (position, uv, normal) numbers become
+// one.
+//
+// Called by obj_loader.cpp only, which checks every number before it comes here.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "engine/scene/mesh_data.h"
+
+namespace glint {
+
+/// What `v`, `vt` and `vn` lines have given so far.
+struct ObjPools {
+    std::vector<Vec3> positions;
+    std::vector<Vec3> colors;  ///< empty, or one per position
+    std::vector<Vec2> uvs;
+    std::vector<Vec3> normals;
+};
+
+/// A face's corner: numbers from 0 into the pools, -1 where there is none.
+struct ObjCorner {
+    int32_t position = -1;
+    int32_t uv = -1;
+    int32_t normal = -1;
+};
+
+class ObjPartBuilder {
+  public:
+    explicit ObjPartBuilder(const ObjPools& pools) : pools_(pools) {}
+
+    /// False, and nothing added, when the polygon has too many corners for ear clipping (polygon.h).
+    bool addFace(const std::vector<ObjCorner>& corners);
+    bool empty() const { return mesh_.indices.empty(); }
+    /// The mesh so far; begins a new, empty one.
+    std::shared_ptr<const MeshData> finish();
+
+  private:
+    static constexpr uint32_t kNone = UINT32_MAX;
+
+    /// A vertex of the mesh, in a list of those that share a position.
+    struct Known {
+        int32_t uv;
+        int32_t normal;
+        uint32_t next;
+    };
+    /// The list's head; it counts only if it was made for the present part.
+    struct Head {
+        uint32_t part = kNone;
+        uint32_t first = kNone;
+    };
+
+    uint32_t vertexFor(const ObjCorner& corner);
+    uint32_t appendVertex(const ObjCorner& corner);
+
+    const ObjPools& pools_;
+    MeshData mesh_;
+    uint32_t part_ = 0;
+    std::vector<Head> heads_;
+    std::vector<Known> known_;
+    std::vector<Vec3> polygon_;        ///< scratch
+    std::vector<uint32_t> triangles_;  ///< scratch
+};
+
+}  // namespace glint

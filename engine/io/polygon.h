@@ -1,0 +1,21 @@
+// Splits a polygon into triangles: convex ones as a fan, concave ones by ear clipping. For the mesh loaders.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/math/vec.h"
+
+namespace glint {
+
+/// Most corners of a polygon that is not convex: ear clipping takes time with their square.
+constexpr size_t kMaxConcaveCorners = 16384;
+
+/// Appends three corner numbers per triangle to `triangles`, keeping the polygon's orientation; n corners
+/// give n - 2 triangles. Works in the plane that the polygon's area vector faces most, so slightly bent
+/// polygons do. A simple polygon is covered exactly once, also with corners on a straight line or repeated;
+/// one that crosses itself is covered somehow. At least 3 corners, all finite and below 1e18. False: not
+/// convex and above kMaxConcaveCorners.
+bool triangulatePolygon(const std::vector<Vec3>& corners, std::vector<uint32_t>* triangles);
+
+}  // namespace glint

@@ -1,0 +1,173 @@
+// The text is NUL-terminated (it lives in a std::string), so that one character may be looked at beyond any
+// position.
+#include "engine/io/text_cursor.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+namespace glint {
+namespace {
+
+constexpr size_t kShownWord = 40;
+
+/// The length of a backslash followed by a line's end, or 0.
+int continuationLength(const char* p) {
+    if (p[0] != '\\') {
+        return 0;
+    }
+    return p[1] == '\n' ? 2 : (p[1] == '\r' && p[2] == '\n' ? 3 : 0);
+}
+
+/// A number too small or too large for float: small ones become 0 or denormal, large ones infinite.
+float outOfRangeFloat(const char* first, const char* last) {
+    return static_cast<float>(std::strtod(std::string(first, last).c_str(), nullptr));
+}
+
+}  // namespace
+
+TextCursor::TextCursor(const std::string& text, const std::string& file)
+    : begin_(text.data()), end_(text.data() + text.size()), at_(begin_), file_(file) {
+    if (text.starts_with("\xef\xbb\xbf")) {  // the mark some editors put before UTF-8
+        at_ += 3;
+    }
+}
+
+bool TextCursor::atBlank() const {
+    return *at_ == ' ' || *at_ == '\t' || *at_ == '\r' || *at_ == '\v' || *at_ == '\f';
+}
+
+bool TextCursor::atLineEnd() {
+    while (true) {
+        if (atBlank()) {
+            ++at_;
+        } else if (const int length = continuationLength(at_); length > 0) {
+            at_ += length;
+        } else {
+            return at_ == end_ || *at_ == '\n' || *at_ == '#';
+        }
+    }
+}
+
+void TextCursor::nextLine() {
+    while (at_ != end_ && *at_ != '\n') {
+        const int length = continuationLength(at_);
+        at_ += length > 0 ? length : 1;
+    }
+    at_ += at_ != end_ ? 1 : 0;
+}
+
+bool TextCursor::isWordEnd(const char* p) const {
+    switch (*p) {
+        case ' ':
+        case '\t':
+        case '\r':
+        case '\n':
+        case '\v':
+        case '\f':
+            return true;
+        case '\\':
+            return continuationLength(p) > 0;
+        case '\0':
+            return p == end_;
+        default:
+            return false;
+    }
+}
+
+std::string_view TextCursor::wordAt(const char* p) const {
+    const char* first = p;
+    while (!isWordEnd(p)) {
+        ++p;
+    }
+    return {first, static_cast<size_t>(p - first)};
+}
+
+std::string_view TextCursor::word() {
+    if (atLineEnd()) {
+        return {};
+    }
+    const std::string_view found = wordAt(at_);
+    at_ += found.size();
+    return found;
+}
+
+std::string_view TextCursor::restOfLine() {
+    while (at_ != end_ && atBlank()) {
+        ++at_;
+    }
+    const char* first = at_;
+    at_ = std::find(at_, end_, '\n');
+    const char* last = at_;
+    while (last != first && (last[-1] == ' ' || last[-1] == '\t' || last[-1] == '\r')) {
+        --last;
+    }
+    return {first, static_cast<size_t>(last - first)};
+}
+
+bool TextCursor::readFloat(const char* what, float* out) {
+    if (atLineEnd()) {
+        return fail(at_, fmt::format("expected {}, but the line ends", what));
+    }
+    const char* first = at_[0] == '+' && at_[1] != '-' ? at_ + 1 : at_;
+    auto [last, code] = std::from_chars(first, end_, *out);
+    if (code == std::errc::result_out_of_range) {
+        *out = outOfRangeFloat(first, last);
+        code = std::errc();
+    }
+    if (code != std::errc() || !isWordEnd(last)) {
+        return fail(at_, fmt::format("expected {}, a number, but found \"{}\"", what,
+                                     wordAt(at_).substr(0, kShownWord)));
+    }
+    if (!std::isfinite(*out)) {
+        return fail(at_, fmt::format("expected {}, a finite number, but found \"{}\"", what,
+                                     wordAt(at_).substr(0, kShownWord)));
+    }
+    at_ = last;
+    return true;
+}
+
+bool TextCursor::readInt(const char* what, int64_t* out) {
+    if (atLineEnd()) {
+        return fail(at_, fmt::format("expected {}, but the line ends", what));
+    }
+    const auto [last, code] = std::from_chars(at_, end_, *out);
+    if (code != std::errc() || !isWordEnd(last)) {
+        return fail(at_, fmt::format("expected {}, a whole number, but found \"{}\"", what,
+                                     wordAt(at_).substr(0, kShownWord)));
+    }
+    at_ = last;
+    return true;
+}
+
+bool TextCursor::expectLineEnd(const char* after) {
+    return atLineEnd() || fail(at_, fmt::format("expected nothing more after {}, but found \"{}\"", after,
+                                                wordAt(at_).substr(0, kShownWord)));
+}
+
+bool TextCursor::fail(const char* where, std::string message) {
+    error_ = Error{std::move(message), placeOf(where)};
+    return false;
+}
+
+SourcePlace TextCursor::placeOf(const char* where) const {
+    const char* lineBegin = where;
+    while (lineBegin != begin_ && lineBegin[-1] != '\n') {
+        --lineBegin;
+    }
+    const char* lineEnd = std::find(where, end_, '\n');
+    lineEnd -= lineEnd != lineBegin && lineEnd[-1] == '\r' ? 1 : 0;
+    return {.file = file_,
+            .line = 1 + static_cast<int>(std::count(begin_, lineBegin, '\n')),
+            .column = 1 + static_cast<int>(where - lineBegin),
+            .lineText = std::string(lineBegin, std::max(lineBegin, lineEnd))};
+}
+
+std::string TextCursor::warning(const char* where, const std::string& message) const {
+    return fmt::format("{}:{}: {}", file_, placeOf(where).line, message);
+}
+
+}  // namespace glint
