@@ -23,6 +23,9 @@ public:
     /// Takes the scene for the following passes (uploads what changed). Error: does not fit the device's memory.
     virtual Status setScene(std::shared_ptr<const BuiltScene> scene) = 0;
 
+    /// The kernel variant that the present scene runs, for status lines; empty before setScene().
+    virtual std::string kernelName() const { return {}; }
+
     /// Renders one path for each pixel into `out`, which is resized as needed. Checks `stop` at least once a tile;
     /// returns false when it stopped early, and `out` is then to be thrown away.
     virtual Result<bool> renderPass(const PassParams& params, const std::atomic<bool>& stop,
@@ -33,7 +36,7 @@ public:
                                        std::vector<AovSample>* out) = 0;
 };
 
-/// threads 0: all.
+/// The OpenMP loop over tiles. threads 0: all.
 std::unique_ptr<Backend> makeCpuBackend(int threads);
 
 }  // namespace glint

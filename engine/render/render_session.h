@@ -1,17 +1,22 @@
-// A render that runs on its own thread while someone edits: the heart of the window, of `glint render` and of the tests.
+// A render that runs on its own thread while someone edits: the heart of the window, of `glint render` and of
+// the tests.
 //
-// Everything public may be called from one controlling thread (the UI) and returns at once, unless it says otherwise.
-// Edits and requests go into a mailbox, coalesced; the render thread takes them between passes, or at once through the
-// backend's stop flag. What comes back are immutable snapshots. Exceptions and errors end up in SessionStatus.
+// Everything public may be called from one controlling thread (the UI) and returns at once, unless it says
+// otherwise. Edits and requests go into a mailbox, coalesced; the render thread takes them between passes, or
+// at once through the backend's stop flag. What comes back are immutable snapshots. Exceptions and errors end
+// up in SessionStatus.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "engine/build/scene_builder.h"
 #include "engine/render/backend.h"
 #include "engine/render/film.h"
 #include "engine/scene/scene_edit.h"
@@ -30,16 +35,24 @@ struct FilmSnapshot {
     uint64_t generation = 0;  ///< counts the edits that had been taken when it was made
     int width = 0;            ///< smaller than the film's while something moves
     int height = 0;
-    int previewScale = 1;     ///< film pixels per snapshot pixel in each direction; 1: full resolution
+    int previewScale = 1;  ///< film pixels per snapshot pixel in each direction; 1: full resolution
     uint32_t passes = 0;
-    double renderSeconds = 0.0;   ///< time spent in passes since the last restart, resumed time included
-    double relativeError = 0.0;   ///< Film::relativeErrorEstimate
+    double renderSeconds = 0.0;        ///< time spent in passes since the last restart, resumed time included
+    double relativeError = 0.0;        ///< Film::relativeErrorEstimate
     std::vector<float> radiance;       ///< linear RGB, 3 per pixel
     std::vector<float> standardError;  ///< of the mean luminance, 1 per pixel; empty unless asked for
-    std::shared_ptr<const AovFilm> aovs;  ///< null unless asked for
+    std::shared_ptr<const AovFilm>
+        aovs;  ///< of the snapshot's size; null unless asked for, and until the first is made
 };
 
-enum class SessionState { Empty, Building, Rendering, Paused, Finished, Failed };
+enum class SessionState {
+    Empty,     ///< no scene yet
+    Building,  ///< an edit is being built
+    Rendering,
+    Paused,    ///< by setPaused; after an edit only when there is one full pass to look at
+    Finished,  ///< a limit is reached, and the AOVs that were asked for are done
+    Failed,    ///< no picture can be made: status.error says why. An edit or a restart tries again
+};
 
 struct SessionStatus {
     SessionState state = SessionState::Empty;
@@ -52,7 +65,15 @@ struct SessionStatus {
     double relativeError = 0.0;
     std::array<uint64_t, kSampleFaultCount> faultCounts{};
     std::string backend;
-    std::string error;  ///< Failed: why. The last good picture stays available
+    std::string
+        error;  ///< why the last edit was refused (the scene before it goes on), or why the state is Failed
+    int previewScale = 1;    ///< of the newest snapshot
+    uint32_t aovPasses = 0;  ///< of kAovPasses, where AOVs were asked for
+    size_t filmBytes = 0;
+    std::string kernel;             ///< the kernel variant in use
+    double lastBuildSeconds = 0.0;  ///< of the last edit
+    uint64_t picturesAfterEdits =
+        0;  ///< edits that have been answered by a picture: a new latency figure each time
     /// How often each part was rebuilt or cleared since the session began: what tests and the log read.
     struct Counters {
         uint64_t meshBuilds = 0;
@@ -64,8 +85,11 @@ struct SessionStatus {
         uint64_t filmRestarts = 0;
         uint64_t filmAllocations = 0;
         uint64_t passesDiscarded = 0;
+        uint64_t editsRefused = 0;
+        uint64_t previewPasses = 0;
     } counters;
-    /// Latency of the last edit, seconds: from post() to the stop of the pass in flight, and to the first new snapshot.
+    /// Latency of the last edit, seconds: from post() to the stop of the pass in flight, and to the first new
+    /// snapshot.
     double lastCancelSeconds = 0.0;
     double lastEditToPictureSeconds = 0.0;
 };
@@ -76,9 +100,28 @@ struct ResumePoint {
     double renderSeconds = 0.0;
 };
 
+/// The film at one moment, exactly, with the description that made it.
+struct SessionCapture {
+    std::shared_ptr<const SceneDescription> scene;
+    Film film;
+    AovFilm aovs;
+    double renderSeconds = 0.0;
+};
+
+using SceneBuildFunction = std::function<Result<std::shared_ptr<const BuiltScene>>(
+    const SceneEdit&, const BuiltScene* previous, int threads, const std::atomic<bool>* stop, BuildReport*)>;
+
+struct SessionOptions {
+    bool previews = true;     ///< low-resolution passes after edits; off for batch renders
+    bool snapshots = true;    ///< off: snapshot() stays null
+    bool lowPriority = true;  ///< render threads give way to the UI
+    int threads = 0;          ///< for building, committing and snapshots; 0: all
+    SceneBuildFunction build = buildScene;
+};
+
 class RenderSession {
-public:
-    explicit RenderSession(std::unique_ptr<Backend> backend);
+  public:
+    explicit RenderSession(std::unique_ptr<Backend> backend, SessionOptions options = {});
     /// Stops within one tile and joins.
     ~RenderSession();
     RenderSession(const RenderSession&) = delete;
@@ -92,28 +135,30 @@ public:
     void setLimits(const StopLimits& limits);
     void setPaused(bool paused);
     void restart();
-    /// While true (a drag, a flight), passes run at low resolution so that the picture stays fluid. Full resolution
-    /// follows at once when it turns false.
+    /// While true (a drag, a flight), passes after an edit run at low resolution so that the picture stays
+    /// fluid. Full resolution follows at once when it turns false. Without an edit the picture keeps its
+    /// resolution.
     void setInteracting(bool interacting);
     /// Bits of Aov, plus whether snapshots carry standard errors. Never restarts the film.
     void request(uint32_t aovs, bool standardError);
 
-    /// The newest picture of the current generation, or of the one before while there is none; null before the first.
+    /// The newest picture of the current generation, or of the one before while there is none; null before
+    /// the first.
     std::shared_ptr<const FilmSnapshot> snapshot() const;
     SessionStatus status() const;
 
-    /// Blocks until the state is Finished, Failed or Paused, or `seconds` have passed; returns the state then.
+    /// Blocks until the state is Finished, Failed or Paused with everything asked for so far taken into
+    /// account, or `seconds` have passed; returns the state then.
     SessionState wait(double seconds);
-    /// Blocks until the pass in flight is committed, and copies the film exactly, with the description that made it.
-    struct Capture {
-        std::shared_ptr<const SceneDescription> scene;
-        Film film;
-        AovFilm aovs;
-        double renderSeconds = 0.0;
-    };
+    /// Copies the film exactly, as soon as the pass in flight and at least one pass are committed. Nothing:
+    /// there is no scene, it failed, or the session ended. captureLater() returns at once; capture() blocks.
+    using Capture = SessionCapture;
+    std::future<std::optional<Capture>> captureLater();
     std::optional<Capture> capture();
 
-private:
+    static constexpr uint32_t kAovPasses = 64;
+
+  private:
     class Impl;
     std::unique_ptr<Impl> impl_;
 };

@@ -1,0 +1,46 @@
+// A mutex around two values: readers copy, and hold it for no longer.
+#include "engine/render/bulletin.h"
+
+#include <chrono>
+#include <utility>
+
+namespace glint {
+namespace {
+
+bool rests(SessionState state) {
+    return state == SessionState::Finished || state == SessionState::Failed || state == SessionState::Paused;
+}
+
+}  // namespace
+
+void Bulletin::show(std::shared_ptr<const FilmSnapshot> snapshot) {
+    const std::lock_guard lock(mutex_);
+    // The old picture's memory is freed after the lock.
+    snapshot_.swap(snapshot);
+}
+
+void Bulletin::set(const SessionStatus& status, uint64_t ticket) {
+    const std::lock_guard lock(mutex_);
+    status_ = status;
+    ticket_ = ticket;
+    changed_.notify_all();
+}
+
+std::shared_ptr<const FilmSnapshot> Bulletin::snapshot() const {
+    const std::lock_guard lock(mutex_);
+    return snapshot_;
+}
+
+SessionStatus Bulletin::status() const {
+    const std::lock_guard lock(mutex_);
+    return status_;
+}
+
+SessionState Bulletin::wait(uint64_t ticket, double seconds) const {
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, std::chrono::duration<double>(seconds),
+                      [&] { return ticket_ >= ticket && rests(status_.state); });
+    return status_.state;
+}
+
+}  // namespace glint

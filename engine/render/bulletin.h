@@ -1,0 +1,32 @@
+// What the render thread shows to the controlling thread: the newest picture and the status. Thread-safe.
+#pragma once
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+
+#include "engine/render/render_session.h"
+
+namespace glint {
+
+class Bulletin {
+  public:
+    void show(std::shared_ptr<const FilmSnapshot> snapshot);
+    /// `ticket`: everything asked for up to Mail::ticket has been taken into account.
+    void set(const SessionStatus& status, uint64_t ticket);
+
+    std::shared_ptr<const FilmSnapshot> snapshot() const;
+    SessionStatus status() const;
+    /// Blocks until the state is a resting one with at least `ticket` taken into account, or `seconds` have
+    /// passed.
+    SessionState wait(uint64_t ticket, double seconds) const;
+
+  private:
+    mutable std::mutex mutex_;
+    mutable std::condition_variable changed_;
+    std::shared_ptr<const FilmSnapshot> snapshot_;
+    SessionStatus status_;
+    uint64_t ticket_ = 0;
+};
+
+}  // namespace glint

@@ -1,0 +1,104 @@
+// What the controlling thread wants of the render thread: edits joined to one, requests, and the present
+// wishes.
+//
+// It also owns the stop flag, since whether a pass in flight is worth stopping has to be decided together
+// with taking the message. Knows nothing of films or passes. Thread-safe.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <future>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "engine/render/render_session.h"
+
+namespace glint {
+
+using SessionClock = std::chrono::steady_clock;
+
+inline double secondsBetween(SessionClock::time_point from, SessionClock::time_point to) {
+    return std::chrono::duration<double>(to - from).count();
+}
+inline double secondsSince(SessionClock::time_point from) {
+    return secondsBetween(from, SessionClock::now());
+}
+
+using CapturePromise = std::promise<std::optional<SessionCapture>>;
+
+/// What happened since the render thread last looked; each happens once.
+struct Mail {
+    std::optional<SceneEdit> edit;      ///< the newest scene; kinds of all edits that waited
+    std::optional<ResumePoint> resume;  ///< belongs to `edit`
+    bool restart = false;
+    bool quit = false;
+    std::vector<CapturePromise> captures;
+    std::optional<SessionClock::time_point> firstPosted;  ///< of the edits and restarts
+    uint64_t ticket = 0;  ///< counts everything asked for up to now, wishes included
+
+    bool invalidatesPicture() const { return edit.has_value() || restart; }
+};
+
+/// What holds until it is changed.
+struct Wishes {
+    StopLimits limits;
+    bool paused = false;
+    bool interacting = false;
+    uint32_t aovs = 0;
+    bool standardError = false;
+};
+
+/// What runs now, as far as it matters to whether an edit or a pause should stop it.
+struct PassInFlight {
+    bool mustBeShown =
+        false;  ///< nothing has been shown since an edit before: stopping again would freeze the picture
+    double previewSeconds =
+        0.0;  ///< a preview that should take so long: one that is almost done is let through
+    bool stopsOnPause = false;
+};
+
+class Mailbox {
+  public:
+    void post(SceneEdit edit, std::optional<ResumePoint> resume);
+    void postRestart();
+    void postQuit();
+    void postCapture(CapturePromise capture);
+    void change(const std::function<void(Wishes&)>& how);
+
+    /// Blocks until anything was asked for or hasWork(wishes), which must not touch the mailbox. Hands over
+    /// the mail, and the wishes of that moment.
+    Mail take(const std::function<bool(const Wishes&)>& hasWork, Wishes* wishes);
+
+    /// Declares that a pass begins, and clears the stop flag unless mail already waits that should stop it.
+    void beginPass(const PassInFlight& pass);
+    void endPass();
+    /// Raised by edits, restarts and pauses that are worth it, and by quitting.
+    const std::atomic<bool>& stopFlag() const { return stop_; }
+    /// When what raised the flag was posted; now, if nothing did.
+    SessionClock::time_point stopRaised() const;
+
+    /// Raised while a build under way is for nothing: another scene waits, or the session ends.
+    const std::atomic<bool>& abandonBuild() const { return abandonBuild_; }
+    uint64_t ticket() const;
+
+  private:
+    bool worthStopping(SessionClock::time_point now) const;
+    void asked();
+    void raiseStopFor(SessionClock::time_point posted);
+
+    mutable std::mutex mutex_;
+    std::condition_variable changed_;
+    Mail mail_;
+    Wishes wishes_;
+    uint64_t taken_ = 0;
+    std::optional<PassInFlight> pass_;
+    SessionClock::time_point passBegan_;
+    SessionClock::time_point stopRaised_;
+    std::atomic<bool> stop_{false};
+    std::atomic<bool> abandonBuild_{false};
+};
+
+}  // namespace glint

@@ -1,0 +1,254 @@
+// The loop, and what an edit does to it. Passes are in session_passes.cpp.
+#include "engine/render/session_worker.h"
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "engine/base/log.h"
+#include "engine/base/thread_priority.h"
+
+namespace glint {
+namespace {
+
+constexpr EditKind kNeedsBuild = EditKind::Everything | EditKind::Camera | EditKind::MaterialParameters |
+                                 EditKind::MaterialKind | EditKind::Lights | EditKind::ObjectTransform;
+
+void count(const BuildReport& report, SessionStatus::Counters* counters) {
+    counters->meshBuilds += static_cast<uint64_t>(report.meshesBuilt);
+    counters->topLevelBuilds += report.topLevelBuilt;
+    counters->materialTables += report.materialsBuilt;
+    counters->textureTables += report.texturesBuilt;
+    counters->lightTables += report.lightsBuilt;
+    counters->featureScans += report.featuresScanned;
+}
+
+}  // namespace
+
+SessionWorker::SessionWorker(std::unique_ptr<Backend> backend, SessionOptions options, Mailbox* mailbox,
+                             Bulletin* bulletin)
+    : backend_(std::move(backend)), options_(std::move(options)), mailbox_(mailbox), bulletin_(bulletin) {
+    status_.backend = backend_->name();
+    setStatus();
+}
+
+void SessionWorker::run() {
+    if (options_.lowPriority) {
+        lowerThreadPriority();
+    }
+    for (;;) {
+        Mail mail = mailbox_->take(
+            [this](const Wishes& wishes) { return nextPass(wishes) != NextPass::None; }, &wishes_);
+        if (mail.quit) {
+            std::ranges::move(mail.captures, std::back_inserter(captures_));
+            answerCaptures();
+            return;
+        }
+        try {
+            runOnce(std::move(mail));
+        } catch (const std::exception& problem) {
+            fail(fmt::format("the render thread stopped: {}", problem.what()));
+        }
+    }
+}
+
+void SessionWorker::runOnce(Mail mail) {
+    ticket_ = mail.ticket;
+    std::ranges::move(mail.captures, std::back_inserter(captures_));
+    if (mail.firstPosted && !unansweredEdit_) {
+        unansweredEdit_ = mail.firstPosted;
+    }
+    if (mail.edit) {
+        takeEdit(std::move(*mail.edit), std::move(mail.resume));
+    } else if (mail.restart && built_) {
+        failed_ = false;
+        ++status_.generation;
+        restartPicture();
+    }
+    takeRequests();
+    const NextPass kind = nextPass(wishes_);
+    if (kind != NextPass::None) {
+        status_.state = SessionState::Rendering;
+        bulletin_->set(status_, ticket_);
+        runPass(kind);
+    }
+    serveCaptures();
+    showIfDue();
+    setStatus();
+}
+
+void SessionWorker::takeRequests() {
+    if (wishes_.aovs == 0 && (aovFilm_.width() > 0 || previewAovs_.width() > 0)) {
+        aovFilm_ = AovFilm();
+        previewAovs_ = AovFilm();
+        shownAovs_.reset();
+    }
+    // A picture at rest has to be shown again with what it lacked.
+    if (wishes_.standardError && !shownStandardError_ && filmPasses() > 0) {
+        shownIsOld_ = true;
+    }
+}
+
+void SessionWorker::fail(const std::string& why) {
+    mailbox_->endPass();
+    failed_ = true;
+    status_.error = why;
+    logError("{}", why);
+    serveCaptures();
+    setStatus();
+}
+
+void SessionWorker::takeEdit(SceneEdit edit, std::optional<ResumePoint> resume) {
+    ++status_.generation;
+    edit.kinds |= refusedKinds_;
+    if (!built_) {
+        edit.kinds |= EditKind::Everything;
+    }
+    status_.state = SessionState::Building;
+    bulletin_->set(status_, ticket_);
+    if (!rebuild(edit)) {
+        return;
+    }
+    const bool pictureChanged = (edit.kinds & EditKind::SppmParameters) != edit.kinds;
+    scene_ = std::move(edit.scene);
+    refusedKinds_ = EditKind::None;
+    failed_ = false;
+    status_.error.clear();
+    if (has(edit.kinds, EditKind::Everything)) {
+        pace_.forget();
+    }
+    if (resume) {
+        continueFrom(std::move(*resume));
+    } else if (pictureChanged) {
+        restartPicture();
+    } else {
+        unansweredEdit_.reset();
+    }
+}
+
+bool SessionWorker::rebuild(const SceneEdit& edit) {
+    if ((edit.kinds & kNeedsBuild) == EditKind::None) {
+        return true;
+    }
+    const auto began = SessionClock::now();
+    BuildReport report;
+    auto result = options_.build(edit, built_.get(), options_.threads, &mailbox_->abandonBuild(), &report);
+    count(report, &status_.counters);
+    if (!result) {
+        refuse(edit.kinds, result.error().format());
+        return false;
+    }
+    if (const Status taken = backend_->setScene(*result); !taken) {
+        refuse(edit.kinds, taken.error().format());
+        return false;
+    }
+    built_ = std::move(result).value();
+    status_.kernel = backend_->kernelName();
+    status_.lastBuildSeconds = secondsSince(began);
+    return true;
+}
+
+void SessionWorker::refuse(EditKind kinds, const std::string& why) {
+    refusedKinds_ |= kinds;
+    if (mailbox_->abandonBuild()) {
+        return;  // Given up for a newer scene, which will be built instead.
+    }
+    unansweredEdit_.reset();
+    ++status_.counters.editsRefused;
+    status_.error = why;
+    failed_ = failed_ || built_ == nullptr;
+    logError("{}", why);
+}
+
+void SessionWorker::restartPicture() {
+    filmIsStale_ = true;
+    aovFilm_.clear();
+    shownAovs_.reset();
+    renderSeconds_ = 0.0;
+    relativeError_ = 0.0;
+    secondsPerPass_ = 0.0;
+    ++status_.counters.filmRestarts;
+    const Resolution& size = scene_->resolution;
+    const int scale =
+        options_.previews ? pace_.choose(size.width, size.height, previewing_ ? previewScale_ : 0) : 1;
+    previewing_ = scale > 1;
+    if (previewing_) {
+        startPreview(scale);
+    }
+}
+
+void SessionWorker::continueFrom(ResumePoint resume) {
+    const Resolution& size = scene_->resolution;
+    if (resume.film.width() != size.width || resume.film.height() != size.height) {
+        restartPicture();
+        fail(fmt::format("the checkpoint's film has {}x{} pixels, the scene {}x{}", resume.film.width(),
+                         resume.film.height(), size.width, size.height));
+        return;
+    }
+    restartPicture();
+    film_ = std::move(resume.film);
+    filmIsStale_ = false;
+    previewing_ = false;
+    renderSeconds_ = resume.renderSeconds;
+    relativeError_ = film_.relativeErrorEstimate(options_.threads);
+    shownIsOld_ = true;
+}
+
+void SessionWorker::startPreview(int scale) {
+    const Resolution& size = scene_->resolution;
+    const int width = previewSize(size.width, scale);
+    const int height = previewSize(size.height, scale);
+    if (preview_.width() == width && preview_.height() == height) {
+        preview_.clear();
+    } else {
+        preview_ = Film(width, height);
+    }
+    previewAovs_ = AovFilm();
+    previewScale_ = scale;
+}
+
+void SessionWorker::serveCaptures() {
+    const bool possible = built_ && !failed_;
+    if (!captures_.empty() && (!possible || filmPasses() > 0)) {
+        answerCaptures();
+    }
+}
+
+void SessionWorker::answerCaptures() {
+    for (CapturePromise& promise : captures_) {
+        if (filmPasses() > 0) {
+            promise.set_value(SessionCapture{scene_, film_, aovFilm_, renderSeconds_});
+        } else {
+            promise.set_value(std::nullopt);
+        }
+    }
+    captures_.clear();
+}
+
+SessionState SessionWorker::state() const {
+    if (failed_) {
+        return SessionState::Failed;
+    }
+    if (!built_) {
+        return SessionState::Empty;
+    }
+    if (nextPass(wishes_) != NextPass::None) {
+        return SessionState::Rendering;
+    }
+    return limitReached(wishes_.limits) ? SessionState::Finished : SessionState::Paused;
+}
+
+void SessionWorker::setStatus() {
+    status_.state = state();
+    status_.passes = filmPasses();
+    status_.renderSeconds = renderSeconds_;
+    status_.relativeError = relativeError_;
+    status_.aovPasses = aovFilm_.passes();
+    status_.filmBytes = film_.bytes() + preview_.bytes() + aovFilm_.bytes() + previewAovs_.bytes();
+    status_.faultCounts = filmIsStale_ ? std::array<uint64_t, kSampleFaultCount>{} : film_.faultCounts();
+    bulletin_->set(status_, ticket_);
+}
+
+}  // namespace glint
