@@ -16,23 +16,31 @@ enum MaterialFlag : uint8_t {
     kMaterialEmissive = 1u << 2,
 };
 
-/// A GGX alpha below this is treated as perfectly smooth: its lobe is narrower than float directions resolve well.
+/// A GGX alpha below this is treated as perfectly smooth: its lobe is narrower than float directions resolve
+/// well.
 constexpr float kSmoothAlpha = 1e-4f;
+
+/// Entries of a rough coat's albedo table.
+constexpr int kCoatSamples = 16;
 
 struct MaterialData {
     Vec3 color{0.5f};
     uint32_t colorTexture = 0xffffffffu;  ///< index into SceneView::textures, or none
-    Vec3 eta{1.0f};  ///< conductor
-    Vec3 k{0.0f};    ///< conductor
-    float ior = 1.5f;
-    float alpha = 0.0f;                    ///< GGX; 0: smooth
-    Vec3 mixtureProbability{1, 0, 0};      ///< sums to 1
-    Vec3 emission{0.0f};                   ///< radiance, strength included
+    Vec3 eta{1.0f};                       ///< conductor
+    Vec3 k{0.0f};                         ///< conductor
+    float ior = 1.5f;                     ///< dielectric, plastic, mixture
+    float alpha = 0.0f;                   ///< GGX; below kSmoothAlpha: smooth
+    Vec3 mixtureProbability{1, 0, 0};     ///< sums to 1
+    Vec3 emission{0.0f};                  ///< radiance, strength included
+    float coatInternalAlbedo = 0.0f;  ///< plastic: share of diffuse light that the coat's underside reflects
+    float coatAverageAlbedo = 0.0f;   ///< plastic: cosine-weighted mean of the coat's albedo from outside
     MaterialTag kind = MaterialTag::Diffuse;
     uint8_t flags = 0;
+    float coatAlbedo[kCoatSamples] = {};  ///< plastic, rough: albedo at cosine (i / (kCoatSamples - 1))^2
 };
 
-/// 3 bytes (sRGB or linear) or 3 floats a texel; exactly one of the pointers is set. Row 0 is the image's top row.
+/// 3 bytes (sRGB or linear) or 3 floats a texel; exactly one of the pointers is set. Row 0 is the image's top
+/// row.
 struct TextureView {
     const uint8_t* bytes = nullptr;
     const float* floats = nullptr;

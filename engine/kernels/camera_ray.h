@@ -1,0 +1,47 @@
+// From a place in the picture to a ray: pinhole or thin lens. Host and device. Called by the path and AOV
+// kernels.
+//
+// Left out: lens distortion, vignetting (cos^4 of the film), motion of the camera.
+#pragma once
+
+#include "engine/kernels/features.h"
+#include "engine/kernels/shading_view.h"
+#include "engine/math/ray.h"
+#include "engine/math/warp.h"
+
+namespace glint {
+
+/// Picture coordinates of a point in pixel (x, y), `offset` pixels away from its centre: x and y in [-1, 1]
+/// over the picture, x to the right, y up.
+GLINT_HD inline Vec2 pixelToNdc(int width, int height, int x, int y, Vec2 offset) {
+    const float right = (static_cast<float>(x) + 0.5f + offset.x) / static_cast<float>(width);
+    const float down = (static_cast<float>(y) + 0.5f + offset.y) / static_cast<float>(height);
+    return {2.0f * right - 1.0f, 1.0f - 2.0f * down};
+}
+
+/// A point on the lens in its own radius, uniform by area: round, or a regular polygon within the unit
+/// circle.
+GLINT_HD inline Vec2 sampleLens(const CameraData& camera, Vec2 uLens) {
+    return camera.blades >= 3 ? sampleRegularPolygon(uLens, camera.blades, camera.bladeRotationRad)
+                              : sampleDisc(uLens);
+}
+
+/// The ray through picture coordinates `ndc` (pixelToNdc) and the lens point chosen by uLens. All rays of one
+/// ndc meet in the plane at focalDistance along the view axis. Its direction has unit length. Every ray
+/// weighs the same.
+template <FeatureMask kMask>
+GLINT_HD Ray cameraRay(const CameraData& camera, Vec2 ndc, Vec2 uLens) {
+    const Vec3 axial(ndc.x * camera.tanHalfFovX, ndc.y * camera.tanHalfFovY, -1.0f);
+    if constexpr (hasFeature<kMask>(kFeatureDepthOfField)) {
+        if (camera.lensRadius > 0.0f) {
+            const Vec2 lens = camera.lensRadius * sampleLens(camera, uLens);
+            const Vec3 lensPoint(lens, 0.0f);
+            const Vec3 direction = axial - lensPoint / camera.focalDistance;
+            return {camera.position + camera.frame.toWorld(lensPoint),
+                    glm::normalize(camera.frame.toWorld(direction))};
+        }
+    }
+    return {camera.position, glm::normalize(camera.frame.toWorld(axial))};
+}
+
+}  // namespace glint

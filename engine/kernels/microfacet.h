@@ -1,0 +1,62 @@
+// The isotropic GGX microfacet distribution with Smith shadowing, in the local frame whose z is the normal.
+// Host and device. Called by the BSDFs only.
+//
+// Trowbridge and Reitz 1975; Walter et al. 2007; Heitz 2014 and 2018; Dupuy and Benyoub 2023. Every
+// expression is arranged so that it stays finite at grazing directions. Left out: anisotropy, light that
+// bounces more than once between facets (a rough metal of alpha 1 loses up to a third of its energy).
+#pragma once
+
+#include "engine/math/warp.h"
+
+namespace glint {
+
+/// z + sqrt(z^2 + alpha^2 sin^2) is 2z / G1; this is the root. w has unit length.
+GLINT_HD inline float ggxRoot(const Vec3& w, float alpha) {
+    return std::sqrt(square(w.z) + square(alpha) * (square(w.x) + square(w.y)));
+}
+
+/// Density of facet normals by solid angle of h, times cos: integrates with cos to 1. h has unit length and
+/// h.z > 0. Written with the sine of h, since 1 - cos^2 has no digits left for narrow lobes.
+GLINT_HD inline float ggxDistribution(const Vec3& h, float alpha) {
+    const float alpha2 = square(alpha);
+    const float s = (square(h.x) + square(h.y)) + alpha2 * square(h.z);
+    return alpha2 * kInvPi / std::fmax(square(s), 1e-30f);
+}
+
+/// The part of facets seen from w that nothing hides (Smith's G1). w.z >= 0.
+GLINT_HD inline float ggxVisible(const Vec3& w, float alpha) {
+    return 2.0f * w.z / std::fmax(w.z + ggxRoot(w, alpha), 1e-20f);
+}
+
+/// Density of h by solid angle under sampleVisibleNormal(wo): G1(wo) D(h) (wo . h) / wo.z. 0 where wo . h <=
+/// 0.
+GLINT_HD inline float visibleNormalPdf(const Vec3& wo, const Vec3& h, float alpha) {
+    const float cosine = std::fmax(glm::dot(wo, h), 0.0f);
+    return 2.0f * ggxDistribution(h, alpha) * cosine / std::fmax(wo.z + ggxRoot(wo, alpha), 1e-20f);
+}
+
+/// A facet normal as seen from wo (wo.z >= 0): a reflection on a stretched hemisphere is uniform on a
+/// spherical cap (Dupuy and Benyoub 2023, section 3).
+GLINT_HD inline Vec3 sampleVisibleNormal(const Vec3& wo, float alpha, Vec2 u) {
+    const Vec3 stretched = glm::normalize(Vec3(alpha * wo.x, alpha * wo.y, wo.z));
+    const SinCos phi = sinCosTurns(u.x);
+    const float z = (1.0f - u.y) * (1.0f + stretched.z) - stretched.z;
+    const float r = safeSqrt((1.0f - z) * (1.0f + z));
+    const Vec3 h(r * phi.cos + stretched.x, r * phi.sin + stretched.y, z + stretched.z);
+    const Vec3 unstretched(alpha * h.x, alpha * h.y, std::fmax(h.z, 1e-7f * alpha));
+    return glm::normalize(unstretched);
+}
+
+/// Reflection from wo to wi, both with z > 0, half vector h: D G2 / (4 wo.z), which is f |cos| without
+/// Fresnel. G2 is height-correlated (Heitz 2014, eq. 99).
+GLINT_HD inline float ggxReflection(const Vec3& wo, const Vec3& wi, const Vec3& h, float alpha) {
+    const float shared = wo.z * ggxRoot(wi, alpha) + wi.z * ggxRoot(wo, alpha);
+    return 0.5f * ggxDistribution(h, alpha) * wi.z / std::fmax(shared, 1e-20f);
+}
+
+/// Its density under sampleVisibleNormal(wo) and reflection: G1(wo) D / (4 wo.z).
+GLINT_HD inline float ggxReflectionPdf(const Vec3& wo, const Vec3& h, float alpha) {
+    return 0.5f * ggxDistribution(h, alpha) / std::fmax(wo.z + ggxRoot(wo, alpha), 1e-20f);
+}
+
+}  // namespace glint
