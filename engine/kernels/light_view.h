@@ -31,8 +31,9 @@ struct EmitterData {
     Vec3 axisV{0.0f};     ///< likewise; triangle: vertex 2 - vertex 0
     Vec3 direction{
         0.0f};  ///< flat shapes: unit normal of the front; spot, directional: unit, where the light travels
-    Vec3 radiance{0.0f};         ///< area: W/(sr m^2); point, spot: W/sr; directional: W/m^2 facing it
-    float area = 0.0f;           ///< flat shapes and triangles; a sphere's radius is in radiusWorld instead
+    Vec3 radiance{0.0f};  ///< area: W/(sr m^2); point, spot: W/sr; directional: W/m^2 facing it
+    float area =
+        0.0f;  ///< rectangle, parallelogram, disc, triangle: area; directional: luminance of `radiance`
     float radiusWorld = 0.0f;    ///< sphere
     float cosConeOuter = -1.0f;  ///< spot: the light ends here
     float cosConeInner = -1.0f;  ///< spot: begins to fall off here

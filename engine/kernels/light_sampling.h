@@ -1,0 +1,181 @@
+// Light sampling: one light and one point on it for a place, and the density with which a direction found
+// otherwise would have been sampled. Called by the path kernel.
+#pragma once
+
+#include "engine/kernels/environment.h"
+#include "engine/kernels/light_sampling_shapes.h"
+#include "engine/kernels/light_tree.h"
+#include "engine/kernels/scene_view.h"
+
+namespace glint {
+
+/// Light from one direction. Without shadows: whether it arrives is for a shadow ray to find out.
+struct LightSample {
+    Vec3 wiWorld{0.0f};          ///< unit, from the place towards the light
+    Vec3 point{0.0f};            ///< on the light; meaningless when isInfinite
+    Vec3 pointError{0.0f};       ///< bound of its absolute rounding error
+    Vec3 pointNormal{0.0f};      ///< unit; 0 for point and spot lights
+    Vec3 radiance{0.0f};         ///< delta lights: irradiance facing the light; otherwise radiance
+    float pdfSolidAngle = 0.0f;  ///< choice of the light included; delta lights: only that. 0: no sample
+    uint32_t emitter = 0;
+    bool isDelta = false;
+    bool isInfinite = false;
+};
+
+/// 1 inside the inner cone, 0 outside the outer one, smooth (cubic) in the cosine between.
+GLINT_HD inline float spotFalloff(const EmitterData& e, float cosine) {
+    if (cosine >= e.cosConeInner) return 1.0f;
+    if (cosine <= e.cosConeOuter) return 0.0f;
+    const float t = (cosine - e.cosConeOuter) / (e.cosConeInner - e.cosConeOuter);
+    return t * t * (3.0f - 2.0f * t);
+}
+
+GLINT_HD inline EmitterPoint sampleEmitterShape(const SceneView& view, const EmitterData& e, const Vec3& from,
+                                                const Vec2& u) {
+    switch (e.tag) {
+        case EmitterTag::Sphere:
+            return sampleSphereEmitter(e, from, u);
+        case EmitterTag::Ellipsoid:
+            return sampleEllipsoid(view.geometry.instances[e.instance], from, u);
+        case EmitterTag::Rectangle:
+            return sampleRectangle(e, from, u);
+        case EmitterTag::Parallelogram:
+            return sampleFlatByArea(e, from, 2.0f * u.x - 1.0f, 2.0f * u.y - 1.0f);
+        case EmitterTag::Disc:
+            return sampleDiscEmitter(e, from, u);
+        case EmitterTag::Triangle:
+            return sampleTriangleEmitter(e, from, u);
+        default:
+            return {};
+    }
+}
+
+/// Density per solid angle at `from` with which sampleEmitterShape() finds the point `p` of the emitter.
+GLINT_HD inline float pdfEmitterShape(const SceneView& view, const EmitterData& e, const Vec3& from,
+                                      const Vec3& p) {
+    switch (e.tag) {
+        case EmitterTag::Sphere:
+            return pdfSphere(e, from, p);
+        case EmitterTag::Ellipsoid:
+            return pdfEllipsoid(view.geometry.instances[e.instance], from, p);
+        case EmitterTag::Rectangle:
+            return pdfRectangle(e, from, p);
+        case EmitterTag::Triangle:
+            return pdfTriangleEmitter(e, from, p);
+        case EmitterTag::Parallelogram:
+        case EmitterTag::Disc:
+            return areaToSolidAngle(1.0f / e.area, from, p, e.direction);
+        default:
+            return 0.0f;
+    }
+}
+
+GLINT_HD inline LightSample sampleAreaLight(const SceneView& view, const EmitterData& e, const Vec3& from,
+                                            const Vec2& u) {
+    LightSample s;
+    const EmitterPoint point = sampleEmitterShape(view, e, from, u);
+    const Vec3 d = point.p - from;
+    const float distance2 = lengthSquared(d);
+    if (!(point.pdfSolidAngle > 0.0f) || !(distance2 > 0.0f)) return s;
+    s.wiWorld = d * (1.0f / std::sqrt(distance2));
+    if (!e.emitsBothSides && glm::dot(s.wiWorld, point.normal) >= 0.0f) return s;
+    s.point = point.p;
+    s.pointError = point.pError;
+    s.pointNormal = point.normal;
+    s.radiance = e.radiance;
+    s.pdfSolidAngle = point.pdfSolidAngle;
+    return s;
+}
+
+GLINT_HD inline LightSample sampleDeltaLight(const EmitterData& e, const Vec3& from) {
+    LightSample s;
+    s.isDelta = true;
+    if (e.tag == EmitterTag::Directional) {
+        s.wiWorld = -e.direction;
+        s.radiance = e.radiance;
+        s.isInfinite = true;
+        s.pdfSolidAngle = 1.0f;
+        return s;
+    }
+    const Vec3 d = e.position - from;
+    const float distance2 = lengthSquared(d);
+    if (!(distance2 > 0.0f)) return s;
+    s.wiWorld = d * (1.0f / std::sqrt(distance2));
+    s.point = e.position;
+    s.radiance = e.radiance * (1.0f / distance2);
+    if (e.tag == EmitterTag::Spot) s.radiance *= spotFalloff(e, -glm::dot(s.wiWorld, e.direction));
+    s.pdfSolidAngle = isZero(s.radiance) ? 0.0f : 1.0f;
+    return s;
+}
+
+GLINT_HD constexpr bool isDeltaLight(EmitterTag tag) {
+    return tag == EmitterTag::Point || tag == EmitterTag::Spot || tag == EmitterTag::Directional;
+}
+
+/// A sample of one given light, as if it had been chosen with certainty.
+template <FeatureMask kMask>
+GLINT_HD inline LightSample sampleEmitter(const SceneView& view, const LightContext& at, const EmitterData& e,
+                                          const Vec2& u) {
+    constexpr bool kEnvironment =
+        hasFeature<kMask>(kFeatureEnvironmentConstant) || hasFeature<kMask>(kFeatureEnvironmentImage);
+    if constexpr (hasFeature<kMask>(kFeatureDeltaLights)) {
+        if (isDeltaLight(e.tag)) return sampleDeltaLight(e, at.p);
+    }
+    if constexpr (kEnvironment) {
+        if (e.tag == EmitterTag::Environment) {
+            LightSample s;
+            const DirectionSample direction = sampleEnvironment<kMask>(view.lights, at, u);
+            s.wiWorld = direction.wiWorld;
+            s.pdfSolidAngle = direction.pdfSolidAngle;
+            s.radiance = s.pdfSolidAngle > 0.0f ? environmentRadiance<kMask>(view, s.wiWorld) : Vec3(0.0f);
+            s.isInfinite = true;
+            return s;
+        }
+    }
+    if constexpr (hasFeature<kMask>(kFeatureAreaLights)) return sampleAreaLight(view, e, at.p, u);
+    return {};
+}
+
+/// Chooses a light by uChoice and a point on it by uPoint, all in [0, 1).
+template <FeatureMask kMask>
+GLINT_HD inline LightSample sampleLight(const SceneView& view, const LightContext& at, float uChoice,
+                                        const Vec2& uPoint) {
+    const LightChoice choice = chooseLight<kMask>(view.lights, at, uChoice);
+    if (!(choice.probability > 0.0f)) return {};
+    LightSample s = sampleEmitter<kMask>(view, at, view.lights.emitters[choice.emitter], uPoint);
+    s.emitter = choice.emitter;
+    s.pdfSolidAngle *= choice.probability;
+    return s;
+}
+
+/// Density with which sampleLight() finds the point `p` of an area emitter from a place; 0: it never does.
+template <FeatureMask kMask>
+GLINT_HD inline float pdfLightSurface(const SceneView& view, const LightContext& at, uint32_t emitter,
+                                      const Vec3& p) {
+    if (emitter == kNone) return 0.0f;
+    const float probability = lightProbability<kMask>(view.lights, at, emitter);
+    return probability > 0.0f ? probability * pdfEmitterShape(view, view.lights.emitters[emitter], at.p, p)
+                              : 0.0f;
+}
+
+/// Density with which sampleLight() finds the unit direction wiWorld by way of the environment.
+template <FeatureMask kMask>
+GLINT_HD inline float pdfLightEnvironment(const SceneView& view, const LightContext& at,
+                                          const Vec3& wiWorld) {
+    const LightView& lights = view.lights;
+    if (lights.emitters.count == 0) return 0.0f;
+    const uint32_t last = lights.emitters.count - 1;
+    if (lights.emitters[last].tag != EmitterTag::Environment) return 0.0f;
+    const float probability = lightProbability<kMask>(lights, at, last);
+    return probability > 0.0f ? probability * pdfEnvironment<kMask>(lights, at, wiWorld) : 0.0f;
+}
+
+/// The emitter of a hit: the index of the emissive triangle or shape, or kNone where light sampling never
+/// comes.
+GLINT_HD inline uint32_t emitterOf(const SceneView& view, uint32_t instance, uint32_t primitive) {
+    const InstanceData& data = view.geometry.instances[instance];
+    if (data.firstEmitter == kNone) return kNone;
+    return data.shape == ShapeTag::Mesh ? data.firstEmitter + primitive : data.firstEmitter;
+}
+
+}  // namespace glint

@@ -1,0 +1,227 @@
+// Points on emissive shapes as seen from a place, and the density of choosing them, per solid angle at that
+// place.
+//
+// Called by light_sampling.h only. Which of two ways samples a shape depends on the shape and on `from`
+// alone, so that the density of a direction found otherwise (MIS) is the one that sampling would have had.
+#pragma once
+
+#include "engine/kernels/geometry_view.h"
+#include "engine/kernels/light_view.h"
+#include "engine/kernels/spherical_polygons.h"
+#include "engine/math/frame.h"
+#include "engine/math/warp.h"
+
+namespace glint {
+
+/// A point on an emitter. pdfSolidAngle 0: none was found.
+struct EmitterPoint {
+    Vec3 p{0.0f};
+    Vec3 pError{0.0f};  ///< bound of the absolute rounding error of p in each coordinate
+    Vec3 normal{0.0f};  ///< unit, front side
+    float pdfSolidAngle = 0.0f;
+};
+
+/// Below this solid angle (steradians; area * cos / distance^2 of the centre) a flat shape is sampled by
+/// area: the density hardly varies over it then, and the sum of angles that gives the exact solid angle would
+/// lose its digits.
+constexpr float kSmallSolidAngle = 0.1f;
+
+/// Density per area into density per solid angle at `from`: pdfArea * distance^2 / |cos| (PBR book,
+/// section 4.2.3). 0 where the point is seen exactly edge on, or lies at `from`.
+GLINT_HD inline float areaToSolidAngle(float pdfArea, const Vec3& from, const Vec3& p, const Vec3& normal) {
+    const Vec3 d = p - from;
+    const float distance2 = lengthSquared(d);
+    const float cosTimesDistance = absDot(d, normal);
+    if (!(cosTimesDistance > 0.0f) || !(distance2 > 0.0f)) return 0.0f;
+    const float pdf = pdfArea * distance2 * (std::sqrt(distance2) / cosTimesDistance);
+    return std::isfinite(pdf) ? pdf : 0.0f;
+}
+
+/// A point given by two coordinates on a flat emitter.
+GLINT_HD inline EmitterPoint flatEmitterPoint(const EmitterData& e, float a, float b) {
+    EmitterPoint s;
+    s.p = e.position + a * e.axisU + b * e.axisV;
+    s.pError = errorGamma(5) *
+               (absVec(e.position) + std::fabs(a) * absVec(e.axisU) + std::fabs(b) * absVec(e.axisV));
+    s.normal = e.direction;
+    return s;
+}
+
+GLINT_HD inline EmitterPoint sampleFlatByArea(const EmitterData& e, const Vec3& from, float a, float b) {
+    EmitterPoint s = flatEmitterPoint(e, a, b);
+    s.pdfSolidAngle = areaToSolidAngle(1.0f / e.area, from, s.p, s.normal);
+    return s;
+}
+
+/// area * cos / distance^2 towards `center` is at least kSmallSolidAngle, or `from` is so near that it says
+/// nothing.
+GLINT_HD inline bool looksLarge(const EmitterData& e, const Vec3& center, const Vec3& from) {
+    const Vec3 d = center - from;
+    const float distance2 = lengthSquared(d);
+    return e.area * absDot(d, e.direction) > kSmallSolidAngle * distance2 * std::sqrt(distance2);
+}
+
+// ---- Rectangle ----
+
+GLINT_HD inline SphericalRectangle sphericalRectangleOf(const EmitterData& e, const Vec3& from) {
+    return makeSphericalRectangle(e.position - e.axisU - e.axisV, 2.0f * e.axisU, 2.0f * e.axisV, e.direction,
+                                  from);
+}
+
+GLINT_HD inline EmitterPoint sampleRectangle(const EmitterData& e, const Vec3& from, const Vec2& u) {
+    if (looksLarge(e, e.position, from)) {
+        const SphericalRectangle q = sphericalRectangleOf(e, from);
+        if (q.solidAngle > kSmallSolidAngle * 0.5f) {
+            const Vec2 ab = sampleSphericalRectangle(q, u);
+            EmitterPoint s = flatEmitterPoint(e, 2.0f * ab.x - 1.0f, 2.0f * ab.y - 1.0f);
+            s.pdfSolidAngle = 1.0f / q.solidAngle;
+            return s;
+        }
+    }
+    return sampleFlatByArea(e, from, 2.0f * u.x - 1.0f, 2.0f * u.y - 1.0f);
+}
+
+GLINT_HD inline float pdfRectangle(const EmitterData& e, const Vec3& from, const Vec3& p) {
+    if (looksLarge(e, e.position, from)) {
+        const float solidAngle = sphericalRectangleOf(e, from).solidAngle;
+        if (solidAngle > kSmallSolidAngle * 0.5f) return 1.0f / solidAngle;
+    }
+    return areaToSolidAngle(1.0f / e.area, from, p, e.direction);
+}
+
+// ---- Triangle ----
+
+GLINT_HD inline SphericalTriangle sphericalTriangleOf(const EmitterData& e, const Vec3& from) {
+    const Vec3 a = e.position - from;
+    return makeSphericalTriangle(a, a + e.axisU, a + e.axisV);
+}
+
+GLINT_HD inline Vec3 triangleCenter(const EmitterData& e) {
+    return e.position + (1.0f / 3.0f) * (e.axisU + e.axisV);
+}
+
+GLINT_HD inline EmitterPoint sampleTriangleEmitter(const EmitterData& e, const Vec3& from, const Vec2& u) {
+    if (looksLarge(e, triangleCenter(e), from)) {
+        const SphericalTriangle q = sphericalTriangleOf(e, from);
+        if (q.solidAngle > kSmallSolidAngle * 0.5f) {
+            const Vec3 wi = sampleSphericalTriangle(q, u);
+            Vec2 ab;
+            if (!intersectTrianglePlane(e.position - from, e.axisU, e.axisV, wi, &ab)) return {};
+            EmitterPoint s = flatEmitterPoint(e, ab.x, ab.y);
+            s.pdfSolidAngle = 1.0f / q.solidAngle;
+            return s;
+        }
+    }
+    const Vec2 ab = sampleTriangle(u);
+    return sampleFlatByArea(e, from, ab.x, ab.y);
+}
+
+GLINT_HD inline float pdfTriangleEmitter(const EmitterData& e, const Vec3& from, const Vec3& p) {
+    if (looksLarge(e, triangleCenter(e), from)) {
+        const float solidAngle = sphericalTriangleOf(e, from).solidAngle;
+        if (solidAngle > kSmallSolidAngle * 0.5f) return 1.0f / solidAngle;
+    }
+    return areaToSolidAngle(1.0f / e.area, from, p, e.direction);
+}
+
+// ---- Sphere ----
+
+/// The cone under which a sphere is seen: 1 - cos of its half angle, accurate for far and near spheres alike.
+/// 0: inside.
+GLINT_HD inline float sphereConeOneMinusCos(float distance2, float radius) {
+    const float distance = std::sqrt(distance2);
+    const float outside = distance - radius;
+    if (!(outside > 1e-5f * radius)) return 0.0f;
+    const float sin2 = square(radius / distance);
+    const float cosMax = safeSqrt(outside * (distance + radius)) / distance;
+    return sin2 / (1.0f + cosMax);
+}
+
+GLINT_HD inline EmitterPoint spherePoint(const EmitterData& e, const Vec3& normal) {
+    EmitterPoint s;
+    s.normal = normal;
+    s.p = e.position + e.radiusWorld * normal;
+    s.pError = errorGamma(6) * (absVec(e.position) + e.radiusWorld * absVec(normal));
+    return s;
+}
+
+/// From outside uniformly over the cone of directions that meet the sphere, from inside uniformly by area.
+GLINT_HD inline EmitterPoint sampleSphereEmitter(const EmitterData& e, const Vec3& from, const Vec2& u) {
+    const Vec3 toCenter = e.position - from;
+    const float distance2 = lengthSquared(toCenter);
+    const float oneMinusCosMax = sphereConeOneMinusCos(distance2, e.radiusWorld);
+    if (!(oneMinusCosMax > 0.0f)) {
+        EmitterPoint s = spherePoint(e, sampleSphere(u));
+        s.pdfSolidAngle =
+            areaToSolidAngle(1.0f / (2.0f * kTwoPi * square(e.radiusWorld)), from, s.p, s.normal);
+        return s;
+    }
+    const float oneMinusCos = u.x * oneMinusCosMax;
+    const float sin2 = oneMinusCos * (2.0f - oneMinusCos);
+    const SinCos phi = sinCosTurns(u.y);
+    const float distance = std::sqrt(distance2);
+    // The point of the sphere in that direction, in a frame whose n axis runs from its centre to `from`.
+    const float along = distance * (1.0f - oneMinusCos) - safeSqrt(square(e.radiusWorld) - distance2 * sin2);
+    const float across = along * safeSqrt(sin2);
+    const float towards = distance - along * (1.0f - oneMinusCos);
+    const Frame frame = Frame::fromNormal(toCenter * (-1.0f / distance));
+    const Vec3 offset(across * phi.cos, across * phi.sin, towards);
+    EmitterPoint s = spherePoint(e, glm::normalize(frame.toWorld(offset)));
+    s.pdfSolidAngle = 1.0f / (kTwoPi * oneMinusCosMax);
+    return s;
+}
+
+GLINT_HD inline float pdfSphere(const EmitterData& e, const Vec3& from, const Vec3& p) {
+    const float oneMinusCosMax = sphereConeOneMinusCos(lengthSquared(e.position - from), e.radiusWorld);
+    if (oneMinusCosMax > 0.0f) return 1.0f / (kTwoPi * oneMinusCosMax);
+    const Vec3 normal = glm::normalize(p - e.position);
+    return areaToSolidAngle(1.0f / (2.0f * kTwoPi * square(e.radiusWorld)), from, p, normal);
+}
+
+// ---- Ellipsoid: the image of the unit sphere under an affine map ----
+
+/// Share of the unit sphere, as a range of cosines around the direction to `fromObject`, that can be seen
+/// from there: 1 - cos of the cap's half angle; 2 (all of it) from inside.
+GLINT_HD inline float visibleCapOneMinusCos(float distanceObject) {
+    return distanceObject > 1.0f ? (distanceObject - 1.0f) / distanceObject : 2.0f;
+}
+
+/// Density per world area of a uniform choice from a cap of the unit sphere: dA = |det M| |M^-T w| dw.
+GLINT_HD inline float pdfAreaEllipsoid(const InstanceData& instance, const Vec3& pObject,
+                                       float capOneMinusCos) {
+    const float stretch = std::fabs(instance.objectToWorld.determinant()) *
+                          std::sqrt(lengthSquared(transformNormal(instance.worldToObject.linear, pObject)));
+    return 1.0f / (kTwoPi * capOneMinusCos * stretch);
+}
+
+GLINT_HD inline EmitterPoint sampleEllipsoid(const InstanceData& instance, const Vec3& from, const Vec2& u) {
+    const Vec3 fromObject = instance.worldToObject.point(from);
+    const float distance = std::sqrt(lengthSquared(fromObject));
+    const float cap = visibleCapOneMinusCos(distance);
+    const Frame frame = Frame::fromNormal(distance > 0.0f ? fromObject * (1.0f / distance) : Vec3(0, 0, 1));
+    const Vec3 w = glm::normalize(frame.toWorld(sampleCone(u, cap)));
+    const Affine& m = instance.objectToWorld;
+    EmitterPoint s;
+    s.p = m.point(w);
+    s.pError = errorGamma(8) *
+               (absVec(m.linear[0]) + absVec(m.linear[1]) + absVec(m.linear[2]) + absVec(m.translation));
+    s.normal = glm::normalize(transformNormal(instance.worldToObject.linear, w));
+    s.pdfSolidAngle = areaToSolidAngle(pdfAreaEllipsoid(instance, w, cap), from, s.p, s.normal);
+    return s;
+}
+
+GLINT_HD inline float pdfEllipsoid(const InstanceData& instance, const Vec3& from, const Vec3& p) {
+    const float cap = visibleCapOneMinusCos(std::sqrt(lengthSquared(instance.worldToObject.point(from))));
+    const Vec3 w = glm::normalize(instance.worldToObject.point(p));
+    const Vec3 normal = glm::normalize(transformNormal(instance.worldToObject.linear, w));
+    return areaToSolidAngle(pdfAreaEllipsoid(instance, w, cap), from, p, normal);
+}
+
+// ---- Disc: the image of the unit disc ----
+
+GLINT_HD inline EmitterPoint sampleDiscEmitter(const EmitterData& e, const Vec3& from, const Vec2& u) {
+    const Vec2 d = sampleDisc(u);
+    return sampleFlatByArea(e, from, d.x, d.y);
+}
+
+}  // namespace glint

@@ -1,0 +1,303 @@
+// One camera path: next-event estimation and BSDF sampling at every vertex, combined by multiple importance
+// sampling (Veach and Guibas 1995), and Russian roulette. Host and device; called by the backends for each
+// pixel of a pass.
+//
+// Unbiased up to the maximum depth. Left out: volumes, spectral effects. Nothing is clamped unless
+// fireflyClamp asks for it.
+#pragma once
+
+#include "engine/kernels/bsdf.h"
+#include "engine/kernels/camera_path.h"
+#include "engine/kernels/emission.h"
+#include "engine/kernels/intersect.h"
+#include "engine/kernels/light_sampling.h"
+#include "engine/kernels/path_log.h"
+#include "engine/kernels/surface.h"
+
+namespace glint {
+
+/// A path on its way. The context and the density belong to the vertex that the current ray left.
+struct PathState {
+    Ray ray;
+    Vec3 throughput{1.0f};
+    Vec3 radiance{0.0f};
+    LightContext context;
+    float pdfBsdf = 0.0f;
+    float etaScale =
+        1.0f;       ///< undoes refraction's squared index ratio for the roulette, which it says nothing about
+    int depth = 0;  ///< scattering events so far
+    bool lightNotSampled =
+        true;  ///< light sampling could not find the ray: it left the camera or a specular vertex
+    uint32_t rays = 0;
+};
+
+/// Power heuristic with exponent 2 (Veach and Guibas 1995), in a form that does not overflow.
+GLINT_HD inline float powerHeuristic(float pdfUsed, float pdfOther) {
+    const float ratio = pdfOther / pdfUsed;
+    return 1.0f / (1.0f + ratio * ratio);
+}
+
+/// Weight of light that the path ran into and light sampling would have found with density pdfLight (0:
+/// never).
+GLINT_HD inline float hitLightWeight(const PassParams& params, const PathState& path, float pdfLight) {
+    if (path.lightNotSampled || !(pdfLight > 0.0f) || params.directLight == DirectLightTag::BsdfOnly)
+        return 1.0f;
+    return params.directLight == DirectLightTag::LightOnly ? 0.0f : powerHeuristic(path.pdfBsdf, pdfLight);
+}
+
+template <class Log>
+GLINT_HD inline void addHitLight(const PassParams& params, const Vec3& radiance, float pdfLight,
+                                 PathEventKind kind, PathState* path, Log* log) {
+    const float weight = hitLightWeight(params, *path, pdfLight);
+    const Vec3 value = path->throughput * radiance * weight;
+    path->radiance += value;
+    if constexpr (Log::kEnabled) {
+        PathEvent event;
+        event.kind = kind;
+        event.depth = path->depth;
+        event.value = value;
+        event.throughput = path->throughput;
+        event.pdfLight = pdfLight;
+        event.pdfBsdf = path->pdfBsdf;
+        event.weight = weight;
+        event.direction = path->ray.direction;
+        log->add(event);
+    }
+}
+
+/// The environment behind a ray that hit nothing.
+template <FeatureMask kMask, class Log>
+GLINT_HD inline void addEnvironment(const SceneView& view, const PassParams& params, PathState* path,
+                                    Log* log) {
+    if constexpr (hasFeature<kMask>(kFeatureEnvironmentConstant) ||
+                  hasFeature<kMask>(kFeatureEnvironmentImage)) {
+        const Vec3 radiance = environmentRadiance<kMask>(view, path->ray.direction);
+        const float pdfLight = path->lightNotSampled
+                                   ? 0.0f
+                                   : pdfLightEnvironment<kMask>(view, path->context, path->ray.direction);
+        addHitLight(params, radiance, pdfLight, PathEventKind::Escape, path, log);
+    } else if constexpr (Log::kEnabled) {
+        addHitLight(params, Vec3(0.0f), 0.0f, PathEventKind::Escape, path, log);
+    }
+}
+
+/// What the surface that the path has met sends out by itself.
+template <FeatureMask kMask, class Log>
+GLINT_HD inline void addEmission(const SceneView& view, const PassParams& params, const SurfacePoint& surface,
+                                 const Vec3& wo, PathState* path, Log* log) {
+    const Vec3 radiance = emittedRadiance<kMask>(view, surface, wo);
+    if (isZero(radiance)) return;
+    float pdfLight = 0.0f;
+    if constexpr (hasFeature<kMask>(kFeatureAreaLights)) {
+        if (!path->lightNotSampled) {
+            const uint32_t emitter = emitterOf(view, surface.instance, surface.primitive);
+            pdfLight = pdfLightSurface<kMask>(view, path->context, emitter, surface.p);
+        }
+    }
+    addHitLight(params, radiance, pdfLight, PathEventKind::Emission, path, log);
+}
+
+/// Whether the light of a sample reaches the surface.
+template <FeatureMask kMask>
+GLINT_HD inline bool lightArrives(const SceneView& view, const SurfacePoint& surface,
+                                  const LightSample& light) {
+    const Ray ray = light.isInfinite
+                        ? spawnRay(surface, light.wiWorld)
+                        : spawnShadowRay(surface, light.point, light.pointError, light.pointNormal);
+    return !occluded<kMask>(view, ray);
+}
+
+/// Next-event estimation: one light, one point on it, one shadow ray.
+template <FeatureMask kMask, class Log>
+GLINT_HD inline void addSampledLight(const SceneView& view, const PassParams& params, const Sampler& sampler,
+                                     const SurfacePoint& surface, const Bsdf<kMask>& bsdf, PathState* path,
+                                     Log* log) {
+    if (view.lights.emitters.empty()) return;
+    const float uChoice = view.lights.emitters.count > 1
+                              ? get1D<kMask>(sampler, dimension(BounceDimension::LightChoice, path->depth))
+                              : 0.0f;
+    const Vec2 uPoint = get2D<kMask>(sampler, dimension(BounceDimension::LightPoint, path->depth));
+    const LightSample light = sampleLight<kMask>(view, path->context, uChoice, uPoint);
+    if (!(light.pdfSolidAngle > 0.0f) || isZero(light.radiance)) return;
+    if (params.directLight == DirectLightTag::BsdfOnly && !light.isDelta) return;
+    const BsdfValue scattered = evaluateWithPdf(bsdf, light.wiWorld);
+    if (isZero(scattered.value)) return;
+    ++path->rays;
+    const bool arrives = lightArrives<kMask>(view, surface, light);
+    if (!arrives && !Log::kEnabled) return;
+
+    const bool alone = light.isDelta || params.directLight == DirectLightTag::LightOnly;
+    const float pdfBsdf = alone ? 0.0f : scattered.pdfSolidAngle;
+    const float weight = alone ? 1.0f : powerHeuristic(light.pdfSolidAngle, pdfBsdf);
+    Vec3 value(0.0f);
+    if (arrives) value = path->throughput * scattered.value * light.radiance * (weight / light.pdfSolidAngle);
+    path->radiance += value;
+    if constexpr (Log::kEnabled) {
+        PathEvent event;
+        event.kind = PathEventKind::Light;
+        event.depth = path->depth;
+        event.position = light.point;
+        event.normal = light.pointNormal;
+        event.direction = light.wiWorld;
+        event.value = value;
+        event.throughput = path->throughput;
+        event.pdfLight = light.pdfSolidAngle;
+        event.pdfBsdf = pdfBsdf;
+        event.weight = weight;
+        event.emitter = light.emitter;
+        event.flag = !arrives;
+        log->add(event);
+    }
+}
+
+/// Russian roulette on the throughput. False: the path ends.
+template <FeatureMask kMask, class Log>
+GLINT_HD inline bool survivesRoulette(const PassParams& params, const Sampler& sampler, PathState* path,
+                                      Log* log) {
+    if (path->depth < params.rouletteStartDepth) return true;
+    const float chance = std::fmin(maxComponent(path->throughput) * path->etaScale, 1.0f);
+    bool survives = true;
+    if (chance < 1.0f) {
+        survives = get1D<kMask>(sampler, dimension(BounceDimension::Roulette, path->depth)) < chance;
+    }
+    if constexpr (Log::kEnabled) {
+        PathEvent event;
+        event.kind = PathEventKind::Roulette;
+        event.depth = path->depth;
+        event.throughput = path->throughput;
+        event.weight = chance;
+        event.flag = survives;
+        log->add(event);
+    }
+    if (survives && chance < 1.0f) path->throughput *= 1.0f / chance;
+    return survives;
+}
+
+/// Samples the next direction and sets out along it. False: the path ends.
+template <FeatureMask kMask, class Log>
+GLINT_HD inline bool scatter(const PassParams& params, const Sampler& sampler, const SurfacePoint& surface,
+                             const Bsdf<kMask>& bsdf, PathState* path, Log* log) {
+    float uLobe = 0.0f;
+    if constexpr (usesLobeChoice<kMask>())
+        uLobe = get1D<kMask>(sampler, dimension(BounceDimension::Lobe, path->depth));
+    const Vec2 u = get2D<kMask>(sampler, dimension(BounceDimension::Direction, path->depth));
+    const BsdfSample next = sample(bsdf, uLobe, u);
+    if constexpr (Log::kEnabled) {
+        PathEvent event;
+        event.kind = PathEventKind::Scatter;
+        event.depth = path->depth;
+        event.direction = next.wiWorld;
+        event.value = next.valid ? next.weight : Vec3(0.0f);
+        event.throughput = path->throughput;
+        event.pdfBsdf = next.pdfSolidAngle;
+        event.flag = next.isSpecular;
+        log->add(event);
+    }
+    if (!next.valid) return false;
+    path->throughput *= next.weight;
+    path->pdfBsdf = next.pdfSolidAngle;
+    path->lightNotSampled = next.isSpecular;
+    path->etaScale *= next.etaScale;
+    path->ray = spawnRay(surface, next.wiWorld);
+    const bool goesOn = survivesRoulette<kMask>(params, sampler, path, log);
+    ++path->depth;
+    return goesOn;
+}
+
+template <class Log>
+GLINT_HD inline void logVertex(const PathState& path, const SurfacePoint& surface, Log* log) {
+    if constexpr (Log::kEnabled) {
+        PathEvent event;
+        event.kind = PathEventKind::Vertex;
+        event.depth = path.depth;
+        event.position = surface.p;
+        event.normal = surface.ns;
+        event.direction = path.ray.direction;
+        event.throughput = path.throughput;
+        event.instance = surface.instance;
+        event.primitive = surface.primitive;
+        event.material = surface.material;
+        log->add(event);
+    }
+}
+
+/// Follows the path to its end and leaves what it gathered in path->radiance.
+template <FeatureMask kMask, class Log>
+GLINT_HD inline void followPath(const SceneView& view, const PassParams& params, const Sampler& sampler,
+                                PathState* path, Log* log) {
+    while (true) {
+        Hit hit;
+        ++path->rays;
+        if (!intersect<kMask>(view, path->ray, &hit)) {
+            addEnvironment<kMask>(view, params, path, log);
+            return;
+        }
+        const SurfacePoint surface = surfaceAt<kMask>(view, path->ray, hit);
+        const Vec3 wo = -path->ray.direction;
+        logVertex(*path, surface, log);
+        addEmission<kMask>(view, params, surface, wo, path, log);
+        if (path->depth >= params.maxDepth) return;
+
+        const Bsdf<kMask> bsdf = makeBsdf<kMask>(view, surface, wo);
+        path->context.p = surface.p;
+        path->context.n = glm::dot(surface.ng, wo) < 0.0f ? -surface.ng : surface.ng;
+        // Of all materials that light sampling is asked about, only rough glass lets light through.
+        path->context.bothSides = hasFeature<kMask>(kFeatureDielectric) &&
+                                  view.materials[surface.material].kind == MaterialTag::Dielectric;
+        if (!isSpecularOnly(bsdf)) addSampledLight<kMask>(view, params, sampler, surface, bsdf, path, log);
+        if (!scatter<kMask>(params, sampler, surface, bsdf, path, log)) return;
+    }
+}
+
+/// Why a radiance must not enter the film.
+GLINT_HD inline SampleFault findFault(const Vec3& radiance) {
+    if (std::isnan(radiance.x) || std::isnan(radiance.y) || std::isnan(radiance.z))
+        return SampleFault::NotANumber;
+    if (!isFinite(radiance)) return SampleFault::Infinite;
+    return minComponent(radiance) < 0.0f ? SampleFault::Negative : SampleFault::None;
+}
+
+/// Traces the path of pixel (x, y) in params.pass. The log sees every event; the result does not depend on
+/// it.
+template <FeatureMask kMask, class Log>
+GLINT_HD PixelSample tracePixelLogged(const SceneView& view, const PassParams& params, int x, int y,
+                                      Log* log) {
+    const Sampler sampler = makeSampler(params, x, y);
+    PathState path;
+    path.ray = pixelRay<kMask>(view.camera, params, sampler, x, y);
+    if constexpr (Log::kEnabled) {
+        PathEvent event;
+        event.kind = PathEventKind::Camera;
+        event.position = path.ray.origin;
+        event.direction = path.ray.direction;
+        log->add(event);
+    }
+    followPath<kMask>(view, params, sampler, &path, log);
+
+    PixelSample result;
+    result.radiance = path.radiance;
+    result.rays = path.rays;
+    result.fault = findFault(path.radiance);
+    if constexpr (Log::kEnabled) {
+        PathEvent event;
+        event.depth = path.depth;
+        event.value = path.radiance;
+        event.throughput = path.throughput;
+        event.fault = result.fault;
+        log->add(event);
+    }
+    if (result.fault != SampleFault::None) {
+        result.radiance = Vec3(0.0f);
+    } else if (params.fireflyClamp > 0.0f && maxComponent(result.radiance) > params.fireflyClamp) {
+        result.radiance *= params.fireflyClamp / maxComponent(result.radiance);
+    }
+    return result;
+}
+
+template <FeatureMask kMask>
+GLINT_HD PixelSample tracePixel(const SceneView& view, const PassParams& params, int x, int y) {
+    NoPathLog log;
+    return tracePixelLogged<kMask>(view, params, x, y, &log);
+}
+
+}  // namespace glint

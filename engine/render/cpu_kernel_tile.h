@@ -1,0 +1,34 @@
+// The bodies of cpu_kernel.h's templates. For cpu_kernel_*.cpp only: including it compiles the whole path
+// tracer.
+#pragma once
+
+#include "engine/kernels/aov_kernel.h"
+#include "engine/kernels/path_kernel.h"
+#include "engine/render/cpu_kernel.h"
+
+namespace glint {
+
+template <FeatureMask kMask>
+void renderTile(const SceneView& view, const PassParams& params, const PixelRect& tile, PixelSample* image) {
+    for (int y = tile.y0; y < tile.y1; ++y) {
+        PixelSample* row = image + static_cast<size_t>(y) * static_cast<size_t>(params.width);
+        for (int x = tile.x0; x < tile.x1; ++x) row[x] = tracePixel<kMask>(view, params, x, y);
+    }
+}
+
+template <FeatureMask kMask>
+void renderAovTile(const SceneView& view, const PassParams& params, const PixelRect& tile, AovSample* image) {
+    for (int y = tile.y0; y < tile.y1; ++y) {
+        AovSample* row = image + static_cast<size_t>(y) * static_cast<size_t>(params.width);
+        for (int x = tile.x0; x < tile.x1; ++x) row[x] = traceAovPixel<kMask>(view, params, x, y);
+    }
+}
+
+}  // namespace glint
+
+/// Compiles both loops for one mask.
+#define GLINT_COMPILE_KERNELS(mask)                                                                 \
+    template void glint::renderTile<mask>(const SceneView&, const PassParams&, const PixelRect&,    \
+                                          PixelSample*);                                            \
+    template void glint::renderAovTile<mask>(const SceneView&, const PassParams&, const PixelRect&, \
+                                             AovSample*)

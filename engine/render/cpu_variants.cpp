@@ -1,0 +1,36 @@
+#include "engine/render/cpu_variants.h"
+
+#include <array>
+
+#include "engine/render/cpu_kernel.h"
+
+namespace glint {
+namespace {
+
+template <FeatureMask kMask>
+constexpr KernelVariant variant(const char* name) {
+    return {name, kMask, &renderTile<kMask>, &renderAovTile<kMask>};
+}
+
+}  // namespace
+
+std::span<const KernelVariant> kernelVariants() {
+    static constexpr std::array kVariants = {
+        variant<kMaskDiffuseShapes>("diffuse shapes"),
+        variant<kMaskSmoothShapes>("smooth shapes"),
+        variant<kMaskDiffuseMeshes>("diffuse meshes"),
+        variant<kMaskNoEnvironmentImage>("no environment image"),
+        variant<kAllFeatures>("full"),
+    };
+    return kVariants;
+}
+
+const KernelVariant& chooseVariant(FeatureMask needed) {
+    const std::span<const KernelVariant> variants = kernelVariants();
+    for (const KernelVariant& candidate : variants) {
+        if ((needed & ~candidate.mask) == 0) return candidate;
+    }
+    return variants.back();
+}
+
+}  // namespace glint
