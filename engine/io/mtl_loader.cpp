@@ -150,6 +150,14 @@ std::string trimmed(std::string_view text) {
                                            : std::string(text.substr(first, last - first + 1));
 }
 
+/// tinyobjloader knows no backslash at a line's end.
+std::string withJoinedLines(std::string text) {
+    for (size_t at = text.find("\\\n"); at != std::string::npos; at = text.find("\\\n", at)) {
+        text.replace(at, 2, "  ");
+    }
+    return text;
+}
+
 Status checkFile(TextCursor& cursor, NotesByName* notes, std::vector<std::string>* warnings) {
     MtlNotes* current = nullptr;
     for (; !cursor.atEnd(); cursor.nextLine()) {
@@ -176,7 +184,7 @@ Result<std::vector<MtlMaterial>> loadMtl(const std::string& path, std::vector<st
     std::vector<tinyobj::material_t> found;
     std::string ignoredWarning;
     std::string ignoredError;
-    std::istringstream stream(*text);
+    std::istringstream stream(withJoinedLines(*text));
     tinyobj::LoadMtl(&indexByName, &found, &stream, &ignoredWarning, &ignoredError);
 
     std::vector<MtlMaterial> out;

@@ -53,6 +53,10 @@ bool TextCursor::atLineEnd() {
 }
 
 void TextCursor::nextLine() {
+    if (*at_ == '#') {
+        at_ = std::find(at_, end_,
+                        '\n');  // a comment that ends in a backslash, as some paths do, joins nothing
+    }
     while (at_ != end_ && *at_ != '\n') {
         const int length = continuationLength(at_);
         at_ += length > 0 ? length : 1;

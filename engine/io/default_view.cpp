@@ -1,0 +1,93 @@
+// A bounding sphere of the scene decides the camera; the environment is a plain one, since nothing says
+// otherwise.
+#include "engine/io/default_view.h"
+
+#include <cmath>
+
+namespace glint {
+namespace {
+
+Bounds meshBounds(const MeshData& mesh) {
+    Bounds bounds;
+    for (const Vec3& p : mesh.positions) {
+        bounds.grow(p);
+    }
+    return bounds;
+}
+
+/// In object space; empty for planes, which have no end.
+Bounds shapeBounds(const SceneDescription& scene, const Object& object) {
+    switch (object.shape) {
+        case ShapeKind::Sphere:
+            return {Vec3(-1.0f), Vec3(1.0f)};
+        case ShapeKind::Rectangle:
+        case ShapeKind::Disc:
+            return {Vec3(-1.0f, -1.0f, 0.0f), Vec3(1.0f, 1.0f, 0.0f)};
+        case ShapeKind::Plane:
+            return {};
+        case ShapeKind::Mesh:
+            break;
+    }
+    const bool known = object.mesh >= 0 && static_cast<size_t>(object.mesh) < scene.meshes.size();
+    const MeshData* mesh = known ? scene.meshes[static_cast<size_t>(object.mesh)].data.get() : nullptr;
+    return mesh != nullptr ? meshBounds(*mesh) : Bounds{};
+}
+
+Bounds sceneBounds(const SceneDescription& scene) {
+    Bounds bounds;
+    for (const Object& object : scene.objects) {
+        const Bounds shape = shapeBounds(scene, object);
+        if (!shape.empty()) {
+            bounds.grow(transformBounds(object.objectToWorld, shape));
+        }
+    }
+    return bounds;
+}
+
+bool hasLight(const SceneDescription& scene) {
+    for (const Object& object : scene.objects) {
+        if (object.material >= 0 && static_cast<size_t>(object.material) < scene.materials.size() &&
+            scene.materials[static_cast<size_t>(object.material)].emissive()) {
+            return true;
+        }
+    }
+    return !scene.lights.empty() || scene.environment.emissive();
+}
+
+void frame(const Bounds& bounds, Camera* camera) {
+    constexpr float kMargin = 1.05f;
+    const Vec3 fromTarget = glm::normalize(Vec3(0.55f, 0.4f, 1.0f));  // front right, above
+    float radius = 0.5f * glm::length(bounds.extent());
+    radius = radius > 0.0f ? radius : 1.0f;
+    camera->verticalFovDeg = 35.0f;
+    const float distance = kMargin * radius / std::sin(0.5f * camera->verticalFovDeg * kPi / 180.0f);
+    camera->target = bounds.center();
+    camera->position = camera->target + distance * fromTarget;
+    camera->up = Vec3(0.0f, 1.0f, 0.0f);
+    camera->focalDistance = distance;
+    camera->apertureDiameter = 0.0f;
+}
+
+}  // namespace
+
+void applyDefaultView(SceneDescription* scene) {
+    scene->resolution = {800, 600};
+    if (scene->objects.empty()) {
+        return;
+    }
+    const Bounds bounds = sceneBounds(*scene);
+    frame(bounds.empty() ? Bounds{Vec3(-1.0f), Vec3(1.0f)} : bounds, &scene->camera);
+    if (scene->materials.empty()) {
+        Material material;
+        material.name = "default";
+        material.color.value = Vec3(0.7f);
+        scene->materials.push_back(std::move(material));
+    }
+    if (!hasLight(*scene)) {
+        scene->environment.color = Vec3(1.0f);
+        scene->environment.strength = 1.0f;
+        scene->environment.image = -1;
+    }
+}
+
+}  // namespace glint
