@@ -1,0 +1,40 @@
+// A render on disk that can be gone on with: the film to the last bit, and what it is a film of.
+//
+// Used by the window, `glint render` and the tests. The file is described in checkpoint.cpp. It holds
+// fingerprints of the scene, not the scene: resuming needs the scene file, and says what differs when it is
+// not the same one.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/render/film.h"
+#include "engine/render/render_session.h"
+#include "engine/scene/scene_hash.h"
+
+namespace glint {
+
+/// What a checkpoint says about itself.
+struct CheckpointInfo {
+    std::string glintVersion;  ///< that wrote it
+    double renderSeconds = 0.0;
+    uint32_t passes = 0;
+    std::vector<Setting> settings;
+    SceneHashes hashes;
+};
+
+/// Saves atomically: an interrupted save leaves the old checkpoint. `scene` is the description that made the
+/// film.
+Status saveCheckpoint(const std::string& path, const SceneDescription& scene, const Film& film,
+                      double renderSeconds);
+
+/// The film to go on with. Error: not a checkpoint, another format version, cut off or damaged, or the scene
+/// or a setting differs from the checkpoint's: each difference is named ("maxDepth is 8 in the checkpoint and
+/// 16 now").
+Result<ResumePoint> loadCheckpoint(const std::string& path, const SceneDescription& scene);
+
+/// For `glint info`. Error: as above, but for differences.
+Result<CheckpointInfo> readCheckpointInfo(const std::string& path);
+
+}  // namespace glint
