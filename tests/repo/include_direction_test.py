@@ -20,7 +20,7 @@ SEES = {
 }
 ENGINE = set(SEES)
 ALLOWED = {layer: {layer} | {f"engine/{name}" for name in names.split()} for layer, names in SEES.items()}
-ALLOWED["cuda"] = {"cuda"} | {f"engine/{name}" for name in ("base", "math", "kernels", "render")}
+ALLOWED["cuda"] = {"cuda"} | {f"engine/{name}" for name in ("base", "math", "kernels", "build", "render")}
 ALLOWED["viewer"] = ENGINE | {"cuda", "viewer"}
 ALLOWED["tests"] = ENGINE | {"cuda", "viewer", "tests"}
 

@@ -1,0 +1,298 @@
+// Test scenes: each function states one scene, with the helpers above it for what they share.
+
+#include "tests/support/test_scenes.h"
+
+namespace glint::test {
+namespace {
+
+/// Adds a material and returns its index.
+int addMaterial(SceneDescription* scene, MaterialKind kind, const Vec3& color, float roughness = 0.0f) {
+    Material material;
+    material.name = "material " + std::to_string(scene->materials.size());
+    material.kind = kind;
+    material.color.value = color;
+    material.roughness = roughness;
+    scene->materials.push_back(material);
+    return static_cast<int>(scene->materials.size()) - 1;
+}
+
+int addLampMaterial(SceneDescription* scene, const Vec3& emission, bool bothSides = false) {
+    const int index = addMaterial(scene, MaterialKind::Diffuse, Vec3(0.2f));
+    scene->materials.back().emission = emission;
+    scene->materials.back().emitsBothSides = bothSides;
+    return index;
+}
+
+Object& addObject(SceneDescription* scene, ShapeKind shape, int material, const Affine& objectToWorld) {
+    Object object;
+    object.name = "object " + std::to_string(scene->objects.size());
+    object.shape = shape;
+    object.material = material;
+    object.objectToWorld = objectToWorld;
+    scene->objects.push_back(object);
+    return scene->objects.back();
+}
+
+int addMesh(SceneDescription* scene, std::shared_ptr<const MeshData> data) {
+    Mesh mesh;
+    mesh.name = "mesh " + std::to_string(scene->meshes.size());
+    mesh.data = std::move(data);
+    scene->meshes.push_back(mesh);
+    return static_cast<int>(scene->meshes.size()) - 1;
+}
+
+void addMeshObject(SceneDescription* scene, int mesh, int material, const Affine& objectToWorld) {
+    addObject(scene, ShapeKind::Mesh, material, objectToWorld).mesh = mesh;
+}
+
+SceneDescription emptyScene(const Vec3& cameraPosition, const Vec3& target) {
+    SceneDescription scene;
+    scene.camera.position = cameraPosition;
+    scene.camera.target = target;
+    scene.resolution = {64, 64};
+    scene.options.maxDepth = 8;
+    return scene;
+}
+
+/// A rectangle of half size 1 around `center` whose normal is +z turned by `angleRad` about `axis`.
+Affine wall(const Vec3& center, const Vec3& axis, float angleRad) {
+    return translate(center) * rotate(axis, angleRad);
+}
+
+constexpr Vec3 kX{1.0f, 0.0f, 0.0f};
+constexpr Vec3 kY{0.0f, 1.0f, 0.0f};
+
+/// Floor, ceiling, back and the two side walls of a room of [-1, 1] x [0, 2] x [-1, 1], open to +z.
+void addRoom(SceneDescription* scene) {
+    const int white = addMaterial(scene, MaterialKind::Diffuse, Vec3(0.73f));
+    const int red = addMaterial(scene, MaterialKind::Diffuse, Vec3(0.65f, 0.05f, 0.05f));
+    const int green = addMaterial(scene, MaterialKind::Diffuse, Vec3(0.12f, 0.45f, 0.15f));
+    addObject(scene, ShapeKind::Rectangle, white, wall({0, 0, 0}, kX, -0.5f * kPi));
+    addObject(scene, ShapeKind::Rectangle, white, wall({0, 2, 0}, kX, 0.5f * kPi));
+    addObject(scene, ShapeKind::Rectangle, white, wall({0, 1, -1}, kX, 0.0f));
+    addObject(scene, ShapeKind::Rectangle, red, wall({-1, 1, 0}, kY, 0.5f * kPi));
+    addObject(scene, ShapeKind::Rectangle, green, wall({1, 1, 0}, kY, -0.5f * kPi));
+}
+
+Light makeLight(LightKind kind, const Vec3& position, const Vec3& direction, const Vec3& color) {
+    Light light;
+    light.kind = kind;
+    light.position = position;
+    light.direction = direction;
+    light.color = color;
+    return light;
+}
+
+/// One sphere of each kind of material, smooth and rough; returns how many.
+int addMaterialRow(SceneDescription* scene) {
+    const int first = static_cast<int>(scene->materials.size());
+    addMaterial(scene, MaterialKind::Diffuse, Vec3(0.8f, 0.4f, 0.2f));
+    addMaterial(scene, MaterialKind::Mirror, Vec3(0.9f));
+    addMaterial(scene, MaterialKind::Conductor, Vec3(1.0f));
+    addMaterial(scene, MaterialKind::Conductor, Vec3(1.0f), 0.3f);
+    scene->materials.back().metal.clear();
+    addMaterial(scene, MaterialKind::Dielectric, Vec3(1.0f));
+    addMaterial(scene, MaterialKind::Dielectric, Vec3(0.95f), 0.2f);
+    addMaterial(scene, MaterialKind::Dielectric, Vec3(0.9f));
+    scene->materials.back().thin = true;
+    addMaterial(scene, MaterialKind::Plastic, Vec3(0.1f, 0.3f, 0.7f));
+    addMaterial(scene, MaterialKind::Plastic, Vec3(0.6f, 0.1f, 0.1f), 0.15f);
+    addMaterial(scene, MaterialKind::Mixture, Vec3(0.7f));
+    scene->materials.back().mixtureWeights = Vec3(1.0f, 1.0f, 2.0f);
+    const int count = static_cast<int>(scene->materials.size()) - first;
+    for (int i = 0; i < count; ++i) {
+        const Vec3 center(-2.2f + 1.1f * static_cast<float>(i % 5), 0.5f, i < 5 ? -0.7f : 0.7f);
+        addObject(scene, ShapeKind::Sphere, first + i, translate(center) * scale(Vec3(0.45f)));
+    }
+    return count;
+}
+
+}  // namespace
+
+SceneDescription cornellBox() {
+    SceneDescription scene = emptyScene({0.0f, 1.0f, 4.2f}, {0.0f, 1.0f, 0.0f});
+    scene.title = "Cornell box with two diffuse spheres";
+    addRoom(&scene);
+    const int lamp = addLampMaterial(&scene, Vec3(17.0f, 12.0f, 4.0f));
+    addObject(&scene, ShapeKind::Rectangle, lamp,
+              wall({0, 1.99f, 0}, kX, 0.5f * kPi) * scale({0.25f, 0.25f, 1}));
+    addObject(&scene, ShapeKind::Sphere, 0, translate({-0.4f, 0.4f, -0.3f}) * scale(Vec3(0.4f)));
+    addObject(&scene, ShapeKind::Sphere, 0, translate({0.45f, 0.3f, 0.3f}) * scale(Vec3(0.3f)));
+    return scene;
+}
+
+SceneDescription allMaterials() {
+    SceneDescription scene = emptyScene({0.0f, 2.5f, 6.0f}, {0.0f, 0.4f, 0.0f});
+    scene.title = "Every material and every light without a shape";
+    scene.camera.apertureDiameter = 0.08f;
+    scene.camera.apertureBlades = 5;
+    scene.camera.focalDistance = 6.2f;
+    const int lamp = addLampMaterial(&scene, Vec3(6.0f));
+    addObject(&scene, ShapeKind::Disc, lamp, wall({0, 4, 0}, kX, 0.5f * kPi) * scale({0.8f, 0.8f, 1}));
+    addMaterialRow(&scene);
+
+    scene.textures.push_back({"checker", checkerImage(5, 3, false), ColorEncoding::Srgb, false, Vec2(0.5f)});
+    scene.textures.push_back(
+        {"floats", checkerImage(4, 4, true), ColorEncoding::Linear, true, Vec2(2.0f, 1.0f)});
+    const int floor = addMaterial(&scene, MaterialKind::Diffuse, Vec3(0.5f));
+    scene.materials.back().color.texture = 0;
+    addObject(&scene, ShapeKind::Plane, floor, rotate(kX, -0.5f * kPi));
+    const int poster = addMaterial(&scene, MaterialKind::Plastic, Vec3(0.5f), 0.2f);
+    scene.materials.back().color.texture = 1;
+    addObject(&scene, ShapeKind::Rectangle, poster,
+              wall({0, 1.4f, -1.8f}, kX, 0.0f) * scale({2.5f, 0.8f, 1}));
+
+    scene.lights.push_back(makeLight(LightKind::Point, {-2, 2, 2}, {0, -1, 0}, Vec3(4.0f, 2.0f, 1.0f)));
+    scene.lights.push_back(makeLight(LightKind::Spot, {2, 3, 2}, {-0.4f, -1, -0.5f}, Vec3(1.0f, 3.0f, 8.0f)));
+    scene.lights.push_back(makeLight(LightKind::Directional, {0, 0, 0}, {0.3f, -1, -0.2f}, Vec3(0.3f)));
+    return scene;
+}
+
+SceneDescription meshInstances() {
+    SceneDescription scene = emptyScene({0.0f, 1.5f, 7.0f}, {0.0f, 0.0f, 0.0f});
+    scene.title = "One mesh under every kind of affine transform";
+    const int colored = addMesh(&scene, bumpySphere(12, 20, true));
+    const int plain = addMesh(&scene, bumpySphere(5, 7, false));
+    const int diffuse = addMaterial(&scene, MaterialKind::Diffuse, Vec3(0.8f));
+    const int glossy = addMaterial(&scene, MaterialKind::Conductor, Vec3(1.0f), 0.25f);
+    const int textured = addMaterial(&scene, MaterialKind::Diffuse, Vec3(0.5f));
+    scene.textures.push_back({"checker", checkerImage(8, 8, false), ColorEncoding::Srgb, false, Vec2(4.0f)});
+    scene.materials.back().color.texture = 0;
+
+    Affine shear;
+    shear.linear[1] = Vec3(0.6f, 1.0f, 0.0f);
+    addMeshObject(&scene, colored, diffuse, Affine{});
+    addMeshObject(&scene, colored, diffuse, translate({-2.4f, 0, 0}) * rotate({1, 2, 3}, 1.0f));
+    addMeshObject(&scene, colored, glossy, translate({2.4f, 0, 0}) * scale({-1, 1, 1}));
+    addMeshObject(&scene, plain, textured, translate({-1.2f, 1.7f, -1}) * shear * scale(Vec3(0.7f)));
+    addMeshObject(&scene, plain, textured, translate({1.2f, 1.7f, -1}) * scale({1.2f, 0.4f, 0.8f}));
+    scene.objects.back().frontOnly = true;
+
+    scene.environmentImages.push_back(checkerImage(16, 8, true));
+    scene.environment.color = Vec3(1.0f, 0.9f, 0.8f);
+    scene.environment.image = 0;
+    scene.environment.rotationDeg = 30.0f;
+    return scene;
+}
+
+SceneDescription manyLights(uint32_t triangles) {
+    SceneDescription scene = emptyScene({0.0f, 1.0f, 4.2f}, {0.0f, 1.0f, 0.0f});
+    scene.title = "Many small lamps";
+    addRoom(&scene);
+    auto mesh = std::make_shared<MeshData>();
+    for (uint32_t i = 0; i < triangles; ++i) {
+        const float turn = 2.399963f * static_cast<float>(i);  // the golden angle spreads them over a disc
+        const float radius = 0.9f * std::sqrt((static_cast<float>(i) + 0.5f) / static_cast<float>(triangles));
+        const Vec3 p(radius * std::cos(turn), 1.95f - 0.2f * radius, radius * std::sin(turn));
+        mesh->positions.insert(mesh->positions.end(), {p, p + Vec3(0.02f, 0, 0), p + Vec3(0, 0, 0.02f)});
+        mesh->indices.insert(mesh->indices.end(), {3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    const int lamp = addLampMaterial(&scene, Vec3(40.0f), true);
+    addMeshObject(&scene, addMesh(&scene, mesh), lamp, Affine{});
+    addObject(&scene, ShapeKind::Sphere, 0, translate({0, 0.4f, 0}) * scale(Vec3(0.4f)));
+    return scene;
+}
+
+SceneDescription lampShapes() {
+    SceneDescription scene = emptyScene({0.0f, 1.0f, 4.2f}, {0.0f, 1.0f, 0.0f});
+    scene.title = "Lamps of every shape";
+    addRoom(&scene);
+    Affine shear;
+    shear.linear[1] = Vec3(0.4f, 1.0f, 0.0f);
+    const int oneSided = addLampMaterial(&scene, Vec3(3.0f, 2.0f, 1.0f));
+    const int twoSided = addLampMaterial(&scene, Vec3(1.0f, 2.0f, 3.0f), true);
+    addObject(&scene, ShapeKind::Sphere, oneSided, translate({-0.6f, 0.3f, 0}) * scale(Vec3(0.15f)));
+    addObject(&scene, ShapeKind::Sphere, oneSided, translate({0.6f, 0.3f, 0}) * scale({0.1f, 0.25f, 0.15f}));
+    addObject(&scene, ShapeKind::Disc, twoSided,
+              translate({0, 1.2f, -0.5f}) * rotate({1, 1, 0}, 0.8f) * scale(Vec3(0.2f)));
+    addObject(&scene, ShapeKind::Rectangle, twoSided,
+              translate({-0.5f, 1.5f, 0}) * shear * scale(Vec3(0.15f)));
+    const int mesh = addMesh(&scene, bumpySphere(3, 5, false));
+    addMeshObject(&scene, mesh, oneSided, translate({0.5f, 1.5f, 0}) * scale(Vec3(-0.15f)));
+    return scene;
+}
+
+SceneDescription whiteFurnace() {
+    SceneDescription scene = emptyScene({0.0f, 0.0f, 4.0f}, Vec3(0.0f));
+    scene.title = "A white sphere in uniform light";
+    scene.options.filter = FilterKind::Box;
+    scene.options.filterRadius = 0.5f;
+    scene.options.sampler = SamplerKind::Independent;
+    addObject(&scene, ShapeKind::Sphere, addMaterial(&scene, MaterialKind::Diffuse, Vec3(1.0f)), Affine{});
+    scene.environment.color = Vec3(1.0f);
+    return scene;
+}
+
+SceneDescription darkness() {
+    SceneDescription scene = meshInstances();
+    scene.title = "Every shape and no light";
+    scene.environment = {};
+    scene.environmentImages.clear();
+    addObject(&scene, ShapeKind::Sphere, 0, translate({0, 2, 0}));
+    addObject(&scene, ShapeKind::Plane, 0, translate({0, 0, -5}));
+    addObject(&scene, ShapeKind::Disc, 0, translate({0, -2, 0}));
+    addObject(&scene, ShapeKind::Rectangle, 0, translate({0, -3, 0}));
+    return scene;
+}
+
+std::vector<NamedScene> allTestScenes() {
+    return {
+        {"cornellBox", cornellBox()}, {"allMaterials", allMaterials()}, {"meshInstances", meshInstances()},
+        {"manyLights", manyLights()}, {"lampShapes", lampShapes()},     {"whiteFurnace", whiteFurnace()},
+        {"darkness", darkness()}};
+}
+
+std::shared_ptr<const MeshData> bumpySphere(int rings, int segments, bool withColors) {
+    auto mesh = std::make_shared<MeshData>();
+    for (int ring = 0; ring <= rings; ++ring) {
+        for (int segment = 0; segment <= segments; ++segment) {
+            const Vec2 uv(static_cast<float>(segment) / static_cast<float>(segments),
+                          static_cast<float>(ring) / static_cast<float>(rings));
+            const float polar = kPi * uv.y;
+            const float azimuth = kTwoPi * uv.x;
+            const Vec3 n(std::sin(polar) * std::cos(azimuth), std::cos(polar),
+                         std::sin(polar) * std::sin(azimuth));
+            mesh->positions.push_back(n * (1.0f + 0.05f * std::sin(7.0f * polar) * std::cos(5.0f * azimuth)));
+            mesh->normals.push_back(n);
+            mesh->uvs.push_back(uv);
+            if (withColors) mesh->colors.push_back(0.5f + 0.5f * n);
+        }
+    }
+    const auto vertex = [&](int ring, int segment) {
+        return static_cast<uint32_t>(ring * (segments + 1) + segment);
+    };
+    for (int r = 0; r < rings; ++r) {
+        for (int s = 0; s < segments; ++s) {
+            mesh->indices.insert(mesh->indices.end(), {vertex(r, s), vertex(r, s + 1), vertex(r + 1, s)});
+            mesh->indices.insert(mesh->indices.end(),
+                                 {vertex(r + 1, s), vertex(r, s + 1), vertex(r + 1, s + 1)});
+        }
+    }
+    return mesh;
+}
+
+ImageSource checkerImage(int width, int height, bool floats) {
+    auto bytes = std::make_shared<Image8>();
+    auto linear = std::make_shared<ImageF>();
+    bytes->width = linear->width = width;
+    bytes->height = linear->height = height;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const int value = (x + y) % 2 == 0 ? 40 : 200;
+            for (int channel = 0; channel < 3; ++channel) {
+                const int texel = value + 5 * channel + (3 * x + 7 * y) % 40;
+                bytes->rgb.push_back(static_cast<uint8_t>(texel));
+                linear->rgb.push_back(static_cast<float>(texel) / 128.0f);
+            }
+        }
+    }
+    ImageSource source;
+    if (floats) {
+        source.floats = linear;
+    } else {
+        source.bytes = bytes;
+    }
+    return source;
+}
+
+}  // namespace glint::test
