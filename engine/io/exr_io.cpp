@@ -16,12 +16,14 @@
 
 #include "engine/io/atomic_file.h"
 #include "engine/io/image_io.h"
+#include "engine/math/vec.h"
 
 namespace glint {
 namespace {
 
 /// Longest side that is read: what OpenEXR allocates for a picture's line table grows with it.
 constexpr int kMaxExrSide = 1 << 24;
+constexpr float kLargestHalf = 65504.0f;
 
 class MemoryInput : public Imf::IStream {
   public:
@@ -150,7 +152,11 @@ struct OutputBuffers {
 void addChannel(const ExrChannel& channel, const Imath::Box2i& window, OutputBuffers* buffers) {
     void* values = nullptr;
     if (channel.type == ExrPixelType::Half) {
-        buffers->halves.emplace_back(channel.floats.begin(), channel.floats.end());
+        std::vector<half>& halves = buffers->halves.emplace_back();
+        halves.reserve(channel.floats.size());
+        for (const float value : channel.floats) {
+            halves.push_back(half(std::isinf(value) ? value : clampf(value, -kLargestHalf, kLargestHalf)));
+        }
         values = buffers->halves.back().data();
     } else if (channel.type == ExrPixelType::Float) {
         values = const_cast<float*>(

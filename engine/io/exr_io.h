@@ -46,8 +46,7 @@ Result<ExrPicture> loadExr(const std::string& path);
 /// The picture's colour: R, G and B, or Y alone as grey. Error: neither there, or a value is not finite.
 Result<ImageF> exrColor(const ExrPicture& picture, const std::string& path);
 
-/// ZIP-compressed scan lines, saved atomically. Half values beyond 65504 become infinite: use Float for
-/// distances.
+/// ZIP-compressed scan lines, saved atomically. Finite half values beyond 65504 are stored as 65504.
 Status saveExr(const std::string& path, const ExrPicture& picture);
 
 }  // namespace glint

@@ -54,8 +54,8 @@ struct BsdfSample {
     Vec3 weight{0.0f};           ///< f |cos wi| / density, the lobe's probability included
     float pdfSolidAngle = 0.0f;  ///< density of wi over all lobes; 0 when isSpecular
     float etaScale = 1.0f;       ///< squared relative index that radiance was divided by; Russian roulette
-                            ///< multiplies its throughput by this, or paths die inside glass for nothing
-    bool isSpecular = false;  ///< wi is the only direction it could be: no light sampling could find it
+                                 ///< multiplies its throughput by this, or paths die inside glass for nothing
+    bool isSpecular = false;     ///< wi is the only direction it could be: no light sampling could find it
     bool isTransmission = false;
     bool valid = false;  ///< false: absorbed; nothing else is set
 };

@@ -126,95 +126,91 @@ GLINT_HD inline float pdfTriangleEmitter(const EmitterData& e, const Vec3& from,
 
 // ---- Sphere ----
 
-/// The cone under which a sphere is seen: 1 - cos of its half angle, accurate for far and near spheres alike.
-/// 0: inside.
+/// The cone under which a sphere is seen: 1 - cos of its half angle, accurate for far and near spheres alike;
+/// 2 (all directions) from inside and from so near that the cone's angle would have no digits.
 GLINT_HD inline float sphereConeOneMinusCos(float distance2, float radius) {
     const float distance = std::sqrt(distance2);
     const float outside = distance - radius;
-    if (!(outside > 1e-5f * radius)) return 0.0f;
+    if (!(outside > 1e-5f * radius)) return 2.0f;
     const float sin2 = square(radius / distance);
     const float cosMax = safeSqrt(outside * (distance + radius)) / distance;
     return sin2 / (1.0f + cosMax);
 }
 
-GLINT_HD inline EmitterPoint spherePoint(const EmitterData& e, const Vec3& normal) {
-    EmitterPoint s;
-    s.normal = normal;
-    s.p = e.position + e.radiusWorld * normal;
-    s.pError = errorGamma(6) * (absVec(e.position) + e.radiusWorld * absVec(normal));
-    return s;
-}
+/// A point of a sphere, as its unit normal there.
+struct SphereDirection {
+    Vec3 normal{0.0f};
+    float pdfSolidAngle = 0.0f;
+};
 
-/// From outside uniformly over the cone of directions that meet the sphere, from inside uniformly by area.
-GLINT_HD inline EmitterPoint sampleSphereEmitter(const EmitterData& e, const Vec3& from, const Vec2& u) {
-    const Vec3 toCenter = e.position - from;
+/// Uniform over the directions in which the sphere is seen: all from inside, the cone around it from outside.
+GLINT_HD inline SphereDirection sampleSphereDirection(const Vec3& center, float radius, const Vec3& from,
+                                                      const Vec2& u) {
+    const Vec3 toCenter = center - from;
     const float distance2 = lengthSquared(toCenter);
-    const float oneMinusCosMax = sphereConeOneMinusCos(distance2, e.radiusWorld);
-    if (!(oneMinusCosMax > 0.0f)) {
-        EmitterPoint s = spherePoint(e, sampleSphere(u));
-        s.pdfSolidAngle =
-            areaToSolidAngle(1.0f / (2.0f * kTwoPi * square(e.radiusWorld)), from, s.p, s.normal);
-        return s;
+    const float oneMinusCosMax = sphereConeOneMinusCos(distance2, radius);
+    const float pdf = 1.0f / (kTwoPi * oneMinusCosMax);
+    if (oneMinusCosMax >= 2.0f) {
+        const Vec3 w = sampleSphere(u);
+        const float along = glm::dot(w, toCenter);
+        const float half = square(radius) - distance2 + along * along;
+        // Just outside, within rounding, the near side is the one that is seen.
+        const float t = distance2 > square(radius) ? along - safeSqrt(half) : along + safeSqrt(half);
+        if (half < 0.0f || t < 0.0f) return {};
+        return {glm::normalize(t * w - toCenter), pdf};
     }
     const float oneMinusCos = u.x * oneMinusCosMax;
     const float sin2 = oneMinusCos * (2.0f - oneMinusCos);
     const SinCos phi = sinCosTurns(u.y);
     const float distance = std::sqrt(distance2);
-    // The point of the sphere in that direction, in a frame whose n axis runs from its centre to `from`.
-    const float along = distance * (1.0f - oneMinusCos) - safeSqrt(square(e.radiusWorld) - distance2 * sin2);
+    // The point in that direction, in a frame whose n axis runs from the centre to `from`.
+    const float along = distance * (1.0f - oneMinusCos) - safeSqrt(square(radius) - distance2 * sin2);
     const float across = along * safeSqrt(sin2);
     const float towards = distance - along * (1.0f - oneMinusCos);
     const Frame frame = Frame::fromNormal(toCenter * (-1.0f / distance));
-    const Vec3 offset(across * phi.cos, across * phi.sin, towards);
-    EmitterPoint s = spherePoint(e, glm::normalize(frame.toWorld(offset)));
-    s.pdfSolidAngle = 1.0f / (kTwoPi * oneMinusCosMax);
+    return {glm::normalize(frame.toWorld({across * phi.cos, across * phi.sin, towards})), pdf};
+}
+
+GLINT_HD inline float pdfSphereDirection(const Vec3& center, float radius, const Vec3& from) {
+    return 1.0f / (kTwoPi * sphereConeOneMinusCos(lengthSquared(center - from), radius));
+}
+
+GLINT_HD inline EmitterPoint sampleSphereEmitter(const EmitterData& e, const Vec3& from, const Vec2& u) {
+    const SphereDirection direction = sampleSphereDirection(e.position, e.radiusWorld, from, u);
+    EmitterPoint s;
+    s.normal = direction.normal;
+    s.p = e.position + e.radiusWorld * s.normal;
+    s.pError = errorGamma(6) * (absVec(e.position) + e.radiusWorld * absVec(s.normal));
+    s.pdfSolidAngle = direction.pdfSolidAngle;
     return s;
 }
 
-GLINT_HD inline float pdfSphere(const EmitterData& e, const Vec3& from, const Vec3& p) {
-    const float oneMinusCosMax = sphereConeOneMinusCos(lengthSquared(e.position - from), e.radiusWorld);
-    if (oneMinusCosMax > 0.0f) return 1.0f / (kTwoPi * oneMinusCosMax);
-    const Vec3 normal = glm::normalize(p - e.position);
-    return areaToSolidAngle(1.0f / (2.0f * kTwoPi * square(e.radiusWorld)), from, p, normal);
-}
+// ---- Ellipsoid: the image of the unit sphere under an affine map, sampled in its object space ----
 
-// ---- Ellipsoid: the image of the unit sphere under an affine map ----
-
-/// Share of the unit sphere, as a range of cosines around the direction to `fromObject`, that can be seen
-/// from there: 1 - cos of the cap's half angle; 2 (all of it) from inside.
-GLINT_HD inline float visibleCapOneMinusCos(float distanceObject) {
-    return distanceObject > 1.0f ? (distanceObject - 1.0f) / distanceObject : 2.0f;
-}
-
-/// Density per world area of a uniform choice from a cap of the unit sphere: dA = |det M| |M^-T w| dw.
-GLINT_HD inline float pdfAreaEllipsoid(const InstanceData& instance, const Vec3& pObject,
-                                       float capOneMinusCos) {
-    const float stretch = std::fabs(instance.objectToWorld.determinant()) *
-                          std::sqrt(lengthSquared(transformNormal(instance.worldToObject.linear, pObject)));
-    return 1.0f / (kTwoPi * capOneMinusCos * stretch);
+/// Solid angle in object space over solid angle in world space around the direction d (of any length):
+/// |det A| |d|^3 / |A d|^3 with A the world-to-object map.
+GLINT_HD inline float objectSolidAnglePerWorld(const Affine& worldToObject, const Vec3& d) {
+    const float ratio = std::sqrt(lengthSquared(d) / lengthSquared(worldToObject.vector(d)));
+    return std::fabs(worldToObject.determinant()) * ratio * ratio * ratio;
 }
 
 GLINT_HD inline EmitterPoint sampleEllipsoid(const InstanceData& instance, const Vec3& from, const Vec2& u) {
     const Vec3 fromObject = instance.worldToObject.point(from);
-    const float distance = std::sqrt(lengthSquared(fromObject));
-    const float cap = visibleCapOneMinusCos(distance);
-    const Frame frame = Frame::fromNormal(distance > 0.0f ? fromObject * (1.0f / distance) : Vec3(0, 0, 1));
-    const Vec3 w = glm::normalize(frame.toWorld(sampleCone(u, cap)));
-    const Affine& m = instance.objectToWorld;
+    const SphereDirection direction = sampleSphereDirection(Vec3(0.0f), 1.0f, fromObject, u);
     EmitterPoint s;
-    s.p = m.point(w);
+    if (!(direction.pdfSolidAngle > 0.0f)) return s;
+    const Affine& m = instance.objectToWorld;
+    s.p = m.point(direction.normal);
     s.pError = errorGamma(8) *
                (absVec(m.linear[0]) + absVec(m.linear[1]) + absVec(m.linear[2]) + absVec(m.translation));
-    s.normal = glm::normalize(transformNormal(instance.worldToObject.linear, w));
-    s.pdfSolidAngle = areaToSolidAngle(pdfAreaEllipsoid(instance, w, cap), from, s.p, s.normal);
+    s.normal = glm::normalize(transformNormal(instance.worldToObject.linear, direction.normal));
+    s.pdfSolidAngle = direction.pdfSolidAngle * objectSolidAnglePerWorld(instance.worldToObject, s.p - from);
     return s;
 }
 
 GLINT_HD inline float pdfEllipsoid(const InstanceData& instance, const Vec3& from, const Vec3& p) {
-    const float cap = visibleCapOneMinusCos(std::sqrt(lengthSquared(instance.worldToObject.point(from))));
-    const Vec3 w = glm::normalize(instance.worldToObject.point(p));
-    const Vec3 normal = glm::normalize(transformNormal(instance.worldToObject.linear, w));
-    return areaToSolidAngle(pdfAreaEllipsoid(instance, w, cap), from, p, normal);
+    return pdfSphereDirection(Vec3(0.0f), 1.0f, instance.worldToObject.point(from)) *
+           objectSolidAnglePerWorld(instance.worldToObject, p - from);
 }
 
 // ---- Disc: the image of the unit disc ----

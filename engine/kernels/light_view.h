@@ -11,7 +11,7 @@ namespace glint {
 
 enum class EmitterTag : uint8_t {
     Sphere,         ///< sampled by solid angle
-    Ellipsoid,      ///< a sphere under a transform that is not a similarity: by area
+    Ellipsoid,      ///< a sphere under a transform that is not a similarity: by solid angle in object space
     Rectangle,      ///< right angles: by solid angle
     Parallelogram,  ///< a sheared rectangle: by area
     Disc,           ///< circular or elliptical: by area

@@ -1,0 +1,299 @@
+// The file, all numbers little-endian:
+//   8 bytes "GLINTCKP", u32 format version, u64 size of the whole file,
+//   sections until the checksum: 4 letters, u64 payload size, payload,
+//   16 bytes ContentHash of everything before.
+// Sections: INFO (text Glint version, f64 render seconds), SETT (u32 count, then name and value texts), HASH
+// (u32 count, then u64 low and high per scene part), FILM (see FilmCheckpoint). A section with other letters
+// is skipped, which is where an integrator with more state than a film puts it. Texts are u64 length and
+// characters.
+#include "engine/render/checkpoint.h"
+
+#include <map>
+
+#include <fmt/format.h>
+
+#include "engine/io/atomic_file.h"
+#include "engine/io/byte_stream.h"
+
+namespace glint {
+
+/// Reads and writes all of a film's members. Payload: u32 width, u32 height, u32 passes, u64 rays, u64 fault
+/// counts, u32 number of fault records, records (u8 kind, u32 x, u32 y, u32 pass), then per pixel 3 f64 mean,
+/// f64 M2, u32 count.
+struct FilmCheckpoint {
+    static constexpr uint64_t kBytesPerPixel = 4 * sizeof(double) + sizeof(uint32_t);
+    static constexpr uint32_t kMaxSide = 1u << 20;
+
+    static void write(const Film& film, ByteWriter* out) {
+        out->reserve(out->bytes().size() + film.pixels_.size() * kBytesPerPixel + 4096);
+        out->write(static_cast<uint32_t>(film.width_));
+        out->write(static_cast<uint32_t>(film.height_));
+        out->write(film.passes_);
+        out->write(film.rays_);
+        for (const uint64_t count : film.faultCounts_) {
+            out->write(count);
+        }
+        out->write(static_cast<uint32_t>(film.faults_.size()));
+        for (const FaultRecord& fault : film.faults_) {
+            out->write(static_cast<uint8_t>(fault.fault));
+            out->write(static_cast<uint32_t>(fault.x));
+            out->write(static_cast<uint32_t>(fault.y));
+            out->write(fault.pass);
+        }
+        for (const FilmPixel& pixel : film.pixels_) {
+            for (const double mean : pixel.mean) {
+                out->write(mean);
+            }
+            out->write(pixel.luminanceM2);
+            out->write(pixel.count);
+        }
+    }
+
+    /// False when the payload is not a film.
+    static bool read(ByteReader in, Film* film) {
+        const uint32_t width = in.read<uint32_t>();
+        const uint32_t height = in.read<uint32_t>();
+        const uint32_t passes = in.read<uint32_t>();
+        const uint64_t rays = in.read<uint64_t>();
+        const uint64_t pixels = uint64_t{width} * height;
+        if (width == 0 || height == 0 || width > kMaxSide || height > kMaxSide ||
+            pixels > in.left() / kBytesPerPixel) {
+            return false;
+        }
+        Film out(static_cast<int>(width), static_cast<int>(height));
+        out.passes_ = passes;
+        out.rays_ = rays;
+        if (!readFaults(&in, &out) || in.left() != pixels * kBytesPerPixel) {
+            return false;
+        }
+        for (FilmPixel& pixel : out.pixels_) {
+            for (double& mean : pixel.mean) {
+                mean = in.read<double>();
+            }
+            pixel.luminanceM2 = in.read<double>();
+            pixel.count = in.read<uint32_t>();
+        }
+        *film = std::move(out);
+        return !in.failed();
+    }
+
+  private:
+    static bool readFaults(ByteReader* in, Film* film) {
+        for (uint64_t& count : film->faultCounts_) {
+            count = in->read<uint64_t>();
+        }
+        const uint32_t records = in->read<uint32_t>();
+        if (records > Film::kMaxFaultRecords) {
+            return false;
+        }
+        for (uint32_t i = 0; i < records; ++i) {
+            const uint8_t kind = in->read<uint8_t>();
+            const uint32_t x = in->read<uint32_t>();
+            const uint32_t y = in->read<uint32_t>();
+            const uint32_t pass = in->read<uint32_t>();
+            if (kind >= kSampleFaultCount || x >= static_cast<uint32_t>(film->width_) ||
+                y >= static_cast<uint32_t>(film->height_)) {
+                return false;
+            }
+            film->faults_.push_back(
+                {static_cast<SampleFault>(kind), static_cast<int>(x), static_cast<int>(y), pass});
+        }
+        return !in->failed();
+    }
+};
+
+namespace {
+
+constexpr std::string_view kMagic = "GLINTCKP";
+constexpr uint32_t kFormatVersion = 1;
+constexpr uint64_t kChecksumBytes = 16;
+constexpr uint32_t kMaxSettings = 1000;
+
+Error checkpointError(const std::string& path, std::string message) {
+    return {std::move(message), {.file = path}};
+}
+
+std::string checksumOf(std::string_view bytes) {
+    ContentHash hash;
+    hash.add(bytes);
+    const Hash128 sum = hash.finish();
+    ByteWriter out;
+    out.write(sum.low);
+    out.write(sum.high);
+    return out.bytes();
+}
+
+void writeSection(std::string_view tag, const std::string& payload, ByteWriter* out) {
+    out->writeRaw(tag);
+    out->writeText(payload);
+}
+
+using Sections = std::map<std::string, std::string_view, std::less<>>;
+
+/// Checks that the file is a whole one of this version, and finds its sections. The views point into `bytes`.
+Result<Sections> findSections(std::string_view bytes, const std::string& path) {
+    ByteReader in(bytes);
+    if (in.readRaw(kMagic.size()) != kMagic) {
+        return checkpointError(path, "is not a Glint checkpoint (its first bytes are not GLINTCKP)");
+    }
+    const uint32_t version = in.read<uint32_t>();
+    const uint64_t size = in.read<uint64_t>();
+    if (!in.failed() && version != kFormatVersion) {
+        return checkpointError(path, fmt::format("has checkpoint format {}; this program reads format {}",
+                                                 version, kFormatVersion));
+    }
+    if (in.failed() || size != bytes.size() || in.left() < kChecksumBytes) {
+        return checkpointError(path, fmt::format("is cut off or damaged: it has {} bytes and should have {}",
+                                                 bytes.size(), size));
+    }
+    const std::string_view summed = bytes.substr(0, bytes.size() - kChecksumBytes);
+    if (bytes.substr(summed.size()) != checksumOf(summed)) {
+        return checkpointError(path, "is damaged: its checksum is wrong");
+    }
+    Sections sections;
+    while (!in.failed() && in.left() > kChecksumBytes) {
+        const std::string tag(in.readRaw(4));
+        sections[tag] = in.readRaw(in.read<uint64_t>());
+    }
+    if (in.failed() || in.left() != kChecksumBytes) {
+        return checkpointError(path, "is damaged: a section is longer than the file");
+    }
+    return sections;
+}
+
+Result<CheckpointInfo> readInfo(const Sections& sections, const std::string& path) {
+    for (const char* tag : {"INFO", "SETT", "HASH", "FILM"}) {
+        if (!sections.contains(tag)) {
+            return checkpointError(path, fmt::format("is damaged: the section {} is missing", tag));
+        }
+    }
+    CheckpointInfo info;
+    ByteReader about(sections.at("INFO"));
+    info.glintVersion = about.readText();
+    info.renderSeconds = about.read<double>();
+    ByteReader settings(sections.at("SETT"));
+    const uint32_t count = settings.read<uint32_t>();
+    for (uint32_t i = 0; i < count && i < kMaxSettings && !settings.failed(); ++i) {
+        std::string name = settings.readText();
+        info.settings.push_back({std::move(name), settings.readText()});
+    }
+    ByteReader hashes(sections.at("HASH"));
+    const bool rightParts = hashes.read<uint32_t>() == kScenePartCount;
+    for (Hash128& part : info.hashes.parts) {
+        part.low = hashes.read<uint64_t>();
+        part.high = hashes.read<uint64_t>();
+    }
+    ByteReader film(sections.at("FILM"));
+    film.readRaw(2 * sizeof(uint32_t));
+    info.passes = film.read<uint32_t>();
+    if (about.failed() || settings.failed() || count > kMaxSettings || hashes.failed() || !rightParts ||
+        film.failed()) {
+        return checkpointError(path, "is damaged: a section is too short");
+    }
+    return info;
+}
+
+/// Every difference between the checkpoint and the scene as it is now, separated by semicolons.
+std::string differences(const CheckpointInfo& info, const SceneDescription& scene) {
+    std::string out;
+    const auto report = [&out](const std::string& text) { out += (out.empty() ? "" : "; ") + text; };
+    const SceneHashes now = hashSceneParts(scene);
+    for (size_t i = 0; i < now.parts.size(); ++i) {
+        if (now.parts[i] != info.hashes.parts[i]) {
+            const ScenePart part = static_cast<ScenePart>(i);
+            report(
+                fmt::format("{} {}", scenePartName(part),
+                            part == ScenePart::Camera || part == ScenePart::Geometry ? "differs" : "differ"));
+        }
+    }
+    std::map<std::string, std::string> stored;
+    for (const Setting& setting : info.settings) {
+        stored[setting.name] = setting.value;
+    }
+    for (const Setting& setting : renderSettings(scene)) {
+        const auto found = stored.find(setting.name);
+        if (found == stored.end()) {
+            report(fmt::format("{} is not in the checkpoint and {} now", setting.name, setting.value));
+        } else if (found->second != setting.value) {
+            report(fmt::format("{} is {} in the checkpoint and {} now", setting.name, found->second,
+                               setting.value));
+        }
+    }
+    return out;
+}
+
+}  // namespace
+
+Status saveCheckpoint(const std::string& path, const SceneDescription& scene, const Film& film,
+                      double renderSeconds) {
+    ByteWriter info;
+    info.writeText(GLINT_VERSION);
+    info.write(renderSeconds);
+    ByteWriter settings;
+    const std::vector<Setting> current = renderSettings(scene);
+    settings.write(static_cast<uint32_t>(current.size()));
+    for (const Setting& setting : current) {
+        settings.writeText(setting.name);
+        settings.writeText(setting.value);
+    }
+    ByteWriter hashes;
+    hashes.write(static_cast<uint32_t>(kScenePartCount));
+    for (const Hash128& part : hashSceneParts(scene).parts) {
+        hashes.write(part.low);
+        hashes.write(part.high);
+    }
+    ByteWriter filmPayload;
+    FilmCheckpoint::write(film, &filmPayload);
+
+    ByteWriter sections;
+    writeSection("INFO", info.bytes(), &sections);
+    writeSection("SETT", settings.bytes(), &sections);
+    writeSection("HASH", hashes.bytes(), &sections);
+    writeSection("FILM", filmPayload.bytes(), &sections);
+
+    ByteWriter file;
+    file.writeRaw(kMagic);
+    file.write(kFormatVersion);
+    file.write(file.bytes().size() + sizeof(uint64_t) + sections.bytes().size() + kChecksumBytes);
+    file.writeRaw(sections.bytes());
+    file.writeRaw(checksumOf(file.bytes()));
+    return writeFileAtomically(path, file.bytes());
+}
+
+Result<ResumePoint> loadCheckpoint(const std::string& path, const SceneDescription& scene) {
+    const Result<std::string> bytes = readFile(path);
+    if (!bytes) {
+        return bytes.error();
+    }
+    const Result<Sections> sections = findSections(*bytes, path);
+    if (!sections) {
+        return sections.error();
+    }
+    const Result<CheckpointInfo> info = readInfo(*sections, path);
+    if (!info) {
+        return info.error();
+    }
+    if (const std::string differing = differences(*info, scene); !differing.empty()) {
+        return checkpointError(path, fmt::format("cannot go on from this checkpoint: {}", differing));
+    }
+    ResumePoint point;
+    point.renderSeconds = info->renderSeconds;
+    if (!FilmCheckpoint::read(ByteReader(sections->at("FILM")), &point.film)) {
+        return checkpointError(path, "is damaged: its film cannot be read");
+    }
+    return point;
+}
+
+Result<CheckpointInfo> readCheckpointInfo(const std::string& path) {
+    const Result<std::string> bytes = readFile(path);
+    if (!bytes) {
+        return bytes.error();
+    }
+    const Result<Sections> sections = findSections(*bytes, path);
+    if (!sections) {
+        return sections.error();
+    }
+    return readInfo(*sections, path);
+}
+
+}  // namespace glint

@@ -1,0 +1,30 @@
+// Geometry and lights of a description as a view, without materials or a camera: for tests of light sampling
+// alone.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/build/instance_builder.h"
+#include "engine/build/light_table.h"
+#include "engine/kernels/scene_view.h"
+#include "engine/scene/scene.h"
+
+namespace glint::test {
+
+struct LightScene {
+    explicit LightScene(const SceneDescription& scene);
+
+    std::vector<std::shared_ptr<const BuiltMesh>> meshes;
+    std::shared_ptr<const LightTable> lights;
+    std::shared_ptr<const InstanceTable> instances;
+    SceneView view;
+};
+
+/// A material that emits `radiance`.
+Material emissiveMaterial(const Vec3& radiance, bool bothSides);
+
+/// `count` random triangles of about the given size in the box [-1, 1]^3.
+std::shared_ptr<const MeshData> triangleSoup(uint32_t count, float size, uint32_t seed);
+
+}  // namespace glint::test

@@ -1,0 +1,33 @@
+#include "tests/support/statistics.h"
+
+namespace glint::test {
+
+ChiSquare chiSquare(const std::vector<double>& counts, const std::vector<double>& expected, double strays) {
+    ChiSquare result;
+    double pooledCount = 0.0, pooledExpected = 0.0, strayCount = 0.0;
+    int cells = 0;
+    const auto addCell = [&](double count, double expectation) {
+        result.statistic += (count - expectation) * (count - expectation) / expectation;
+        ++cells;
+    };
+    for (size_t i = 0; i < counts.size(); ++i) {
+        if (expected[i] <= 0.0) {
+            strayCount += counts[i];
+        } else if (expected[i] < 5.0) {
+            pooledCount += counts[i];
+            pooledExpected += expected[i];
+        } else {
+            addCell(counts[i], expected[i]);
+        }
+    }
+    if (pooledExpected >= 5.0) {
+        addCell(pooledCount, pooledExpected);
+    } else if (pooledCount > 5.0 * (pooledExpected + 5.0)) {
+        strayCount += pooledCount;
+    }
+    if (strayCount > strays) result.statistic = INFINITY;
+    result.degrees = cells - 1;
+    return result;
+}
+
+}  // namespace glint::test

@@ -1,0 +1,295 @@
+// Checkpoints bring the film back to the last bit, belong to one scene and one set of settings, and say what
+// differs.
+#include "engine/render/checkpoint.h"
+
+#include <cstring>
+#include <random>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/io/exr_io.h"
+#include "engine/io/image_io.h"
+#include "engine/render/picture_file.h"
+#include "tests/support/temp_folder.h"
+
+namespace glint {
+namespace {
+
+using test::TempFolder;
+using testing::HasSubstr;
+
+constexpr int kWidth = 37;
+constexpr int kHeight = 21;
+
+std::vector<PixelSample> randomSamples(std::mt19937& random) {
+    std::uniform_real_distribution<float> value(0.0f, 3.0f);
+    std::vector<PixelSample> samples(kWidth * kHeight);
+    for (PixelSample& sample : samples) {
+        sample.radiance = {value(random), value(random), value(random)};
+        sample.rays = 3;
+    }
+    samples[5] = {.radiance = Vec3(0.0f), .fault = SampleFault::NotANumber, .rays = 1};
+    return samples;
+}
+
+Film filmAfter(uint32_t firstPass, uint32_t passes, Film film, std::mt19937& random) {
+    for (uint32_t pass = firstPass; pass < firstPass + passes; ++pass) {
+        film.commit(randomSamples(random), pass, 1);
+    }
+    return film;
+}
+
+SceneDescription someScene() {
+    SceneDescription scene;
+    scene.resolution = {kWidth, kHeight};
+    scene.materials.resize(2);
+    auto mesh = std::make_shared<MeshData>();
+    mesh->positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh->indices = {0, 1, 2};
+    scene.meshes.push_back({.name = "triangle", .source = {}, .data = mesh});
+    Object object;
+    object.shape = ShapeKind::Mesh;
+    object.mesh = 0;
+    scene.objects.push_back(object);
+    auto image = std::make_shared<Image8>(Image8{1, 1, {1, 2, 3}});
+    Texture texture;
+    texture.image.bytes = image;
+    scene.textures.push_back(texture);
+    scene.lights.emplace_back();
+    return scene;
+}
+
+void expectSameFilm(const Film& a, const Film& b) {
+    EXPECT_EQ(a.width(), b.width());
+    EXPECT_EQ(a.height(), b.height());
+    EXPECT_EQ(a.passes(), b.passes());
+    EXPECT_EQ(a.rays(), b.rays());
+    EXPECT_EQ(a.faultCounts(), b.faultCounts());
+    ASSERT_EQ(a.faults().size(), b.faults().size());
+    for (size_t i = 0; i < a.faults().size(); ++i) {
+        EXPECT_EQ(a.faults()[i].x, b.faults()[i].x);
+        EXPECT_EQ(a.faults()[i].y, b.faults()[i].y);
+        EXPECT_EQ(a.faults()[i].pass, b.faults()[i].pass);
+        EXPECT_EQ(a.faults()[i].fault, b.faults()[i].fault);
+    }
+    ASSERT_EQ(a.pixels().size(), b.pixels().size());
+    for (size_t i = 0; i < a.pixels().size(); ++i) {
+        const FilmPixel& p = a.pixels()[i];
+        const FilmPixel& q = b.pixels()[i];
+        EXPECT_EQ(std::memcmp(p.mean.data(), q.mean.data(), sizeof p.mean), 0);
+        EXPECT_EQ(std::memcmp(&p.luminanceM2, &q.luminanceM2, sizeof p.luminanceM2), 0);
+        EXPECT_EQ(p.count, q.count);
+    }
+}
+
+TEST(Checkpoint, BringsTheFilmBackExactlyAndGoesOnAsIfNothingHappened) {
+    const TempFolder folder;
+    const std::string path = folder.path("a.checkpoint");
+    const SceneDescription scene = someScene();
+    std::mt19937 random(1);
+    const Film half = filmAfter(0, 5, Film(kWidth, kHeight), random);
+    ASSERT_TRUE(saveCheckpoint(path, scene, half, 12.5));
+    const std::mt19937 afterHalf = random;
+    const Film whole = filmAfter(5, 5, half, random);
+
+    const Result<ResumePoint> loaded = loadCheckpoint(path, scene);
+    ASSERT_TRUE(loaded) << loaded.error().format();
+    expectSameFilm(loaded->film, half);
+    EXPECT_EQ(loaded->renderSeconds, 12.5);
+    random = afterHalf;
+    expectSameFilm(filmAfter(5, 5, loaded->film, random), whole);
+}
+
+TEST(Checkpoint, TellsAboutItself) {
+    const TempFolder folder;
+    const std::string path = folder.path("a.checkpoint");
+    std::mt19937 random(2);
+    ASSERT_TRUE(saveCheckpoint(path, someScene(), filmAfter(0, 3, Film(kWidth, kHeight), random), 1.0));
+    const Result<CheckpointInfo> info = readCheckpointInfo(path);
+    ASSERT_TRUE(info) << info.error().format();
+    EXPECT_EQ(info->passes, 3u);
+    EXPECT_EQ(info->glintVersion, GLINT_VERSION);
+    EXPECT_EQ(info->settings, renderSettings(someScene()));
+    EXPECT_EQ(info->hashes, hashSceneParts(someScene()));
+}
+
+TEST(Checkpoint, NamesWhatDiffers) {
+    const TempFolder folder;
+    const std::string path = folder.path("a.checkpoint");
+    ASSERT_TRUE(saveCheckpoint(path, someScene(), Film(kWidth, kHeight), 0.0));
+    const auto refusal = [&](auto edit) {
+        SceneDescription scene = someScene();
+        edit(scene);
+        const Result<ResumePoint> result = loadCheckpoint(path, scene);
+        return result ? std::string("accepted") : result.error().format();
+    };
+    EXPECT_EQ(refusal([](SceneDescription&) {}), "accepted");
+    EXPECT_EQ(refusal([](SceneDescription& s) { s.title = s.path = s.materials[0].name = "other"; }),
+              "accepted");
+    EXPECT_THAT(refusal([](SceneDescription& s) { s.camera.focalDistance = 9.0f; }),
+                HasSubstr("the camera differs"));
+    EXPECT_THAT(refusal([](SceneDescription& s) { s.objects[0].objectToWorld.translation.x = 1e-6f; }),
+                HasSubstr("the geometry differs"));
+    EXPECT_THAT(refusal([](SceneDescription& s) {
+                    auto mesh = std::make_shared<MeshData>(*s.meshes[0].data);
+                    mesh->positions[1].x = 2.0f;
+                    s.meshes[0].data = mesh;
+                }),
+                HasSubstr("the geometry differs"));
+    EXPECT_THAT(refusal([](SceneDescription& s) { s.materials[1].emission = Vec3(1.0f); }),
+                HasSubstr("the materials differ"));
+    EXPECT_THAT(refusal([](SceneDescription& s) {
+                    s.textures[0].image.bytes = std::make_shared<Image8>(Image8{1, 1, {1, 2, 4}});
+                }),
+                HasSubstr("the textures differ"));
+    EXPECT_THAT(refusal([](SceneDescription& s) { s.environment.rotationDeg = 1.0f; }),
+                HasSubstr("the lights differ"));
+    const std::string several = refusal([](SceneDescription& s) {
+        s.options.maxDepth = 8;
+        s.resolution.width = 38;
+        s.options.filter = FilterKind::Box;
+    });
+    EXPECT_THAT(several, HasSubstr("maxDepth is 16 in the checkpoint and 8 now"));
+    EXPECT_THAT(several, HasSubstr("width is 37 in the checkpoint and 38 now"));
+    EXPECT_THAT(several, HasSubstr("filter is blackman-harris in the checkpoint and box now"));
+}
+
+TEST(Checkpoint, EveryFieldOfTheSceneCounts) {
+    const Hash128 plain = sceneHash(someScene());
+    const auto changes = [&](auto edit) {
+        SceneDescription scene = someScene();
+        edit(scene);
+        return !(sceneHash(scene) == plain);
+    };
+    using S = SceneDescription&;
+    EXPECT_FALSE(changes([](S) {}));
+    EXPECT_TRUE(changes([](S s) { s.camera.position.x += 1.0f; }));
+    EXPECT_TRUE(changes([](S s) { s.camera.target.y += 1.0f; }));
+    EXPECT_TRUE(changes([](S s) { s.camera.up.x += 1.0f; }));
+    EXPECT_TRUE(changes([](S s) { s.camera.verticalFovDeg += 1.0f; }));
+    EXPECT_TRUE(changes([](S s) { s.camera.horizontalScale += 1.0f; }));
+    EXPECT_TRUE(changes([](S s) { s.camera.apertureDiameter += 1.0f; }));
+    EXPECT_TRUE(changes([](S s) { s.camera.apertureBlades = 5; }));
+    EXPECT_TRUE(changes([](S s) { s.camera.bladeRotationDeg = 5.0f; }));
+    EXPECT_TRUE(changes([](S s) { s.objects[0].frontOnly = true; }));
+    EXPECT_TRUE(changes([](S s) { s.objects[0].material = 1; }));
+    EXPECT_TRUE(changes([](S s) { s.objects[0].shape = ShapeKind::Disc; }));
+    EXPECT_TRUE(changes([](S s) { s.objects[0].objectToWorld.linear[1][2] = 0.5f; }));
+    EXPECT_TRUE(changes([](S s) { s.objects.push_back(s.objects[0]); }));
+    EXPECT_TRUE(changes([](S s) { s.materials[0].kind = MaterialKind::Plastic; }));
+    EXPECT_TRUE(changes([](S s) { s.materials[0].color.texture = 0; }));
+    EXPECT_TRUE(changes([](S s) { s.materials[0].metal = "silver"; }));
+    EXPECT_TRUE(changes([](S s) { s.materials[0].roughness = 0.1f; }));
+    EXPECT_TRUE(changes([](S s) { s.materials[0].thin = true; }));
+    EXPECT_TRUE(changes([](S s) { s.materials[0].mixtureWeights.y = 1.0f; }));
+    EXPECT_TRUE(changes([](S s) { s.materials[0].emissionStrength = 2.0f; }));
+    EXPECT_TRUE(changes([](S s) { s.materials[0].emitsBothSides = true; }));
+    EXPECT_TRUE(changes([](S s) { s.textures[0].flipV = true; }));
+    EXPECT_TRUE(changes([](S s) { s.textures[0].scale.x = 2.0f; }));
+    EXPECT_TRUE(changes([](S s) { s.textures[0].encoding = ColorEncoding::Linear; }));
+    EXPECT_TRUE(changes([](S s) { s.lights[0].coneAngleDeg = 2.0f; }));
+    EXPECT_TRUE(changes([](S s) { s.environment.color = Vec3(1.0f); }));
+    EXPECT_TRUE(changes([](S s) { s.options.seed = 1; }));
+    EXPECT_TRUE(changes([](S s) { s.options.fireflyClamp = 1.0f; }));
+}
+
+TEST(ContentHash, IsStable) {
+    // Checkpoints of one version must open in the next one: these values may never change.
+    ContentHash hash;
+    hash.add("glint");
+    hash.add(1.5f);
+    EXPECT_EQ(hash.finish().hex(), "73e11f8acbd345bd2ae1e6569ab7bdfe");
+    ContentHash split;
+    split.add("ab");
+    split.add("c");
+    ContentHash other;
+    other.add("a");
+    other.add("bc");
+    EXPECT_FALSE(split.finish() == other.finish());
+}
+
+FilmSnapshot someSnapshot() {
+    FilmSnapshot snapshot;
+    snapshot.width = 3;
+    snapshot.height = 2;
+    snapshot.passes = 7;
+    snapshot.renderSeconds = 1.25;
+    snapshot.relativeError = 0.015625;
+    for (int i = 0; i < 18; ++i) {
+        snapshot.radiance.push_back(0.1f * static_cast<float>(i));
+    }
+    snapshot.standardError.assign(6, 0.25f);
+    std::vector<AovSample> samples(6);
+    for (uint32_t i = 0; i < 6; ++i) {
+        samples[i] = {.albedo = Vec3(0.5f),
+                      .shadingNormal = {0.0f, 1.0f, 0.0f},
+                      .geometricNormal = {0.0f, 0.0f, 1.0f},
+                      .depth = 1e6f + static_cast<float>(i),
+                      .objectId = 16777217u + i,
+                      .materialId = i};
+    }
+    auto aovs = std::make_shared<AovFilm>(3, 2);
+    aovs->commit(samples, 1);
+    snapshot.aovs = aovs;
+    return snapshot;
+}
+
+TEST(PictureFile, ExrKeepsRadianceLayersAndMetadata) {
+    const TempFolder folder;
+    const std::string path = folder.path("picture.EXR");
+    const FilmSnapshot snapshot = someSnapshot();
+    const uint32_t all =
+        kAovAlbedo | kAovShadingNormal | kAovGeometricNormal | kAovDepth | kAovObjectId | kAovMaterialId;
+    const PictureOptions options{.exrColor = ExrPixelType::Float, .aovs = all};
+    const Status saved = savePicture(path, snapshot, someScene(), options);
+    ASSERT_TRUE(saved) << saved.error().format();
+
+    const Result<ExrPicture> loaded = loadExr(path);
+    ASSERT_TRUE(loaded) << loaded.error().format();
+    const Result<ImageF> color = exrColor(*loaded, path);
+    ASSERT_TRUE(color);
+    EXPECT_EQ(color->rgb, snapshot.radiance);
+    for (const char* name :
+         {"albedo.R", "albedo.G", "albedo.B", "normal.X", "normal.Y", "normal.Z", "geometricNormal.Z",
+          "depth.Z", "objectId.id", "materialId.id", "standardError.Y"}) {
+        EXPECT_NE(loaded->find(name), nullptr) << name;
+    }
+    EXPECT_EQ(loaded->find("normal.Y")->floats[4], 1.0f);
+    EXPECT_EQ(loaded->find("depth.Z")->floats[5], 1e6f + 5.0f);
+    EXPECT_EQ(loaded->find("objectId.id")->ids[5], 16777222u);  // more than a float can tell apart
+    EXPECT_EQ(loaded->find("standardError.Y")->floats[0], 0.25f);
+    EXPECT_EQ(loaded->attributes.at("sceneHash"), sceneHash(someScene()).hex());
+    EXPECT_EQ(loaded->attributes.at("passes"), "7");
+    EXPECT_EQ(loaded->attributes.at("renderSeconds"), "1.25");
+    EXPECT_EQ(loaded->attributes.at("relativeError"), "0.015625");
+    EXPECT_EQ(loaded->attributes.at("glintVersion"), GLINT_VERSION);
+    EXPECT_EQ(loaded->attributes.at("setting.maxDepth"), "16");
+}
+
+TEST(PictureFile, PngAndHdrAndRefusals) {
+    const TempFolder folder;
+    const FilmSnapshot snapshot = someSnapshot();
+    const SceneDescription scene = someScene();
+    ASSERT_TRUE(savePicture(folder.path("a.png"), snapshot, scene, {.toneMap = ToneMap::Clamp}));
+    const auto png = loadImage8(folder.path("a.png"));
+    ASSERT_TRUE(png);
+    EXPECT_EQ((*png)->rgb[5], 128);   // 0.5 * 255 + 0.5
+    EXPECT_EQ((*png)->rgb[17], 255);  // 1.7 is cut
+    ASSERT_TRUE(savePicture(folder.path("a.hdr"), snapshot, scene, {}));
+    const auto hdr = loadImageF(folder.path("a.hdr"));
+    ASSERT_TRUE(hdr);
+    EXPECT_NEAR((*hdr)->rgb[17], 1.7f, 1.7f / 128.0f);
+
+    const Status wrong = savePicture(folder.path("a.gif"), snapshot, scene, {});
+    ASSERT_FALSE(wrong);
+    EXPECT_THAT(wrong.error().format(), HasSubstr("expected .png, .exr or .hdr"));
+    FilmSnapshot withoutLayers = snapshot;
+    withoutLayers.aovs = nullptr;
+    EXPECT_FALSE(savePicture(folder.path("b.exr"), withoutLayers, scene, {.aovs = kAovDepth}));
+    EXPECT_FALSE(savePicture(folder.path("b.png"), FilmSnapshot{}, scene, {}));
+    EXPECT_EQ(folder.size(), 2u);
+}
+
+}  // namespace
+}  // namespace glint
