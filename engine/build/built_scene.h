@@ -1,5 +1,5 @@
-// The scene ready for rendering: immutable flat arrays in shared parts. An edit makes a new BuiltScene that shares every
-// part the edit did not touch. Never points into a SceneDescription.
+// The scene ready for rendering: immutable flat arrays in shared parts. An edit makes a new BuiltScene that
+// shares every part the edit did not touch. Never points into a SceneDescription.
 #pragma once
 
 #include <memory>
@@ -10,11 +10,11 @@
 
 namespace glint {
 
-struct BuiltMesh;       // build/mesh_builder.h: one mesh with its acceleration structure
-struct InstanceTable;   // build/instance_builder.h: instances and the top-level structure
-struct MaterialTable;   // build/material_table.h
-struct TextureTable;    // build/texture_table.h
-struct LightTable;      // build/light_table.h
+struct BuiltMesh;      // build/mesh_builder.h: one mesh with its acceleration structure
+struct InstanceTable;  // build/instance_builder.h: instances and the top-level structure
+struct MaterialTable;  // build/material_table.h
+struct TextureTable;   // build/texture_table.h
+struct LightTable;     // build/light_table.h
 
 struct BuiltScene {
     std::vector<std::shared_ptr<const BuiltMesh>> meshes;  ///< same indices as SceneDescription::meshes

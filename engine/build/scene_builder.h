@@ -21,10 +21,12 @@ struct BuildReport {
     double seconds = 0.0;
 };
 
-/// Builds what `edit` names and shares the rest with `previous` (null: builds everything). Meshes whose MeshData is the
-/// same object are always shared. Error: a description that no picture can be made of (an index out of range, a singular
-/// transform, a non-finite number), naming the object; or `stop` (may be null) was raised meanwhile. threads 0: all.
-Result<std::shared_ptr<const BuiltScene>> buildScene(const SceneEdit& edit, const BuiltScene* previous, int threads,
-                                                     const std::atomic<bool>* stop, BuildReport* report);
+/// Builds what `edit` names and shares the rest with `previous` (null: builds everything). Meshes whose
+/// MeshData is the same object are always shared. Error: a description that no picture can be made of (an
+/// index out of range, a singular transform, a non-finite number), naming the object; or `stop` (may be null)
+/// was raised meanwhile. threads 0: all.
+Result<std::shared_ptr<const BuiltScene>> buildScene(const SceneEdit& edit, const BuiltScene* previous,
+                                                     int threads, const std::atomic<bool>* stop,
+                                                     BuildReport* report);
 
 }  // namespace glint

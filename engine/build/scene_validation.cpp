@@ -186,29 +186,37 @@ Status checkAll(size_t count, const Check& check) {
 
 }  // namespace
 
-Status validateScene(const SceneDescription& scene) {
+Status validateScene(const SceneDescription& scene, EditKind kinds) {
     if (Status status = checkCamera(scene.camera); !status) {
         return status;
     }
     if (Status status = checkPicture(scene.resolution, scene.options); !status) {
         return status;
     }
-    if (Status status = checkAll(scene.materials.size(), [&](size_t i) { return checkMaterial(scene, i); });
-        !status) {
-        return status;
+    const auto concerns = [kinds](EditKind some) { return has(kinds, some | EditKind::Everything); };
+    if (concerns(EditKind::MaterialParameters | EditKind::MaterialKind)) {
+        const auto check = [&](size_t i) { return checkMaterial(scene, i); };
+        if (Status status = checkAll(scene.materials.size(), check); !status) {
+            return status;
+        }
     }
-    if (Status status = checkAll(scene.meshes.size(), [&](size_t i) { return checkMesh(scene, i); });
-        !status) {
-        return status;
+    if (concerns(EditKind::ObjectTransform | EditKind::MaterialKind)) {
+        const auto check = [&](size_t i) { return checkObject(scene, i); };
+        if (Status status = checkAll(scene.objects.size(), check); !status) {
+            return status;
+        }
     }
-    if (Status status = checkAll(scene.objects.size(), [&](size_t i) { return checkObject(scene, i); });
-        !status) {
-        return status;
+    if (concerns(EditKind::Everything)) {
+        const auto check = [&](size_t i) { return checkMesh(scene, i); };
+        if (Status status = checkAll(scene.meshes.size(), check); !status) {
+            return status;
+        }
     }
-    if (Status status =
-            checkAll(scene.lights.size(), [&](size_t i) { return checkLight(scene.lights[i], i); });
-        !status) {
-        return status;
+    if (concerns(EditKind::Lights)) {
+        const auto check = [&](size_t i) { return checkLight(scene.lights[i], i); };
+        if (Status status = checkAll(scene.lights.size(), check); !status) {
+            return status;
+        }
     }
     return checkEnvironment(scene);
 }

@@ -2,8 +2,7 @@
 #include <algorithm>
 #include <limits>
 
-#include <fmt/format.h>
-
+#include "engine/render/pass_params.h"
 #include "engine/render/session_worker.h"
 #include "engine/render/snapshot.h"
 
@@ -56,17 +55,7 @@ bool SessionWorker::limitReached(const StopLimits& limits) const {
 }
 
 PassParams SessionWorker::passParams(NextPass kind) const {
-    const RenderOptions& options = scene_->options;
-    PassParams params;
-    params.seed = options.seed;
-    params.maxDepth = options.maxDepth;
-    params.rouletteStartDepth = options.rouletteStartDepth;
-    params.filter = static_cast<FilterTag>(options.filter);
-    params.filterRadius = options.filterRadius;
-    params.sampler = static_cast<SamplerTag>(options.sampler);
-    params.fireflyClamp = options.fireflyClamp;
-    params.width = scene_->resolution.width;
-    params.height = scene_->resolution.height;
+    PassParams params = passParamsOf(*scene_);
     switch (kind) {
         case NextPass::Preview:
         case NextPass::PreviewAov:

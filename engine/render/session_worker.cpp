@@ -13,9 +13,6 @@
 namespace glint {
 namespace {
 
-constexpr EditKind kNeedsBuild = EditKind::Everything | EditKind::Camera | EditKind::MaterialParameters |
-                                 EditKind::MaterialKind | EditKind::Lights | EditKind::ObjectTransform;
-
 void count(const BuildReport& report, SessionStatus::Counters* counters) {
     counters->meshBuilds += static_cast<uint64_t>(report.meshesBuilt);
     counters->topLevelBuilds += report.topLevelBuilt;
@@ -129,7 +126,7 @@ void SessionWorker::takeEdit(SceneEdit edit, std::optional<ResumePoint> resume) 
 }
 
 bool SessionWorker::rebuild(const SceneEdit& edit) {
-    if ((edit.kinds & kNeedsBuild) == EditKind::None) {
+    if ((edit.kinds & EditKind::SppmParameters) == edit.kinds) {
         return true;
     }
     const auto began = SessionClock::now();

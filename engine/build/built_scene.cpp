@@ -1,0 +1,34 @@
+// Collects the parts' views. Parts may be missing in scenes that only tests make.
+#include "engine/build/built_scene.h"
+
+#include "engine/build/instance_builder.h"
+#include "engine/build/light_table.h"
+#include "engine/build/material_table.h"
+#include "engine/build/texture_table.h"
+
+namespace glint {
+
+SceneView BuiltScene::view() const {
+    SceneView scene;
+    if (instances) {
+        scene.geometry = instances->view();
+    }
+    if (materials) {
+        scene.materials = viewOf(materials->materials);
+    }
+    if (textures) {
+        scene.textures = viewOf(textures->textures);
+    }
+    if (lights) {
+        scene.lights = lights->view();
+    }
+    scene.camera = camera;
+    Bounds all = scene.geometry.bounds;
+    all.grow(camera.position);
+    scene.sceneCenter = all.center();
+    const float radius = 0.5f * glm::length(all.extent());
+    scene.sceneRadius = radius > 0.0f && std::isfinite(radius) ? radius : 1.0f;
+    return scene;
+}
+
+}  // namespace glint

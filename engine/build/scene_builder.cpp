@@ -1,0 +1,214 @@
+// The edit table in code: each part asks whether an edit concerns it, and is shared with the previous scene
+// otherwise. The order is that of the parts' dependencies: meshes, textures, materials, lights, instances,
+// camera, features.
+#include "engine/build/scene_builder.h"
+
+#include <chrono>
+#include <unordered_map>
+
+#include "engine/build/camera_builder.h"
+#include "engine/build/feature_scan.h"
+#include "engine/build/instance_builder.h"
+#include "engine/build/light_table.h"
+#include "engine/build/material_table.h"
+#include "engine/build/scene_validation.h"
+#include "engine/build/texture_table.h"
+
+namespace glint {
+namespace {
+
+using BuiltMeshes = std::vector<std::shared_ptr<const BuiltMesh>>;
+
+constexpr EditKind kMaterials = EditKind::MaterialParameters | EditKind::MaterialKind;
+
+/// What `edit` really concerns: everything, when parts appeared or vanished without its saying so.
+EditKind concernedKinds(const SceneEdit& edit, const BuiltScene* previous) {
+    const SceneDescription& scene = *edit.scene;
+    const bool complete = previous != nullptr && previous->instances && previous->materials &&
+                          previous->textures && previous->lights;
+    if (!complete || scene.objects.size() != previous->instances->instances.size() ||
+        scene.meshes.size() != previous->meshes.size() ||
+        scene.materials.size() != previous->materials->materials.size()) {
+        return edit.kinds | EditKind::Everything;
+    }
+    return edit.kinds;
+}
+
+class SceneBuild {
+  public:
+    SceneBuild(const SceneEdit& edit, const BuiltScene* previous, int threads, const std::atomic<bool>* stop,
+               BuildReport* report)
+        : scene_(*edit.scene),
+          kinds_(concernedKinds(edit, previous)),
+          threads_(threads),
+          stop_(stop),
+          report_(*report),
+          built_(previous != nullptr ? std::make_shared<BuiltScene>(*previous)
+                                     : std::make_shared<BuiltScene>()) {}
+
+    Result<std::shared_ptr<const BuiltScene>> run() {
+        for (Status (SceneBuild::*step)() :
+             {&SceneBuild::validate, &SceneBuild::meshes, &SceneBuild::textures, &SceneBuild::materials,
+              &SceneBuild::lights, &SceneBuild::instances, &SceneBuild::camera, &SceneBuild::features}) {
+            if (stop_ != nullptr && *stop_) {
+                return Error{"the build was given up", {}};
+            }
+            if (Status done = (this->*step)(); !done) {
+                return done.error();
+            }
+        }
+        return std::shared_ptr<const BuiltScene>(std::move(built_));
+    }
+
+  private:
+    bool concerns(EditKind kinds) const { return has(kinds_, kinds | EditKind::Everything); }
+
+    Status validate() { return validateScene(scene_, kinds_); }
+
+    Status meshes() {
+        if (!concerns(EditKind::Everything)) {
+            return {};
+        }
+        std::unordered_map<const MeshData*, std::shared_ptr<const BuiltMesh>> known;
+        for (const auto& mesh : built_->meshes) {
+            known[mesh->data.get()] = mesh;
+        }
+        BuiltMeshes meshes;
+        for (const Mesh& mesh : scene_.meshes) {
+            if (stop_ != nullptr && *stop_) {
+                return Error{"the build was given up", {}};
+            }
+            std::shared_ptr<const BuiltMesh>& built = known[mesh.data.get()];
+            if (!built) {
+                built = buildMesh(mesh.data, threads_);
+                ++report_.meshesBuilt;
+            }
+            meshes.push_back(built);
+        }
+        built_->meshes = std::move(meshes);
+        return {};
+    }
+
+    Status textures() {
+        if (!concerns(EditKind::MaterialKind)) {
+            return {};
+        }
+        auto table = buildTextureTable(scene_, built_->textures);
+        if (!table) {
+            return table.error();
+        }
+        report_.texturesBuilt = *table != built_->textures;
+        built_->textures = std::move(table).value();
+        return {};
+    }
+
+    Status materials() {
+        if (!concerns(kMaterials)) {
+            return {};
+        }
+        auto table = buildMaterialTable(scene_, *built_->textures, built_->materials);
+        if (!table) {
+            return table.error();
+        }
+        report_.materialsBuilt = *table != built_->materials;
+        emissionChanged_ = !sameEmission(built_->materials.get(), **table);
+        built_->materials = std::move(table).value();
+        return {};
+    }
+
+    Status lights() {
+        const bool lampsMoved = concerns(EditKind::ObjectTransform) && shapesEmit();
+        if (!concerns(EditKind::Lights) && !lampsMoved && !emissionChanged_) {
+            return {};
+        }
+        auto table = buildLightTable(scene_, built_->lights.get(), threads_);
+        emittersMoved_ = !built_->lights || table->firstEmitter != built_->lights->firstEmitter;
+        built_->lights = std::move(table);
+        report_.lightsBuilt = true;
+        return {};
+    }
+
+    Status instances() {
+        if (concerns(EditKind::ObjectTransform) || emittersMoved_) {
+            built_->instances = buildInstances(scene_, built_->meshes, built_->lights->firstEmitter);
+            report_.topLevelBuilt = true;
+        }
+        return {};
+    }
+
+    Status camera() {
+        if (!concerns(EditKind::Camera | EditKind::Resolution)) {
+            return {};
+        }
+        const float aspect =
+            static_cast<float>(scene_.resolution.width) / static_cast<float>(scene_.resolution.height);
+        auto camera = buildCamera(scene_.camera, aspect);
+        if (!camera) {
+            return camera.error();
+        }
+        built_->camera = *camera;
+        return {};
+    }
+
+    /// The mask may only grow while a scene is edited: a kernel that was good enough stays so, and a slider
+    /// that passes through zero does not switch kernels back and forth.
+    Status features() {
+        FeatureMask mask = concerns(EditKind::Everything) ? 0 : built_->features;
+        if (concerns(kMaterials | EditKind::ObjectTransform)) {
+            mask |= scanFeatures(scene_);
+            report_.featuresScanned = true;
+        }
+        if (built_->camera.lensRadius > 0.0f) {
+            mask |= kFeatureDepthOfField;
+        }
+        built_->features = mask | built_->lights->features();
+        return {};
+    }
+
+    bool shapesEmit() const {
+        for (const Material& material : scene_.materials) {
+            if (material.emissive()) {
+                return true;
+            }
+        }
+        return built_->lights && (built_->lights->features() & kFeatureAreaLights) != 0;
+    }
+
+    static bool sameEmission(const MaterialTable* before, const MaterialTable& after) {
+        if (before == nullptr || before->materials.size() != after.materials.size()) {
+            return false;
+        }
+        constexpr uint8_t kEmissionFlags = kMaterialEmissive | kMaterialEmitsBothSides;
+        for (size_t i = 0; i < after.materials.size(); ++i) {
+            const MaterialData &a = before->materials[i], &b = after.materials[i];
+            if (a.emission != b.emission || ((a.flags ^ b.flags) & kEmissionFlags) != 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    const SceneDescription& scene_;
+    EditKind kinds_;
+    int threads_;
+    const std::atomic<bool>* stop_;
+    BuildReport& report_;
+    std::shared_ptr<BuiltScene> built_;
+    bool emissionChanged_ = false;
+    bool emittersMoved_ = false;
+};
+
+}  // namespace
+
+Result<std::shared_ptr<const BuiltScene>> buildScene(const SceneEdit& edit, const BuiltScene* previous,
+                                                     int threads, const std::atomic<bool>* stop,
+                                                     BuildReport* report) {
+    const auto began = std::chrono::steady_clock::now();
+    BuildReport unused;
+    BuildReport& parts = report != nullptr ? *report : unused;
+    auto built = SceneBuild(edit, previous, threads, stop, &parts).run();
+    parts.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    return built;
+}
+
+}  // namespace glint
