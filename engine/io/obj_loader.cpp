@@ -218,7 +218,7 @@ bool ObjParser::parseFace() {
         partGroup_ = group_;
     }
     return builder_.addFace(corners_) ||
-           cursor_.fail(where, fmt::format("the polygon is not convex and has {} corners; expected fewer",
+           cursor_.fail(where, fmt::format("the polygon has {} corners, too many of them not convex",
                                            corners_.size()));
 }
 

@@ -220,8 +220,7 @@ class PlyBody {
         triangles_.clear();
         if (!triangulatePolygon(polygon_, &triangles_)) {
             return source_.fail(
-                fmt::format("the polygon is not convex and has {} corners; expected at most {}",
-                            corners_.size(), kMaxConcaveCorners));
+                fmt::format("the polygon has {} corners, too many of them not convex", corners_.size()));
         }
         for (const uint32_t corner : triangles_) {
             mesh_.indices.push_back(corners_[corner]);

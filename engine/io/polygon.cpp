@@ -85,6 +85,9 @@ class EarClipper {
         }
     }
 
+    /// About how many tests of a corner against an ear run() makes.
+    uint64_t tests() const { return uint64_t{remaining_} * blockers_.size(); }
+
     void run() {
         uint32_t any = queueEars(0);
         for (int rescans = 0; remaining_ > 3;) {
@@ -199,10 +202,11 @@ bool triangulatePolygon(const std::vector<Vec3>& corners, std::vector<uint32_t>*
         appendFan(corners.size(), triangles);
         return true;
     }
-    if (corners.size() > kMaxConcaveCorners) {
+    EarClipper clipper(points, triangles);
+    if (clipper.tests() > kMaxEarTests) {
         return false;
     }
-    EarClipper(points, triangles).run();
+    clipper.run();
     return true;
 }
 

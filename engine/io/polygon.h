@@ -8,8 +8,9 @@
 
 namespace glint {
 
-/// Most corners of a polygon that is not convex: ear clipping takes time with their square.
-constexpr size_t kMaxConcaveCorners = 16384;
+/// Ear clipping takes time with corners times corners that are not convex. More than this is refused: it
+/// stands for about a second.
+constexpr uint64_t kMaxEarTests = uint64_t{1} << 28;
 
 /// Appends three corner numbers per triangle to `triangles`, keeping the polygon's orientation; n corners
 /// give n - 2 triangles. Works in the plane that the polygon's area vector faces most, so slightly bent
