@@ -5,8 +5,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "engine/scene/generated_sky.h"
 
 namespace glint {
 
@@ -26,11 +29,13 @@ struct ImageF {
 
 enum class ColorEncoding : uint8_t { Srgb, Linear };
 
-/// An image together with where it came from, so that a scene can be saved again. Exactly one of the two is set.
+/// An image together with where it came from, so that a scene can be saved again. Exactly one of the two is
+/// set.
 struct ImageSource {
     std::string path;  ///< as written in the scene file, for saving; empty for generated images
     std::shared_ptr<const Image8> bytes;
     std::shared_ptr<const ImageF> floats;
+    std::optional<SkySource> sky = {};  ///< how `floats` was generated, where it was
 };
 
 }  // namespace glint

@@ -1,7 +1,7 @@
 // The editable scene. Belongs to whoever edits it (the UI thread, a command); knows nothing of rendering.
 //
-// Heavy parts (triangles, pixels) are immutable and shared, so that a copy is cheap: an edit copies the description,
-// changes the copy and posts it together with what changed (scene_edit.h).
+// Heavy parts (triangles, pixels) are immutable and shared, so that a copy is cheap: an edit copies the
+// description, changes the copy and posts it together with what changed (scene_edit.h).
 #pragma once
 
 #include <cstdint>
@@ -31,9 +31,9 @@ enum class ShapeKind : uint8_t {
 struct Object {
     std::string name;
     ShapeKind shape = ShapeKind::Sphere;
-    int mesh = -1;      ///< ShapeKind::Mesh: index into SceneDescription::meshes
-    int material = 0;   ///< index into SceneDescription::materials
-    Affine objectToWorld;  ///< must be invertible
+    int mesh = -1;           ///< ShapeKind::Mesh: index into SceneDescription::meshes
+    int material = 0;        ///< index into SceneDescription::materials
+    Affine objectToWorld;    ///< must be invertible
     bool frontOnly = false;  ///< rays meet it only from the side the geometric normal points to
 };
 
@@ -47,8 +47,9 @@ struct Texture {
 };
 
 struct SceneDescription {
-    std::string path;    ///< the file it came from; relative paths inside are relative to its folder
-    std::string title;   ///< what the scene shows, one line
+    std::string path;         ///< the file it came from; relative paths inside are relative to its folder
+    std::string title;        ///< what the scene shows, one line
+    std::string description;  ///< more about it: what to look at, or which value it must have
     Camera camera;
     Resolution resolution;
     RenderOptions options;

@@ -1,0 +1,28 @@
+// Glint's own scene format: JSON with comments, described for people in scenes/README.md and for editors in
+// scenes/glint.schema.json.
+//
+// Reading a saved scene gives back every field that affects the picture, bit for bit.
+#pragma once
+
+#include <string>
+
+#include "engine/base/result.h"
+#include "engine/io/load_options.h"
+#include "engine/io/text_source.h"
+#include "engine/scene/scene.h"
+
+namespace glint {
+
+/// Error: anything that is not a valid scene, with its place. Relative paths count from the folder of
+/// source.path.
+Result<SceneDescription> readSceneJson(TextSource source, const LoadOptions& options);
+
+/// The scene as JSON text, for a file at `path`: relative paths are rewritten to count from its folder.
+/// Error: an image or mesh that is neither from a file nor generated and too large to be written into the
+/// scene.
+Result<std::string> writeSceneJson(const SceneDescription& scene, const std::string& path);
+
+/// Writes the scene to `path` atomically. Error: as writeSceneJson, or the file cannot be written.
+Status saveSceneJson(const SceneDescription& scene, const std::string& path);
+
+}  // namespace glint

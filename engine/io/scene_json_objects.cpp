@@ -1,0 +1,224 @@
+// Glint JSON: meshes and objects.
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "engine/io/scene_json_keys.h"
+#include "engine/io/scene_json_reader.h"
+
+namespace glint {
+namespace {
+
+/// In the order of ShapeKind.
+constexpr std::string_view kShapeTypes[] = {"sphere", "plane", "rectangle", "disc", "mesh"};
+constexpr int64_t kMaxTriangles = 100'000'000;
+
+bool hasMember(const JsonErrors& errors, const JsonValue& object, std::string_view wanted) {
+    bool found = false;
+    forEachMember(errors, object, [&](const std::string& key, const JsonValue&) { found |= key == wanted; });
+    return found;
+}
+
+/// Reads [[…], […], …] of kCount numbers each into `out`.
+template <int kCount, class Vector>
+void readVectors(JsonErrors& errors, const JsonValue& value, std::string_view what,
+                 std::vector<Vector>* out) {
+    if (!value.present() || !expectType(errors, value, what, JsonType::Array)) {
+        return;
+    }
+    out->reserve(value.size());
+    forEachItem(errors, value, [&](const JsonValue& item, size_t) {
+        Vector vector;
+        if (readNumbers(errors, item, what, kAnyNumber, kCount, &vector[0])) {
+            out->push_back(vector);
+        }
+    });
+}
+
+void readIndices(JsonErrors& errors, const JsonValue& value, size_t vertexCount, std::vector<uint32_t>* out) {
+    if (!value.present() || !expectType(errors, value, "triangles", JsonType::Array)) {
+        return;
+    }
+    out->reserve(size_t{3} * value.size());
+    forEachItem(errors, value, [&](const JsonValue& triangle, size_t) {
+        if (!triangle.is(JsonType::Array) || triangle.size() != 3) {
+            errors.add(triangle,
+                       "a triangle needs three vertex numbers: [a, b, c], counter-clockwise from the front");
+            return;
+        }
+        forEachItem(errors, triangle, [&](const JsonValue& corner, size_t) {
+            int64_t index = 0;
+            if (readInteger(errors, corner, "triangles", 0, static_cast<int64_t>(vertexCount) - 1, &index)) {
+                out->push_back(static_cast<uint32_t>(index));
+            }
+        });
+    });
+}
+
+void checkCount(JsonErrors& errors, const JsonValue& value, std::string_view what, size_t count,
+                size_t vertexCount) {
+    if (value.present() && count != vertexCount) {
+        errors.add(value, fmt::format("\"{}\" has {} entries for {} positions; expected one for each", what,
+                                      count, vertexCount));
+    }
+}
+
+bool isObjFile(const std::string& path) {
+    const std::string ending = std::filesystem::path(path).extension().string();
+    return ending == ".obj" || ending == ".OBJ";
+}
+
+}  // namespace
+
+void SceneJsonReader::readMeshes(const JsonValue& value) {
+    if (!value.present() || !expectType(errors_, value, "meshes", JsonType::Object)) {
+        return;
+    }
+    forEachMember(errors_, value, [&](const std::string& name, const JsonValue& mesh) {
+        meshNames_[name] = addMesh(mesh, name);
+    });
+}
+
+int SceneJsonReader::addMesh(const JsonValue& value, const std::string& name) {
+    if (errors_.failed() || !expectType(errors_, value, "mesh", JsonType::Object)) {
+        return -1;
+    }
+    Mesh mesh;
+    mesh.name = name;
+    if (hasMember(errors_, value, "positions")) {
+        mesh.data = readInlineMesh(value);
+    } else if (hasMember(errors_, value, "generator")) {
+        const JsonFields fields = fieldsOf(value, "mesh", "meshGenerator");
+        mesh.source.triangles = 10000;
+        fields.string("generator", &mesh.source.generator);
+        fields.integer("triangleCount", 1, kMaxTriangles, &mesh.source.triangles);
+        fields.integer("seed", 0, 0xFFFFFFFFll, &mesh.source.seed);
+    } else {
+        const JsonFields fields = fieldsOf(value, "mesh", "meshFile");
+        fields.require("file");
+        fields.string("file", &mesh.source.path);
+        fields.integer("part", 0, kMaxTriangles, &mesh.source.part);
+    }
+    if (errors_.failed()) {
+        return -1;
+    }
+    if (!mesh.data) {
+        auto data = assets_.mesh(mesh.source);
+        if (!data) {
+            if (mesh.source.path.empty()) {
+                errors_.add(value, data.error().message);
+            } else {
+                reportFile(value, mesh.source.path, data.error());
+            }
+            return -1;
+        }
+        mesh.data = std::move(*data);
+    }
+    scene_.meshes.push_back(std::move(mesh));
+    return static_cast<int>(scene_.meshes.size()) - 1;
+}
+
+std::shared_ptr<const MeshData> SceneJsonReader::readInlineMesh(const JsonValue& value) {
+    const JsonFields fields = fieldsOf(value, "mesh", "meshInline");
+    auto mesh = std::make_shared<MeshData>();
+    readVectors<3>(errors_, fields.find("positions"), "positions", &mesh->positions);
+    readVectors<3>(errors_, fields.find("normals"), "normals", &mesh->normals);
+    readVectors<2>(errors_, fields.find("uvs"), "uvs", &mesh->uvs);
+    readVectors<3>(errors_, fields.find("colors"), "colors", &mesh->colors);
+    const size_t vertexCount = mesh->positions.size();
+    checkCount(errors_, fields.find("normals"), "normals", mesh->normals.size(), vertexCount);
+    checkCount(errors_, fields.find("uvs"), "uvs", mesh->uvs.size(), vertexCount);
+    checkCount(errors_, fields.find("colors"), "colors", mesh->colors.size(), vertexCount);
+    readIndices(errors_, fields.require("triangles"), vertexCount, &mesh->indices);
+    if (mesh->indices.empty()) {
+        errors_.add(value, "the mesh has no triangles");
+    }
+    return mesh;
+}
+
+void SceneJsonReader::readObjects(const JsonValue& value) {
+    if (!value.present() || !expectType(errors_, value, "objects", JsonType::Array)) {
+        return;
+    }
+    forEachItem(errors_, value, [&](const JsonValue& item, size_t number) { readObject(item, number); });
+}
+
+void SceneJsonReader::readObject(const JsonValue& value, size_t number) {
+    const int type = typeOf(value, "object", kShapeTypes);
+    if (type < 0) {
+        return;
+    }
+    const JsonFields fields = fieldsOf(value, kShapeTypes[type], kShapeTypes[type]);
+    Object object;
+    object.shape = static_cast<ShapeKind>(type);
+    object.name = fmt::format("{} {}", kShapeTypes[type], number + 1);
+    fields.string("name", &object.name);
+    fields.boolean("frontOnly", &object.frontOnly);
+    const Affine placement = readPlacement(object.shape, fields);
+    const JsonValue transform = fields.find("transform");
+    const bool isCanonical = placement == Affine();
+    const Affine outer = readTransform(transform);
+    object.objectToWorld = !transform.present() ? placement : (isCanonical ? outer : outer * placement);
+    if (!errors_.failed() && !isInvertible(object.objectToWorld)) {
+        errors_.add(transform.present() ? transform : value,
+                    "the object is flattened or not finite in some direction; expected a transform that can "
+                    "be undone");
+    }
+    const JsonValue material =
+        object.shape == ShapeKind::Mesh ? fields.find("material") : fields.require("material");
+    if (material.present() && !errors_.failed()) {
+        object.material = materialIndex(material, object.name);
+    }
+    if (errors_.failed()) {
+        return;
+    }
+    if (object.shape == ShapeKind::Mesh) {
+        readMeshObject(fields, std::move(object));
+    } else {
+        scene_.objects.push_back(std::move(object));
+    }
+}
+
+void SceneJsonReader::readMeshObject(const JsonFields& fields, Object object) {
+    const JsonValue mesh = fields.require("mesh");
+    const bool hasMaterial = fields.find("material").present();
+    if (!mesh.present()) {
+        return;
+    }
+    std::string file;
+    if (!hasMaterial && mesh.is(JsonType::Object)) {
+        forEachMember(errors_, mesh, [&](const std::string& key, const JsonValue& member) {
+            file = key == "file" && member.is(JsonType::String) ? member.string() : file;
+        });
+    }
+    if (isObjFile(file) && mesh.size() == 1) {
+        addWholeObj(file, mesh, object);
+        return;
+    }
+    if (!hasMaterial) {
+        errors_.add(fields.object(),
+                    "mesh has no \"material\", which only whole .obj files bring themselves");
+        return;
+    }
+    object.mesh = meshIndex(mesh, object.name);
+    if (object.mesh >= 0) {
+        scene_.objects.push_back(std::move(object));
+    }
+}
+
+void SceneJsonReader::addWholeObj(const std::string& path, const JsonValue& at, const Object& prototype) {
+    const auto obj = assets_.obj(path);
+    if (!obj) {
+        reportFile(at, path, obj.error());
+        return;
+    }
+    appendObj(**obj, path, prototype, &scene_);
+}
+
+int SceneJsonReader::meshIndex(const JsonValue& value, const std::string& ownerName) {
+    return value.is(JsonType::Object) ? addMesh(value, "mesh of " + ownerName)
+                                      : findName(meshNames_, value, "mesh");
+}
+
+}  // namespace glint

@@ -1,0 +1,139 @@
+// Tells kinds of scene files apart and hands them to their readers.
+#include "engine/io/scene_loader.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include "engine/io/asset_cache.h"
+#include "engine/io/default_view.h"
+#include "engine/io/ply_loader.h"
+#include "engine/io/scene_json.h"
+#include "engine/io/text_source.h"
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr size_t kMaxSceneBytes = size_t{256} << 20;
+
+enum class SceneKind { Unknown, Json, Text, Obj, Ply };
+
+SceneKind kindByExtension(const std::string& path) {
+    std::string ending = fs::path(path).extension().string();
+    for (char& c : ending) {
+        c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    }
+    return ending == ".json"  ? SceneKind::Json
+           : ending == ".txt" ? SceneKind::Text
+           : ending == ".obj" ? SceneKind::Obj
+           : ending == ".ply" ? SceneKind::Ply
+                              : SceneKind::Unknown;
+}
+
+/// By the first word of the file, for files whose name says nothing.
+SceneKind kindByContent(const std::string& path) {
+    char head[256] = {};
+    std::ifstream file(path, std::ios::binary);
+    file.read(head, sizeof head - 1);
+    std::string_view text(head, static_cast<size_t>(file.gcount()));
+    text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+    const auto begins = [text](std::initializer_list<std::string_view> words) {
+        for (const std::string_view word : words) {
+            if (text.starts_with(word)) {
+                return true;
+            }
+        }
+        return false;
+    };
+    if (begins({"ply\n", "ply\r\n"})) {
+        return SceneKind::Ply;
+    }
+    if (begins({"{", "//", "/*", "\xEF\xBB\xBF{"})) {
+        return SceneKind::Json;
+    }
+    if (begins({"PerspectiveCamera", "Background", "Lights", "DiskLights", "Materials", "Group"})) {
+        return SceneKind::Text;
+    }
+    return begins({"v ", "mtllib ", "o ", "g "}) ? SceneKind::Obj : SceneKind::Unknown;
+}
+
+Result<SceneDescription> loadObjScene(const std::string& path) {
+    AssetCache assets(path);
+    const std::string name = fs::path(path).filename().string();
+    const auto obj = assets.obj(name);
+    if (!obj) {
+        return obj.error();
+    }
+    SceneDescription scene;
+    scene.path = path;
+    scene.title = name;
+    appendObj(**obj, name, {}, &scene);
+    applyDefaultView(&scene);
+    return scene;
+}
+
+Result<SceneDescription> loadPlyScene(const std::string& path) {
+    auto mesh = loadPly(path);
+    if (!mesh) {
+        return mesh.error();
+    }
+    SceneDescription scene;
+    scene.path = path;
+    scene.title = fs::path(path).filename().string();
+    Object object;
+    object.name = scene.title;
+    object.shape = ShapeKind::Mesh;
+    object.mesh = 0;
+    Mesh& whole = scene.meshes.emplace_back();
+    whole.name = scene.title;
+    whole.source.path = scene.title;
+    whole.data = std::move(*mesh);
+    scene.objects.push_back(std::move(object));
+    applyDefaultView(&scene);
+    return scene;
+}
+
+Result<SceneDescription> loadTextual(const std::string& path, const LoadOptions& options) {
+    auto source = readTextFile(path, kMaxSceneBytes);
+    if (!source) {
+        return source.error();
+    }
+    if (source->text.find_first_not_of(" \t\r\n") == std::string::npos) {
+        return Error{"is empty; expected a scene", {path, 0, 0, ""}};
+    }
+    return readSceneJson(std::move(*source), options);
+}
+
+}  // namespace
+
+Result<SceneDescription> loadScene(const std::string& path, const LoadOptions& options) {
+    std::error_code code;
+    const auto status = fs::status(path, code);
+    if (!fs::exists(status)) {
+        return Error{"no such file; expected a scene", {path, 0, 0, ""}};
+    }
+    if (fs::is_directory(status)) {
+        return Error{"is a folder; expected a scene file", {path, 0, 0, ""}};
+    }
+    const SceneKind named = kindByExtension(path);
+    const SceneKind kind = named != SceneKind::Unknown ? named : kindByContent(path);
+    switch (kind) {
+        case SceneKind::Json:
+        case SceneKind::Text:
+            return loadTextual(path, options);
+        case SceneKind::Obj:
+            return loadObjScene(path);
+        case SceneKind::Ply:
+            return loadPlyScene(path);
+        case SceneKind::Unknown:
+            break;
+    }
+    return Error{
+        "is not a scene Glint knows; expected Glint JSON (.json), a 6.837 text scene (.txt), OBJ (.obj) or "
+        "PLY "
+        "(.ply)",
+        {path, 0, 0, ""}};
+}
+
+}  // namespace glint
