@@ -1,0 +1,96 @@
+#include "tests/support/bsdf_cases.h"
+
+#include <fmt/format.h>
+
+#include "engine/build/coat_albedo.h"
+#include "engine/scene/metals.h"
+
+namespace glint::test {
+
+MaterialData diffuseMaterial(const Vec3& color) {
+    MaterialData data;
+    data.color = color;
+    return data;
+}
+
+MaterialData mirrorMaterial(const Vec3& color) {
+    MaterialData data = diffuseMaterial(color);
+    data.kind = MaterialTag::Mirror;
+    return data;
+}
+
+MaterialData conductorMaterial(const std::string& metal, float alpha) {
+    MaterialData data = diffuseMaterial(Vec3(1.0f));
+    data.kind = MaterialTag::Conductor;
+    data.eta = findMetal(metal)->eta;
+    data.k = findMetal(metal)->k;
+    data.alpha = alpha;
+    return data;
+}
+
+MaterialData dielectricMaterial(float ior, float alpha, bool thin) {
+    MaterialData data = diffuseMaterial(Vec3(1.0f));
+    data.kind = MaterialTag::Dielectric;
+    data.ior = ior;
+    data.alpha = alpha;
+    data.flags = thin ? kMaterialThin : 0;
+    return data;
+}
+
+MaterialData plasticMaterial(const Vec3& color, float ior, float alpha) {
+    MaterialData data = diffuseMaterial(color);
+    data.kind = MaterialTag::Plastic;
+    data.ior = ior;
+    data.alpha = alpha;
+    tabulateCoat(&data);
+    return data;
+}
+
+MaterialData mixtureMaterial(const Vec3& color, const Vec3& probability, float ior) {
+    MaterialData data = diffuseMaterial(color);
+    data.kind = MaterialTag::Mixture;
+    data.mixtureProbability = probability;
+    data.ior = ior;
+    return data;
+}
+
+std::vector<BsdfCase> allBsdfCases() {
+    const Vec3 color(0.8f, 0.5f, 0.2f);
+    std::vector<BsdfCase> cases{
+        {"diffuse", diffuseMaterial(color)},
+        {"diffuse white", diffuseMaterial(Vec3(1.0f))},
+        {"mirror", mirrorMaterial(color)},
+        {"conductor gold smooth", conductorMaterial("gold", 0.0f)},
+        {"dielectric 1.5 smooth", dielectricMaterial(1.5f, 0.0f)},
+        {"dielectric 0.6 smooth", dielectricMaterial(0.6f, 0.0f)},
+        {"dielectric 1 smooth", dielectricMaterial(1.0f, 0.0f)},
+        {"dielectric 1.5 thin", dielectricMaterial(1.5f, 0.0f, true)},
+        {"mixture", mixtureMaterial(color, Vec3(0.5f, 0.3f, 0.2f), 1.5f)},
+        {"mixture no diffuse", mixtureMaterial(color, Vec3(0.0f, 0.4f, 0.6f), 1.8f)},
+        {"plastic smooth", plasticMaterial(color, 1.5f, 0.0f)},
+        {"plastic white smooth", plasticMaterial(Vec3(1.0f), 1.9f, 0.0f)},
+        {"plastic black smooth", plasticMaterial(Vec3(0.0f), 1.5f, 0.0f)},
+    };
+    for (const float alpha : {1e-3f, 1e-2f, 0.1f, 0.3f, 1.0f}) {
+        cases.push_back({fmt::format("conductor gold {}", alpha), conductorMaterial("gold", alpha)});
+        cases.push_back({fmt::format("dielectric 1.5 {}", alpha), dielectricMaterial(1.5f, alpha)});
+        cases.push_back({fmt::format("dielectric 0.6 {}", alpha), dielectricMaterial(0.6f, alpha)});
+        cases.push_back({fmt::format("dielectric 2.4 {}", alpha), dielectricMaterial(2.4f, alpha)});
+        cases.push_back({fmt::format("plastic {}", alpha), plasticMaterial(color, 1.5f, alpha)});
+        cases.push_back({fmt::format("plastic white {}", alpha), plasticMaterial(Vec3(1.0f), 1.5f, alpha)});
+    }
+    return cases;
+}
+
+Vec3 directionAt(float cosine, float phiRad) {
+    const float sine = safeSqrt((1.0f - cosine) * (1.0f + cosine));
+    return {sine * std::cos(phiRad), sine * std::sin(phiRad), cosine};
+}
+
+Bsdf<kAllFeatures> testBsdf(const MaterialData& material, const Vec3& wo, const TestSurface& surface,
+                            TransportMode transport) {
+    return makeBsdf<kAllFeatures>(View<MaterialData>{&material, 1}, View<TextureView>{}, surface, wo,
+                                  transport);
+}
+
+}  // namespace glint::test

@@ -1,0 +1,44 @@
+// Materials and directions that the BSDF tests run over, and one material at a point for tests without a
+// scene.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/kernels/bsdf.h"
+
+namespace glint::test {
+
+/// What makeBsdf() needs of a surface point.
+struct TestSurface {
+    Vec3 ng{0.0f, 0.0f, 1.0f};
+    Vec3 ns{0.0f, 0.0f, 1.0f};
+    Vec2 uv{0.0f};
+    Vec3 vertexColor{1.0f};
+    uint32_t material = 0;
+};
+
+struct BsdfCase {
+    std::string name;
+    MaterialData material;
+};
+
+MaterialData diffuseMaterial(const Vec3& color);
+MaterialData mirrorMaterial(const Vec3& color);
+MaterialData conductorMaterial(const std::string& metal, float alpha);
+MaterialData dielectricMaterial(float ior, float alpha, bool thin = false);
+MaterialData plasticMaterial(const Vec3& color, float ior, float alpha);
+MaterialData mixtureMaterial(const Vec3& color, const Vec3& probability, float ior);
+
+/// Every kind over its range of parameters: roughness 0 and 1e-3 to 1, indices below and above 1.
+std::vector<BsdfCase> allBsdfCases();
+
+/// The unit direction at an angle of acos(cosine) to +z; negative cosines are on the back.
+Vec3 directionAt(float cosine, float phiRad = 0.7f);
+
+/// The full-featured BSDF of a material on a flat surface with normal +z (or as given). The material must
+/// outlive it.
+Bsdf<kAllFeatures> testBsdf(const MaterialData& material, const Vec3& wo, const TestSurface& surface = {},
+                            TransportMode transport = TransportMode::Radiance);
+
+}  // namespace glint::test
