@@ -52,11 +52,16 @@ void tabulateCoat(MaterialData* material) {
     if (material->alpha < kSmoothAlpha) {
         return;
     }
-    for (int i = 0; i < kCoatSamples; ++i) {
-        // At mu = 0 itself a rough surface hides everything; the limit is what neighbours interpolate with.
-        const float mu = std::fmax(square(static_cast<float>(i) / (kCoatSamples - 1)), 1e-4f);
-        material->coatAlbedo[i] = roughCoatAlbedo(ior, material->alpha, mu);
+    for (int i = 1; i < kCoatSamples; ++i) {
+        const float mu = square(static_cast<float>(i) / (kCoatSamples - 1));
+        const float fresnel = fresnelAt(mu, ior);
+        material->coatRatio[i] = fresnel > 0.0f ? roughCoatAlbedo(ior, material->alpha, mu) / fresnel : 0.0f;
     }
+    // Below the first entry, within 0.06 degrees of grazing, narrow lobes have a dip that the table cannot
+    // resolve: the larger value loses a little light there, the smaller would gain some.
+    const float grazing =
+        roughCoatAlbedo(ior, material->alpha, 1e-4f) / std::fmax(fresnelAt(1e-4f, ior), 1e-6f);
+    material->coatRatio[0] = std::fmax(material->coatRatio[1], grazing);
     // The mean of what the kernel interpolates, not of the exact albedo: energy is then conserved exactly.
     material->coatAverageAlbedo =
         cosineMean([&](float mu) { return detail::coatAlbedo(*material, mu); }, 512);

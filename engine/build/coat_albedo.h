@@ -6,7 +6,7 @@
 
 namespace glint {
 
-/// Fills coatAlbedo, coatAverageAlbedo and coatInternalAlbedo from ior and alpha. About 0.3 ms for a rough
+/// Fills coatRatio, coatAverageAlbedo and coatInternalAlbedo from ior and alpha. About 0.3 ms for a rough
 /// coat.
 void tabulateCoat(MaterialData* material);
 

@@ -67,16 +67,21 @@ Status setMixture(const Material& material, MaterialData* data) {
     return {};
 }
 
-void setCoat(MaterialData* data, const MaterialData* previous) {
+Status setCoat(const Material& material, MaterialData* data, const MaterialData* previous) {
+    if (material.ior < 1.0f) {
+        return materialError(
+            material, fmt::format("the coat's index of refraction is {}; expected 1 or more", material.ior));
+    }
     const bool known = previous != nullptr && previous->kind == MaterialTag::Plastic &&
                        previous->ior == data->ior && previous->alpha == data->alpha;
     if (!known) {
         tabulateCoat(data);
-        return;
+        return {};
     }
     data->coatInternalAlbedo = previous->coatInternalAlbedo;
     data->coatAverageAlbedo = previous->coatAverageAlbedo;
-    std::copy(std::begin(previous->coatAlbedo), std::end(previous->coatAlbedo), data->coatAlbedo);
+    std::copy(std::begin(previous->coatRatio), std::end(previous->coatRatio), data->coatRatio);
+    return {};
 }
 
 uint8_t flagsOf(const Material& material) {
@@ -110,7 +115,7 @@ Result<MaterialData> makeMaterial(const Material& material, uint32_t texture, co
             status = setMixture(material, &data);
             break;
         case MaterialKind::Plastic:
-            setCoat(&data, previous);
+            status = setCoat(material, &data, previous);
             break;
         default:
             break;

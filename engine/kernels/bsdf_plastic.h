@@ -16,18 +16,21 @@
 namespace glint {
 namespace detail {
 
-/// E at cosine mu: the table's entries lie at mu = (i / (n-1))^2, closer together where the albedo changes
-/// fast.
+/// E at cosine mu. The table holds E over the smooth boundary's Fresnel reflectance, which hardly varies, at
+/// mu = (i / (n-1))^2.
 GLINT_HD inline float coatAlbedo(const MaterialData& material, float mu) {
+    const float cosine = clampf(mu, 0.0f, 1.0f);
+    float cosT = 0.0f;
+    const float fresnel = fresnelDielectric(cosine, material.ior, &cosT);
     if (material.alpha < kSmoothAlpha) {
-        float cosT = 0.0f;
-        return fresnelDielectric(clampf(mu, 0.0f, 1.0f), material.ior, &cosT);
+        return fresnel;
     }
-    const float position = std::sqrt(clampf(mu, 0.0f, 1.0f)) * static_cast<float>(kCoatSamples - 1);
+    const float position = std::sqrt(cosine) * static_cast<float>(kCoatSamples - 1);
     const int index =
         position < static_cast<float>(kCoatSamples - 2) ? static_cast<int>(position) : kCoatSamples - 2;
     const float weight = position - static_cast<float>(index);
-    return (1.0f - weight) * material.coatAlbedo[index] + weight * material.coatAlbedo[index + 1];
+    const float ratio = (1.0f - weight) * material.coatRatio[index] + weight * material.coatRatio[index + 1];
+    return std::fmin(fresnel * ratio, 1.0f);
 }
 
 /// The base's reflectance of light that has entered, summed over all orders.

@@ -12,7 +12,8 @@ namespace glint {
 /// section 1.5.2, eq. 32 to 35.
 GLINT_HD inline float fresnelDielectric(float cosIncident, float eta, float* cosTransmitted) {
     const float sin2Incident = 1.0f - square(cosIncident);
-    const float cos2Transmitted = 1.0f - sin2Incident / square(eta);
+    // Not 1 - sin^2 / eta^2: this is exact for eta = 1 and keeps its digits at grazing incidence.
+    const float cos2Transmitted = square(cosIncident) + sin2Incident * (1.0f - 1.0f / square(eta));
     if (!(cos2Transmitted > 0.0f)) {
         *cosTransmitted = 0.0f;
         return 1.0f;

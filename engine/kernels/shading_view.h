@@ -20,8 +20,8 @@ enum MaterialFlag : uint8_t {
 /// well.
 constexpr float kSmoothAlpha = 1e-4f;
 
-/// Entries of a rough coat's albedo table.
-constexpr int kCoatSamples = 16;
+/// Entries of a rough coat's table.
+constexpr int kCoatSamples = 32;
 
 struct MaterialData {
     Vec3 color{0.5f};
@@ -36,7 +36,8 @@ struct MaterialData {
     float coatAverageAlbedo = 0.0f;   ///< plastic: cosine-weighted mean of the coat's albedo from outside
     MaterialTag kind = MaterialTag::Diffuse;
     uint8_t flags = 0;
-    float coatAlbedo[kCoatSamples] = {};  ///< plastic, rough: albedo at cosine (i / (kCoatSamples - 1))^2
+    float coatRatio[kCoatSamples] =
+        {};  ///< plastic, rough: albedo over Fresnel at cosine (i / (kCoatSamples - 1))^2
 };
 
 /// 3 bytes (sRGB or linear) or 3 floats a texel; exactly one of the pointers is set. Row 0 is the image's top

@@ -1,0 +1,164 @@
+// Energy, reciprocity and consistency of every material. Random tests: family-wise level 1e-3 (chi_square.h),
+// fixed seeds; their tolerances are the measured standard errors.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/bsdf_cases.h"
+#include "tests/support/chi_square.h"
+
+namespace glint::test {
+namespace {
+
+const std::vector<float> kCosines{1.0f, 0.8f, 0.4f, 0.1f, 0.01f, -0.9f, -0.4f, -0.02f};
+
+/// Standard errors that a one-sided test over `tests` cases allows.
+double allowedErrors(int tests) {
+    double deviate = 0.0;
+    while (0.5 * normalTail(deviate) > sidakLevel(kFamilyLevel, tests)) {
+        deviate += 0.01;
+    }
+    return deviate;
+}
+
+/// Mean weight of samples: the albedo, for importance, which refraction does not rescale.
+Mean furnace(const MaterialData& material, float cosine, int samples, uint64_t seed) {
+    const Bsdf<kAllFeatures> bsdf = testBsdf(material, directionAt(cosine), {}, TransportMode::Importance);
+    Random random(seed);
+    Mean mean;
+    for (int i = 0; i < samples; ++i) {
+        const float uLobe = random.uniform();
+        const BsdfSample s = sample(bsdf, uLobe, random.uniform2());
+        mean.add(s.valid ? static_cast<double>(maxComponent(s.weight)) : 0.0);
+    }
+    return mean;
+}
+
+TEST(BsdfEnergy, NeverReflectsMoreThanArrives) {
+    const std::vector<BsdfCase> cases = allBsdfCases();
+    const double errors = allowedErrors(static_cast<int>(cases.size() * kCosines.size()));
+    uint64_t seed = 1;
+    for (const BsdfCase& bsdfCase : cases) {
+        for (const float cosine : kCosines) {
+            const Mean albedo = furnace(bsdfCase.material, cosine, 100000, seed++);
+            // The coat's table is interpolated: up to 0.4 % too much near grazing, for alpha 1e-3.
+            const double slack = bsdfCase.material.kind == MaterialTag::Plastic ? 4e-3 : 2e-6;
+            EXPECT_LE(albedo.mean(), 1.0 + slack + errors * albedo.standardError())
+                << bsdfCase.name << ", cosine " << cosine;
+        }
+    }
+}
+
+TEST(BsdfEnergy, SmoothLobesLoseNothing) {
+    const std::vector<BsdfCase> cases{{"mirror", mirrorMaterial(Vec3(1.0f))},
+                                      {"dielectric", dielectricMaterial(1.5f, 0.0f)},
+                                      {"dielectric 0.6", dielectricMaterial(0.6f, 0.0f)},
+                                      {"thin", dielectricMaterial(1.5f, 0.0f, true)},
+                                      {"mixture", mixtureMaterial(Vec3(1.0f), Vec3(0.2f, 0.3f, 0.5f), 1.5f)},
+                                      {"diffuse", diffuseMaterial(Vec3(1.0f))}};
+    for (const BsdfCase& bsdfCase : cases) {
+        for (const float cosine : kCosines) {
+            EXPECT_NEAR(furnace(bsdfCase.material, cosine, 10000, 3).mean(), 1.0, 2e-6)
+                << bsdfCase.name << cosine;
+        }
+    }
+}
+
+/// White plastic reflects all that arrives: the coat what it reflects, the base the rest.
+TEST(BsdfEnergy, WhitePlasticLosesNothingUnderASmoothCoat) {
+    const std::vector<float> indices{1.0f, 1.3f, 1.5f, 2.4f, 0.7f};
+    const double errors = allowedErrors(static_cast<int>(2 * indices.size() * kCosines.size()));
+    uint64_t seed = 50;
+    for (const float ior : indices) {
+        for (const float cosine : kCosines) {
+            const Mean albedo = furnace(plasticMaterial(Vec3(1.0f), ior, 0.0f), cosine, 200000, seed++);
+            EXPECT_NEAR(albedo.mean(), 1.0, 1e-4 + errors * albedo.standardError()) << ior << ", " << cosine;
+        }
+    }
+}
+
+/// Rough metal loses what would bounce twice between facets: little at low roughness.
+TEST(BsdfEnergy, RoughLobesLoseLittleWhenTheyAreNarrow) {
+    for (const float cosine : {1.0f, 0.6f}) {
+        EXPECT_GT(furnace(plasticMaterial(Vec3(1.0f), 1.5f, 0.1f), cosine, 100000, 9).mean(), 0.99);
+        EXPECT_GT(furnace(dielectricMaterial(1.5f, 0.1f), cosine, 100000, 9).mean(), 0.98);
+        MaterialData perfect = conductorMaterial("silver", 0.1f);
+        perfect.k = Vec3(1e4f);
+        EXPECT_GT(furnace(perfect, cosine, 100000, 9).mean(), 0.97);
+        perfect.alpha = 1.0f;
+        EXPECT_LT(furnace(perfect, cosine, 100000, 9).mean(), 0.95) << "documented loss of single scattering";
+    }
+}
+
+/// f(wo, wi) = f(wi, wo), and f(wo, wi) eta_i^2 = f(wi, wo) eta_o^2 across a boundary (radiance).
+TEST(BsdfReciprocity, HoldsForEveryMaterial) {
+    Random random(11);
+    for (const BsdfCase& bsdfCase : allBsdfCases()) {
+        const float eta = bsdfCase.material.ior;
+        for (int i = 0; i < 300; ++i) {
+            const Vec3 wo = sampleSphere(random.uniform2());
+            const Bsdf<kAllFeatures> forward = testBsdf(bsdfCase.material, wo);
+            const float uLobe = random.uniform();
+            const BsdfSample s = sample(forward, uLobe, random.uniform2());
+            const float cosO = std::fabs(wo.z);
+            const float cosI = std::fabs(s.wiWorld.z);
+            if (!s.valid || s.isSpecular || cosO < 1e-3f || cosI < 1e-3f) {
+                continue;
+            }
+            const Bsdf<kAllFeatures> backward = testBsdf(bsdfCase.material, s.wiWorld);
+            const Vec3 there = evaluate(forward, s.wiWorld) / cosI;
+            const Vec3 back = evaluate(backward, wo) / cosO;
+            const float scale = !s.isTransmission ? 1.0f : (wo.z > 0.0f ? square(eta) : 1.0f / square(eta));
+            // Half vectors carry rounding errors of 1e-7 in units of alpha, or of the difference of indices.
+            const float digits = std::fmax(bsdfCase.material.alpha, 1e-3f);
+            for (int c = 0; c < 3; ++c) {
+                EXPECT_NEAR(there[c] * scale, back[c], (1e-5f + 3e-6f / digits) * 20.0f * (back[c] + 1e-3f))
+                    << bsdfCase.name << " " << wo.z << " " << s.wiWorld.z;
+            }
+        }
+    }
+}
+
+TEST(BsdfConsistency, SampleWeightIsEvaluateOverPdf) {
+    Random random(12);
+    for (const BsdfCase& bsdfCase : allBsdfCases()) {
+        for (const TransportMode transport : {TransportMode::Radiance, TransportMode::Importance}) {
+            for (int i = 0; i < 300; ++i) {
+                const Vec3 wo = sampleSphere(random.uniform2());
+                const Bsdf<kAllFeatures> bsdf = testBsdf(bsdfCase.material, wo, {}, transport);
+                const float uLobe = random.uniform();
+                const BsdfSample s = sample(bsdf, uLobe, random.uniform2());
+                if (!s.valid || s.isSpecular || std::fabs(wo.z) < 1e-3f || std::fabs(s.wiWorld.z) < 1e-3f) {
+                    continue;
+                }
+                const BsdfValue value = evaluateWithPdf(bsdf, s.wiWorld);
+                const float tolerance = 1e-4f + 1e-4f / std::fmax(bsdfCase.material.alpha, 1e-3f) * 0.2f;
+                EXPECT_NEAR(value.pdfSolidAngle / s.pdfSolidAngle, 1.0f, tolerance) << bsdfCase.name << wo.z;
+                for (int c = 0; c < 3; ++c) {
+                    EXPECT_NEAR(value.value[c], s.weight[c] * value.pdfSolidAngle,
+                                tolerance * (s.weight[c] * value.pdfSolidAngle) + 1e-7f)
+                        << bsdfCase.name << " " << wo.z;
+                }
+            }
+        }
+    }
+}
+
+TEST(BsdfTransport, RadianceShrinksInDenserMedia) {
+    for (const float alpha : {0.0f, 0.2f}) {
+        const MaterialData glass = dielectricMaterial(1.5f, alpha);
+        const Vec3 wo = directionAt(0.8f);
+        const BsdfSample radiance = sample(testBsdf(glass, wo), 0.99f, Vec2(0.3f, 0.4f));
+        const BsdfSample power =
+            sample(testBsdf(glass, wo, {}, TransportMode::Importance), 0.99f, Vec2(0.3f, 0.4f));
+        ASSERT_TRUE(radiance.valid && radiance.isTransmission && power.valid);
+        EXPECT_NEAR(radiance.weight.x * 2.25f, power.weight.x, 1e-6f);
+        EXPECT_FLOAT_EQ(radiance.etaScale, 2.25f);
+        EXPECT_FLOAT_EQ(power.etaScale, 1.0f);
+        const BsdfSample out = sample(testBsdf(glass, directionAt(-0.95f)), 0.99f, Vec2(0.3f, 0.4f));
+        ASSERT_TRUE(out.valid && out.isTransmission);
+        EXPECT_NEAR(out.etaScale, 1.0f / 2.25f, 1e-6f);
+    }
+}
+
+}  // namespace
+}  // namespace glint::test
