@@ -181,6 +181,18 @@ JsonValue JsonFields::find(std::string_view key) const {
     return {};
 }
 
+bool JsonFields::hasAny(std::initializer_list<std::string_view> keys) const {
+    if (!object_.present()) {
+        return false;
+    }
+    for (JsonValue key = object_.first(); key.present(); key = object_.next(object_.next(key))) {
+        if (std::find(keys.begin(), keys.end(), key.string()) != keys.end()) {
+            return true;
+        }
+    }
+    return false;
+}
+
 JsonValue JsonFields::require(std::string_view key) const {
     const JsonValue value = find(key);
     if (!value.present() && object_.present()) {

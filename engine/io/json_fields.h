@@ -3,6 +3,8 @@
 // Used by the scene reader. Only the first error is kept, so callers read on and ask once at the end.
 #pragma once
 
+#include <initializer_list>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -75,6 +77,8 @@ class JsonFields {
 
     const JsonValue& object() const { return object_; }
     JsonValue find(std::string_view key) const;
+    /// True when the object has one of these keys, which need not be known ones.
+    bool hasAny(std::initializer_list<std::string_view> keys) const;
     /// The member, or an error that it is missing.
     JsonValue require(std::string_view key) const;
 

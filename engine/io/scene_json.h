@@ -18,8 +18,7 @@ namespace glint {
 Result<SceneDescription> readSceneJson(TextSource source, const LoadOptions& options);
 
 /// The scene as JSON text, for a file at `path`: relative paths are rewritten to count from its folder.
-/// Error: an image or mesh that is neither from a file nor generated and too large to be written into the
-/// scene.
+/// Error: an image that is neither from a file nor generated, or a number that is not finite.
 Result<std::string> writeSceneJson(const SceneDescription& scene, const std::string& path);
 
 /// Writes the scene to `path` atomically. Error: as writeSceneJson, or the file cannot be written.

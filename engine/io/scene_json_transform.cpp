@@ -23,6 +23,9 @@ Affine facing(const Vec3& normal, float radius, const Vec3& origin) {
 }  // namespace
 
 Affine SceneJsonReader::readPlacement(ShapeKind shape, const JsonFields& fields) {
+    if (!fields.hasAny({"center", "radius", "point", "normal", "edgeU", "edgeV"})) {
+        return {};  // Exactly the canonical shape: a saved matrix must come back bit for bit.
+    }
     Vec3 center(0.0f);
     Vec3 normal(0.0f, 0.0f, 1.0f);
     float radius = 1.0f;
@@ -34,7 +37,7 @@ Affine SceneJsonReader::readPlacement(ShapeKind shape, const JsonFields& fields)
         case ShapeKind::Plane:
             fields.vec3("point", &center);
             fields.direction("normal", &normal);
-            return normal == Vec3(0.0f, 0.0f, 1.0f) ? translate(center) : facing(normal, 1.0f, center);
+            return facing(normal, 1.0f, center);
         case ShapeKind::Disc:
             fields.vec3("center", &center);
             fields.direction("normal", &normal);

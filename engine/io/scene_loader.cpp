@@ -8,6 +8,7 @@
 #include "engine/io/default_view.h"
 #include "engine/io/ply_loader.h"
 #include "engine/io/scene_json.h"
+#include "engine/io/scene_text.h"
 #include "engine/io/text_source.h"
 
 namespace glint {
@@ -94,7 +95,7 @@ Result<SceneDescription> loadPlyScene(const std::string& path) {
     return scene;
 }
 
-Result<SceneDescription> loadTextual(const std::string& path, const LoadOptions& options) {
+Result<SceneDescription> loadTextual(const std::string& path, SceneKind kind, const LoadOptions& options) {
     auto source = readTextFile(path, kMaxSceneBytes);
     if (!source) {
         return source.error();
@@ -102,7 +103,8 @@ Result<SceneDescription> loadTextual(const std::string& path, const LoadOptions&
     if (source->text.find_first_not_of(" \t\r\n") == std::string::npos) {
         return Error{"is empty; expected a scene", {path, 0, 0, ""}};
     }
-    return readSceneJson(std::move(*source), options);
+    return kind == SceneKind::Json ? readSceneJson(std::move(*source), options)
+                                   : readSceneText(std::move(*source), options);
 }
 
 }  // namespace
@@ -121,7 +123,7 @@ Result<SceneDescription> loadScene(const std::string& path, const LoadOptions& o
     switch (kind) {
         case SceneKind::Json:
         case SceneKind::Text:
-            return loadTextual(path, options);
+            return loadTextual(path, kind, options);
         case SceneKind::Obj:
             return loadObjScene(path);
         case SceneKind::Ply:

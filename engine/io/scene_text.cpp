@@ -1,0 +1,274 @@
+// 6.837-style scenes: camera, background, lights, and what the whole file decides.
+#include "engine/io/scene_text.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "engine/io/scene_text_reader.h"
+
+namespace glint {
+
+SceneTextReader::SceneTextReader(TextSource source, const LoadOptions& options)
+    : tokens_(std::move(source)), options_(options), assets_(tokens_.source().path) {
+    scene_.path = tokens_.source().path;
+    scene_.title = scene_.path.substr(scene_.path.find_last_of('/') + 1);
+    scene_.environment.color = Vec3(0.5f);
+}
+
+Result<SceneDescription> SceneTextReader::read() {
+    readBlocks();
+    if (!tokens_.failed()) {
+        finish();
+    }
+    if (tokens_.failed()) {
+        return tokens_.error();
+    }
+    return std::move(scene_);
+}
+
+void SceneTextReader::readBlocks() {
+    while (!tokens_.atEnd()) {
+        const std::string word(tokens_.peek().text);
+        if (word != "Group" && std::find(seenBlocks_.begin(), seenBlocks_.end(), word) != seenBlocks_.end()) {
+            tokens_.fail(tokens_.peek(), fmt::format("a second '{}' block; expected one", word));
+            return;
+        }
+        seenBlocks_.push_back(word);
+        readBlock(word);
+    }
+}
+
+void SceneTextReader::readBlock(std::string_view word) {
+    constexpr std::string_view kBlocks[] = {"PerspectiveCamera", "Background", "Lights",
+                                            "DiskLights",        "Materials",  "Group"};
+    if (word == "PerspectiveCamera") {
+        readCamera();
+    } else if (word == "Background") {
+        readBackground();
+    } else if (word == "Lights") {
+        readLights();
+    } else if (word == "DiskLights") {
+        readDiskLights();
+    } else if (word == "Materials") {
+        readMaterials();
+    } else if (word == "Group") {
+        readGroup(Affine(), 0);
+    } else {
+        tokens_.failUnknown("a scene", kBlocks);
+    }
+}
+
+void SceneTextReader::readCamera() {
+    constexpr std::string_view kFields[] = {"center", "direction", "up",          "angle",
+                                            "width",  "height",    "focalLength", "aperture"};
+    const TextToken at = tokens_.take();
+    tokens_.expect("{", "PerspectiveCamera");
+    Vec3 direction(0.0f, 0.0f, -1.0f);
+    Vec3 up(0.0f, 1.0f, 0.0f);
+    float angleDeg = 45.0f;
+    float focalLength = 1.0f;
+    float halfAperture = 0.0f;
+    while (!tokens_.accept("}") && !tokens_.failed()) {
+        if (tokens_.accept("center")) {
+            scene_.camera.position = tokens_.vec3("center");
+        } else if (tokens_.accept("direction")) {
+            direction = tokens_.direction("direction");
+        } else if (tokens_.accept("up")) {
+            up = tokens_.direction("up");
+        } else if (tokens_.accept("angle")) {
+            angleDeg = tokens_.number("angle", 0.001f, 179.9f, "an angle between 0 and 180 degrees");
+        } else if (tokens_.accept("width")) {
+            scene_.resolution.width = tokens_.integer("width", 1, 16384);
+        } else if (tokens_.accept("height")) {
+            scene_.resolution.height = tokens_.integer("height", 1, 16384);
+        } else if (tokens_.accept("focalLength")) {
+            focalLength = tokens_.number("focalLength", 1e-30f, 1e30f, "a distance > 0");
+        } else if (tokens_.accept("aperture")) {
+            halfAperture = tokens_.number("aperture", 0.0f, 1e30f, "half a side of the lens, >= 0");
+        } else {
+            tokens_.failUnknown("PerspectiveCamera", kFields);
+        }
+    }
+    if (!tokens_.failed() && isZero(glm::cross(glm::normalize(direction), up))) {
+        tokens_.fail(at, "the camera looks along 'up'; expected an 'up' that is not parallel to 'direction'");
+    }
+    if (!tokens_.failed()) {
+        placeCamera(direction, up, angleDeg, focalLength, halfAperture);
+    }
+}
+
+void SceneTextReader::placeCamera(const Vec3& direction, const Vec3& up, float angleDeg, float focalLength,
+                                  float halfAperture) {
+    Camera& camera = scene_.camera;
+    const Vec3 forward = glm::normalize(direction);
+    camera.target = camera.position + focalLength * forward;
+    if (camera.target == camera.position) {
+        camera.target = camera.position + maxComponent(absVec(camera.position)) * forward;
+    }
+    camera.up = up;
+    // The original does not normalise its image axes: both have the length of `direction x up`.
+    const float narrowing = glm::length(glm::cross(forward, up));
+    const float halfAngleRad = 0.5f * angleDeg * (kPi / 180.0f);
+    camera.verticalFovDeg =
+        narrowing == 1.0f ? angleDeg : 2.0f * std::atan(narrowing * std::tan(halfAngleRad)) * (180.0f / kPi);
+    camera.focalDistance = focalLength;
+    if (halfAperture > 0.0f) {
+        camera.apertureDiameter = 2.0f * std::sqrt(2.0f) * halfAperture;
+        camera.apertureBlades = 4;
+        camera.bladeRotationDeg = 45.0f;
+    }
+}
+
+void SceneTextReader::readBackground() {
+    constexpr std::string_view kFields[] = {"color"};
+    tokens_.take();
+    tokens_.expect("{", "Background");
+    while (!tokens_.accept("}") && !tokens_.failed()) {
+        if (tokens_.accept("color")) {
+            scene_.environment.color = tokens_.color("the background's color");
+        } else {
+            tokens_.failUnknown("Background", kFields);
+        }
+    }
+}
+
+void SceneTextReader::readLights() {
+    constexpr std::string_view kKinds[] = {"PointLight", "DirectionalLight"};
+    tokens_.take();
+    tokens_.expect("{", "Lights");
+    tokens_.expect("numLights", "'Lights {'");
+    const int count = tokens_.integer("numLights", 0, 1'000'000);
+    for (int i = 0; i < count && !tokens_.failed(); ++i) {
+        Light light;
+        light.name = fmt::format("light {}", i + 1);
+        if (tokens_.peek().text != "PointLight" && tokens_.peek().text != "DirectionalLight") {
+            tokens_.failUnknown(fmt::format("Lights ({} of {} read)", i, count), kKinds);
+            return;
+        }
+        light.kind = tokens_.take().text == "PointLight" ? LightKind::Point : LightKind::Directional;
+        const bool isPoint = light.kind == LightKind::Point;
+        tokens_.expect("{", isPoint ? "PointLight" : "DirectionalLight");
+        while (!tokens_.accept("}") && !tokens_.failed()) {
+            const std::string_view placed = isPoint ? "position" : "direction";
+            const std::string_view fields[] = {placed, "color"};
+            if (tokens_.accept("color")) {
+                light.color = tokens_.color("the light's color");
+            } else if (isPoint && tokens_.accept("position")) {
+                light.position = tokens_.vec3("position");
+            } else if (!isPoint && tokens_.accept("direction")) {
+                light.direction = tokens_.direction("direction");
+            } else {
+                tokens_.failUnknown("a light", fields);
+            }
+        }
+        scene_.lights.push_back(std::move(light));
+    }
+    tokens_.expect("}", fmt::format("{} lights", count));
+}
+
+void SceneTextReader::readDiskLights() {
+    constexpr std::string_view kFields[] = {"position", "direction", "color", "radius"};
+    const TextToken at = tokens_.take();
+    tokens_.expect("{", "DiskLights");
+    tokens_.expect("numDiskLights", "'DiskLights {'");
+    const int count = tokens_.integer("numDiskLights", 0, 1'000'000);
+    for (int i = 0; i < count && !tokens_.failed(); ++i) {
+        tokens_.expect("DiskLight", fmt::format("{} of {} DiskLights", i, count));
+        tokens_.expect("{", "DiskLight");
+        while (!tokens_.accept("}") && !tokens_.failed()) {
+            if (tokens_.accept("radius")) {
+                tokens_.number("radius", 0.0f, 1e30f, "a radius >= 0");
+            } else if (tokens_.accept("position") || tokens_.accept("direction") || tokens_.accept("color")) {
+                tokens_.vec3("a DiskLight");
+            } else {
+                tokens_.failUnknown("a DiskLight", kFields);
+            }
+        }
+    }
+    tokens_.expect("}", fmt::format("{} DiskLights", count));
+    if (count > 0 && !tokens_.failed()) {
+        scene_.warnings.push_back(
+            fmt::format("{}:{}: DiskLights are left out, as the original's path tracer does", scene_.path,
+                        tokens_.source().place(at.offset).line));
+    }
+}
+
+void SceneTextReader::finish() {
+    if (scene_.materials.empty() && !scene_.objects.empty()) {
+        Material white;
+        white.name = "white";
+        white.color.value = Vec3(1.0f);
+        scene_.materials.push_back(std::move(white));
+    }
+    const bool anyEmits =
+        std::any_of(scene_.objects.begin(), scene_.objects.end(), [&](const Object& object) {
+            return scene_.materials[static_cast<size_t>(object.material)].emissive();
+        });
+    if (anyEmits) {
+        scene_.lights.clear();
+    } else if (!scene_.lights.empty()) {
+        useLights();
+    }
+    for (const Missing& missing : missing_) {
+        const SourcePlace place = tokens_.source().place(missing.at.offset);
+        scene_.warnings.push_back(fmt::format("{}:{}: {}; left out", place.file, place.line, missing.what));
+    }
+    if (!missing_.empty() && !options_.allowMissing) {
+        const std::string more =
+            missing_.size() > 1 ? fmt::format(" (and {} more such places)", missing_.size() - 1) : "";
+        tokens_.fail(missing_.front().at,
+                     fmt::format("{}{}; --allow-missing goes on without", missing_.front().what, more));
+    }
+}
+
+void SceneTextReader::useLights() {
+    const Vec3 center = sceneCenter();
+    for (Light& light : scene_.lights) {
+        light.strength = kPi;  // Phong's diffuse term lacks Lambert's 1 / pi.
+        if (light.kind == LightKind::Point) {
+            light.strength *= lengthSquared(light.position - center);
+        }
+    }
+    scene_.warnings.push_back(
+        fmt::format("{}: no material emits, so the Lights block shines; point lights fall off "
+                    "with distance and are as bright as written at the scene's middle",
+                    scene_.path));
+}
+
+Vec3 SceneTextReader::sceneCenter() const {
+    Bounds bounds;
+    for (const Object& object : scene_.objects) {
+        Bounds local;
+        if (object.shape == ShapeKind::Sphere) {
+            local = {Vec3(-1.0f), Vec3(1.0f)};
+        } else if (object.shape == ShapeKind::Mesh) {
+            for (const Vec3& p : scene_.meshes[static_cast<size_t>(object.mesh)].data->positions) {
+                local.grow(p);
+            }
+        }
+        if (!local.empty()) {
+            bounds.grow(transformBounds(object.objectToWorld, local));
+        }
+    }
+    return bounds.empty() ? scene_.camera.target : bounds.center();
+}
+
+void SceneTextReader::missing(const TextToken& at, std::string what) {
+    if (!tokens_.failed()) {
+        missing_.push_back({at, std::move(what)});
+    }
+}
+
+std::string SceneTextReader::locate(const std::string& path) const {
+    const std::string above = "../" + path;
+    const bool isAbove =
+        !fileExists(resolvePath(path, scene_.path)) && fileExists(resolvePath(above, scene_.path));
+    return isAbove ? above : path;
+}
+
+Result<SceneDescription> readSceneText(TextSource source, const LoadOptions& options) {
+    return SceneTextReader(std::move(source), options).read();
+}
+
+}  // namespace glint

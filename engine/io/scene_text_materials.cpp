@@ -1,0 +1,113 @@
+// 6.837-style scenes: materials with the three scattering types, and image textures.
+#include <fmt/format.h>
+
+#include "engine/io/scene_text_reader.h"
+
+namespace glint {
+
+void SceneTextReader::readMaterials() {
+    tokens_.take();
+    tokens_.expect("{", "Materials");
+    tokens_.expect("numMaterials", "'Materials {'");
+    const int count = tokens_.integer("numMaterials", 0, 1'000'000);
+    for (int i = 0; i < count && !tokens_.failed(); ++i) {
+        tokens_.expect("Material", fmt::format("{} of {} materials", i, count));
+        readMaterial();
+    }
+    tokens_.expect("}", fmt::format("{} materials", count));
+}
+
+void SceneTextReader::readMaterial() {
+    constexpr std::string_view kFields[] = {"color",     "diffuseColor", "specularColor", "emission", "type",
+                                            "shininess", "refr",         "texture",       "bump"};
+    Material material;
+    material.name = fmt::format("material {}", scene_.materials.size());
+    material.color.value = Vec3(1.0f);
+    Vec3 weights(1.0f, 0.0f, 0.0f);
+    float ior = 1.0f;
+    bool hasIor = false;
+    TextToken weightsAt = tokens_.peek();
+    tokens_.expect("{", "Material");
+    while (!tokens_.accept("}") && !tokens_.failed()) {
+        const TextToken at = tokens_.peek();
+        if (tokens_.accept("color") || tokens_.accept("diffuseColor")) {
+            material.color.value = glm::min(tokens_.color("color"), Vec3(1.0f));
+        } else if (tokens_.accept("specularColor")) {
+            tokens_.vec3("specularColor");  // Phong's, which path tracing does not use.
+        } else if (tokens_.accept("emission")) {
+            material.emission = tokens_.color("emission");
+        } else if (tokens_.accept("type")) {
+            weightsAt = tokens_.peek();
+            weights = tokens_.color("type");
+        } else if (tokens_.accept("shininess")) {
+            tokens_.number("shininess");
+        } else if (tokens_.accept("refr")) {
+            ior = tokens_.number("refr", 0.01f, 100.0f, "an index of refraction from 0.01 to 100");
+            hasIor = true;
+        } else if (tokens_.accept("texture")) {
+            material.color.texture = addTexture(tokens_.peek(), tokens_.path("a texture"));
+        } else if (tokens_.accept("bump")) {
+            missing(at, fmt::format("bump maps (\"{}\") are not drawn yet", tokens_.path("a bump map")));
+        } else {
+            tokens_.failUnknown("Material", kFields);
+        }
+    }
+    setScattering(weightsAt, weights, hasIor, ior, &material);
+    scene_.materials.push_back(std::move(material));
+}
+
+void SceneTextReader::setScattering(const TextToken& at, const Vec3& weights, bool hasIor, float ior,
+                                    Material* material) {
+    const float sum = weights.x + weights.y + weights.z;
+    if (!tokens_.failed() && !(sum > 0.0f)) {
+        tokens_.fail(at, "type is 0 0 0; expected shares of diffuse, mirror and refractive scattering");
+    }
+    if (tokens_.failed()) {
+        return;
+    }
+    if (weights.x == sum) {
+        material->kind = MaterialKind::Diffuse;
+    } else if (weights.y == sum) {
+        material->kind = MaterialKind::Mirror;
+    } else if (weights.z == sum) {
+        material->kind = MaterialKind::Dielectric;
+    } else {
+        material->kind = MaterialKind::Mixture;
+        material->mixtureWeights = weights / sum;
+    }
+    if (weights.z > 0.0f) {
+        material->ior = hasIor ? ior : 1.0f;
+    }
+}
+
+int SceneTextReader::addTexture(const TextToken& at, const std::string& path) {
+    if (tokens_.failed()) {
+        return -1;
+    }
+    if (const auto found = textures_.find(path); found != textures_.end()) {
+        if (found->second < 0) {
+            missing(at, fmt::format("the texture \"{}\" is missing", path));
+        }
+        return found->second;
+    }
+    int& index = textures_[path] = -1;
+    const std::string located = locate(path);
+    if (!fileExists(resolvePath(located, scene_.path))) {
+        missing(at, fmt::format("the texture \"{}\" is missing", path));
+        return -1;
+    }
+    auto image = assets_.texture(located);
+    if (!image) {
+        tokens_.fail(at, fmt::format("the texture cannot be read: {}", image.error().format()));
+        return -1;
+    }
+    Texture texture;
+    texture.name = path;
+    texture.image = std::move(*image);
+    texture.encoding = ColorEncoding::Linear;  // The original's pictures are linear from end to end.
+    index = static_cast<int>(scene_.textures.size());
+    scene_.textures.push_back(std::move(texture));
+    return index;
+}
+
+}  // namespace glint
