@@ -1,0 +1,191 @@
+// `glint bench latency`: how long an edit takes to stop the pass in flight, and until a picture of the new
+// state is there.
+//
+// A session renders as it does behind the window, and a script edits it: single edits of each kind with rests
+// between them, which let full-resolution passes begin, and a drag of edits sixty times a second.
+#include <chrono>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "engine/render/render_session.h"
+#include "viewer/commands/bench_scenes.h"
+#include "viewer/commands/bench_statistics.h"
+#include "viewer/commands/commands.h"
+#include "viewer/commands/json_output.h"
+
+namespace glint {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Scene = std::shared_ptr<const SceneDescription>;
+
+constexpr double kPatience = 60.0;
+
+struct LatencyOptions {
+    int edits = 60;
+    int threads = 0;
+    int size = 512;
+    uint32_t triangles = 500'000;
+    std::string json;
+};
+
+struct LatencyRow {
+    std::string name;
+    Percentiles cancel;
+    Percentiles toPicture;
+};
+
+void rest(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
+
+/// The kinds a person uses, by turns, each with a change that is seen.
+SceneEdit nextEdit(const Scene& scene, int step) {
+    auto changed = std::make_shared<SceneDescription>(*scene);
+    const float swing = std::sin(static_cast<float>(step));
+    switch (step % 5) {
+        case 0:
+            changed->camera.position.x = 0.3f * swing;
+            return {changed, EditKind::Camera};
+        case 1:
+            changed->camera.apertureDiameter = 0.05f * (1.0f + swing);
+            return {changed, EditKind::Camera};
+        case 2:
+            changed->materials[0].color.value.x = 0.5f + 0.4f * swing;
+            return {changed, EditKind::MaterialParameters};
+        case 3:
+            changed->environment.color = Vec3(0.1f + 0.1f * swing);
+            return {changed, EditKind::Lights};
+        default:
+            changed->objects.back().objectToWorld.translation.x += 0.02f * swing;
+            return {changed, EditKind::ObjectTransform};
+    }
+}
+
+class Measurement {
+  public:
+    Measurement(const Scene& scene, int threads)
+        : scene_(scene), session_(makeCpuBackend(threads), sessionOptions(threads)) {
+        session_.post({scene_, EditKind::Everything});
+        waitForPictures(1);
+        rest(0.3);
+    }
+
+    LatencyRow singleEdits(const std::string& name, int edits) {
+        cancels_.clear();
+        pictures_.clear();
+        for (int step = 0; step < edits; ++step) {
+            // Irregular, so that edits meet passes at every stage.
+            rest(0.05 + 0.13 * ((step * 7919) % 101) / 101.0);
+            edit(step);
+        }
+        return {name + ", single edits", percentilesOf(cancels_), percentilesOf(pictures_)};
+    }
+
+    LatencyRow drag(const std::string& name, int edits) {
+        cancels_.clear();
+        pictures_.clear();
+        session_.setInteracting(true);
+        SessionStatus before = session_.status();
+        for (int step = 0; step < edits; ++step) {
+            session_.post(nextEdit(scene_, 0 + 5 * step));
+            rest(1.0 / 60.0);
+            const SessionStatus now = session_.status();
+            if (now.picturesAfterEdits > before.picturesAfterEdits) {
+                pictures_.push_back(now.lastEditToPictureSeconds);
+            }
+            if (now.counters.passesDiscarded > before.counters.passesDiscarded) {
+                cancels_.push_back(now.lastCancelSeconds);
+            }
+            before = now;
+        }
+        session_.setInteracting(false);
+        return {name + ", drag at 60 Hz", percentilesOf(cancels_), percentilesOf(pictures_)};
+    }
+
+  private:
+    static SessionOptions sessionOptions(int threads) {
+        SessionOptions options;
+        options.threads = threads;
+        return options;
+    }
+
+    void edit(int step) {
+        const SessionStatus before = session_.status();
+        session_.post(nextEdit(scene_, step));
+        waitForPictures(before.picturesAfterEdits + 1);
+        const SessionStatus after = session_.status();
+        pictures_.push_back(after.lastEditToPictureSeconds);
+        if (after.counters.passesDiscarded > before.counters.passesDiscarded) {
+            cancels_.push_back(after.lastCancelSeconds);
+        }
+    }
+
+    void waitForPictures(uint64_t count) {
+        const auto end = Clock::now() + std::chrono::duration<double>(kPatience);
+        while (session_.status().picturesAfterEdits < count && Clock::now() < end) {
+            rest(0.001);
+        }
+    }
+
+    Scene scene_;
+    RenderSession session_;
+    std::vector<double> cancels_, pictures_;
+};
+
+int runLatency(const LatencyOptions& options) {
+    const auto mesh = benchMesh(options.triangles, options.size, options.size);
+    if (!mesh) {
+        fmt::print(stderr, "error: {}\n", mesh.error().format());
+        return kExitBadInput;
+    }
+    std::vector<LatencyRow> rows;
+    const auto measure = [&](const std::string& name, const Scene& scene) {
+        Measurement measurement(scene, options.threads);
+        rows.push_back(measurement.singleEdits(name, options.edits));
+        rows.push_back(measurement.drag(name, options.edits));
+    };
+    measure("Cornell box", benchCornell(options.size, options.size));
+    measure(fmt::format("mesh of {} triangles", (*mesh)->meshes[0].data->triangleCount()), *mesh);
+
+    nlohmann::ordered_json report = {{"size", options.size}, {"rows", nlohmann::ordered_json::array()}};
+    for (const LatencyRow& row : rows) {
+        report["rows"].push_back({{"name", row.name},
+                                  {"cancel", percentilesJson(row.cancel)},
+                                  {"edit_to_picture", percentilesJson(row.toPicture)}});
+        if (!jsonTakesOutput(options.json)) {
+            fmt::print("{}\n  cancel           {}\n  edit to picture  {}\n", row.name,
+                       percentilesText(row.cancel), percentilesText(row.toPicture));
+        }
+    }
+    const Status written = writeJson(options.json, report);
+    if (!written) {
+        fmt::print(stderr, "error: {}\n", written.error().format());
+        return kExitFailed;
+    }
+    return kExitDone;
+}
+
+}  // namespace
+
+void addBenchLatency(CLI::App& bench, int* exitCode) {
+    CLI::App* command =
+        bench.add_subcommand("latency", "Edit to stop and edit to picture, by a scripted session");
+    const auto options = std::make_shared<LatencyOptions>();
+    command->add_option("--edits", options->edits, "Edits of each kind of use")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
+    command->add_option("--size", options->size, "Picture width and height")
+        ->check(CLI::Range(16, 8192))
+        ->capture_default_str();
+    command->add_option("--triangles", options->triangles, "Of the mesh")
+        ->check(CLI::Range(100, 50'000'000))
+        ->capture_default_str();
+    command->add_option("--threads", options->threads, "Render threads; all by default")
+        ->check(CLI::Range(1, 1024));
+    addJsonOption(*command, &options->json);
+    command->callback([options, exitCode] { *exitCode = runLatency(*options); });
+}
+
+}  // namespace glint

@@ -1,0 +1,147 @@
+// `glint bench load`: from an OBJ file to the first picture, stage by stage. The file is written first, and
+// read back while it is still in the system's cache: the disk is not what is measured.
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "engine/io/scene_loader.h"
+#include "engine/render/render_session.h"
+#include "engine/scene/generated_mesh.h"
+#include "viewer/commands/commands.h"
+#include "viewer/commands/json_output.h"
+
+namespace glint {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double since(Clock::time_point began) { return std::chrono::duration<double>(Clock::now() - began).count(); }
+
+struct LoadBenchOptions {
+    uint32_t triangles = 500'000;
+    int threads = 0;
+    std::string json;
+};
+
+struct LoadFigures {
+    uint32_t triangles = 0;
+    uint64_t bytes = 0;
+    double load = 0.0;     ///< file to description
+    double build = 0.0;    ///< description to acceleration structures and tables
+    double picture = 0.0;  ///< the rest, to the first picture
+    double total = 0.0;
+};
+
+bool writeObj(const MeshData& mesh, const std::string& path) {
+    std::FILE* file = std::fopen(path.c_str(), "w");
+    if (file == nullptr) {
+        return false;
+    }
+    for (const Vec3& p : mesh.positions) {
+        fmt::print(file, "v {:.6f} {:.6f} {:.6f}\n", p.x, p.y, p.z);
+    }
+    for (const Vec3& n : mesh.normals) {
+        fmt::print(file, "vn {:.4f} {:.4f} {:.4f}\n", n.x, n.y, n.z);
+    }
+    for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const uint32_t a = mesh.indices[i] + 1, b = mesh.indices[i + 1] + 1, c = mesh.indices[i + 2] + 1;
+        fmt::print(file, "f {}//{} {}//{} {}//{}\n", a, a, b, b, c, c);
+    }
+    return std::fclose(file) == 0;
+}
+
+Result<LoadFigures> measure(const std::string& path, int threads) {
+    LoadFigures figures;
+    figures.bytes = std::filesystem::file_size(path);
+    const auto began = Clock::now();
+    auto scene = loadScene(path);
+    if (!scene) {
+        return scene.error();
+    }
+    figures.load = since(began);
+    for (const Mesh& mesh : scene->meshes) {
+        figures.triangles += mesh.data->triangleCount();
+    }
+    SessionOptions options;
+    options.threads = threads;
+    RenderSession session(makeCpuBackend(threads), options);
+    session.post({std::make_shared<SceneDescription>(std::move(*scene)), EditKind::Everything});
+    while (!session.snapshot() && session.status().state != SessionState::Failed) {
+        usleep(500);
+    }
+    figures.total = since(began);
+    const SessionStatus status = session.status();
+    if (status.state == SessionState::Failed) {
+        return Error{status.error, {}};
+    }
+    figures.build = status.lastBuildSeconds;
+    figures.picture = figures.total - figures.load - figures.build;
+    return figures;
+}
+
+Result<LoadFigures> writeAndMeasure(const LoadBenchOptions& options) {
+    MeshSource source;
+    source.generator = "blob";
+    source.triangles = options.triangles;
+    const auto mesh = generateMesh(source);
+    if (!mesh) {
+        return mesh.error();
+    }
+    std::error_code problem;
+    const auto folder =
+        std::filesystem::temp_directory_path(problem) / fmt::format("glint-bench-{}", getpid());
+    std::filesystem::create_directories(folder, problem);
+    const std::string path = (folder / "mesh.obj").string();
+    const bool written = writeObj(**mesh, path);
+    auto figures = written ? measure(path, options.threads)
+                           : Result<LoadFigures>(Error{fmt::format("cannot write '{}'", path), {}});
+    std::filesystem::remove_all(folder, problem);
+    return figures;
+}
+
+int runLoad(const LoadBenchOptions& options) {
+    const auto figures = writeAndMeasure(options);
+    if (!figures) {
+        fmt::print(stderr, "error: {}\n", figures.error().format());
+        return kExitFailed;
+    }
+    if (!jsonTakesOutput(options.json)) {
+        fmt::print("OBJ of {} triangles, {:.1f} MB\n", figures->triangles,
+                   static_cast<double>(figures->bytes) * 1e-6);
+        fmt::print(
+            "  read           {:7.3f} s\n  build          {:7.3f} s\n  first picture  {:7.3f} s\n  in all    "
+            "     {:7.3f} s\n",
+            figures->load, figures->build, figures->picture, figures->total);
+    }
+    const Status written = writeJson(options.json, {{"triangles", figures->triangles},
+                                                    {"file_bytes", figures->bytes},
+                                                    {"read_seconds", figures->load},
+                                                    {"build_seconds", figures->build},
+                                                    {"first_picture_seconds", figures->picture},
+                                                    {"total_seconds", figures->total}});
+    if (!written) {
+        fmt::print(stderr, "error: {}\n", written.error().format());
+        return kExitFailed;
+    }
+    return kExitDone;
+}
+
+}  // namespace
+
+void addBenchLoad(CLI::App& bench, int* exitCode) {
+    CLI::App* command = bench.add_subcommand("load", "An OBJ file to its first picture, by stages");
+    const auto options = std::make_shared<LoadBenchOptions>();
+    command->add_option("--triangles", options->triangles, "Of the mesh")
+        ->check(CLI::Range(100, 50'000'000))
+        ->capture_default_str();
+    command->add_option("--threads", options->threads, "Threads; all by default")->check(CLI::Range(1, 1024));
+    addJsonOption(*command, &options->json);
+    command->callback([options, exitCode] { *exitCode = runLoad(*options); });
+}
+
+}  // namespace glint

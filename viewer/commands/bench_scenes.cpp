@@ -1,0 +1,106 @@
+// Boxes of rectangles: the canonical rectangle faces +z, so each wall is turned to face inwards.
+#include "viewer/commands/bench_scenes.h"
+
+#include "engine/scene/generated_mesh.h"
+
+namespace glint {
+namespace {
+
+constexpr float kQuarterTurn = kPi / 2.0f;
+
+int addMaterial(SceneDescription* scene, const char* name, const Vec3& color) {
+    Material material;
+    material.name = name;
+    material.color.value = color;
+    scene->materials.push_back(material);
+    return static_cast<int>(scene->materials.size()) - 1;
+}
+
+void addObject(SceneDescription* scene, const char* name, ShapeKind shape, int material,
+               const Affine& placement) {
+    Object object;
+    object.name = name;
+    object.shape = shape;
+    object.material = material;
+    object.objectToWorld = placement;
+    scene->objects.push_back(object);
+}
+
+int addLamp(SceneDescription* scene, const Vec3& radiance) {
+    const int lamp = addMaterial(scene, "lamp", Vec3(0.0f));
+    scene->materials[lamp].emission = radiance;
+    return lamp;
+}
+
+Affine facingDown(const Vec3& center, float halfSize) {
+    return translate(center) * rotate({1, 0, 0}, kQuarterTurn) * scale(Vec3(halfSize));
+}
+
+Affine facingUp(const Vec3& center, float halfSize) {
+    return translate(center) * rotate({1, 0, 0}, -kQuarterTurn) * scale(Vec3(halfSize));
+}
+
+void lookAt(SceneDescription* scene, const Vec3& position, const Vec3& target, float fovDeg) {
+    scene->camera.position = position;
+    scene->camera.target = target;
+    scene->camera.verticalFovDeg = fovDeg;
+    scene->camera.focalDistance = glm::length(target - position);
+}
+
+}  // namespace
+
+std::shared_ptr<SceneDescription> benchCornell(int width, int height) {
+    auto scene = std::make_shared<SceneDescription>();
+    scene->title = "Cornell box of the benchmarks";
+    scene->resolution = {width, height};
+    scene->options.maxDepth = 10;
+    lookAt(scene.get(), {0, 1, 3.9f}, {0, 1, 0}, 38.0f);
+    const int white = addMaterial(scene.get(), "white", Vec3(0.73f));
+    const int red = addMaterial(scene.get(), "red", {0.65f, 0.05f, 0.05f});
+    const int green = addMaterial(scene.get(), "green", {0.12f, 0.45f, 0.15f});
+    const int lamp = addLamp(scene.get(), Vec3(15.0f));
+    const auto wall = [&](const char* name, int material, const Vec3& center, const Vec3& axis,
+                          float angleRad) {
+        addObject(scene.get(), name, ShapeKind::Rectangle, material,
+                  translate(center) * rotate(axis, angleRad));
+    };
+    wall("floor", white, {0, 0, 0}, {1, 0, 0}, -kQuarterTurn);
+    wall("ceiling", white, {0, 2, 0}, {1, 0, 0}, kQuarterTurn);
+    wall("back", white, {0, 1, -1}, {0, 1, 0}, 0.0f);
+    wall("left", red, {-1, 1, 0}, {0, 1, 0}, kQuarterTurn);
+    wall("right", green, {1, 1, 0}, {0, 1, 0}, -kQuarterTurn);
+    addObject(scene.get(), "lamp", ShapeKind::Rectangle, lamp, facingDown({0, 1.999f, 0}, 0.25f));
+    addObject(scene.get(), "left sphere", ShapeKind::Sphere, white,
+              translate({-0.4f, 0.4f, -0.3f}) * scale(Vec3(0.4f)));
+    addObject(scene.get(), "right sphere", ShapeKind::Sphere, white,
+              translate({0.45f, 0.3f, 0.3f}) * scale(Vec3(0.3f)));
+    return scene;
+}
+
+Result<std::shared_ptr<SceneDescription>> benchMesh(uint32_t triangles, int width, int height) {
+    MeshSource source;
+    source.generator = "blob";
+    source.triangles = triangles;
+    source.seed = 1;
+    auto mesh = generateMesh(source);
+    if (!mesh) {
+        return mesh.error();
+    }
+    auto scene = std::make_shared<SceneDescription>();
+    scene->title = "A generated mesh of the benchmarks";
+    scene->resolution = {width, height};
+    scene->options.maxDepth = 10;
+    scene->environment.color = Vec3(0.3f);
+    lookAt(scene.get(), {0, 1.5f, 4.5f}, {0, 0.2f, 0}, 38.0f);
+    const int clay = addMaterial(scene.get(), "clay", {0.6f, 0.5f, 0.4f});
+    const int white = addMaterial(scene.get(), "white", Vec3(0.73f));
+    const int lamp = addLamp(scene.get(), Vec3(12.0f));
+    scene->meshes.push_back({"blob", source, *mesh});
+    addObject(scene.get(), "blob", ShapeKind::Mesh, clay, Affine());
+    scene->objects.back().mesh = 0;
+    addObject(scene.get(), "floor", ShapeKind::Rectangle, white, facingUp({0, -1.3f, 0}, 4.0f));
+    addObject(scene.get(), "lamp", ShapeKind::Rectangle, lamp, facingDown({1, 4, 1}, 1.0f));
+    return scene;
+}
+
+}  // namespace glint

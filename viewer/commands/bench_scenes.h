@@ -1,0 +1,17 @@
+// The scenes that `glint bench` measures on, made in code so that figures do not depend on files.
+#pragma once
+
+#include <memory>
+
+#include "engine/base/result.h"
+#include "engine/scene/scene.h"
+
+namespace glint {
+
+/// Five walls, a lamp and two diffuse spheres, depth 10.
+std::shared_ptr<SceneDescription> benchCornell(int width, int height);
+
+/// A generated mesh of about so many triangles on a floor, under a lamp and a dim sky.
+Result<std::shared_ptr<SceneDescription>> benchMesh(uint32_t triangles, int width, int height);
+
+}  // namespace glint

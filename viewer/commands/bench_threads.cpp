@@ -1,0 +1,103 @@
+// `glint bench threads`: passes per second with one thread beside more, by turns in one run, so that a
+// machine that slows down slows both. Medians over the turns.
+#include <algorithm>
+#include <chrono>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "engine/base/parallel.h"
+#include "engine/build/scene_builder.h"
+#include "engine/render/backend.h"
+#include "engine/render/pass_params.h"
+#include "viewer/commands/bench_scenes.h"
+#include "viewer/commands/bench_statistics.h"
+#include "viewer/commands/commands.h"
+#include "viewer/commands/json_output.h"
+
+namespace glint {
+namespace {
+
+struct ThreadsOptions {
+    int threads = 0;
+    int turns = 9;
+    int size = 512;
+    std::string json;
+};
+
+/// Seconds of one pass and its commit.
+double passSeconds(Backend& backend, const PassParams& params, Film* film, int threads) {
+    static const std::atomic<bool> never{false};
+    std::vector<PixelSample> samples;
+    const auto began = std::chrono::steady_clock::now();
+    (void)backend.renderPass(params, never, &samples);
+    film->commit(samples, params.pass, threads);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+}
+
+int runThreads(const ThreadsOptions& options) {
+    const int many = options.threads > 0 ? options.threads : defaultThreadCount();
+    const auto scene = benchCornell(options.size, options.size);
+    const auto built = buildScene({scene, EditKind::Everything}, nullptr, many, nullptr, nullptr);
+    if (!built) {
+        fmt::print(stderr, "error: {}\n", built.error().format());
+        return kExitFailed;
+    }
+    const auto single = makeCpuBackend(1), parallel = makeCpuBackend(many);
+    (void)single->setScene(*built);
+    (void)parallel->setScene(*built);
+    Film filmOne(options.size, options.size), filmMany(options.size, options.size);
+    std::vector<double> one, more;
+    PassParams params = passParamsOf(*scene);
+    for (int turn = 0; turn <= options.turns; ++turn) {
+        params.pass = static_cast<uint32_t>(turn);
+        const double a = passSeconds(*single, params, &filmOne, 1);
+        const double b = passSeconds(*parallel, params, &filmMany, many);
+        if (turn > 0) {  // The first warms the caches and starts the threads.
+            one.push_back(a);
+            more.push_back(b);
+        }
+    }
+    const double oneSeconds = percentilesOf(one).median, manySeconds = percentilesOf(more).median;
+    const bool same =
+        std::ranges::equal(filmOne.pixels(), filmMany.pixels(), [](const FilmPixel& a, const FilmPixel& b) {
+            return a.mean == b.mean && a.luminanceM2 == b.luminanceM2 && a.count == b.count;
+        });
+    const double ratio = oneSeconds / manySeconds;
+    if (!jsonTakesOutput(options.json)) {
+        fmt::print(
+            "1 thread   {:.2f} passes/s\n{} threads  {:.2f} passes/s\nratio      {:.3f}\nfilms are {}\n",
+            1.0 / oneSeconds, many, 1.0 / manySeconds, ratio, same ? "identical" : "DIFFERENT");
+    }
+    const Status written = writeJson(options.json, {{"size", options.size},
+                                                    {"threads", many},
+                                                    {"turns", options.turns},
+                                                    {"one_passes_per_s", 1.0 / oneSeconds},
+                                                    {"many_passes_per_s", 1.0 / manySeconds},
+                                                    {"ratio", ratio},
+                                                    {"films_identical", same}});
+    if (!written) {
+        fmt::print(stderr, "error: {}\n", written.error().format());
+    }
+    return same && written ? kExitDone : kExitFailed;
+}
+
+}  // namespace
+
+void addBenchThreads(CLI::App& bench, int* exitCode) {
+    CLI::App* command = bench.add_subcommand("threads", "One thread beside all of them, on the Cornell box");
+    const auto options = std::make_shared<ThreadsOptions>();
+    command->add_option("--threads", options->threads, "Beside one; all by default")
+        ->check(CLI::Range(2, 1024));
+    command->add_option("--turns", options->turns, "Passes of each")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command->add_option("--size", options->size, "Picture width and height")
+        ->check(CLI::Range(16, 8192))
+        ->capture_default_str();
+    addJsonOption(*command, &options->json);
+    command->callback([options, exitCode] { *exitCode = runThreads(*options); });
+}
+
+}  // namespace glint

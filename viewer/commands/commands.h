@@ -1,0 +1,31 @@
+// The program's commands. Each add…Command() describes one to the command line parser and runs it when it is
+// chosen.
+//
+// Called by program.cpp. A command prints its result to standard output and its one error message to standard
+// error, and answers with an exit code; nothing here calls exit().
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace glint {
+
+enum ExitCode : int {
+    kExitDone = 0,
+    kExitBadInput = 1,       ///< the input or the options are wrong
+    kExitFailed = 2,         ///< the run failed: disk full, no context, device lost
+    kExitInterrupted = 130,  ///< by Ctrl-C, after saving
+};
+
+/// Each adds a subcommand to `app`; when the user chose it, *exitCode is set by running it.
+void addRenderCommand(CLI::App& app, int* exitCode);
+void addInfoCommand(CLI::App& app, int* exitCode);
+void addBenchCommand(CLI::App& app, int* exitCode);
+
+/// Of `glint bench`.
+void addBenchLatency(CLI::App& bench, int* exitCode);
+void addBenchLoad(CLI::App& bench, int* exitCode);
+void addBenchThreads(CLI::App& bench, int* exitCode);
+
+}  // namespace glint

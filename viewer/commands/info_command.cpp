@@ -1,0 +1,125 @@
+// `glint info SCENE`: what it holds, what it needs, what is left out, memory by part.
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "engine/build/scene_builder.h"
+#include "engine/io/scene_loader.h"
+#include "viewer/commands/commands.h"
+#include "viewer/commands/json_output.h"
+#include "viewer/commands/scene_report.h"
+
+namespace glint {
+namespace {
+
+struct InfoOptions {
+    std::string scene;
+    bool allowMissing = false;
+    std::string json;
+};
+
+std::string listed(const std::vector<NamedCount>& counts) {
+    std::vector<std::string> parts;
+    for (const NamedCount& item : counts) {
+        parts.push_back(fmt::format("{} {}", item.count, item.name));
+    }
+    return parts.empty() ? "none" : fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string listed(const std::vector<std::string>& names) {
+    return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string formatBytes(uint64_t bytes) {
+    const double value = static_cast<double>(bytes);
+    return bytes < 10'000       ? fmt::format("{} B", bytes)
+           : bytes < 10'000'000 ? fmt::format("{:.1f} kB", value * 1e-3)
+                                : fmt::format("{:.1f} MB", value * 1e-6);
+}
+
+void printReport(const SceneDescription& scene, const SceneReport& report) {
+    fmt::print("{}\n", scene.title.empty() ? scene.path : scene.title);
+    fmt::print("picture    {}x{} pixels, depth {}\n", scene.resolution.width, scene.resolution.height,
+               scene.options.maxDepth);
+    fmt::print("objects    {}\n", listed(report.objects));
+    fmt::print("meshes     {} with {} triangles, {} as placed\n", report.meshes, report.triangles,
+               report.placedTriangles);
+    fmt::print("materials  {}\n", listed(report.materials));
+    fmt::print("textures   {}\n", report.textures);
+    fmt::print("lights     {}\n", listed(report.lights));
+    fmt::print("needs      {}\n", listed(report.features));
+    fmt::print("kernel     {}\n", report.kernel);
+    fmt::print("left out   {}\n", listed(report.leftOut));
+    fmt::print("memory     {}\n", formatBytes(report.memoryTotal));
+    for (const NamedCount& part : report.memory) {
+        fmt::print("  {:<36}{:>12}\n", part.name, formatBytes(part.count));
+    }
+    for (const std::string& warning : scene.warnings) {
+        fmt::print("warning    {}\n", warning);
+    }
+}
+
+nlohmann::ordered_json jsonOf(const std::vector<NamedCount>& counts) {
+    nlohmann::ordered_json out = nlohmann::ordered_json::object();
+    for (const NamedCount& item : counts) {
+        out[item.name] = item.count;
+    }
+    return out;
+}
+
+nlohmann::ordered_json jsonReport(const SceneDescription& scene, const SceneReport& report) {
+    return {{"scene", scene.path},
+            {"title", scene.title},
+            {"width", scene.resolution.width},
+            {"height", scene.resolution.height},
+            {"objects", jsonOf(report.objects)},
+            {"meshes", report.meshes},
+            {"triangles", report.triangles},
+            {"placed_triangles", report.placedTriangles},
+            {"materials", jsonOf(report.materials)},
+            {"textures", report.textures},
+            {"lights", jsonOf(report.lights)},
+            {"features", report.features},
+            {"kernel", report.kernel},
+            {"left_out", report.leftOut},
+            {"memory_bytes", jsonOf(report.memory)},
+            {"memory_total_bytes", report.memoryTotal},
+            {"warnings", scene.warnings}};
+}
+
+int complain(const Error& error, int exitCode) {
+    fmt::print(stderr, "error: {}\n", error.format());
+    return exitCode;
+}
+
+int runInfo(const InfoOptions& options) {
+    auto loaded = loadScene(options.scene, {.allowMissing = options.allowMissing});
+    if (!loaded) {
+        return complain(loaded.error(), kExitBadInput);
+    }
+    const auto scene = std::make_shared<SceneDescription>(std::move(*loaded));
+    const auto built = buildScene({scene, EditKind::Everything}, nullptr, 0, nullptr, nullptr);
+    if (!built) {
+        return complain(built.error(), kExitBadInput);
+    }
+    const SceneReport report = reportOf(*scene, **built);
+    if (!jsonTakesOutput(options.json)) {
+        printReport(*scene, report);
+    }
+    const Status written = writeJson(options.json, jsonReport(*scene, report));
+    return written ? kExitDone : complain(written.error(), kExitFailed);
+}
+
+}  // namespace
+
+void addInfoCommand(CLI::App& app, int* exitCode) {
+    CLI::App* command = app.add_subcommand("info", "What a scene holds, needs and leaves out");
+    const auto options = std::make_shared<InfoOptions>();
+    command->add_option("scene", options->scene, "The scene")->required()->type_name("SCENE");
+    command->add_flag("--allow-missing", options->allowMissing, "Go on when parts of the scene are missing");
+    addJsonOption(*command, &options->json);
+    command->callback([options, exitCode] { *exitCode = runInfo(*options); });
+}
+
+}  // namespace glint

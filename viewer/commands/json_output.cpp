@@ -1,0 +1,30 @@
+// nlohmann writes numbers so that they read back exactly, and infinities as null.
+#include "viewer/commands/json_output.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "engine/io/atomic_file.h"
+
+namespace glint {
+
+void addJsonOption(CLI::App& command, std::string* target) {
+    command.add_option("--json", *target, "Write the report as JSON to FILE; - is standard output")
+        ->type_name("FILE");
+}
+
+Status writeJson(const std::string& target, const nlohmann::ordered_json& report) {
+    if (target.empty()) {
+        return {};
+    }
+    const std::string text =
+        report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    if (jsonTakesOutput(target)) {
+        fmt::print("{}", text);
+        return {};
+    }
+    return writeFileAtomically(target, text);
+}
+
+}  // namespace glint

@@ -1,0 +1,26 @@
+// The --json option of commands: where the report goes, and how it is written. Keys are listed in README.md
+// here.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "engine/base/result.h"
+
+namespace CLI {
+class App;
+}
+
+namespace glint {
+
+/// Adds `--json FILE` (`-`: standard output) to a command.
+void addJsonOption(CLI::App& command, std::string* target);
+
+/// Nothing to do for an empty target. Numbers that JSON cannot hold (infinite, not a number) become null.
+Status writeJson(const std::string& target, const nlohmann::ordered_json& report);
+
+/// True when the report takes standard output, so that nothing else may be printed there.
+inline bool jsonTakesOutput(const std::string& target) { return target == "-"; }
+
+}  // namespace glint

@@ -1,0 +1,96 @@
+// The error falls with the root of the number of passes, which is what its forecast assumes.
+#include "viewer/commands/progress.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace glint {
+namespace {
+
+constexpr int kBarWidth = 24;
+/// Without a terminal: a line at every tenth, but no more often than this.
+constexpr double kPlainInterval = 2.0;
+
+void consider(double fraction, double secondsLeft, Forecast* best) {
+    if (best->secondsLeft < 0.0 || secondsLeft < best->secondsLeft) {
+        *best = {std::clamp(fraction, 0.0, 1.0), std::max(0.0, secondsLeft)};
+    }
+}
+
+std::string describe(const SessionStatus& status, const StopLimits& limits, const Forecast& ahead) {
+    std::string passes = fmt::format("pass {}", status.passes);
+    if (limits.passes > 0) {
+        passes += fmt::format("/{}", limits.passes);
+    }
+    const std::string error =
+        std::isfinite(status.relativeError) ? fmt::format("{:.2f} %", 100.0 * status.relativeError) : "?";
+    return fmt::format("{:3.0f} %  {}  {:.2f} Mpaths/s  error {}  left {}", 100.0 * ahead.fraction, passes,
+                       status.pathsPerSecond * 1e-6, error, formatSeconds(ahead.secondsLeft));
+}
+
+}  // namespace
+
+Forecast forecast(const SessionStatus& status, const StopLimits& limits) {
+    Forecast best;
+    if (status.passes == 0 || status.passesPerSecond <= 0.0) {
+        return best;
+    }
+    const double passes = status.passes;
+    if (limits.passes > 0) {
+        consider(passes / limits.passes, (limits.passes - passes) / status.passesPerSecond, &best);
+    }
+    if (limits.renderSeconds > 0.0) {
+        consider(status.renderSeconds / limits.renderSeconds, limits.renderSeconds - status.renderSeconds,
+                 &best);
+    }
+    if (limits.relativeError > 0.0 && std::isfinite(status.relativeError) && status.relativeError > 0.0) {
+        const double needed = passes * std::pow(status.relativeError / limits.relativeError, 2.0);
+        consider(passes / needed, (needed - passes) / status.passesPerSecond, &best);
+    }
+    return best;
+}
+
+std::string formatSeconds(double seconds) {
+    if (!(seconds >= 0.0) || seconds > 1e7) {
+        return "?";
+    }
+    const auto whole = static_cast<long>(std::lround(seconds));
+    const long hours = whole / 3600, minutes = whole / 60 % 60;
+    return hours > 0 ? fmt::format("{}:{:02}:{:02}", hours, minutes, whole % 60)
+                     : fmt::format("{}:{:02}", minutes, whole % 60);
+}
+
+ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {}
+
+void ProgressLine::update(const SessionStatus& status, const StopLimits& limits) {
+    if (quiet_) {
+        return;
+    }
+    const Forecast ahead = forecast(status, limits);
+    const std::string text = describe(status, limits, ahead);
+    if (terminal_) {
+        const int filled = static_cast<int>(std::lround(ahead.fraction * kBarWidth));
+        fmt::print(stderr, "\r\x1b[K[{:#<{}}{:<{}}] {}", "", filled, "", kBarWidth - filled, text);
+        drawn_ = true;
+        return;
+    }
+    const bool tenth = std::floor(ahead.fraction * 10.0) > std::floor(lastFraction_ * 10.0);
+    if (status.passes > 0 && tenth &&
+        (lastFraction_ < 0.0 || status.renderSeconds - lastSeconds_ >= kPlainInterval)) {
+        fmt::print(stderr, "{}\n", text);
+        lastFraction_ = ahead.fraction;
+        lastSeconds_ = status.renderSeconds;
+    }
+}
+
+void ProgressLine::finish() {
+    if (drawn_) {
+        fmt::print(stderr, "\n");
+        drawn_ = false;
+    }
+}
+
+}  // namespace glint

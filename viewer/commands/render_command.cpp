@@ -1,0 +1,88 @@
+// `glint render`: reads the options and the scene, refuses what cannot be written, and leaves the rest to
+// render_run.
+#include <chrono>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "engine/base/log.h"
+#include "engine/io/scene_loader.h"
+#include "viewer/commands/commands.h"
+#include "viewer/commands/output_files.h"
+#include "viewer/commands/render_run.h"
+
+namespace glint {
+namespace {
+
+constexpr const char* kFooter = R"(Examples:
+  glint render scenes/cornell.json -o cornell.png --passes 256
+  glint render scene.obj -o out.exr --time 60 --aov albedo,normal --checkpoint out.glintfilm
+  glint render scene.obj -o out.exr --passes 4096 --resume out.glintfilm
+Ctrl-C saves the picture and the checkpoint.)";
+
+int complain(const Error& error) {
+    fmt::print(stderr, "error: {}\n", error.format());
+    return kExitBadInput;
+}
+
+Status checkOutputs(const RenderCommandOptions& o) {
+    if (o.output.empty()) {
+        return Error{"no picture is named; expected -o OUT.png, OUT.exr or OUT.hdr", {}};
+    }
+    const size_t dot = o.output.rfind('.');
+    const std::string extension = dot == std::string::npos ? "" : o.output.substr(dot);
+    if (extension != ".png" && extension != ".exr" && extension != ".hdr") {
+        return Error{fmt::format("-o {}: expected a name that ends in .png, .exr or .hdr", o.output), {}};
+    }
+    if (!o.aovs.empty() && extension != ".exr") {
+        return Error{
+            fmt::format("--aov needs a picture with layers; expected -o OUT.exr instead of {}", o.output),
+            {}};
+    }
+    if (o.checkpointEvery > 0.0 && o.checkpoint.empty()) {
+        return Error{"--checkpoint-every needs --checkpoint FILE", {}};
+    }
+    for (const std::string& file : {o.output, o.checkpoint, o.json == "-" ? std::string() : o.json}) {
+        if (Status writable = file.empty() ? Status() : checkWritable(file); !writable) {
+            return writable;
+        }
+    }
+    return {};
+}
+
+int runCommand(const RenderCommandOptions& options) {
+    if (options.pixel.empty()) {
+        if (Status outputs = checkOutputs(options); !outputs) {
+            return complain(outputs.error());
+        }
+    }
+    const auto began = std::chrono::steady_clock::now();
+    Result<SceneDescription> loaded = loadScene(options.scene, {.allowMissing = options.allowMissing});
+    if (!loaded) {
+        return complain(loaded.error());
+    }
+    const double loadSeconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    for (const std::string& warning : loaded->warnings) {
+        logWarning("{}", warning);
+    }
+    if (Status applied = applyTo(options, &*loaded); !applied) {
+        return complain(applied.error());
+    }
+    if (!options.pixel.empty()) {
+        return runReplay(*loaded, options);
+    }
+    return runRender(std::make_shared<SceneDescription>(std::move(*loaded)), options, loadSeconds);
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& app, int* exitCode) {
+    CLI::App* command = app.add_subcommand("render", "Renders a scene to a picture, without a window");
+    const auto options = std::make_shared<RenderCommandOptions>();
+    addRenderOptions(*command, options.get());
+    command->footer(kFooter);
+    command->callback([options, exitCode] { *exitCode = runCommand(*options); });
+}
+
+}  // namespace glint

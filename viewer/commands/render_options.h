@@ -1,0 +1,66 @@
+// What `glint render` was asked for: the options as written, and how they change a scene.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/render/render_session.h"
+#include "engine/render/tonemap.h"
+#include "engine/scene/scene.h"
+
+namespace CLI {
+class App;
+}
+
+namespace glint {
+
+struct RenderCommandOptions {
+    std::string scene;
+    std::string output;
+    StopLimits limits;
+    std::string size;
+    int threads = 0;
+    std::optional<uint32_t> seed;
+    std::optional<int> depth;
+    std::string filter;
+    std::optional<float> filterRadius;
+    std::string sampler;
+    std::vector<float> cameraPosition, cameraTarget;
+    std::optional<float> fov, aperture, focus;
+    std::vector<std::string> aovs;
+    bool exrFloat = false;
+    float exposure = 0.0f;
+    std::string tone = "srgb";
+    std::string checkpoint;
+    double checkpointEvery = 0.0;
+    std::string resume;
+    bool allowMissing = false;
+    std::string pixel;
+    uint32_t replayPass = 0;
+    std::string json;
+    std::string backend = "cpu";
+};
+
+void addRenderOptions(CLI::App& command, RenderCommandOptions* options);
+
+/// Passes that are rendered when no limit is given.
+constexpr uint32_t kDefaultPasses = 128;
+
+/// Size, seed, depth, filter, sampler and camera. Error: a value that makes no sense.
+Status applyTo(const RenderCommandOptions& options, SceneDescription* scene);
+
+/// Bits of Aov, and whether the standard error is among the names. Error: an unknown name, naming the
+/// nearest.
+struct AovChoice {
+    uint32_t aovs = 0;
+    bool standardError = false;
+};
+Result<AovChoice> chooseAovs(const std::vector<std::string>& names);
+
+/// "WxH" or "x,y" with the given separator. Error: anything else.
+Result<Vec2i> parsePair(const std::string& text, char separator, const char* what);
+
+}  // namespace glint

@@ -1,0 +1,266 @@
+// The command's loop sleeps most of the time: the session renders on its own threads.
+#include "viewer/commands/render_run.h"
+
+#include <chrono>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "engine/base/log.h"
+#include "engine/build/scene_builder.h"
+#include "engine/render/checkpoint.h"
+#include "engine/render/pass_params.h"
+#include "engine/render/path_replay.h"
+#include "engine/render/picture_file.h"
+#include "engine/render/snapshot.h"
+#include "viewer/commands/commands.h"
+#include "viewer/commands/interrupt.h"
+#include "viewer/commands/json_output.h"
+#include "viewer/commands/progress.h"
+#include "viewer/make_backend.h"
+
+namespace glint {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kPollSeconds = 0.1;
+
+int complain(const std::string& message, int exitCode) {
+    fmt::print(stderr, "error: {}\n", message);
+    return exitCode;
+}
+
+class BatchRender {
+  public:
+    BatchRender(std::shared_ptr<const SceneDescription> scene, const RenderCommandOptions& options,
+                double loadSeconds)
+        : scene_(std::move(scene)), options_(options), loadSeconds_(loadSeconds), limits_(options.limits) {
+        if (limits_.passes == 0 && limits_.renderSeconds == 0.0 && limits_.relativeError == 0.0) {
+            limits_.passes = kDefaultPasses;
+        }
+    }
+
+    int run() {
+        if (const int code = start(); code != kExitDone) {
+            return code;
+        }
+        const bool finished = waitUntilDone();
+        const SessionStatus status = session_->status();
+        if (status.state == SessionState::Failed && status.passes == 0) {
+            return complain(status.error, kExitBadInput);
+        }
+        const auto capture = session_->capture();
+        if (!capture) {
+            return complain(status.error.empty() ? "nothing was rendered" : status.error, kExitFailed);
+        }
+        if (const Status saved = save(*capture); !saved) {
+            return complain(saved.error().format(), kExitFailed);
+        }
+        report(*capture, session_->status());
+        if (status.state == SessionState::Failed) {
+            return complain(status.error, kExitFailed);
+        }
+        return finished ? kExitDone : kExitInterrupted;
+    }
+
+  private:
+    int start() {
+        auto backend = makeBackend(options_.backend, options_.threads);
+        if (!backend) {
+            return complain(backend.error().format(), kExitBadInput);
+        }
+        const Result<AovChoice> aovs = chooseAovs(options_.aovs);
+        if (!aovs) {
+            return complain(aovs.error().format(), kExitBadInput);
+        }
+        aovs_ = *aovs;
+        std::optional<ResumePoint> from;
+        if (!options_.resume.empty()) {
+            Result<ResumePoint> loaded = loadCheckpoint(options_.resume, *scene_);
+            if (!loaded) {
+                return complain(loaded.error().format(), kExitBadInput);
+            }
+            from = std::move(*loaded);
+        }
+        SessionOptions session;
+        session.previews = false;
+        session.snapshots = false;
+        session.lowPriority = false;
+        session.threads = options_.threads;
+        session_ = std::make_unique<RenderSession>(std::move(*backend), session);
+        session_->setLimits(limits_);
+        session_->request(aovs_.aovs, aovs_.standardError);
+        if (from) {
+            session_->resume(scene_, std::move(*from));
+        } else {
+            session_->post({scene_, EditKind::Everything});
+        }
+        return kExitDone;
+    }
+
+    /// True when a limit was reached or the session failed, false when the user interrupted.
+    bool waitUntilDone() {
+        const InterruptGuard interrupt;
+        ProgressLine progress(jsonTakesOutput(options_.json) && isatty(STDERR_FILENO) == 0);
+        auto savedAt = Clock::now();
+        bool finished = false;
+        while (!finished && !interrupt.interrupted()) {
+            const SessionState state = session_->wait(kPollSeconds);
+            finished = state == SessionState::Finished || state == SessionState::Failed;
+            progress.update(session_->status(), limits_);
+            const double sinceSave = std::chrono::duration<double>(Clock::now() - savedAt).count();
+            if (!finished && options_.checkpointEvery > 0.0 && sinceSave >= options_.checkpointEvery) {
+                saveOnTheWay();
+                savedAt = Clock::now();
+            }
+        }
+        progress.finish();
+        return finished;
+    }
+
+    void saveOnTheWay() {
+        const auto capture = session_->capture();
+        if (!capture) {
+            return;
+        }
+        const Status saved =
+            saveCheckpoint(options_.checkpoint, *capture->scene, capture->film, capture->renderSeconds);
+        if (!saved) {
+            // The render is worth more than this save: the one at the end may succeed.
+            logError("{}", saved.error().format());
+        }
+    }
+
+    Status save(const SessionCapture& capture) const {
+        auto snapshot = makeSnapshot(capture.film, aovs_.standardError, options_.threads);
+        snapshot->renderSeconds = capture.renderSeconds;
+        snapshot->relativeError = capture.film.relativeErrorEstimate(options_.threads);
+        snapshot->aovs = std::make_shared<AovFilm>(capture.aovs);
+        PictureOptions picture;
+        picture.exposureStops = options_.exposure;
+        picture.toneMap = toneMapFromName(options_.tone).value_or(ToneMap::Srgb);
+        picture.exrColor = options_.exrFloat ? ExrPixelType::Float : ExrPixelType::Half;
+        picture.aovs = aovs_.aovs;
+        picture.threads = options_.threads;
+        const Status saved = savePicture(options_.output, *snapshot, *capture.scene, picture);
+        // A full disk must not cost the checkpoint too.
+        const Status kept = options_.checkpoint.empty() ? Status()
+                                                        : saveCheckpoint(options_.checkpoint, *capture.scene,
+                                                                         capture.film, capture.renderSeconds);
+        return saved ? kept : saved;
+    }
+
+    void report(const SessionCapture& capture, const SessionStatus& status) const {
+        const double seconds = capture.renderSeconds;
+        const double error = capture.film.relativeErrorEstimate(options_.threads);
+        const double paths = static_cast<double>(capture.film.pixels().size()) * capture.film.passes();
+        if (!jsonTakesOutput(options_.json)) {
+            fmt::print(
+                "{}: {}x{}, {} passes in {:.2f} s ({:.2f} Mpaths/s, {}, kernel {}), relative error {:.2f} "
+                "%\n",
+                options_.output, capture.film.width(), capture.film.height(), capture.film.passes(), seconds,
+                paths / seconds * 1e-6, status.backend, status.kernel, 100.0 * error);
+        }
+        reportFaults(capture.film);
+        if (scene_->options.fireflyClamp > 0.0f) {
+            logWarning("samples were clamped to {} (firefly clamp): the picture is biased",
+                       scene_->options.fireflyClamp);
+        }
+        const Status written = writeJson(options_.json, jsonReport(capture, status, error));
+        if (!written) {
+            logError("{}", written.error().format());
+        }
+    }
+
+    void reportFaults(const Film& film) const {
+        const auto& counts = film.faultCounts();
+        const uint64_t dropped = counts[1] + counts[2] + counts[3];
+        if (dropped == 0) {
+            return;
+        }
+        fmt::print(stderr, "{} samples were dropped: {} not a number, {} infinite, {} negative\n", dropped,
+                   counts[1], counts[2], counts[3]);
+        if (!film.faults().empty()) {
+            const FaultRecord& first = film.faults().front();
+            fmt::print(stderr,
+                       "  look into the first with: glint render {} --pixel {},{} --pass {} --size {}x{} "
+                       "--seed {}\n",
+                       options_.scene, first.x, first.y, first.pass, film.width(), film.height(),
+                       scene_->options.seed);
+        }
+    }
+
+    nlohmann::ordered_json jsonReport(const SessionCapture& capture, const SessionStatus& status,
+                                      double error) const {
+        const Film& film = capture.film;
+        const double paths = static_cast<double>(film.pixels().size()) * film.passes();
+        nlohmann::ordered_json faults = nlohmann::ordered_json::array();
+        for (const FaultRecord& fault : film.faults()) {
+            faults.push_back({{"x", fault.x},
+                              {"y", fault.y},
+                              {"pass", fault.pass},
+                              {"cause", static_cast<int>(fault.fault)}});
+        }
+        return {{"scene", options_.scene},
+                {"output", options_.output},
+                {"width", film.width()},
+                {"height", film.height()},
+                {"passes", film.passes()},
+                {"load_seconds", loadSeconds_},
+                {"build_seconds", status.lastBuildSeconds},
+                {"render_seconds", capture.renderSeconds},
+                {"paths_per_second", paths / capture.renderSeconds},
+                {"rays", film.rays()},
+                {"relative_error", error},
+                {"backend", status.backend},
+                {"kernel", status.kernel},
+                {"seed", scene_->options.seed},
+                {"dropped",
+                 {{"not_a_number", film.faultCounts()[1]},
+                  {"infinite", film.faultCounts()[2]},
+                  {"negative", film.faultCounts()[3]}}},
+                {"dropped_samples", faults},
+                {"firefly_clamp", scene_->options.fireflyClamp}};
+    }
+
+    std::shared_ptr<const SceneDescription> scene_;
+    const RenderCommandOptions& options_;
+    double loadSeconds_;
+    StopLimits limits_;
+    AovChoice aovs_;
+    std::unique_ptr<RenderSession> session_;
+};
+
+}  // namespace
+
+int runRender(std::shared_ptr<const SceneDescription> scene, const RenderCommandOptions& options,
+              double loadSeconds) {
+    return BatchRender(std::move(scene), options, loadSeconds).run();
+}
+
+int runReplay(const SceneDescription& scene, const RenderCommandOptions& options) {
+    const Result<Vec2i> pixel = parsePair(options.pixel, ',', "--pixel");
+    if (!pixel) {
+        return complain(pixel.error().format(), kExitBadInput);
+    }
+    const Resolution& size = scene.resolution;
+    if (pixel->x < 0 || pixel->y < 0 || pixel->x >= size.width || pixel->y >= size.height) {
+        return complain(fmt::format("--pixel {} lies outside the picture of {}x{} pixels", options.pixel,
+                                    size.width, size.height),
+                        kExitBadInput);
+    }
+    const auto built = buildScene({std::make_shared<SceneDescription>(scene), EditKind::Everything}, nullptr,
+                                  options.threads, nullptr, nullptr);
+    if (!built) {
+        return complain(built.error().format(), kExitBadInput);
+    }
+    PassParams params = passParamsOf(scene);
+    params.pass = options.replayPass;
+    const PathReplay replay = replayPath((*built)->view(), params, pixel->x, pixel->y);
+    fmt::print("{}", formatPathLog(replay, params, pixel->x, pixel->y));
+    return kExitDone;
+}
+
+}  // namespace glint

@@ -1,0 +1,20 @@
+// One batch render from a session to its files: progress, checkpoints, Ctrl-C, picture, report.
+#pragma once
+
+#include <memory>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "viewer/commands/render_options.h"
+
+namespace glint {
+
+/// Renders `scene` as `options` say and writes everything they name. Prints its own messages. Returns an exit
+/// code.
+int runRender(std::shared_ptr<const SceneDescription> scene, const RenderCommandOptions& options,
+              double loadSeconds);
+
+/// Prints the path of options.pixel in options.replayPass. Returns an exit code.
+int runReplay(const SceneDescription& scene, const RenderCommandOptions& options);
+
+}  // namespace glint

@@ -1,0 +1,162 @@
+// Memory is what the parts themselves say, or elements times their size.
+#include "viewer/commands/scene_report.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "engine/build/instance_builder.h"
+#include "engine/build/light_table.h"
+#include "engine/build/material_table.h"
+#include "engine/build/texture_table.h"
+#include "engine/render/cpu_variants.h"
+#include "engine/render/film.h"
+
+namespace glint {
+namespace {
+
+struct FeatureName {
+    FeatureMask bit;
+    const char* name;
+};
+constexpr std::array<FeatureName, 22> kFeatureNames{
+    {{kFeatureSphere, "spheres"},
+     {kFeaturePlane, "planes"},
+     {kFeatureFlat, "rectangles and discs"},
+     {kFeatureMesh, "meshes"},
+     {kFeatureMeshNormals, "shading normals"},
+     {kFeatureMeshColors, "vertex colours"},
+     {kFeatureTransforms, "mesh transforms"},
+     {kFeatureFrontOnly, "one-sided objects"},
+     {kFeatureTextures, "textures"},
+     {kFeatureDiffuse, "diffuse"},
+     {kFeatureSpecular, "mirrors and smooth metals"},
+     {kFeatureDielectric, "dielectrics"},
+     {kFeatureGlossy, "rough reflection"},
+     {kFeaturePlastic, "plastic"},
+     {kFeatureMixture, "mixtures"},
+     {kFeatureAreaLights, "area lights"},
+     {kFeatureDeltaLights, "point, spot and directional lights"},
+     {kFeatureEnvironmentConstant, "constant environment"},
+     {kFeatureEnvironmentImage, "environment image"},
+     {kFeatureManyLights, "light tree"},
+     {kFeatureDepthOfField, "depth of field"},
+     {kFeatureIndependentSampler, "independent sampler"}}};
+
+constexpr std::array<const char*, 5> kShapeNames{"sphere", "plane", "rectangle", "disc", "mesh"};
+constexpr std::array<const char*, 6> kMaterialNames{"diffuse",    "mirror",  "conductor",
+                                                    "dielectric", "plastic", "mixture"};
+constexpr std::array<const char*, 3> kLightNames{"point", "spot", "directional"};
+
+template <size_t kCount, class Items, class KindOf>
+std::vector<NamedCount> countByKind(const std::array<const char*, kCount>& names, const Items& items,
+                                    KindOf kindOf) {
+    std::array<uint64_t, kCount> counts{};
+    for (const auto& item : items) {
+        ++counts[static_cast<size_t>(kindOf(item))];
+    }
+    std::vector<NamedCount> out;
+    for (size_t i = 0; i < kCount; ++i) {
+        if (counts[i] > 0) {
+            out.push_back({names[i], counts[i]});
+        }
+    }
+    return out;
+}
+
+uint64_t vertexBytes(const MeshData& mesh) {
+    return mesh.positions.size() * sizeof(Vec3) + mesh.normals.size() * sizeof(Vec3) +
+           mesh.uvs.size() * sizeof(Vec2) + mesh.colors.size() * sizeof(Vec3) +
+           mesh.indices.size() * sizeof(uint32_t);
+}
+
+void countLights(const SceneDescription& scene, const BuiltScene& built, SceneReport* report) {
+    report->lights = countByKind(kLightNames, scene.lights, [](const Light& light) { return light.kind; });
+    const auto emissive = std::ranges::count_if(scene.objects, [&](const Object& object) {
+        return scene.materials[static_cast<size_t>(object.material)].emissive();
+    });
+    if (emissive > 0) {
+        report->lights.push_back({"emissive object", static_cast<uint64_t>(emissive)});
+    }
+    if (scene.environment.emissive()) {
+        report->lights.push_back(
+            {scene.environment.image >= 0 ? "environment image" : "constant environment", 1});
+    }
+    report->lights.push_back({"emitter in the light table", built.lights->emitters.size()});
+}
+
+void countMemory(const SceneDescription& scene, const BuiltScene& built, SceneReport* report) {
+    std::set<const BuiltMesh*> meshes;
+    uint64_t vertices = 0, structures = 0;
+    for (const auto& mesh : built.meshes) {
+        if (meshes.insert(mesh.get()).second) {
+            vertices += vertexBytes(*mesh->data);
+            structures += mesh->accelerationBytes();
+        }
+    }
+    const auto pixels =
+        static_cast<uint64_t>(scene.resolution.width) * static_cast<uint64_t>(scene.resolution.height);
+    report->memory = {{"vertices and indices", vertices},
+                      {"acceleration structures of meshes", structures},
+                      {"instances and top level", built.instances->bytes()},
+                      {"materials", built.materials->bytes()},
+                      {"textures", built.textures->bytes()},
+                      {"lights", built.lights->bytes()},
+                      {"film", pixels * sizeof(FilmPixel)},
+                      {"pass buffer", pixels * sizeof(PixelSample)}};
+    for (const NamedCount& part : report->memory) {
+        report->memoryTotal += part.count;
+    }
+}
+
+void listWhatIsLeftOut(FeatureMask compiled, const SceneDescription& scene, const BuiltScene& built,
+                       SceneReport* report) {
+    for (const std::string& name : featureNames(kAllFeatures & ~compiled)) {
+        report->leftOut.push_back("kernel: " + name);
+    }
+    const size_t unused =
+        scene.textures.size() - std::min(scene.textures.size(), built.textures->textures.size());
+    if (unused > 0) {
+        report->leftOut.push_back("textures that no object uses: " + std::to_string(unused));
+    }
+    report->leftOut.emplace_back("AOV buffers, until one is asked for");
+}
+
+}  // namespace
+
+std::vector<std::string> featureNames(FeatureMask mask) {
+    std::vector<std::string> names;
+    for (const FeatureName& feature : kFeatureNames) {
+        if ((mask & feature.bit) != 0) {
+            names.emplace_back(feature.name);
+        }
+    }
+    return names;
+}
+
+SceneReport reportOf(const SceneDescription& scene, const BuiltScene& built) {
+    SceneReport report;
+    report.objects =
+        countByKind(kShapeNames, scene.objects, [](const Object& object) { return object.shape; });
+    report.materials =
+        countByKind(kMaterialNames, scene.materials, [](const Material& material) { return material.kind; });
+    report.meshes = scene.meshes.size();
+    for (const Mesh& mesh : scene.meshes) {
+        report.triangles += mesh.data->triangleCount();
+    }
+    for (const Object& object : scene.objects) {
+        if (object.shape == ShapeKind::Mesh) {
+            report.placedTriangles += scene.meshes[static_cast<size_t>(object.mesh)].data->triangleCount();
+        }
+    }
+    report.textures = scene.textures.size();
+    countLights(scene, built, &report);
+    report.features = featureNames(built.features);
+    const KernelVariant& variant = chooseVariant(built.features);
+    report.kernel = variant.name;
+    listWhatIsLeftOut(variant.mask, scene, built, &report);
+    countMemory(scene, built, &report);
+    return report;
+}
+
+}  // namespace glint
