@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <stb/stb_image.h>
@@ -11,12 +13,18 @@
 
 #include "engine/io/atomic_file.h"
 #include "engine/io/exr_io.h"
+#include "engine/io/hdr_check.h"
 #include "engine/math/color.h"
 
 namespace glint {
 namespace {
 
 constexpr const char* kExpectedFormats = "expected PNG, JPEG, BMP, TGA, HDR or EXR";
+
+/// Bounds on compression, so that a small file cannot ask for much memory and time. Deflate reaches 1032 : 1
+/// and a PNG pixel takes at least a bit. An HDR run of at most 127 bytes takes 2, and a pixel has 4.
+constexpr uint64_t kMostPixelsPerByte = 8 * 1032;
+constexpr uint64_t kMostHdrPixelsPerByte = 16;
 
 Error imageError(const std::string& path, std::string message) {
     return {std::move(message), {.file = path}};
@@ -26,6 +34,19 @@ const stbi_uc* stbBytes(const std::string& bytes) { return reinterpret_cast<cons
 
 bool looksLikeHdr(const std::string& bytes) {
     return stbi_is_hdr_from_memory(stbBytes(bytes), static_cast<int>(bytes.size())) != 0;
+}
+
+/// Why stb_image found no header: it says "unknown type" also of known types whose header is wrong.
+std::string unreadableReason(const std::string& bytes) {
+    static constexpr std::pair<std::string_view, const char*> kKinds[] = {
+        {"\x89PNG", "PNG"}, {"\xff\xd8\xff", "JPEG"}, {"BM", "BMP"}, {"#?", "HDR"}, {"GIF8", "GIF"}};
+    for (const auto& [magic, kind] : kKinds) {
+        if (bytes.starts_with(magic)) {
+            return fmt::format("is a broken {} image, or a too large one; at most {} pixels are read", kind,
+                               kMaxImagePixels);
+        }
+    }
+    return fmt::format("is not an image that can be read; {}", kExpectedFormats);
 }
 
 /// Checks the size that the header states, before stb allocates for it.
@@ -42,15 +63,23 @@ Status checkHeader(const std::string& bytes, const std::string& path) {
     int channels = 0;
     if (stbi_info_from_memory(stbBytes(bytes), static_cast<int>(bytes.size()), &width, &height, &channels) ==
         0) {
-        return imageError(path, fmt::format("is not an image that can be read ({}); {}",
-                                            stbi_failure_reason(), kExpectedFormats));
+        return imageError(path, unreadableReason(bytes));
     }
     if (width <= 0 || height <= 0) {
         return imageError(path, fmt::format("the image has no pixels ({} x {})", width, height));
     }
-    if (static_cast<uint64_t>(width) * static_cast<uint64_t>(height) > kMaxImagePixels) {
+    const uint64_t pixels = static_cast<uint64_t>(width) * static_cast<uint64_t>(height);
+    if (pixels > kMaxImagePixels) {
         return imageError(path, fmt::format("the image is too large ({} x {}); at most {} pixels are read",
                                             width, height, kMaxImagePixels));
+    }
+    if (pixels / (looksLikeHdr(bytes) ? kMostHdrPixelsPerByte : kMostPixelsPerByte) > bytes.size()) {
+        return imageError(
+            path, fmt::format("the image is broken or cut off: {} x {} pixels cannot be in {} bytes", width,
+                              height, bytes.size()));
+    }
+    if (looksLikeHdr(bytes) && !hdrPixelsAreWhole(bytes, width, height)) {
+        return imageError(path, "the image is broken or cut off (not all of its pixels are there)");
     }
     return {};
 }
