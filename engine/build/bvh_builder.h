@@ -7,31 +7,38 @@
 
 #include <cstdint>
 #include <functional>
-#include <vector>
 
+#include "engine/base/huge_pages.h"
 #include "engine/kernels/bvh_nodes.h"
 #include "engine/math/bounds.h"
 
 namespace glint {
 
 /// A box to sort into the tree, and whose it is.
-struct BuildPrimitive {
-    Bounds bounds;  ///< finite, not empty
-    uint32_t index = 0;
+struct alignas(16) BuildPrimitive {
+    Vec3 lo;  ///< finite, not above hi
+    uint32_t index;
+    Vec3 hi;
+    uint32_t unused;
 };
 
-/// A node over primitives [begin, end). An inner node's left child is the next node, the right one `right`.
+inline BuildPrimitive makeBuildPrimitive(const Bounds& bounds, uint32_t index) {
+    return {bounds.lo, index, bounds.hi, 0};
+}
+
+/// A node over primitives [begin, end), without default values: trees leave room for slots that they never
+/// use. An inner node's left child is the next node, the right one `right`.
 struct BinaryNode {
-    Bounds bounds;
-    uint32_t begin = 0;
-    uint32_t end = 0;
-    uint32_t right = 0;  ///< 0: a leaf
+    Vec3 lo, hi;
+    uint32_t begin, end;
+    uint32_t right;  ///< 0: a leaf
 
     bool leaf() const { return right == 0; }
+    Bounds bounds() const { return {lo, hi}; }
 };
 
 struct BinaryTree {
-    std::vector<BinaryNode> nodes;  ///< nodes[0] is the root; sparse: subtrees keep room for their worst case
+    HugeVector<BinaryNode> nodes;  ///< nodes[0] is the root; sparse: subtrees keep room for their worst case
 };
 
 struct BvhOptions {
@@ -43,15 +50,15 @@ struct BvhOptions {
 };
 
 /// Reorders `primitives` so that every node's are neighbours. Needs at least one.
-BinaryTree buildBinaryTree(std::vector<BuildPrimitive>* primitives, const BvhOptions& options);
+BinaryTree buildBinaryTree(HugeVector<BuildPrimitive>* primitives, const BvhOptions& options);
 
 /// Turns leaf contents into a child reference (makeLeaf); called in depth-first order.
 using EmitLeaf = std::function<uint32_t(const BinaryNode& leaf)>;
 
 /// Collapses the tree to wide nodes in depth-first order; node 0 is the root.
-std::vector<WideNode> collapseTree(const BinaryTree& tree, const EmitLeaf& emitLeaf);
+HugeVector<WideNode> collapseTree(const BinaryTree& tree, const EmitLeaf& emitLeaf);
 
 /// The most entries a traversal of the nodes can have on its stack.
-uint32_t traversalStackNeed(const std::vector<WideNode>& nodes);
+uint32_t traversalStackNeed(const HugeVector<WideNode>& nodes);
 
 }  // namespace glint

@@ -11,7 +11,7 @@ class Collapser {
   public:
     Collapser(const BinaryTree& tree, const EmitLeaf& emitLeaf) : tree_(tree), emitLeaf_(emitLeaf) {}
 
-    std::vector<WideNode> run() {
+    HugeVector<WideNode> run() {
         collapse(0);
         return std::move(nodes_);
     }
@@ -32,7 +32,7 @@ class Collapser {
         for (int i = 0; i < count; ++i) {
             const BinaryNode& child = tree_.nodes[children[i]];
             const uint32_t reference = child.leaf() ? emitLeaf_(child) : collapse(children[i]);
-            setChild(&nodes_[index], i, child.bounds, reference);
+            setChild(&nodes_[index], i, child.bounds(), reference);
         }
         return index;
     }
@@ -42,7 +42,7 @@ class Collapser {
         float bestArea = -1.0f;
         for (int i = 0; i < count; ++i) {
             const BinaryNode& node = tree_.nodes[children[i]];
-            const float area = node.bounds.halfArea();
+            const float area = node.bounds().halfArea();
             if (!node.leaf() && area > bestArea) {
                 best = i;
                 bestArea = area;
@@ -70,18 +70,18 @@ class Collapser {
 
     const BinaryTree& tree_;
     const EmitLeaf& emitLeaf_;
-    std::vector<WideNode> nodes_;
+    HugeVector<WideNode> nodes_;
 };
 
 bool used(const WideNode& node, int slot) { return node.bounds[0][slot] <= node.bounds[1][slot]; }
 
 }  // namespace
 
-std::vector<WideNode> collapseTree(const BinaryTree& tree, const EmitLeaf& emitLeaf) {
+HugeVector<WideNode> collapseTree(const BinaryTree& tree, const EmitLeaf& emitLeaf) {
     return Collapser(tree, emitLeaf).run();
 }
 
-uint32_t traversalStackNeed(const std::vector<WideNode>& nodes) {
+uint32_t traversalStackNeed(const HugeVector<WideNode>& nodes) {
     // Parents come before their children, so one sweep from the back has every child's need at hand.
     std::vector<uint32_t> need(nodes.size(), 0);
     for (size_t n = nodes.size(); n-- > 0;) {

@@ -49,7 +49,7 @@ InstanceData makeInstance(const Object& object, uint32_t firstEmitter) {
     return instance;
 }
 
-void buildTopLevel(InstanceTable* table, std::vector<BuildPrimitive>* boxes, bool balanced) {
+void buildTopLevel(InstanceTable* table, HugeVector<BuildPrimitive>* boxes, bool balanced) {
     BvhOptions options;
     options.balanced = balanced;
     const BinaryTree tree = buildBinaryTree(boxes, options);
@@ -78,7 +78,7 @@ std::shared_ptr<const InstanceTable> buildInstances(
     const std::vector<uint32_t>& firstEmitter) {
     auto table = std::make_shared<InstanceTable>();
     for (const auto& mesh : meshes) table->meshes.push_back(mesh->view());
-    std::vector<BuildPrimitive> boxes;
+    HugeVector<BuildPrimitive> boxes;
     for (uint32_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
         table->instances.push_back(makeInstance(object, firstEmitter.empty() ? kNone : firstEmitter[i]));
@@ -89,8 +89,9 @@ std::shared_ptr<const InstanceTable> buildInstances(
         const bool isMesh = object.shape == ShapeKind::Mesh;
         if (isMesh && table->meshes[static_cast<size_t>(object.mesh)].triangleCount == 0) continue;
         const Bounds meshBounds = isMesh ? table->meshes[static_cast<size_t>(object.mesh)].bounds : Bounds{};
-        boxes.push_back({worldBounds(object, meshBounds), i});
-        table->bounds.grow(boxes.back().bounds);
+        const Bounds box = worldBounds(object, meshBounds);
+        boxes.push_back(makeBuildPrimitive(box, i));
+        table->bounds.grow(box);
     }
     if (boxes.empty()) {
         table->bounds = {Vec3(0.0f), Vec3(0.0f)};

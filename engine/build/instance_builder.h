@@ -14,7 +14,7 @@ namespace glint {
 struct InstanceTable {
     std::vector<InstanceData> instances;  ///< same indices as SceneDescription::objects
     std::vector<MeshView> meshes;         ///< same indices as SceneDescription::meshes
-    std::vector<WideNode> topNodes;       ///< over all finite instances that are not empty
+    HugeVector<WideNode> topNodes;        ///< over all finite instances that are not empty
     std::vector<uint32_t> topInstances;
     std::vector<uint32_t> planes;
     Bounds bounds;  ///< of the finite instances; a single point at 0 when there are none

@@ -81,21 +81,23 @@ class ClusterWriter {
     uint32_t vertices_ = 0;
 };
 
-std::vector<BuildPrimitive> trianglePrimitives(const MeshData& data, int threads) {
-    std::vector<BuildPrimitive> primitives(data.triangleCount());
+HugeVector<BuildPrimitive> trianglePrimitives(const MeshData& data, int threads) {
+    HugeVector<BuildPrimitive> primitives(data.triangleCount());
     parallelChunks(data.triangleCount(), 1 << 16, threads, [&](int64_t begin, int64_t end) {
         for (int64_t i = begin; i < end; ++i) {
             const uint32_t triangle = static_cast<uint32_t>(i);
-            primitives[triangle] = {paddedBounds(data, triangle), triangle};
+            primitives[triangle] = makeBuildPrimitive(paddedBounds(data, triangle), triangle);
         }
     });
     return primitives;
 }
 
-void buildAcceleration(BuiltMesh* mesh, std::vector<BuildPrimitive>* primitives, const BvhOptions& options) {
+void buildAcceleration(BuiltMesh* mesh, HugeVector<BuildPrimitive>* primitives, const BvhOptions& options) {
     mesh->clusters.clear();
     mesh->clusterPrimitives.clear();
     const BinaryTree tree = buildBinaryTree(primitives, options);
+    mesh->clusters.reserve(primitives->size() / 2);
+    mesh->clusterPrimitives.reserve(primitives->size());
     ClusterWriter writer(mesh);
     mesh->nodes = collapseTree(tree, [&](const BinaryNode& leaf) {
         return writer.write(primitives->data() + leaf.begin, primitives->data() + leaf.end);
@@ -130,7 +132,7 @@ size_t BuiltMesh::accelerationBytes() const {
 std::shared_ptr<const BuiltMesh> buildMesh(std::shared_ptr<const MeshData> data, int threads) {
     auto mesh = std::make_shared<BuiltMesh>();
     mesh->data = std::move(data);
-    std::vector<BuildPrimitive> primitives = trianglePrimitives(*mesh->data, threads);
+    HugeVector<BuildPrimitive> primitives = trianglePrimitives(*mesh->data, threads);
     if (primitives.empty()) return mesh;
     for (uint32_t index : mesh->data->indices) mesh->bounds.grow(mesh->data->positions[index]);
 

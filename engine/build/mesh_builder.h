@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "engine/base/huge_pages.h"
 #include "engine/kernels/bvh_nodes.h"
 #include "engine/scene/mesh_data.h"
 
@@ -13,8 +14,8 @@ namespace glint {
 
 struct BuiltMesh {
     std::shared_ptr<const MeshData> data;
-    std::vector<WideNode> nodes;  ///< empty when the mesh has no triangles
-    std::vector<TriangleCluster> clusters;
+    HugeVector<WideNode> nodes;  ///< empty when the mesh has no triangles
+    HugeVector<TriangleCluster> clusters;
     std::vector<uint32_t> clusterPrimitives;
     Bounds bounds;  ///< of the vertices that triangles use
 
