@@ -4,6 +4,7 @@
 // stratified.
 #pragma once
 
+#include "engine/math/rng.h"
 #include "engine/math/vec.h"
 
 namespace glint {
@@ -84,7 +85,7 @@ GLINT_HD inline Vec2 sampleTriangle(Vec2 u) {
 GLINT_HD inline Vec2 sampleRegularPolygon(Vec2 u, int sides, float rotationRad) {
     const float scaled = u.x * static_cast<float>(sides);
     const float side = std::fmin(std::floor(scaled), static_cast<float>(sides - 1));
-    const Vec2 weights = sampleTriangle({std::fmin(scaled - side, 0x1.fffffep-1f), u.y});
+    const Vec2 weights = sampleTriangle({std::fmin(scaled - side, kOneMinusEpsilon), u.y});
     const float step = kTwoPi / static_cast<float>(sides);
     const float first = rotationRad + step * side;
     const float second = first + step;
