@@ -1,0 +1,66 @@
+// Every array that a SceneView points to, listed once, with its length.
+//
+// device_scene.cpp walks the list to upload and to redirect each pointer. A kernel view that gains a pointer
+// changes its size, and the assertions here ask for the new entry.
+#pragma once
+
+#include "engine/kernels/bvh_nodes.h"
+#include "engine/kernels/scene_view.h"
+
+namespace glint {
+
+/// Calls visit(pointer, count) with a reference to each pointer of a mesh. `mesh` must point to host memory,
+/// since one length is known from the last cluster only.
+template <class Visit>
+void forEachArray(MeshView& mesh, Visit&& visit) {
+    static_assert(sizeof(MeshView) == 104, "list a new array of MeshView below");
+    size_t primitives = 0;
+    if (mesh.clusterCount != 0) {
+        const TriangleCluster& last = mesh.clusters[mesh.clusterCount - 1];
+        primitives = size_t{last.firstPrimitive} + last.count;
+    }
+    visit(mesh.clusterPrimitives, primitives);
+    visit(mesh.nodes, size_t{mesh.nodeCount});
+    visit(mesh.clusters, size_t{mesh.clusterCount});
+    visit(mesh.positions, size_t{mesh.vertexCount});
+    visit(mesh.indices, 3 * size_t{mesh.triangleCount});
+    visit(mesh.normals, size_t{mesh.vertexCount});
+    visit(mesh.uvs, size_t{mesh.vertexCount});
+    visit(mesh.colors, size_t{mesh.vertexCount});
+}
+
+template <class Visit>
+void forEachArray(TextureView& texture, Visit&& visit) {
+    static_assert(sizeof(TextureView) == 40, "list a new array of TextureView below");
+    const size_t values = 3 * static_cast<size_t>(texture.width) * static_cast<size_t>(texture.height);
+    visit(texture.bytes, values);
+    visit(texture.floats, values);
+}
+
+template <class Visit>
+void forEachArray(EnvironmentView& environment, Visit&& visit) {
+    static_assert(sizeof(EnvironmentView) == 40, "list a new array of EnvironmentView below");
+    const size_t width = static_cast<size_t>(environment.width);
+    const size_t height = static_cast<size_t>(environment.height);
+    visit(environment.texels, 3 * width * height);
+    visit(environment.rowCdf, height + 1);
+    visit(environment.columnCdf, height * (width + 1));
+}
+
+/// The scene's own arrays but for the tables of meshes and textures, whose entries hold pointers themselves.
+template <class Visit>
+void forEachArray(SceneView& view, Visit&& visit) {
+    static_assert(sizeof(GeometryView) == 104 && sizeof(LightView) == 112, "list a new array below");
+    const auto visitView = [&](auto& array) { visit(array.data, size_t{array.count}); };
+    visitView(view.geometry.instances);
+    visitView(view.geometry.topNodes);
+    visitView(view.geometry.topInstances);
+    visitView(view.geometry.planes);
+    visitView(view.materials);
+    visitView(view.lights.emitters);
+    visitView(view.lights.nodes);
+    visitView(view.lights.emitterNodes);
+    forEachArray(view.lights.environment, visit);
+}
+
+}  // namespace glint
