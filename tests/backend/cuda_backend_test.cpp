@@ -1,0 +1,182 @@
+// The CUDA back end without a GPU: the kernels that nvcc compiled, run on the host over the uploaded layout,
+// must give the CPU back end's samples bit for bit, since both compile the same arithmetic without
+// contraction.
+#include <gtest/gtest.h>
+
+#if GLINT_HAS_CUDA
+
+#include <bit>
+
+#include "cuda/cuda_backend.h"
+#include "engine/build/scene_builder.h"
+#include "engine/render/pass_params.h"
+#include "tests/support/host_device.h"
+#include "tests/support/test_scenes.h"
+
+namespace glint {
+namespace {
+
+using test::HostDevice;
+using test::HostDeviceControl;
+
+std::shared_ptr<const BuiltScene> build(const SceneDescription& description) {
+    const SceneEdit edit{std::make_shared<SceneDescription>(description), EditKind::Everything};
+    auto scene = buildScene(edit, nullptr, 0, nullptr, nullptr);
+    EXPECT_TRUE(scene) << scene.error().message;
+    return *scene;
+}
+
+struct TestBackend {
+    std::shared_ptr<HostDeviceControl> control = std::make_shared<HostDeviceControl>();
+    std::unique_ptr<Backend> backend = makeCudaBackend(std::make_unique<HostDevice>(control));
+};
+
+/// Bits, so that NaN equals itself and -0 does not equal 0.
+auto bitsOf(const Vec3& v) {
+    return std::array{std::bit_cast<uint32_t>(v.x), std::bit_cast<uint32_t>(v.y),
+                      std::bit_cast<uint32_t>(v.z)};
+}
+auto bitsOf(const PixelSample& s) { return std::tuple(bitsOf(s.radiance), s.fault, s.rays); }
+auto bitsOf(const AovSample& s) {
+    return std::tuple(bitsOf(s.albedo), bitsOf(s.shadingNormal), bitsOf(s.geometricNormal),
+                      std::bit_cast<uint32_t>(s.depth), s.objectId, s.materialId);
+}
+
+template <class Sample>
+size_t countDifferences(const std::vector<Sample>& a, const std::vector<Sample>& b) {
+    EXPECT_EQ(a.size(), b.size());
+    size_t differences = 0;
+    for (size_t i = 0; i < std::min(a.size(), b.size()); ++i) differences += bitsOf(a[i]) != bitsOf(b[i]);
+    return differences;
+}
+
+class CudaScenes : public testing::TestWithParam<test::NamedScene> {};
+
+TEST_P(CudaScenes, SamplesEqualTheCpusBitForBit) {
+    SceneDescription description = GetParam().scene;
+    description.resolution = {67, 45};  // no multiple of the launch's tiles
+    const auto scene = build(description);
+    TestBackend cuda;
+    const auto cpu = makeCpuBackend(0);
+    ASSERT_TRUE(cuda.backend->setScene(scene));
+    ASSERT_TRUE(cpu->setScene(scene));
+
+    const std::atomic<bool> stop{false};
+    PassParams params = passParamsOf(description);
+    for (params.pass = 0; params.pass < 2; ++params.pass) {
+        std::vector<PixelSample> fromCuda;
+        std::vector<PixelSample> fromCpu;
+        ASSERT_TRUE(cuda.backend->renderPass(params, stop, &fromCuda));
+        ASSERT_TRUE(cpu->renderPass(params, stop, &fromCpu));
+        EXPECT_EQ(countDifferences(fromCuda, fromCpu), 0u);
+        Vec3 sum(0.0f);
+        for (const PixelSample& s : fromCpu) sum += s.radiance;
+        EXPECT_EQ(maxComponent(sum) > 0.0f, GetParam().name != "darkness");
+    }
+    std::vector<AovSample> aovsFromCuda;
+    std::vector<AovSample> aovsFromCpu;
+    ASSERT_TRUE(cuda.backend->renderAovPass(params, stop, &aovsFromCuda));
+    ASSERT_TRUE(cpu->renderAovPass(params, stop, &aovsFromCpu));
+    EXPECT_EQ(countDifferences(aovsFromCuda, aovsFromCpu), 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, CudaScenes, testing::ValuesIn(test::allTestScenes()),
+                         [](const auto& info) { return info.param.name; });
+
+TEST(CudaBackend, TheTestScenesNeedEveryFeature) {
+    FeatureMask needed = 0;
+    for (const test::NamedScene& scene : test::allTestScenes()) {
+        needed |= build(scene.scene)->features;
+        if (scene.scene.options.sampler == SamplerKind::Independent) needed |= kFeatureIndependentSampler;
+    }
+    EXPECT_EQ(needed, kAllFeatures);
+}
+
+TEST(CudaBackend, TheSmallestVariantRuns) {
+    TestBackend cuda;
+    const std::atomic<bool> stop{false};
+    std::vector<PixelSample> out;
+    const SceneDescription cornell = test::cornellBox();
+    ASSERT_TRUE(cuda.backend->setScene(build(cornell)));
+    ASSERT_TRUE(cuda.backend->renderPass(passParamsOf(cornell), stop, &out));
+    EXPECT_EQ(cuda.control->lastVariant, "diffuse shapes");
+    EXPECT_EQ(cuda.backend->kernelName(), "diffuse shapes");
+    // A setting of the pass can ask for more than the scene.
+    PassParams independent = passParamsOf(cornell);
+    independent.sampler = SamplerTag::Independent;
+    ASSERT_TRUE(cuda.backend->renderPass(independent, stop, &out));
+    EXPECT_EQ(cuda.control->lastVariant, "full");
+}
+
+TEST(CudaBackend, EveryVariantHoldsTheOneBefore) {
+    FeatureMask before = 0;
+    for (const CudaVariant& variant : cudaVariants()) {
+        EXPECT_EQ(before & ~variant.mask, 0u) << variant.name;
+        EXPECT_STREQ(chooseCudaVariant(variant.mask).name, variant.name);
+        before = variant.mask;
+    }
+    EXPECT_EQ(before, kAllFeatures);
+}
+
+TEST(CudaBackend, AStopDiscardsThePassAfterTheLaunchInFlight) {
+    TestBackend cuda;
+    SceneDescription description = test::darkness();
+    description.resolution = {512, 512};
+    ASSERT_TRUE(cuda.backend->setScene(build(description)));
+    std::atomic<bool> stop{false};
+    cuda.control->onLaunch = [&] { stop = true; };
+    std::vector<PixelSample> out;
+    const auto finished = cuda.backend->renderPass(passParamsOf(description), stop, &out);
+    ASSERT_TRUE(finished);
+    EXPECT_FALSE(*finished);
+    EXPECT_EQ(cuda.control->launches, 1);
+    EXPECT_TRUE(out.empty());
+}
+
+TEST(CudaBackend, AFailedLaunchIsAnErrorAndTheNextPassMayWork) {
+    TestBackend cuda;
+    const SceneDescription description = test::cornellBox();
+    const std::atomic<bool> stop{false};
+    std::vector<PixelSample> out;
+    EXPECT_FALSE(cuda.backend->renderPass(passParamsOf(description), stop, &out)) << "without a scene";
+    ASSERT_TRUE(cuda.backend->setScene(build(description)));
+    cuda.control->failLaunch = 0;
+    const auto failed = cuda.backend->renderPass(passParamsOf(description), stop, &out);
+    ASSERT_FALSE(failed);
+    EXPECT_EQ(failed.error().message, "the test device failed");
+    EXPECT_TRUE(cuda.backend->renderPass(passParamsOf(description), stop, &out));
+}
+
+TEST(CudaBackend, APictureThatDoesNotFitIsAnErrorBeforeItIsTaken) {
+    TestBackend cuda;
+    SceneDescription description = test::cornellBox();
+    description.resolution = {1024, 1024};
+    ASSERT_TRUE(cuda.backend->setScene(build(description)));
+    cuda.control->memoryBytes = cuda.control->taken() + 1024 * 1024;
+    const int allocations = cuda.control->allocations;
+    const std::atomic<bool> stop{false};
+    std::vector<PixelSample> out;
+    const auto failed = cuda.backend->renderPass(passParamsOf(description), stop, &out);
+    ASSERT_FALSE(failed);
+    EXPECT_NE(failed.error().message.find("picture needs"), std::string::npos) << failed.error().message;
+    EXPECT_EQ(cuda.control->allocations, allocations);
+}
+
+TEST(CudaBackend, GivesAllMemoryBack) {
+    TestBackend cuda;
+    const SceneDescription description = test::meshInstances();
+    const std::atomic<bool> stop{false};
+    std::vector<PixelSample> out;
+    ASSERT_TRUE(cuda.backend->setScene(build(description)));
+    ASSERT_TRUE(cuda.backend->renderPass(passParamsOf(description), stop, &out));
+    EXPECT_GT(cuda.control->taken(), 0u);
+    cuda.backend.reset();
+    EXPECT_EQ(cuda.control->taken(), 0u);
+}
+
+}  // namespace
+}  // namespace glint
+
+#else
+TEST(CudaBackend, NotBuilt) { GTEST_SKIP() << "this build has no CUDA back end (GLINT_CUDA)"; }
+#endif
