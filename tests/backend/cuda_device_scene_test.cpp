@@ -30,7 +30,10 @@ std::shared_ptr<const BuiltScene> build(const SceneDescription& description,
 SceneDescription fullScene() {
     SceneDescription scene = test::allMaterials();
     const SceneDescription meshes = test::meshInstances();
-    scene.meshes.push_back({"large", {}, test::bumpySphere(60, 120, true)});
+    Mesh mesh;
+    mesh.name = "large";
+    mesh.data = test::bumpySphere(60, 120, true);
+    scene.meshes.push_back(mesh);
     scene.environmentImages = meshes.environmentImages;
     scene.environment = meshes.environment;
     Object object = meshes.objects.front();
