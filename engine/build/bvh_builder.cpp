@@ -3,7 +3,7 @@
 #include "engine/build/bvh_builder.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 
 #include "engine/base/parallel.h"
 #include "engine/build/lanes4.h"
@@ -33,34 +33,48 @@ struct Box4 {
 
 struct Bin {
     Box4 bounds;
-    uint32_t count = 0;
+    uint32_t count;
 };
 
 struct Split {
-    float cost = kInfinity;  // sum of half area times primitives over both sides
+    float cost = kInfinity;  // sum over both sides of half area times leaves
     int axis = -1;
     int bin = 0;  // the left side takes bins below this one
+};
+
+/// The boxes of some primitives and of their centres, doubled.
+struct Extent {
+    Box4 bounds;
+    Box4 doubledCenters;
+
+    void grow(const BuildPrimitive& p) {
+        bounds.grow(p);
+        const Lanes4 center = Lanes4::load(&p.lo.x) + Lanes4::load(&p.hi.x);
+        doubledCenters.grow(Box4{center, center});
+    }
 };
 
 /// Maps a box to a bin by its centre, the same way when binning and when partitioning.
 struct BinMap {
     Lanes4 origin;
     Lanes4 scale;
+    int count;  ///< of bins: few primitives do not need many
 
-    BinMap(const Vec3& lowestDoubledCenter, const Vec3& highestDoubledCenter) {
-        const Vec3 extent = highestDoubledCenter - lowestDoubledCenter;
+    BinMap(const Box4& doubledCenters, uint32_t primitives) {
+        count = static_cast<int>(std::min<uint32_t>(kBins, 6 + primitives / 16));
+        const Vec3 extent = doubledCenters.hi.xyz() - doubledCenters.lo.xyz();
         Vec3 s(0.0f);
         for (int axis = 0; axis < 3; ++axis) {
-            const float perBin = 0.9999f * kBins / extent[axis];
+            const float perBin = 0.9999f * static_cast<float>(count) / extent[axis];
             if (extent[axis] > 0.0f && perBin < kInfinity) s[axis] = perBin;
         }
-        origin = Lanes4::of(lowestDoubledCenter);
+        origin = doubledCenters.lo;
         scale = Lanes4::of(s);
     }
     /// Bins along x, y and z; the fourth number means nothing.
     void bins(const BuildPrimitive& p, int32_t bin[4]) const {
         const Lanes4 center = Lanes4::load(&p.lo.x) + Lanes4::load(&p.hi.x);
-        ((center - origin) * scale).storeClampedInts(0, kBins - 1, bin);
+        ((center - origin) * scale).storeClampedInts(0, count - 1, bin);
     }
     bool splits(int axis) const { return scale.xyz()[axis] > 0.0f; }
     bool empty() const { return isZero(scale.xyz()); }
@@ -69,66 +83,68 @@ struct BinMap {
 class Builder {
   public:
     Builder(HugeVector<BuildPrimitive>* primitives, const BvhOptions& options, HugeVector<BinaryNode>* nodes)
-        : primitives_(primitives->data()), options_(options), nodes_(nodes->data()) {}
+        : primitives_(primitives->data()),
+          options_(options),
+          leavesPerPrimitive_(1.0f / static_cast<float>(options.leafPrimitives)),
+          nodes_(nodes->data()) {}
+
+    Extent extentOf(uint32_t begin, uint32_t end) const {
+        Extent extent;
+        for (uint32_t i = begin; i < end; ++i) extent.grow(primitives_[i]);
+        return extent;
+    }
 
     /// Subtree over [begin, end) with its root in `slot`; it uses at most 2 * count - 1 slots from there on.
-    void build(uint32_t slot, uint32_t begin, uint32_t end) {
+    void build(uint32_t slot, uint32_t begin, uint32_t end, const Extent& extent) {
         BinaryNode& node = nodes_[slot];
-        node.begin = begin;
-        node.end = end;
-        Box4 bounds;
-        Box4 doubledCenters;
-        for (uint32_t i = begin; i < end; ++i) {
-            const BuildPrimitive& p = primitives_[i];
-            bounds.grow(p);
-            const Lanes4 center = Lanes4::load(&p.lo.x) + Lanes4::load(&p.hi.x);
-            doubledCenters.grow(Box4{center, center});
-        }
-        node.lo = bounds.lo.xyz();
-        node.hi = bounds.hi.xyz();
-        node.right = 0;
-        const uint32_t middle = split(node, {doubledCenters.lo.xyz(), doubledCenters.hi.xyz()});
-        if (middle == begin) return;
-        node.right = slot + 2 * (middle - begin);
-        const uint32_t right = node.right;
+        node = {extent.bounds.lo.xyz(), extent.bounds.hi.xyz(), begin, end, 0};
+        if (end - begin <= options_.leafPrimitives) return;
+        Extent left, right;
+        const uint32_t middle = split(node, extent.doubledCenters, &left, &right);
+        const uint32_t rightSlot = slot + 2 * (middle - begin);
+        node.right = rightSlot;
         if (end - begin >= 2 * kTaskPrimitives) {
-#pragma omp task default(none) firstprivate(slot, begin, middle)
-            build(slot + 1, begin, middle);
-            build(right, middle, end);
+#pragma omp task default(none) firstprivate(slot, begin, middle, left)
+            build(slot + 1, begin, middle, left);
         } else {
-            build(slot + 1, begin, middle);
-            build(right, middle, end);
+            build(slot + 1, begin, middle, left);
         }
+        build(rightSlot, middle, end, right);
     }
 
   private:
-    /// Partitions the node's primitives and returns where the right side begins, or begin for a leaf.
-    uint32_t split(const BinaryNode& node, const Bounds& doubledCenters) {
-        const uint32_t count = node.end - node.begin;
-        if (count == 1) return node.begin;
-        const uint32_t middle = node.begin + count / 2;
-        const BinMap map(doubledCenters.lo, doubledCenters.hi);
-        if (options_.balanced || map.empty()) {
-            const bool leaf = count <= options_.maxLeafPrimitives;
-            if (!leaf && options_.balanced) sortAround(node, middle, doubledCenters);
-            return leaf ? node.begin : middle;
-        }
-        const Split best = findSplit(node, map);
-        const float leafCost = node.bounds().halfArea() * static_cast<float>(count);
-        const float splitCost = best.cost + 2.0f * options_.traversalCost * node.bounds().halfArea();
-        if (count <= options_.maxLeafPrimitives && !(splitCost < leafCost)) return node.begin;
-        if (best.axis < 0) return middle;
-        const BuildPrimitive* right =
-            std::partition(primitives_ + node.begin, primitives_ + node.end, [&](const BuildPrimitive& p) {
-                int32_t bin[4];
-                map.bins(p, bin);
-                return bin[best.axis] < best.bin;
-            });
-        return static_cast<uint32_t>(right - primitives_);
+    /// Partitions the node's primitives and returns where the right side begins; both sides get some.
+    uint32_t split(const BinaryNode& node, const Box4& doubledCenters, Extent* left, Extent* right) {
+        const BinMap map(doubledCenters, node.end - node.begin);
+        Split best;
+        if (!options_.balanced && !map.empty()) best = findSplit(node, map);
+        if (best.axis >= 0) return partition(node, map, best, left, right);
+        const uint32_t middle = node.begin + (node.end - node.begin) / 2;
+        if (options_.balanced) sortAround(node, middle, doubledCenters);
+        *left = extentOf(node.begin, middle);
+        *right = extentOf(middle, node.end);
+        return middle;
     }
 
-    void sortAround(const BinaryNode& node, uint32_t middle, const Bounds& doubledCenters) {
-        const Vec3 extent = doubledCenters.extent();
+    uint32_t partition(const BinaryNode& node, const BinMap& map, const Split& best, Extent* left,
+                       Extent* right) {
+        uint32_t low = node.begin;
+        uint32_t high = node.end;
+        const auto belongsLeft = [&](uint32_t i) {
+            int32_t bin[4];
+            map.bins(primitives_[i], bin);
+            return bin[best.axis] < best.bin;
+        };
+        while (true) {
+            while (low < high && belongsLeft(low)) left->grow(primitives_[low++]);
+            while (low < high && !belongsLeft(high - 1)) right->grow(primitives_[--high]);
+            if (low == high) return low;
+            std::swap(primitives_[low], primitives_[high - 1]);
+        }
+    }
+
+    void sortAround(const BinaryNode& node, uint32_t middle, const Box4& doubledCenters) {
+        const Vec3 extent = doubledCenters.hi.xyz() - doubledCenters.lo.xyz();
         const int axis = extent.x > extent.y ? (extent.x > extent.z ? 0 : 2) : (extent.y > extent.z ? 1 : 2);
         std::nth_element(primitives_ + node.begin, primitives_ + middle, primitives_ + node.end,
                          [axis](const BuildPrimitive& a, const BuildPrimitive& b) {
@@ -139,44 +155,50 @@ class Builder {
     }
 
     Split findSplit(const BinaryNode& node, const BinMap& map) const {
-        std::array<std::array<Bin, kBins>, 3> bins;
+        Bin bins[3][kBins];  // only the first map.count of each are used
+        for (auto& axis : bins) std::fill_n(axis, map.count, Bin{Box4{}, 0});
         for (uint32_t i = node.begin; i < node.end; ++i) {
             const BuildPrimitive& p = primitives_[i];
             int32_t bin[4];
             map.bins(p, bin);
-            for (size_t axis = 0; axis < 3; ++axis) {
-                Bin& target = bins[axis][static_cast<size_t>(bin[axis])];
+            for (int axis = 0; axis < 3; ++axis) {
+                Bin& target = bins[axis][bin[axis]];
                 target.bounds.grow(p);
                 ++target.count;
             }
         }
         Split best;
         for (int axis = 0; axis < 3; ++axis) {
-            if (map.splits(axis)) sweep(bins[static_cast<size_t>(axis)], axis, &best);
+            if (map.splits(axis)) sweep(bins[axis], map.count, axis, &best);
         }
         return best;
     }
 
-    static void sweep(const std::array<Bin, kBins>& bins, int axis, Split* best) {
-        std::array<float, kBins> rightCost;
-        Bin side;
-        for (int i = kBins - 1; i > 0; --i) {
+    float sideCost(const Bin& side) const {
+        return side.bounds.halfArea() * std::ceil(static_cast<float>(side.count) * leavesPerPrimitive_);
+    }
+
+    void sweep(const Bin* bins, int count, int axis, Split* best) const {
+        float rightCost[kBins];
+        Bin side{Box4{}, 0};
+        for (int i = count - 1; i > 0; --i) {
             side.bounds.grow(bins[i].bounds);
             side.count += bins[i].count;
-            rightCost[i] = side.count ? side.bounds.halfArea() * static_cast<float>(side.count) : kInfinity;
+            rightCost[i] = side.count ? sideCost(side) : kInfinity;
         }
-        side = Bin{};
-        for (int i = 1; i < kBins; ++i) {
+        side = {Box4{}, 0};
+        for (int i = 1; i < count; ++i) {
             side.bounds.grow(bins[i - 1].bounds);
             side.count += bins[i - 1].count;
             if (side.count == 0) continue;
-            const float cost = side.bounds.halfArea() * static_cast<float>(side.count) + rightCost[i];
+            const float cost = sideCost(side) + rightCost[i];
             if (cost < best->cost) *best = {cost, axis, i};
         }
     }
 
     BuildPrimitive* primitives_;
     BvhOptions options_;
+    float leavesPerPrimitive_;
     BinaryNode* nodes_;
 };
 
@@ -190,7 +212,7 @@ BinaryTree buildBinaryTree(HugeVector<BuildPrimitive>* primitives, const BvhOpti
     const int threads = options.threads > 0 ? options.threads : defaultThreadCount();
 #pragma omp parallel num_threads(threads) if (count >= 2 * kTaskPrimitives && threads > 1)
 #pragma omp single
-    builder.build(0, 0, count);
+    builder.build(0, 0, count, builder.extentOf(0, count));
     return tree;
 }
 

@@ -42,8 +42,7 @@ struct BinaryTree {
 };
 
 struct BvhOptions {
-    uint32_t maxLeafPrimitives = 1;
-    float traversalCost = 1.0f;  ///< of one box against the cost of one primitive
+    uint32_t leafPrimitives = 1;  ///< this many are tested at the cost of one, and stay together in a leaf
     bool balanced =
         false;  ///< split in the middle of the order instead of by cost: depth at most log2(count)
     int threads = 0;

@@ -92,6 +92,13 @@ HugeVector<BuildPrimitive> trianglePrimitives(const MeshData& data, int threads)
     return primitives;
 }
 
+/// How many neighbouring triangles usually share kClusterVertices vertices: fewer where hardly any are
+/// shared.
+uint32_t leafTriangles(const MeshData& data) {
+    const bool shared = data.positions.size() < size_t{2} * data.triangleCount();
+    return shared ? 6 : 2;
+}
+
 void buildAcceleration(BuiltMesh* mesh, HugeVector<BuildPrimitive>* primitives, const BvhOptions& options) {
     mesh->clusters.clear();
     mesh->clusterPrimitives.clear();
@@ -137,7 +144,7 @@ std::shared_ptr<const BuiltMesh> buildMesh(std::shared_ptr<const MeshData> data,
     for (uint32_t index : mesh->data->indices) mesh->bounds.grow(mesh->data->positions[index]);
 
     BvhOptions options;
-    options.maxLeafPrimitives = kClusterTriangles;
+    options.leafPrimitives = leafTriangles(*mesh->data);
     options.threads = threads;
     buildAcceleration(mesh.get(), &primitives, options);
     if (traversalStackNeed(mesh->nodes) > kTraversalStackSize) {
