@@ -1,0 +1,113 @@
+#include "tests/support/render_scene.h"
+
+#include <atomic>
+
+#include <gtest/gtest.h>
+
+#include "engine/build/scene_builder.h"
+#include "engine/math/frame.h"
+#include "engine/render/backend.h"
+#include "engine/render/pass_params.h"
+
+namespace glint::test {
+
+std::shared_ptr<const BuiltScene> buildAll(const SceneDescription& scene) {
+    const SceneEdit edit{std::make_shared<SceneDescription>(scene), EditKind::Everything};
+    BuildReport report;
+    auto built = buildScene(edit, nullptr, 0, nullptr, &report);
+    if (!built) {
+        ADD_FAILURE() << built.error().format();
+        return nullptr;
+    }
+    return *built;
+}
+
+Film renderFilm(const SceneDescription& scene, uint32_t passes, DirectLightTag directLight) {
+    PassParams params = passParamsOf(scene);
+    params.directLight = directLight;
+    Film film(params.width, params.height);
+    const auto backend = makeCpuBackend(0);
+    const auto built = buildAll(scene);
+    if (!built || !backend->setScene(built)) return film;
+    const std::atomic<bool> stop{false};
+    std::vector<PixelSample> samples;
+    for (uint32_t pass = 0; pass < passes; ++pass) {
+        params.pass = pass;
+        if (!backend->renderPass(params, stop, &samples)) {
+            ADD_FAILURE() << "pass " << pass << " failed";
+            break;
+        }
+        film.commit(samples, pass, 0);
+    }
+    return film;
+}
+
+Estimate meanLuminance(const Film& film, int x0, int y0, int x1, int y1) {
+    Estimate estimate;
+    double variance = 0.0;
+    for (int y = y0; y < y1; ++y) {
+        for (int x = x0; x < x1; ++x) {
+            const FilmPixel& pixel = film.pixels()[static_cast<size_t>(y * film.width() + x)];
+            estimate.mean += 0.2126 * pixel.mean[0] + 0.7152 * pixel.mean[1] + 0.0722 * pixel.mean[2];
+            variance += film.standardError(pixel) * film.standardError(pixel);
+        }
+    }
+    const double count = static_cast<double>(x1 - x0) * static_cast<double>(y1 - y0);
+    estimate.mean /= count;
+    estimate.standardError = std::sqrt(variance) / count;
+    return estimate;
+}
+
+Estimate meanLuminance(const Film& film) { return meanLuminance(film, 0, 0, film.width(), film.height()); }
+
+bool agree(const Estimate& a, const Estimate& b, double slack) {
+    const double error = std::hypot(a.standardError, b.standardError);
+    return std::abs(a.mean - b.mean) <= kNormalQuantile * error + slack * std::abs(b.mean);
+}
+
+SceneDescription emptyScene(const Vec3& from, const Vec3& to, int size, float fovDeg) {
+    SceneDescription scene;
+    scene.camera.position = from;
+    scene.camera.target = to;
+    scene.camera.up = std::abs(glm::normalize(to - from).y) > 0.9f ? Vec3(0, 0, 1) : Vec3(0, 1, 0);
+    scene.camera.verticalFovDeg = fovDeg;
+    scene.resolution = {size, size};
+    scene.options.filter = FilterKind::Box;
+    scene.options.filterRadius = 0.5f;
+    return scene;
+}
+
+int addObject(SceneDescription* scene, ShapeKind shape, const Affine& objectToWorld,
+              const Material& material) {
+    Object object;
+    object.shape = shape;
+    object.objectToWorld = objectToWorld;
+    object.material = static_cast<int>(scene->materials.size());
+    scene->materials.push_back(material);
+    scene->objects.push_back(object);
+    return static_cast<int>(scene->objects.size()) - 1;
+}
+
+int addMeshObject(SceneDescription* scene, std::shared_ptr<const MeshData> mesh, const Affine& objectToWorld,
+                  const Material& material) {
+    const int index = addObject(scene, ShapeKind::Mesh, objectToWorld, material);
+    scene->objects.back().mesh = static_cast<int>(scene->meshes.size());
+    scene->meshes.push_back({"", {}, std::move(mesh)});
+    return index;
+}
+
+Material diffuseMaterial(float albedo) {
+    Material material;
+    material.color.value = Vec3(albedo);
+    return material;
+}
+
+Affine placeFlat(const Vec3& center, const Vec3& normal, float halfX, float halfY) {
+    const Frame frame = Frame::fromNormal(glm::normalize(normal));
+    Affine a;
+    a.linear = Mat3(frame.s * halfX, frame.t * halfY, frame.n);
+    a.translation = center;
+    return a;
+}
+
+}  // namespace glint::test

@@ -1,0 +1,50 @@
+// Renders a description on the CPU into a film, without a session: for tests of what the pictures hold.
+#pragma once
+
+#include <memory>
+
+#include "engine/build/built_scene.h"
+#include "engine/kernels/pass.h"
+#include "engine/render/film.h"
+#include "engine/scene/scene.h"
+#include "tests/support/statistics.h"
+
+namespace glint::test {
+
+/// Builds everything; fails the test and returns null when the description is not valid.
+std::shared_ptr<const BuiltScene> buildAll(const SceneDescription& scene);
+
+/// Renders `passes` passes with the scene's own options and `directLight`, on all threads.
+Film renderFilm(const SceneDescription& scene, uint32_t passes,
+                DirectLightTag directLight = DirectLightTag::Mis);
+
+/// A value and its standard error.
+struct Estimate {
+    double mean = 0.0;
+    double standardError = 0.0;
+};
+
+/// Mean luminance of the pixels [x0, x1) x [y0, y1). The error comes from the spread within pixels, which
+/// low-discrepancy passes only make smaller than it says.
+Estimate meanLuminance(const Film& film, int x0, int y0, int x1, int y1);
+Estimate meanLuminance(const Film& film);
+
+/// |a - b| is within the significance of statistics.h, plus `slack` times the value for float rounding.
+bool agree(const Estimate& a, const Estimate& b, double slack = 1e-5);
+
+// ---- Scenes in code ----
+
+/// An empty scene without light, seen from `from` towards `to`; `size` pixels square, box filter of one
+/// pixel.
+SceneDescription emptyScene(const Vec3& from, const Vec3& to, int size, float fovDeg);
+/// Adds a material and an object that uses it; returns the object's index.
+int addObject(SceneDescription* scene, ShapeKind shape, const Affine& objectToWorld,
+              const Material& material);
+int addMeshObject(SceneDescription* scene, std::shared_ptr<const MeshData> mesh, const Affine& objectToWorld,
+                  const Material& material);
+Material diffuseMaterial(float albedo);
+
+/// Affine map of the rectangle or disc onto `center` facing `normal`, half edges `halfX` and `halfY`.
+Affine placeFlat(const Vec3& center, const Vec3& normal, float halfX, float halfY);
+
+}  // namespace glint::test
