@@ -55,7 +55,7 @@ GLINT_HD inline float pdfEmitterShape(const SceneView& view, const EmitterData& 
                                       const Vec3& p) {
     switch (e.tag) {
         case EmitterTag::Sphere:
-            return pdfSphereDirection(e.position, e.radiusWorld, from);
+            return pdfSphereDirection(viewSphereEmitter(e, from));
         case EmitterTag::Ellipsoid:
             return pdfEllipsoid(view.geometry.instances[e.instance], from, p);
         case EmitterTag::Rectangle:

@@ -126,16 +126,30 @@ GLINT_HD inline float pdfTriangleEmitter(const EmitterData& e, const Vec3& from,
 
 // ---- Sphere ----
 
-/// The cone under which a sphere is seen: 1 - cos of its half angle, accurate for far and near spheres alike;
-/// 2 (all directions) from inside and from so near that the cone's angle would have no digits.
-GLINT_HD inline float sphereConeOneMinusCos(float distance2, float radius) {
-    const float distance = std::sqrt(distance2);
-    const float outside = distance - radius;
-    if (!(outside > 1e-5f * radius)) return 2.0f;
-    const float sin2 = square(radius / distance);
-    const float cosMax = safeSqrt(outside * (distance + radius)) / distance;
-    return sin2 / (1.0f + cosMax);
+/// Places this near to a sphere's surface, relative to the numbers they were computed from, count as inside:
+/// they lie on its inner side as likely as not.
+constexpr float kSphereInsideBand = 2e-6f;
+
+/// A sphere seen from a place. `magnitude`: the size of the numbers that `from` was computed from.
+struct SphereView {
+    Vec3 toCenter;
+    float radius;
+    float distance;
+    float oneMinusCosMax;  ///< of the cone around it, accurate for far and near spheres alike; 2: seen all
+                           ///< around
+};
+
+GLINT_HD inline SphereView viewSphere(const Vec3& center, float radius, const Vec3& from, float magnitude) {
+    SphereView v{center - from, radius, 0.0f, 2.0f};
+    v.distance = std::sqrt(lengthSquared(v.toCenter));
+    const float outside = v.distance - radius;
+    if (!(outside > kSphereInsideBand * (radius + magnitude))) return v;
+    const float cosMax = safeSqrt(outside * (v.distance + radius)) / v.distance;
+    v.oneMinusCosMax = square(radius / v.distance) / (1.0f + cosMax);
+    return v;
 }
+
+GLINT_HD inline float pdfSphereDirection(const SphereView& v) { return 1.0f / (kTwoPi * v.oneMinusCosMax); }
 
 /// A point of a sphere, as its unit normal there.
 struct SphereDirection {
@@ -144,39 +158,34 @@ struct SphereDirection {
 };
 
 /// Uniform over the directions in which the sphere is seen: all from inside, the cone around it from outside.
-GLINT_HD inline SphereDirection sampleSphereDirection(const Vec3& center, float radius, const Vec3& from,
-                                                      const Vec2& u) {
-    const Vec3 toCenter = center - from;
-    const float distance2 = lengthSquared(toCenter);
-    const float oneMinusCosMax = sphereConeOneMinusCos(distance2, radius);
-    const float pdf = 1.0f / (kTwoPi * oneMinusCosMax);
-    if (oneMinusCosMax >= 2.0f) {
+GLINT_HD inline SphereDirection sampleSphereDirection(const SphereView& v, const Vec2& u) {
+    const float pdf = pdfSphereDirection(v);
+    if (v.oneMinusCosMax >= 2.0f) {
         const Vec3 w = sampleSphere(u);
-        const float along = glm::dot(w, toCenter);
-        const float half = square(radius) - distance2 + along * along;
-        // Just outside, within rounding, the near side is the one that is seen.
-        const float t = distance2 > square(radius) ? along - safeSqrt(half) : along + safeSqrt(half);
-        if (half < 0.0f || t < 0.0f) return {};
-        return {glm::normalize(t * w - toCenter), pdf};
+        const float along = glm::dot(w, v.toCenter);
+        const float t = along + safeSqrt(square(v.radius) - square(v.distance) + along * along);
+        // Places on the surface: outward directions meet nothing but the place itself.
+        if (!(t > kSphereInsideBand * v.radius)) return {};
+        return {glm::normalize(t * w - v.toCenter), pdf};
     }
-    const float oneMinusCos = u.x * oneMinusCosMax;
+    const float oneMinusCos = u.x * v.oneMinusCosMax;
     const float sin2 = oneMinusCos * (2.0f - oneMinusCos);
     const SinCos phi = sinCosTurns(u.y);
-    const float distance = std::sqrt(distance2);
-    // The point in that direction, in a frame whose n axis runs from the centre to `from`.
-    const float along = distance * (1.0f - oneMinusCos) - safeSqrt(square(radius) - distance2 * sin2);
+    // The point in that direction, in a frame whose n axis runs from the centre to the place.
+    const float along =
+        v.distance * (1.0f - oneMinusCos) - safeSqrt(square(v.radius) - square(v.distance) * sin2);
     const float across = along * safeSqrt(sin2);
-    const float towards = distance - along * (1.0f - oneMinusCos);
-    const Frame frame = Frame::fromNormal(toCenter * (-1.0f / distance));
+    const float towards = v.distance - along * (1.0f - oneMinusCos);
+    const Frame frame = Frame::fromNormal(v.toCenter * (-1.0f / v.distance));
     return {glm::normalize(frame.toWorld({across * phi.cos, across * phi.sin, towards})), pdf};
 }
 
-GLINT_HD inline float pdfSphereDirection(const Vec3& center, float radius, const Vec3& from) {
-    return 1.0f / (kTwoPi * sphereConeOneMinusCos(lengthSquared(center - from), radius));
+GLINT_HD inline SphereView viewSphereEmitter(const EmitterData& e, const Vec3& from) {
+    return viewSphere(e.position, e.radiusWorld, from, maxComponent(absVec(from)));
 }
 
 GLINT_HD inline EmitterPoint sampleSphereEmitter(const EmitterData& e, const Vec3& from, const Vec2& u) {
-    const SphereDirection direction = sampleSphereDirection(e.position, e.radiusWorld, from, u);
+    const SphereDirection direction = sampleSphereDirection(viewSphereEmitter(e, from), u);
     EmitterPoint s;
     s.normal = direction.normal;
     s.p = e.position + e.radiusWorld * s.normal;
@@ -194,9 +203,15 @@ GLINT_HD inline float objectSolidAnglePerWorld(const Affine& worldToObject, cons
     return std::fabs(worldToObject.determinant()) * ratio * ratio * ratio;
 }
 
+GLINT_HD inline SphereView viewEllipsoid(const InstanceData& instance, const Vec3& from) {
+    const Affine& m = instance.worldToObject;
+    const Vec3 a = absVec(from);
+    const Vec3 magnitude = absVec(m.linear[0]) * a.x + absVec(m.linear[1]) * a.y + absVec(m.linear[2]) * a.z;
+    return viewSphere(Vec3(0.0f), 1.0f, m.point(from), maxComponent(magnitude + absVec(m.translation)));
+}
+
 GLINT_HD inline EmitterPoint sampleEllipsoid(const InstanceData& instance, const Vec3& from, const Vec2& u) {
-    const Vec3 fromObject = instance.worldToObject.point(from);
-    const SphereDirection direction = sampleSphereDirection(Vec3(0.0f), 1.0f, fromObject, u);
+    const SphereDirection direction = sampleSphereDirection(viewEllipsoid(instance, from), u);
     EmitterPoint s;
     if (!(direction.pdfSolidAngle > 0.0f)) return s;
     const Affine& m = instance.objectToWorld;
@@ -209,7 +224,7 @@ GLINT_HD inline EmitterPoint sampleEllipsoid(const InstanceData& instance, const
 }
 
 GLINT_HD inline float pdfEllipsoid(const InstanceData& instance, const Vec3& from, const Vec3& p) {
-    return pdfSphereDirection(Vec3(0.0f), 1.0f, instance.worldToObject.point(from)) *
+    return pdfSphereDirection(viewEllipsoid(instance, from)) *
            objectSolidAnglePerWorld(instance.worldToObject, p - from);
 }
 

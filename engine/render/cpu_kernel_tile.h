@@ -24,11 +24,26 @@ void renderAovTile(const SceneView& view, const PassParams& params, const PixelR
     }
 }
 
+struct RecordingLog {
+    static constexpr bool kEnabled = true;
+    std::vector<PathEvent> events;
+
+    void add(const PathEvent& event) { events.push_back(event); }
+};
+
+template <FeatureMask kMask>
+PathReplay replayPixel(const SceneView& view, const PassParams& params, int x, int y) {
+    RecordingLog log;
+    const PixelSample sample = tracePixelLogged<kMask>(view, params, x, y, &log);
+    return {sample, std::move(log.events)};
+}
+
 }  // namespace glint
 
-/// Compiles both loops for one mask.
+/// Compiles all of it for one mask.
 #define GLINT_COMPILE_KERNELS(mask)                                                                 \
     template void glint::renderTile<mask>(const SceneView&, const PassParams&, const PixelRect&,    \
                                           PixelSample*);                                            \
     template void glint::renderAovTile<mask>(const SceneView&, const PassParams&, const PixelRect&, \
-                                             AovSample*)
+                                             AovSample*);                                           \
+    template glint::PathReplay glint::replayPixel<mask>(const SceneView&, const PassParams&, int, int)

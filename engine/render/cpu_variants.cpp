@@ -9,7 +9,7 @@ namespace {
 
 template <FeatureMask kMask>
 constexpr KernelVariant variant(const char* name) {
-    return {name, kMask, &renderTile<kMask>, &renderAovTile<kMask>};
+    return {name, kMask, &renderTile<kMask>, &renderAovTile<kMask>, &replayPixel<kMask>};
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "engine/kernels/features.h"
 #include "engine/kernels/pass.h"
 #include "engine/kernels/scene_view.h"
+#include "engine/render/path_replay.h"
 
 namespace glint {
 
@@ -24,11 +25,15 @@ using RenderTile = void (*)(const SceneView& view, const PassParams& params, con
 using RenderAovTile = void (*)(const SceneView& view, const PassParams& params, const PixelRect& tile,
                                AovSample* image);
 
+/// Repeats one pixel's path with every event: the same bits as the same variant's tile has.
+using ReplayPixel = PathReplay (*)(const SceneView& view, const PassParams& params, int x, int y);
+
 struct KernelVariant {
     const char* name;  ///< for `glint info`
     FeatureMask mask;
     RenderTile renderTile;
     RenderAovTile renderAovTile;
+    ReplayPixel replayPixel;
 };
 
 /// All variants from the smallest to the full one.

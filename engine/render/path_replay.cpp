@@ -3,16 +3,10 @@
 #include <fmt/format.h>
 
 #include "engine/kernels/path_kernel.h"
+#include "engine/render/cpu_variants.h"
 
 namespace glint {
 namespace {
-
-struct RecordingLog {
-    static constexpr bool kEnabled = true;
-    std::vector<PathEvent> events;
-
-    void add(const PathEvent& event) { events.push_back(event); }
-};
 
 std::string format(const Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
 
@@ -77,12 +71,8 @@ std::string formatEvent(const PathEvent& e) {
 
 }  // namespace
 
-PathReplay replayPath(const SceneView& view, const PassParams& params, int x, int y) {
-    RecordingLog log;
-    PathReplay replay;
-    replay.sample = tracePixelLogged<kAllFeatures>(view, params, x, y, &log);
-    replay.events = std::move(log.events);
-    return replay;
+PathReplay replayPath(const SceneView& view, FeatureMask features, const PassParams& params, int x, int y) {
+    return chooseVariant(features).replayPixel(view, params, x, y);
 }
 
 std::string formatPathLog(const PathReplay& replay, const PassParams& params, int x, int y) {

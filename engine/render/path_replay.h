@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/kernels/features.h"
 #include "engine/kernels/path_log.h"
 #include "engine/kernels/scene_view.h"
 
@@ -15,8 +16,9 @@ struct PathReplay {
     std::vector<PathEvent> events;
 };
 
-/// Pixel (x, y) must lie in the picture; params.pass says which sample.
-PathReplay replayPath(const SceneView& view, const PassParams& params, int x, int y);
+/// Pixel (x, y) must lie in the picture; params.pass says which sample. `features` as the CPU backend takes
+/// them (BuiltScene::features and what the settings add), so that the same kernel runs and every bit repeats.
+PathReplay replayPath(const SceneView& view, FeatureMask features, const PassParams& params, int x, int y);
 
 /// One or two lines an event, and at the end the radiance with the reason it would be dropped, naming the
 /// first event whose value was not finite or negative.
