@@ -258,7 +258,7 @@ int runReplay(const SceneDescription& scene, const RenderCommandOptions& options
     }
     PassParams params = passParamsOf(scene);
     params.pass = options.replayPass;
-    const PathReplay replay = replayPath((*built)->view(), params, pixel->x, pixel->y);
+    const PathReplay replay = replayPath((*built)->view(), (*built)->features, params, pixel->x, pixel->y);
     fmt::print("{}", formatPathLog(replay, params, pixel->x, pixel->y));
     return kExitDone;
 }
