@@ -27,6 +27,14 @@ enum class BounceDimension : uint32_t {
     Count,
 };
 
+/// Drawn once a photon, which has a key of its own and scatters with BounceDimension like a path.
+enum class EmissionDimension : uint32_t {
+    Light,      ///< 1-D
+    Point,      ///< 2-D
+    Direction,  ///< 2-D
+    Count,
+};
+
 /// A dimension of a path's sample vector. Draws of one dimension in one and in two dimensions are not
 /// independent.
 struct Dimension {
@@ -35,9 +43,13 @@ struct Dimension {
 
 GLINT_HD constexpr Dimension dimension(CameraDimension name) { return {static_cast<uint32_t>(name)}; }
 
+GLINT_HD constexpr Dimension dimension(EmissionDimension name) { return {static_cast<uint32_t>(name)}; }
+
 /// `bounce` counts scattering events from 0 at the first hit.
 GLINT_HD constexpr Dimension dimension(BounceDimension name, int bounce) {
-    constexpr auto kFirst = static_cast<uint32_t>(CameraDimension::Count);
+    constexpr auto kCamera = static_cast<uint32_t>(CameraDimension::Count);
+    constexpr auto kEmission = static_cast<uint32_t>(EmissionDimension::Count);
+    constexpr auto kFirst = kCamera > kEmission ? kCamera : kEmission;
     constexpr auto kPerBounce = static_cast<uint32_t>(BounceDimension::Count);
     return {kFirst + kPerBounce * static_cast<uint32_t>(bounce) + static_cast<uint32_t>(name)};
 }

@@ -184,12 +184,18 @@ GLINT_HD inline SphereView viewSphereEmitter(const EmitterData& e, const Vec3& f
     return viewSphere(e.position, e.radiusWorld, from, maxComponent(absVec(from)));
 }
 
+/// The point of the sphere with the given unit normal.
+GLINT_HD inline EmitterPoint spherePoint(const EmitterData& e, const Vec3& normal) {
+    EmitterPoint s;
+    s.normal = normal;
+    s.p = e.position + e.radiusWorld * normal;
+    s.pError = errorGamma(6) * (absVec(e.position) + e.radiusWorld * absVec(normal));
+    return s;
+}
+
 GLINT_HD inline EmitterPoint sampleSphereEmitter(const EmitterData& e, const Vec3& from, const Vec2& u) {
     const SphereDirection direction = sampleSphereDirection(viewSphereEmitter(e, from), u);
-    EmitterPoint s;
-    s.normal = direction.normal;
-    s.p = e.position + e.radiusWorld * s.normal;
-    s.pError = errorGamma(6) * (absVec(e.position) + e.radiusWorld * absVec(s.normal));
+    EmitterPoint s = spherePoint(e, direction.normal);
     s.pdfSolidAngle = direction.pdfSolidAngle;
     return s;
 }
@@ -210,15 +216,21 @@ GLINT_HD inline SphereView viewEllipsoid(const InstanceData& instance, const Vec
     return viewSphere(Vec3(0.0f), 1.0f, m.point(from), maxComponent(magnitude + absVec(m.translation)));
 }
 
-GLINT_HD inline EmitterPoint sampleEllipsoid(const InstanceData& instance, const Vec3& from, const Vec2& u) {
-    const SphereDirection direction = sampleSphereDirection(viewEllipsoid(instance, from), u);
-    EmitterPoint s;
-    if (!(direction.pdfSolidAngle > 0.0f)) return s;
+/// The image of a point of the unit sphere.
+GLINT_HD inline EmitterPoint ellipsoidPoint(const InstanceData& instance, const Vec3& onSphere) {
     const Affine& m = instance.objectToWorld;
-    s.p = m.point(direction.normal);
+    EmitterPoint s;
+    s.p = m.point(onSphere);
     s.pError = errorGamma(8) *
                (absVec(m.linear[0]) + absVec(m.linear[1]) + absVec(m.linear[2]) + absVec(m.translation));
-    s.normal = glm::normalize(transformNormal(instance.worldToObject.linear, direction.normal));
+    s.normal = glm::normalize(transformNormal(instance.worldToObject.linear, onSphere));
+    return s;
+}
+
+GLINT_HD inline EmitterPoint sampleEllipsoid(const InstanceData& instance, const Vec3& from, const Vec2& u) {
+    const SphereDirection direction = sampleSphereDirection(viewEllipsoid(instance, from), u);
+    if (!(direction.pdfSolidAngle > 0.0f)) return {};
+    EmitterPoint s = ellipsoidPoint(instance, direction.normal);
     s.pdfSolidAngle = direction.pdfSolidAngle * objectSolidAnglePerWorld(instance.worldToObject, s.p - from);
     return s;
 }

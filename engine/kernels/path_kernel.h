@@ -173,13 +173,10 @@ GLINT_HD inline bool survivesRoulette(const PassParams& params, const Sampler& s
     return survives;
 }
 
-/// Samples the next direction and sets out along it. False: the path ends.
+/// Samples the next direction, its lobe chosen by uLobe, and sets out along it. False: the path ends.
 template <FeatureMask kMask, class Log>
-GLINT_HD inline bool scatter(const PassParams& params, const Sampler& sampler, const SurfacePoint& surface,
-                             const Bsdf<kMask>& bsdf, PathState* path, Log* log) {
-    float uLobe = 0.0f;
-    if constexpr (usesLobeChoice<kMask>())
-        uLobe = get1D<kMask>(sampler, dimension(BounceDimension::Lobe, path->depth));
+GLINT_HD inline bool scatterBy(const PassParams& params, const Sampler& sampler, const SurfacePoint& surface,
+                               const Bsdf<kMask>& bsdf, float uLobe, PathState* path, Log* log) {
     const Vec2 u = get2D<kMask>(sampler, dimension(BounceDimension::Direction, path->depth));
     const BsdfSample next = sample(bsdf, uLobe, u);
     if constexpr (Log::kEnabled) {
@@ -204,6 +201,16 @@ GLINT_HD inline bool scatter(const PassParams& params, const Sampler& sampler, c
     return goesOn;
 }
 
+/// The same with a lobe drawn here.
+template <FeatureMask kMask, class Log>
+GLINT_HD inline bool scatter(const PassParams& params, const Sampler& sampler, const SurfacePoint& surface,
+                             const Bsdf<kMask>& bsdf, PathState* path, Log* log) {
+    float uLobe = 0.0f;
+    if constexpr (usesLobeChoice<kMask>())
+        uLobe = get1D<kMask>(sampler, dimension(BounceDimension::Lobe, path->depth));
+    return scatterBy<kMask>(params, sampler, surface, bsdf, uLobe, path, log);
+}
+
 template <class Log>
 GLINT_HD inline void logVertex(const PathState& path, const SurfacePoint& surface, Log* log) {
     if constexpr (Log::kEnabled) {
@@ -219,6 +226,18 @@ GLINT_HD inline void logVertex(const PathState& path, const SurfacePoint& surfac
         event.material = surface.material;
         log->add(event);
     }
+}
+
+/// What light sampling needs to know of a vertex that is seen from wo.
+template <FeatureMask kMask>
+GLINT_HD inline LightContext lightContextAt(const SceneView& view, const SurfacePoint& surface, const Vec3& wo) {
+    LightContext context;
+    context.p = surface.p;
+    context.n = glm::dot(surface.ng, wo) < 0.0f ? -surface.ng : surface.ng;
+    // Of all materials that light sampling is asked about, only rough glass lets light through.
+    context.bothSides = hasFeature<kMask>(kFeatureDielectric) &&
+                        view.materials[surface.material].kind == MaterialTag::Dielectric;
+    return context;
 }
 
 /// Follows the path to its end and leaves what it gathered in path->radiance.
@@ -239,11 +258,7 @@ GLINT_HD inline void followPath(const SceneView& view, const PassParams& params,
         if (path->depth >= params.maxDepth) return;
 
         const Bsdf<kMask> bsdf = makeBsdf<kMask>(view, surface, wo);
-        path->context.p = surface.p;
-        path->context.n = glm::dot(surface.ng, wo) < 0.0f ? -surface.ng : surface.ng;
-        // Of all materials that light sampling is asked about, only rough glass lets light through.
-        path->context.bothSides = hasFeature<kMask>(kFeatureDielectric) &&
-                                  view.materials[surface.material].kind == MaterialTag::Dielectric;
+        path->context = lightContextAt<kMask>(view, surface, wo);
         if (!isSpecularOnly(bsdf)) addSampledLight<kMask>(view, params, sampler, surface, bsdf, path, log);
         if (!scatter<kMask>(params, sampler, surface, bsdf, path, log)) return;
     }
@@ -255,6 +270,20 @@ GLINT_HD inline SampleFault findFault(const Vec3& radiance) {
         return SampleFault::NotANumber;
     if (!isFinite(radiance)) return SampleFault::Infinite;
     return minComponent(radiance) < 0.0f ? SampleFault::Negative : SampleFault::None;
+}
+
+/// What the path gathered as a sample of its pixel: faults found, clamped where asked for.
+GLINT_HD inline PixelSample finishSample(const PassParams& params, const PathState& path) {
+    PixelSample result;
+    result.radiance = path.radiance;
+    result.rays = path.rays;
+    result.fault = findFault(path.radiance);
+    if (result.fault != SampleFault::None) {
+        result.radiance = Vec3(0.0f);
+    } else if (params.fireflyClamp > 0.0f && maxComponent(result.radiance) > params.fireflyClamp) {
+        result.radiance *= params.fireflyClamp / maxComponent(result.radiance);
+    }
+    return result;
 }
 
 /// Traces the path of pixel (x, y) in params.pass. The log sees every event; the result does not depend on
@@ -274,10 +303,7 @@ GLINT_HD PixelSample tracePixelLogged(const SceneView& view, const PassParams& p
     }
     followPath<kMask>(view, params, sampler, &path, log);
 
-    PixelSample result;
-    result.radiance = path.radiance;
-    result.rays = path.rays;
-    result.fault = findFault(path.radiance);
+    const PixelSample result = finishSample(params, path);
     if constexpr (Log::kEnabled) {
         PathEvent event;
         event.depth = path.depth;
@@ -285,11 +311,6 @@ GLINT_HD PixelSample tracePixelLogged(const SceneView& view, const PassParams& p
         event.throughput = path.throughput;
         event.fault = result.fault;
         log->add(event);
-    }
-    if (result.fault != SampleFault::None) {
-        result.radiance = Vec3(0.0f);
-    } else if (params.fireflyClamp > 0.0f && maxComponent(result.radiance) > params.fireflyClamp) {
-        result.radiance *= params.fireflyClamp / maxComponent(result.radiance);
     }
     return result;
 }
