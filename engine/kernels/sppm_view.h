@@ -1,0 +1,85 @@
+// What stochastic progressive photon mapping keeps: per pixel, per visible point and per photon. Plain data.
+//
+// Hachisuka and Jensen 2009, "Stochastic Progressive Photon Mapping". Written by the SPPM kernels (sppm_*.h),
+// owned by render/sppm_state.h. Sizes are part of the memory budget and asserted below.
+#pragma once
+
+#include "engine/kernels/pass.h"
+#include "engine/math/bounds.h"
+#include "engine/math/vec.h"
+
+namespace glint {
+
+/// How gathering finds photons. Both find the same ones, in another order.
+enum class PhotonLookup : uint8_t { Grid, Tree };
+
+struct SppmParams {
+    PassParams pass;
+    uint32_t photonsPerPass = 262144;
+    double alpha = 2.0 / 3.0;  ///< share of each pass's photons that is kept, in (0, 1)
+    float radiusWorld = 0.0f;  ///< initial radius; 0: automatic
+    float radiusFootprints =
+        4.0f;  ///< automatic: initial radius in footprints of a pixel at its first visible point
+    float storeAlpha =
+        0.1f;  ///< metal and glass of at least this GGX alpha store visible points; sharper ones reflect
+    PhotonLookup lookup = PhotonLookup::Grid;
+    bool sampleDirectLight = true;  ///< photons then carry only light that was scattered at least once
+};
+
+/// The statistics of one pixel over all passes since they were last cleared (the paper's R, N and tau).
+struct SppmPixel {
+    double radiusSquared = 0.0;  ///< world units squared; 0: no visible point seen yet
+    double photonCount = 0.0;    ///< N
+    double flux[3] = {};         ///< tau: reflected, unnormalised
+    float passMean =
+        0.0f;  ///< running mean of the passes' own photon estimates, luminance: for the error estimate
+    float passM2 = 0.0f;  ///< sum of their squared deviations (Welford)
+};
+
+/// Where a pixel's camera path of this pass came to rest. `throughput` zero: nowhere, and no photon can
+/// count.
+struct VisiblePoint {
+    Vec3 p{0.0f};
+    Vec3 throughput{0.0f};  ///< of the camera path up to here, filter and lens included
+    Vec3 woWorld{0.0f};     ///< towards the previous vertex
+    Vec3 vertexColor{1.0f};
+    Vec2 uv{0.0f};
+    uint32_t nsPacked = 0;  ///< shading normal (octahedral.h)
+    uint32_t ngPacked = 0;  ///< geometric normal of the front side
+    uint32_t material : 24 = 0;
+    uint32_t depth : 8 = 0;  ///< scattering events before this one
+    float footprint =
+        0.0f;  ///< about the width of a pixel here, world units: length of the path times the pixel's angle
+};
+
+/// What one pass found around one visible point.
+struct Gathered {
+    Vec3 flux{0.0f};  ///< sum of BSDF times photon flux times the camera path's throughput
+    uint32_t count = 0;
+    float initialRadiusSquared =
+        0.0f;  ///< for a pixel whose first visible point this was; 0: it has none yet
+};
+
+/// One pixel's place in a pass: its visible point until the photons were gathered, then what they brought.
+union PassPixel {
+    VisiblePoint visiblePoint;
+    Gathered gathered;
+
+    GLINT_HD PassPixel() : visiblePoint() {}
+};
+
+/// A photon about to be scattered at a surface.
+struct Photon {
+    Vec3 p;
+    Vec3 flux;  ///< power that arrives, before this surface's reflectance; not divided by the emitted count
+    uint32_t wiPacked = 0;  ///< where it came from: away from the surface
+    uint32_t ngAndDepth =
+        0;  ///< front normal of the surface in 24 bits, scattering events before this one in 8
+};
+
+/// Everything SPPM keeps for a pixel beyond the film, and for a stored photon.
+constexpr size_t kSppmBytesPerPixel = sizeof(SppmPixel) + sizeof(PassPixel);
+static_assert(kSppmBytesPerPixel <= 120);
+static_assert(sizeof(Photon) == 32);
+
+}  // namespace glint
