@@ -1,0 +1,169 @@
+// Photons leaving lights: one light by its power, one point on it, one direction. Called by the photon
+// kernel.
+//
+// Every light kind emits: area lights by area and cosine, spheres over their whole surface, point and spot
+// lights from their place, directional lights and the environment from a disc that covers the scene. Infinite
+// emissive planes do not emit photons: their power has no bound. What they light is found by the camera
+// path's own sampling.
+#pragma once
+
+#include "engine/kernels/environment.h"
+#include "engine/kernels/light_sampling.h"
+#include "engine/kernels/scene_view.h"
+#include "engine/kernels/surface.h"
+#include "engine/math/warp.h"
+
+namespace glint {
+
+/// How photons are shared out among the lights. Built by build/emission_table.
+struct EmissionView {
+    const float* cdf =
+        nullptr;                ///< emitterCount + 1 entries from 0 to 1, in the order of LightView::emitters
+    uint32_t emitterCount = 0;  ///< 0: nothing emits photons
+    float totalPower = 0.0f;    ///< luminance, W
+};
+
+/// A photon on its way: where it goes and what it carries if it stood for all emitted light alone.
+struct EmittedPhoton {
+    Ray ray;
+    Vec3 flux{0.0f};  ///< W per channel; zero: nothing was emitted
+    uint32_t emitter = 0;
+};
+
+namespace detail {
+
+/// A point on an area emitter, uniform by area, with its density. `side` chooses the side of two-sided ones.
+GLINT_HD inline SurfacePoint emitterSurface(const SceneView& view, const EmitterData& e, const Vec2& u,
+                                            float* pdfArea) {
+    EmitterPoint point;
+    *pdfArea = 1.0f / e.area;
+    switch (e.tag) {
+        case EmitterTag::Sphere:
+            point = spherePoint(e, sampleSphere(u));
+            *pdfArea = 1.0f / (2.0f * kTwoPi * square(e.radiusWorld));
+            break;
+        case EmitterTag::Ellipsoid: {
+            const InstanceData& instance = view.geometry.instances[e.instance];
+            const Vec3 onSphere = sampleSphere(u);
+            point = ellipsoidPoint(instance, onSphere);
+            // World area over the unit sphere's: |det M| |M^-T n|.
+            const float stretch = std::fabs(instance.objectToWorld.determinant()) *
+                                  glm::length(transformNormal(instance.worldToObject.linear, onSphere));
+            *pdfArea = 1.0f / (2.0f * kTwoPi * stretch);
+            break;
+        }
+        case EmitterTag::Disc: {
+            const Vec2 d = sampleDisc(u);
+            point = flatEmitterPoint(e, d.x, d.y);
+            break;
+        }
+        case EmitterTag::Triangle: {
+            const Vec2 b = sampleTriangle(u);
+            point = flatEmitterPoint(e, b.x, b.y);
+            break;
+        }
+        default:
+            point = flatEmitterPoint(e, 2.0f * u.x - 1.0f, 2.0f * u.y - 1.0f);
+            break;
+    }
+    SurfacePoint surface{};
+    surface.p = point.p;
+    surface.pError = point.pError;
+    surface.ng = point.normal;
+    return surface;
+}
+
+/// Cosine-distributed from a point uniform by area: radiance * pi / pdfArea, whatever was sampled. A
+/// two-sided emitter picks its side by stretching u.
+GLINT_HD inline EmittedPhoton emitFromArea(const SceneView& view, const EmitterData& e, const Vec2& uPoint,
+                                           const Vec2& uDirection) {
+    EmittedPhoton photon;
+    float pdfArea = 0.0f;
+    const SurfacePoint surface = emitterSurface(view, e, uPoint, &pdfArea);
+    if (!(pdfArea > 0.0f) || !std::isfinite(pdfArea)) return photon;
+    Vec2 u = uDirection;
+    float side = 1.0f;
+    if (e.emitsBothSides) {
+        side = u.x < 0.5f ? 1.0f : -1.0f;
+        u.x = u.x < 0.5f ? 2.0f * u.x : 2.0f * u.x - 1.0f;
+    }
+    const Vec3 direction = Frame::fromNormal(side * surface.ng).toWorld(sampleCosineHemisphere(u));
+    photon.ray = spawnRay(surface, direction);
+    photon.flux = e.radiance * (kPi / pdfArea * (e.emitsBothSides ? 2.0f : 1.0f));
+    return photon;
+}
+
+GLINT_HD inline EmittedPhoton emitFromPoint(const EmitterData& e, const Vec2& uDirection) {
+    EmittedPhoton photon;
+    photon.ray.origin = e.position;
+    if (e.tag == EmitterTag::Spot) {
+        const float oneMinusCos = 1.0f - e.cosConeOuter;
+        const Vec3 local = sampleCone(uDirection, oneMinusCos);
+        photon.ray.direction = Frame::fromNormal(e.direction).toWorld(local);
+        photon.flux = e.radiance * (spotFalloff(e, local.z) * kTwoPi * oneMinusCos);
+    } else {
+        photon.ray.direction = sampleSphere(uDirection);
+        photon.flux = e.radiance * (2.0f * kTwoPi);
+    }
+    return photon;
+}
+
+/// From outside the scene's bounding sphere, along `direction`, uniform over the sphere's shadow.
+GLINT_HD inline Ray rayFromFarAway(const SceneView& view, const Vec3& direction, const Vec2& uPoint) {
+    const Vec2 d = sampleDisc(uPoint);
+    const Frame frame = Frame::fromNormal(direction);
+    Ray ray;
+    ray.origin = view.sceneCenter + view.sceneRadius * (d.x * frame.s + d.y * frame.t - direction);
+    ray.direction = direction;
+    return ray;
+}
+
+template <FeatureMask kMask>
+GLINT_HD inline EmittedPhoton emitFromEnvironment(const SceneView& view, const Vec2& uPoint,
+                                                  const Vec2& uDirection) {
+    EmittedPhoton photon;
+    LightContext everywhere;
+    everywhere.bothSides = true;
+    const DirectionSample towards = sampleEnvironment<kMask>(view.lights, everywhere, uDirection);
+    if (!(towards.pdfSolidAngle > 0.0f)) return photon;
+    photon.ray = rayFromFarAway(view, -towards.wiWorld, uPoint);
+    photon.flux = environmentRadiance<kMask>(view, towards.wiWorld) *
+                  (kPi * square(view.sceneRadius) / towards.pdfSolidAngle);
+    return photon;
+}
+
+}  // namespace detail
+
+/// One photon from the whole scene: its expected flux is the power of all lights. uChoice, uPoint, uDirection
+/// in [0, 1).
+template <FeatureMask kMask>
+GLINT_HD inline EmittedPhoton emitPhoton(const SceneView& view, const EmissionView& emission, float uChoice,
+                                         const Vec2& uPoint, const Vec2& uDirection) {
+    if (emission.emitterCount == 0) return {};
+    const int chosen = findInterval(emission.cdf, static_cast<int>(emission.emitterCount), uChoice);
+    const float probability = emission.cdf[chosen + 1] - emission.cdf[chosen];
+    if (!(probability > 0.0f)) return {};
+    const EmitterData& e = view.lights.emitters[static_cast<uint32_t>(chosen)];
+    EmittedPhoton photon;
+    switch (e.tag) {
+        case EmitterTag::Environment:
+            photon = detail::emitFromEnvironment<kMask>(view, uPoint, uDirection);
+            break;
+        case EmitterTag::Point:
+        case EmitterTag::Spot:
+            photon = detail::emitFromPoint(e, uDirection);
+            break;
+        case EmitterTag::Directional:
+            photon.ray = detail::rayFromFarAway(view, e.direction, uPoint);
+            photon.flux = e.radiance * (kPi * square(view.sceneRadius));
+            break;
+        default:
+            photon = detail::emitFromArea(view, e, uPoint, uDirection);
+            break;
+    }
+    photon.emitter = static_cast<uint32_t>(chosen);
+    photon.flux *= 1.0f / probability;
+    return photon;
+}
+
+}  // namespace glint

@@ -1,0 +1,91 @@
+// The camera half of an SPPM pass: one path a pixel to its visible point. Host and device; called by the
+// backends.
+//
+// It is the path tracer's path up to the first lobe that is neither specular nor sharply glossy. There it
+// rests: photons bring what is scattered further. Emission on the way and, where it is sampled, direct light
+// are the path's own result.
+#pragma once
+
+#include "engine/kernels/path_kernel.h"
+#include "engine/kernels/sppm_visibility.h"
+#include "engine/math/octahedral.h"
+
+namespace glint {
+
+namespace detail {
+
+GLINT_HD inline VisiblePoint makeVisiblePoint(const SurfacePoint& surface, const Vec3& wo,
+                                              const PathState& path, float lobeProbability) {
+    VisiblePoint point;
+    point.p = surface.p;
+    point.throughput = path.throughput * (1.0f / lobeProbability);
+    point.woWorld = wo;
+    point.vertexColor = surface.vertexColor;
+    point.uv = surface.uv;
+    point.nsPacked = packUnitVector<16>(surface.ns);
+    point.ngPacked = packUnitVector<16>(surface.ng);
+    point.material = surface.material;
+    point.depth = static_cast<uint32_t>(path.depth);
+    return point;
+}
+
+/// Follows the path; true when it came to rest at *point.
+template <FeatureMask kMask>
+GLINT_HD bool followToVisiblePoint(const SceneView& view, const SppmParams& params, const Sampler& sampler,
+                                   PathState* path, VisiblePoint* point) {
+    NoPathLog log;
+    const PassParams& pass = params.pass;
+    bool rests = false;
+    float distance = 0.0f;
+    while (true) {
+        Hit hit;
+        ++path->rays;
+        if (!intersect<kMask>(view, path->ray, &hit)) {
+            addEnvironment<kMask>(view, pass, path, &log);
+            return rests;
+        }
+        const SurfacePoint surface = surfaceAt<kMask>(view, path->ray, hit);
+        const Vec3 wo = -path->ray.direction;
+        addEmission<kMask>(view, pass, surface, wo, path, &log);
+        if (rests || path->depth >= pass.maxDepth) return rests;
+        distance += hit.t;
+
+        const Bsdf<kMask> bsdf = makeBsdf<kMask>(view, surface, wo);
+        const LobeRange stored = storedLobes(bsdf, params.storeAlpha);
+        const bool sampleLight =
+            stored.probability() > 0.0f ? params.sampleDirectLight : !isSpecularOnly(bsdf);
+        path->context = lightContextAt<kMask>(view, surface, wo);
+        if (sampleLight) addSampledLight<kMask>(view, pass, sampler, surface, bsdf, path, &log);
+
+        const float uLobe = get1D<kMask>(sampler, dimension(BounceDimension::Lobe, path->depth));
+        if (stored.contains(uLobe)) {
+            *point = makeVisiblePoint(surface, wo, *path, stored.probability());
+            point->footprint = distance * 2.0f * view.camera.tanHalfFovY / static_cast<float>(pass.height);
+            rests = true;
+            if (!sampleLight) return true;
+            // One more ray, for light that the sampled direction finds: the other half of multiple importance
+            // sampling.
+        }
+        if (!scatterBy<kMask>(pass, sampler, surface, bsdf, uLobe, path, &log)) return rests;
+    }
+}
+
+}  // namespace detail
+
+/// Traces pixel (x, y) of params.pass. Returns its emission and sampled direct light; *point is where it
+/// rests (throughput 0: nowhere).
+template <FeatureMask kMask>
+GLINT_HD PixelSample traceVisiblePoint(const SceneView& view, const SppmParams& params, int x, int y,
+                                       VisiblePoint* point) {
+    const Sampler sampler = makeSampler(params.pass, x, y);
+    PathState path;
+    path.ray = pixelRay<kMask>(view.camera, params.pass, sampler, x, y);
+    *point = VisiblePoint{};
+    if (!detail::followToVisiblePoint<kMask>(view, params, sampler, &path, point) ||
+        !isFinite(point->throughput) || !isFinite(point->p)) {
+        point->throughput = Vec3(0.0f);
+    }
+    return finishSample(params.pass, path);
+}
+
+}  // namespace glint

@@ -1,0 +1,109 @@
+// The light half of an SPPM pass: one photon from its light through the scene. Host and device; called by the
+// backends.
+//
+// A photon is stored at every surface that can hold a visible point, before it is scattered there. Flux, not
+// radiance, is transported: refraction does not scale it, and shading normals need the adjoint's correction
+// (Veach 1997, section 5.3).
+#pragma once
+
+#include "engine/kernels/bsdf.h"
+#include "engine/kernels/intersect.h"
+#include "engine/kernels/light_emission.h"
+#include "engine/kernels/sampler.h"
+#include "engine/kernels/sppm_visibility.h"
+#include "engine/math/color.h"
+#include "engine/math/octahedral.h"
+
+namespace glint {
+
+/// Where one photon's power went, luminance; emitted is what it set out with. For energy balances and
+/// counters.
+struct PhotonTally {
+    float emitted = 0.0f;
+    float escaped = 0.0f;
+    uint32_t rays = 0;
+    bool faulty = false;  ///< a flux became non-finite or negative: the photon ended there
+};
+
+/// Photons are numbered over all passes, so that they stratify over all of them together. 2^32 share one key.
+GLINT_HD inline Sampler makePhotonSampler(const PassParams& pass, uint64_t photonNumber) {
+    constexpr int kPhotonRow = 0x7fffffff;  // no pixel has this y
+    PassParams numbered = pass;
+    numbered.pass = static_cast<uint32_t>(photonNumber);
+    return makeSampler(numbered, static_cast<int>(photonNumber >> 32), kPhotonRow);
+}
+
+GLINT_HD inline Photon makePhoton(const SurfacePoint& surface, const Vec3& wo, const Vec3& flux, int depth) {
+    Photon photon;
+    photon.p = surface.p;
+    photon.flux = flux;
+    photon.wiPacked = packUnitVector<16>(wo);
+    photon.ngAndDepth = packUnitVector<12>(surface.ng) | static_cast<uint32_t>(depth) << 24;
+    return photon;
+}
+
+/// What shading normals do to flux and not to radiance: |wo.ns wi.ng| / |wo.ng wi.ns|.
+GLINT_HD inline float adjointCorrection(const SurfacePoint& surface, const Vec3& wo, const Vec3& wi) {
+    const float above = absDot(wo, surface.ns) * absDot(wi, surface.ng);
+    const float below = absDot(wo, surface.ng) * absDot(wi, surface.ns);
+    return below > 0.0f ? above / below : 0.0f;
+}
+
+/// Scatters the photon; false: it was absorbed. The roulette keeps its flux about constant.
+template <FeatureMask kMask>
+GLINT_HD bool scatterPhoton(const Sampler& sampler, const SurfacePoint& surface, const Bsdf<kMask>& bsdf,
+                            const Vec3& wo, int depth, Ray* ray, Vec3* flux) {
+    const float uLobe = get1D<kMask>(sampler, dimension(BounceDimension::Lobe, depth));
+    const Vec2 u = get2D<kMask>(sampler, dimension(BounceDimension::Direction, depth));
+    const BsdfSample next = sample(bsdf, uLobe, u);
+    if (!next.valid) return false;
+    Vec3 scattered = *flux * next.weight;
+    if constexpr (hasFeature<kMask>(kFeatureMeshNormals))
+        scattered *= adjointCorrection(surface, wo, next.wiWorld);
+    const float chance = std::fmin(1.0f, maxComponent(scattered) / maxComponent(*flux));
+    if (!(chance > 0.0f)) return false;
+    if (chance < 1.0f && get1D<kMask>(sampler, dimension(BounceDimension::Roulette, depth)) >= chance)
+        return false;
+    *flux = scattered * (1.0f / chance);
+    *ray = spawnRay(surface, next.wiWorld);
+    return true;
+}
+
+/// Traces photon `photonNumber` and calls store(photon) for each place where it counts.
+template <FeatureMask kMask, class Store>
+GLINT_HD PhotonTally tracePhoton(const SceneView& view, const EmissionView& emission,
+                                 const SppmParams& params, uint64_t photonNumber, Store&& store) {
+    const Sampler sampler = makePhotonSampler(params.pass, photonNumber);
+    const EmittedPhoton emitted =
+        emitPhoton<kMask>(view, emission, get1D<kMask>(sampler, dimension(EmissionDimension::Light)),
+                          get2D<kMask>(sampler, dimension(EmissionDimension::Point)),
+                          get2D<kMask>(sampler, dimension(EmissionDimension::Direction)));
+    PhotonTally tally;
+    Vec3 flux = emitted.flux;
+    Ray ray = emitted.ray;
+    tally.emitted = luminance(flux);
+    const int firstStored = params.sampleDirectLight ? 1 : 0;
+    // The visible point's own scattering is the last of maxDepth.
+    for (int depth = 0; depth < params.pass.maxDepth && !isZero(flux); ++depth) {
+        if (!isFinite(flux) || minComponent(flux) < 0.0f) {
+            tally.faulty = true;
+            return tally;
+        }
+        Hit hit;
+        ++tally.rays;
+        if (!intersect<kMask>(view, ray, &hit)) {
+            tally.escaped = luminance(flux);
+            return tally;
+        }
+        const SurfacePoint surface = surfaceAt<kMask>(view, ray, hit);
+        const Vec3 wo = -ray.direction;
+        const Bsdf<kMask> bsdf = makeBsdf<kMask>(view, surface, wo, TransportMode::Importance);
+        if (depth >= firstStored && storedLobes(bsdf, params.storeAlpha).probability() > 0.0f) {
+            store(makePhoton(surface, wo, flux, depth));
+        }
+        if (!scatterPhoton<kMask>(sampler, surface, bsdf, wo, depth, &ray, &flux)) return tally;
+    }
+    return tally;
+}
+
+}  // namespace glint

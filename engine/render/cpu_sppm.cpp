@@ -1,0 +1,214 @@
+// The stages of an SPPM pass as OpenMP loops.
+#include "engine/render/cpu_sppm.h"
+
+#include <algorithm>
+#include <chrono>
+#include <new>
+
+#include "engine/base/parallel.h"
+#include "engine/kernels/sppm_gather_kernel.h"
+
+namespace glint {
+namespace {
+
+constexpr int kTileSize = 16;
+constexpr uint64_t kPhotonsPerChunk = 1024;
+constexpr int64_t kGatherPixels = 512;
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double radiusSquaredOf(const SppmParams& params, const SppmPixel& pixel, const VisiblePoint& point) {
+    return pixel.radiusSquared > 0.0 ? pixel.radiusSquared : initialRadiusSquared(params, point.footprint);
+}
+
+}  // namespace
+
+struct CpuSppm::Job {
+    const SceneView& view;
+    const EmissionView& emission;
+    const SppmParams& params;
+    const SppmVariant& variant;
+    const std::atomic<bool>& stop;
+    SppmState* state;
+
+    size_t pixelCount() const { return state->pixels.size(); }
+    uint64_t chunkCount() const { return (params.photonsPerPass + kPhotonsPerChunk - 1) / kPhotonsPerChunk; }
+};
+
+const SppmVariant& CpuSppm::variant(const SppmParams& params, FeatureMask features) const {
+    return chooseSppmVariant(
+        params.pass.sampler == SamplerTag::Independent ? features | kFeatureIndependentSampler : features);
+}
+
+bool CpuSppm::traceCamera(const Job& job, std::vector<PixelSample>* direct) {
+    const int width = job.params.pass.width;
+    const int height = job.params.pass.height;
+    const int columns = (width + kTileSize - 1) / kTileSize;
+    const int rows = (height + kTileSize - 1) / kTileSize;
+    parallelChunks(int64_t{columns} * rows, 1, threads_, [&](int64_t tile, int64_t) {
+        if (job.stop.load(std::memory_order_relaxed)) {
+            return;
+        }
+        const int x = static_cast<int>(tile) % columns * kTileSize;
+        const int y = static_cast<int>(tile) / columns * kTileSize;
+        const PixelRect rect{x, y, std::min(x + kTileSize, width), std::min(y + kTileSize, height)};
+        job.variant.traceVisiblePoints(job.view, job.params, rect, direct->data(), pixels_.data());
+    });
+    return !job.stop.load();
+}
+
+/// The box around all visible points and their radii, and the cell sizes that gathering will ask for.
+GridSpace CpuSppm::findSpace(const Job& job, uint32_t* levelsInUse) const {
+    const auto count = static_cast<int64_t>(job.pixelCount());
+    const auto slices = static_cast<int64_t>(threads_);
+    std::vector<Bounds> bounds(static_cast<size_t>(slices));
+    parallelChunks(slices, 1, threads_, [&](int64_t slice, int64_t) {
+        Bounds own;
+        for (int64_t i = count * slice / slices; i < count * (slice + 1) / slices; ++i) {
+            const VisiblePoint& point = pixels_[static_cast<size_t>(i)].visiblePoint;
+            if (!isZero(point.throughput)) {
+                const Vec3 radius(static_cast<float>(std::sqrt(
+                    radiusSquaredOf(job.params, job.state->pixels[static_cast<size_t>(i)], point))));
+                own.grow(point.p - radius);
+                own.grow(point.p + radius);
+            }
+        }
+        bounds[static_cast<size_t>(slice)] = own;
+    });
+    Bounds all;
+    for (const Bounds& slice : bounds) {
+        all.grow(slice);
+    }
+    GridSpace space;
+    *levelsInUse = 0;
+    if (all.empty()) {
+        return space;
+    }
+    constexpr float kSlack = 1.0001f;  // rounding must not push a point out of its own box
+    space.origin = all.lo;
+    space.finestCell =
+        std::max(maxComponent(all.extent()) * kSlack / static_cast<float>(1 << kGridBitsPerAxis),
+                 std::numeric_limits<float>::min());
+    for (size_t i = 0; i < pixels_.size(); ++i) {
+        const VisiblePoint& point = pixels_[i].visiblePoint;
+        if (!isZero(point.throughput)) {
+            const double radius = std::sqrt(radiusSquaredOf(job.params, job.state->pixels[i], point));
+            *levelsInUse |= 1u << space.levelFor(static_cast<float>(radius));
+        }
+    }
+    return space;
+}
+
+bool CpuSppm::tracePhotons(const Job& job, const GridSpace& space) {
+    const uint64_t first = uint64_t{job.params.pass.pass} * job.params.photonsPerPass;
+    const uint64_t chunks = job.chunkCount();
+    std::vector<PhotonTotals> totals(chunks);
+    photonRoom_ = std::max<size_t>(photonRoom_, job.params.photonsPerPass);
+    do {
+        if (photons_.overflowed()) {
+            photonRoom_ = photons_.wanted() + photons_.wanted() / 8;
+        }
+        photons_.reset(photonRoom_, chunks);
+        parallelChunks(static_cast<int64_t>(chunks), 1, threads_, [&](int64_t chunk, int64_t) {
+            if (job.stop.load(std::memory_order_relaxed)) {
+                return;
+            }
+            const uint64_t begin = first + static_cast<uint64_t>(chunk) * kPhotonsPerChunk;
+            const uint64_t end = std::min(begin + kPhotonsPerChunk, first + job.params.photonsPerPass);
+            const auto index = static_cast<size_t>(chunk);
+            totals[index] = job.variant.tracePhotons(job.view, job.emission, job.params, {begin, end}, space,
+                                                     &photons_.writer(index));
+        });
+    } while (photons_.overflowed() && !job.stop.load());
+    stats_.photons = {};
+    for (const PhotonTotals& chunk : totals) {
+        stats_.photons.emitted += chunk.emitted;
+        stats_.photons.escaped += chunk.escaped;
+        stats_.photons.rays += chunk.rays;
+        stats_.photons.faulty += chunk.faulty;
+    }
+    return !job.stop.load();
+}
+
+bool CpuSppm::gather(const Job& job) {
+    const auto gatherWith = [&](const auto& photons, const auto& loop) {
+        parallelChunks(static_cast<int64_t>(job.pixelCount()), kGatherPixels, threads_,
+                       [&](int64_t begin, int64_t end) {
+                           if (!job.stop.load(std::memory_order_relaxed)) {
+                               loop(job.view, photons, job.params, job.state->pixels.data(),
+                                    static_cast<size_t>(begin), static_cast<size_t>(end), pixels_.data());
+                           }
+                       });
+    };
+    if (job.params.lookup == PhotonLookup::Tree) {
+        gatherWith(photons_.tree(), job.variant.gatherFromTree);
+    } else {
+        gatherWith(photons_.grid(), job.variant.gatherFromGrid);
+    }
+    return !job.stop.load();
+}
+
+void CpuSppm::update(const Job& job) {
+    const double emitted = job.params.photonsPerPass;
+    parallelChunks(static_cast<int64_t>(job.pixelCount()), 16384, threads_, [&](int64_t begin, int64_t end) {
+        for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
+            SppmPixel& pixel = job.state->pixels[i];
+            const Gathered& gathered = pixels_[i].gathered;
+            if (!(pixel.radiusSquared > 0.0)) {
+                pixel.radiusSquared = static_cast<double>(gathered.initialRadiusSquared);
+            }
+            updatePixel(gathered, job.params.alpha, job.params.pass.pass, emitted, &pixel);
+        }
+    });
+    job.state->passes = job.params.pass.pass + 1;
+    job.state->emittedPhotons += job.params.photonsPerPass;
+}
+
+Result<bool> CpuSppm::renderPass(const SceneView& view, FeatureMask features, const EmissionView& emission,
+                                 const SppmParams& params, const std::atomic<bool>& stop, SppmState* state,
+                                 std::vector<PixelSample>* direct) {
+    const Job job{view, emission, params, variant(params, features), stop, state};
+    using Clock = std::chrono::steady_clock;
+    try {
+        direct->resize(job.pixelCount());
+        pixels_.resize(job.pixelCount());
+
+        auto start = Clock::now();
+        if (!traceCamera(job, direct)) {
+            return false;
+        }
+        stats_.cameraSeconds = secondsSince(start);
+
+        start = Clock::now();
+        uint32_t levelsInUse = 0;
+        const GridSpace space = findSpace(job, &levelsInUse);
+        if (!tracePhotons(job, space)) {
+            return false;
+        }
+        stats_.photonSeconds = secondsSince(start);
+
+        start = Clock::now();
+        if (params.lookup == PhotonLookup::Tree) {
+            photons_.buildTree(threads_);
+        } else {
+            photons_.buildGrid(space, levelsInUse, threads_);
+        }
+        stats_.sortSeconds = secondsSince(start);
+
+        start = Clock::now();
+        if (!gather(job)) {
+            return false;
+        }
+        update(job);
+        stats_.gatherSeconds = secondsSince(start);
+    } catch (const std::bad_alloc&) {
+        return Error{"not enough memory for the photons of a pass; fewer photons per pass need less", {}};
+    }
+    stats_.storedPhotons = photons_.photonCount();
+    stats_.photonBytes = photons_.bytes();
+    return true;
+}
+
+}  // namespace glint

@@ -1,0 +1,76 @@
+// The bodies of sppm_kernel.h's loops. For sppm_kernel_*.cpp only: including it compiles all SPPM kernels.
+#pragma once
+
+#include "engine/kernels/sppm_camera_kernel.h"
+#include "engine/kernels/sppm_gather_kernel.h"
+#include "engine/kernels/sppm_photon_kernel.h"
+#include "engine/render/sppm_kernel.h"
+
+namespace glint {
+namespace detail {
+
+template <FeatureMask kMask>
+void traceVisiblePoints(const SceneView& view, const SppmParams& params, const PixelRect& tile,
+                        PixelSample* image, PassPixel* pixels) {
+    for (int y = tile.y0; y < tile.y1; ++y) {
+        const size_t row = static_cast<size_t>(y) * static_cast<size_t>(params.pass.width);
+        for (int x = tile.x0; x < tile.x1; ++x) {
+            const size_t pixel = row + static_cast<size_t>(x);
+            image[pixel] = traceVisiblePoint<kMask>(view, params, x, y, &pixels[pixel].visiblePoint);
+        }
+    }
+}
+
+template <FeatureMask kMask>
+PhotonTotals tracePhotons(const SceneView& view, const EmissionView& emission, const SppmParams& params,
+                          const PhotonRange& range, const GridSpace& space, PhotonStore::Writer* writer) {
+    PhotonTotals totals;
+    for (uint64_t number = range.first; number < range.end; ++number) {
+        const PhotonTally tally =
+            tracePhoton<kMask>(view, emission, params, number, [&](const Photon& photon) {
+                uint32_t cell[3];
+                if (space.locate(photon.p, cell)) {
+                    writer->add(photon);
+                }
+            });
+        totals.emitted += static_cast<double>(tally.emitted);
+        totals.escaped += static_cast<double>(tally.escaped);
+        totals.rays += tally.rays;
+        totals.faulty += tally.faulty ? 1 : 0;
+    }
+    return totals;
+}
+
+template <FeatureMask kMask, class PhotonMap>
+void gatherPixels(const SceneView& view, const PhotonMap& photons, const SppmParams& params,
+                  const SppmPixel* statistics, size_t begin, size_t end, PassPixel* pixels) {
+    for (size_t i = begin; i < end; ++i) {
+        const VisiblePoint point = pixels[i].visiblePoint;
+        Gathered gathered;
+        if (!isZero(point.throughput)) {
+            const double radiusSquared = statistics[i].radiusSquared > 0.0
+                                             ? statistics[i].radiusSquared
+                                             : initialRadiusSquared(params, point.footprint);
+            gathered = gatherPhotons<kMask>(view, photons, params, point, static_cast<float>(radiusSquared));
+            gathered.initialRadiusSquared = static_cast<float>(radiusSquared);
+        }
+        pixels[i].gathered = gathered;
+    }
+}
+
+}  // namespace detail
+
+template <FeatureMask kMask>
+SppmVariant sppmVariant(const char* name) {
+    return {name,
+            kMask,
+            &detail::traceVisiblePoints<kMask>,
+            &detail::tracePhotons<kMask>,
+            &detail::gatherPixels<kMask, PhotonGridView>,
+            &detail::gatherPixels<kMask, PhotonTreeView>};
+}
+
+}  // namespace glint
+
+/// Compiles all loops for one mask.
+#define GLINT_COMPILE_SPPM(mask) template glint::SppmVariant glint::sppmVariant<mask>(const char* name)

@@ -1,0 +1,47 @@
+// What SPPM carries from pass to pass: the statistics of every pixel and how many photons were emitted for
+// them.
+//
+// Belongs to the render session, changes only when a whole pass is committed, and goes into checkpoints as it
+// is.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/kernels/sppm_view.h"
+
+namespace glint {
+
+struct SppmState {
+    int width = 0;
+    int height = 0;
+    uint32_t passes = 0;
+    uint64_t emittedPhotons = 0;
+    std::vector<SppmPixel> pixels;
+
+    SppmState() = default;
+    SppmState(int width, int height);
+
+    /// Radiance that the photons brought to pixel `index`; added to the film's mean it makes the picture.
+    Vec3 photonRadiance(size_t index) const;
+    /// Standard error of the photons' part of the pixel's luminance, from the spread of the passes' own
+    /// estimates. Infinite with fewer than two passes.
+    double photonStandardError(size_t index) const;
+
+    size_t bytes() const { return pixels.capacity() * sizeof(SppmPixel); }
+};
+
+/// What a render with these settings needs beyond the film, computed before anything is allocated.
+struct SppmMemory {
+    size_t pixelBytes = 0;
+    size_t photonBytes = 0;
+    uint32_t photonsPerPass = 0;  ///< as asked for, or the most that fits the budget
+    size_t total() const { return pixelBytes + photonBytes; }
+};
+
+/// storedPerPhoton: how many places a photon is stored at on average, measured or expected. budgetBytes 0: no
+/// limit.
+SppmMemory planSppmMemory(int width, int height, uint32_t photonsPerPass, double storedPerPhoton,
+                          size_t budgetBytes);
+
+}  // namespace glint

@@ -1,0 +1,390 @@
+// SPPM against path tracing, against its own formulas, and at its edges.
+//
+// Statistical checks compare blocks of pixels over independent seeds at a significance of 1e-6 each
+// (statistics.h).
+#include <cmath>
+#include <cstring>
+
+#include <gtest/gtest.h>
+
+#include "engine/build/emission_table.h"
+#include "engine/kernels/sppm_gather_kernel.h"
+#include "engine/math/color.h"
+#include "tests/support/sppm_render.h"
+#include "tests/support/statistics.h"
+#include "tests/support/test_scenes.h"
+
+namespace glint::test {
+namespace {
+
+constexpr int kSeeds = 6;
+
+SceneDescription small(SceneDescription scene) {
+    scene.resolution = {32, 32};
+    scene.options.maxDepth = 8;
+    return scene;
+}
+
+/// A box of diffuse walls with a lamp, and a ball of rough glass in it.
+SceneDescription roughGlassBox() {
+    SceneDescription scene = small(cornellBox());
+    Material glass;
+    glass.name = "rough glass";
+    glass.kind = MaterialKind::Dielectric;
+    glass.color.value = Vec3(1.0f);
+    glass.roughness = 0.3f;
+    scene.materials.push_back(glass);
+    for (Object& object : scene.objects) {
+        if (object.shape == ShapeKind::Sphere) {
+            object.material = static_cast<int>(scene.materials.size()) - 1;
+        }
+    }
+    return scene;
+}
+
+struct Comparison {
+    double meanDifference = 0.0;  ///< signed, of the whole picture, relative to the path tracer's mean
+    double standardError = 0.0;   ///< of meanDifference, from the seeds
+};
+
+/// Whole-picture means over seeds: of SPPM with `passes`, minus those of path tracing.
+Comparison compare(const SceneDescription& scene, SppmParams params, uint32_t passes) {
+    RunningMean sppm;
+    RunningMean paths;
+    const int width = scene.resolution.width;
+    for (uint32_t seed = 1; seed <= kSeeds; ++seed) {
+        params.pass.seed = seed;
+        sppm.add(blockMean(renderSppm(scene, params, passes).picture, width, 0, 0, width));
+        paths.add(blockMean(renderPaths(scene, 100 + seed, 64), width, 0, 0, width));
+    }
+    return {(sppm.mean() - paths.mean()) / paths.mean(),
+            std::hypot(sppm.standardError(), paths.standardError()) / paths.mean()};
+}
+
+SppmParams quickParams() {
+    SppmParams params;
+    params.photonsPerPass = 8000;
+    params.radiusFootprints = 2.0f;
+    return params;
+}
+
+/// What the kernel's finite radius may cost: near edges a disc of radius r loses or gains light over a strip
+/// of width r. With r of two pixels (shrinking) and edges over less than a quarter of a 32-pixel picture, a
+/// few percent of the photons' part.
+constexpr double kBiasBound = 0.03;
+
+class SppmAgainstPaths : public testing::TestWithParam<bool> {};
+
+TEST_P(SppmAgainstPaths, CornellBoxAgrees) {
+    SppmParams params = quickParams();
+    params.sampleDirectLight = GetParam();
+    const Comparison result = compare(small(cornellBox()), params, 12);
+    EXPECT_LT(std::fabs(result.meanDifference), kNormalQuantile * result.standardError + kBiasBound);
+    EXPECT_LT(result.standardError, 0.02) << "too noisy to tell";
+}
+
+TEST_P(SppmAgainstPaths, RoughGlassAgrees) {
+    SppmParams params = quickParams();
+    params.sampleDirectLight = GetParam();
+    const Comparison result = compare(roughGlassBox(), params, 12);
+    EXPECT_LT(std::fabs(result.meanDifference), kNormalQuantile * result.standardError + kBiasBound);
+    EXPECT_LT(result.standardError, 0.02) << "too noisy to tell";
+}
+
+TEST_P(SppmAgainstPaths, AllLampShapesAgree) {
+    SppmParams params = quickParams();
+    params.sampleDirectLight = GetParam();
+    const Comparison result = compare(small(lampShapes()), params, 12);
+    EXPECT_LT(std::fabs(result.meanDifference), kNormalQuantile * result.standardError + kBiasBound);
+}
+
+TEST_P(SppmAgainstPaths, FurnaceAgrees) {
+    SppmParams params = quickParams();
+    params.sampleDirectLight = GetParam();
+    params.photonsPerPass = 40000;
+    const Comparison result = compare(small(whiteFurnace()), params, 12);
+    EXPECT_LT(std::fabs(result.meanDifference), kNormalQuantile * result.standardError + kBiasBound);
+}
+
+INSTANTIATE_TEST_SUITE_P(DirectLight, SppmAgainstPaths, testing::Bool(),
+                         [](const auto& mode) { return mode.param ? "Sampled" : "Photons"; });
+
+TEST(Sppm, BiasShrinksWithTheRadius) {
+    SppmParams params = quickParams();
+    params.sampleDirectLight = false;
+    params.radiusFootprints = 8.0f;
+    const Comparison wide = compare(small(cornellBox()), params, 8);
+    params.radiusFootprints = 1.5f;
+    const Comparison narrow = compare(small(cornellBox()), params, 8);
+    EXPECT_GT(std::fabs(wide.meanDifference), 2.0 * wide.standardError) << "the wide radius must show a bias";
+    EXPECT_LT(std::fabs(narrow.meanDifference) + 2.0 * narrow.standardError, std::fabs(wide.meanDifference));
+}
+
+TEST(Sppm, StatisticsFollowThePaper) {
+    // With M photons every pass: N_i = i alpha M, R_i^2 = R_0^2 prod (N + alpha M) / (N + M).
+    constexpr double kAlpha = 2.0 / 3.0;
+    SppmPixel pixel;
+    pixel.radiusSquared = 4.0;
+    double expected = 4.0;
+    double n = 0.0;
+    for (uint32_t pass = 0; pass < 1000; ++pass) {
+        Gathered gathered;
+        gathered.count = 1 + pass % 7;
+        gathered.flux = Vec3(2.0f, 1.0f, 0.5f) * static_cast<float>(gathered.count);
+        updatePixel(gathered, kAlpha, pass, 1.0, &pixel);
+        const double m = gathered.count;
+        expected *= (n + kAlpha * m) / (n + m);
+        n += kAlpha * m;
+    }
+    EXPECT_NEAR(pixel.radiusSquared, expected, 1e-12 * expected);
+    EXPECT_NEAR(pixel.photonCount, n, 1e-9 * n);
+    // Every photon brought the same flux from the first disc on, so tau / (pi R^2) stays that of the first
+    // pass's density times the number of photons per area: tau = sum of flux kept = flux per photon times N.
+    EXPECT_NEAR(pixel.flux[0], 2.0 * n, 1e-9 * n);
+}
+
+TEST(Sppm, AMillionPassesStayFiniteAndFollowTheAsymptoticLaw) {
+    constexpr double kAlpha = 0.7;
+    SppmPixel pixel;
+    pixel.radiusSquared = 1.0;
+    Gathered gathered;
+    gathered.count = 3;
+    gathered.flux = Vec3(1.0f);
+    double atTenThousand = 0.0;
+    for (uint32_t pass = 0; pass < 1000000; ++pass) {
+        updatePixel(gathered, kAlpha, pass, 1.0, &pixel);
+        if (pass + 1 == 10000) {
+            atTenThousand = pixel.radiusSquared;
+        }
+    }
+    // The factors are (i + 1) / (i + 1 / alpha), so R^2 falls like passes^(1 - 1 / alpha).
+    EXPECT_NEAR(pixel.radiusSquared / atTenThousand, std::pow(100.0, 1.0 - 1.0 / kAlpha), 1e-4);
+    EXPECT_TRUE(std::isfinite(pixel.flux[0]) && pixel.flux[0] > 0.0);
+}
+
+TEST(Sppm, APassWithoutPhotonsChangesNothing) {
+    SppmPixel pixel;
+    pixel.radiusSquared = 0.25;
+    pixel.photonCount = 7.0;
+    pixel.flux[1] = 3.0;
+    for (uint32_t pass = 0; pass < 10000; ++pass) {
+        updatePixel(Gathered{}, 0.5, pass, 1.0, &pixel);
+    }
+    EXPECT_EQ(pixel.radiusSquared, 0.25);
+    EXPECT_EQ(pixel.photonCount, 7.0);
+    EXPECT_EQ(pixel.flux[1], 3.0);
+}
+
+bool sameStatistics(const SppmState& a, const SppmState& b) {
+    return a.pixels.size() == b.pixels.size() &&
+           std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(SppmPixel)) == 0;
+}
+
+TEST(Sppm, BitsDoNotDependOnThreads) {
+    const SceneDescription scene = small(allMaterials());
+    const SppmRender one = renderSppm(scene, quickParams(), 3, 1);
+    for (const int threads : {2, 3}) {
+        const SppmRender more = renderSppm(scene, quickParams(), 3, threads);
+        EXPECT_TRUE(sameStatistics(one.state, more.state)) << threads << " threads";
+        EXPECT_EQ(one.picture, more.picture) << threads << " threads";
+    }
+}
+
+TEST(Sppm, TreeAndGridGiveTheSameSums) {
+    SppmParams params = quickParams();
+    const SppmRender grid = renderSppm(roughGlassBox(), params, 3);
+    params.lookup = PhotonLookup::Tree;
+    const SppmRender tree = renderSppm(roughGlassBox(), params, 3);
+    size_t lit = 0;
+    for (size_t i = 0; i < grid.state.pixels.size(); ++i) {
+        const SppmPixel& a = grid.state.pixels[i];
+        const SppmPixel& b = tree.state.pixels[i];
+        ASSERT_EQ(a.photonCount, b.photonCount) << "pixel " << i;
+        // A few hundred float additions in another order.
+        ASSERT_NEAR(a.flux[1], b.flux[1], 1e-4 * a.flux[1]) << "pixel " << i;
+        lit += a.photonCount > 0.0 ? 1 : 0;
+    }
+    EXPECT_GT(lit, grid.state.pixels.size() / 2);
+}
+
+/// A lamp over a thin wall that shadows a floor: the wall's two faces are nearer than the radius.
+SceneDescription thinWall() {
+    SceneDescription scene;
+    scene.resolution = {16, 16};
+    scene.options.maxDepth = 2;
+    Material wall;
+    wall.name = "wall";
+    wall.color.value = Vec3(0.5f);
+    Material lamp = wall;
+    lamp.name = "lamp";
+    lamp.emission = Vec3(5.0f);
+    scene.materials = {wall, lamp};
+    Object plate;
+    plate.shape = ShapeKind::Rectangle;
+    plate.name = "lower face";
+    plate.objectToWorld = rotate(Vec3(1, 0, 0), kPi);  // its front looks down
+    plate.objectToWorld.translation = Vec3(0.0f, 0.0f, -0.001f);
+    scene.objects.push_back(plate);
+    plate.name = "upper face";
+    plate.objectToWorld = Affine{};
+    scene.objects.push_back(plate);
+    Object source;
+    source.shape = ShapeKind::Rectangle;
+    source.material = 1;
+    source.objectToWorld = translate(Vec3(0, 0, 0.5f)) * rotate(Vec3(1, 0, 0), kPi);
+    scene.objects.push_back(source);
+    scene.camera.position = Vec3(0, 0, -1.5f);
+    scene.camera.target = Vec3(0.0f);
+    scene.camera.up = Vec3(0, 1, 0);
+    scene.camera.verticalFovDeg = 40.0f;
+    return scene;
+}
+
+TEST(Sppm, ThinWallsDoNotLeak) {
+    SppmParams params;
+    params.photonsPerPass = 20000;
+    params.radiusWorld = 0.1f;  // a hundred times the wall
+    params.sampleDirectLight = false;
+    const SppmRender below = renderSppm(thinWall(), params, 2);
+    for (size_t i = 0; i < below.picture.size(); ++i) {
+        ASSERT_EQ(below.picture[i], Vec3(0.0f)) << "pixel " << i;
+        ASSERT_EQ(below.state.pixels[i].photonCount, 0.0);
+    }
+    SceneDescription fromAbove = thinWall();
+    fromAbove.objects.back().objectToWorld.translation.x =
+        2.5f;  // aside, so that the camera sees the lit face
+    fromAbove.camera.position = Vec3(0, 0, 1.5f);
+    const SppmRender above = renderSppm(fromAbove, params, 2);
+    EXPECT_GT(blockMean(above.picture, 16, 4, 4, 8), 0.0) << "the lit face must be lit";
+}
+
+/// One light inside a closed diffuse sphere.
+SceneDescription closedSphere(const Material& lampMaterial, ShapeKind lampShape,
+                              const Affine& lampTransform) {
+    SceneDescription scene;
+    scene.resolution = {8, 8};
+    scene.options.maxDepth = 64;
+    Material wall;
+    wall.name = "wall";
+    wall.color.value = Vec3(0.6f);
+    scene.materials = {wall, lampMaterial};
+    Object shell;
+    shell.shape = ShapeKind::Sphere;
+    shell.objectToWorld = scale(Vec3(3.0f));
+    scene.objects.push_back(shell);
+    Object lamp;
+    lamp.shape = lampShape;
+    lamp.material = 1;
+    lamp.objectToWorld = lampTransform;
+    scene.objects.push_back(lamp);
+    scene.camera.position = Vec3(0, 0, 2.5f);
+    scene.camera.target = Vec3(0.0f);
+    return scene;
+}
+
+struct EnergyCase {
+    const char* name;
+    ShapeKind shape;
+    bool bothSides;
+    Affine transform;
+    double power;  ///< luminance, W
+};
+
+class PhotonEnergy : public testing::TestWithParam<EnergyCase> {};
+
+TEST_P(PhotonEnergy, EmittedPowerIsTheLampsAndNothingEscapes) {
+    const EnergyCase& lampCase = GetParam();
+    Material lamp;
+    lamp.name = "lamp";
+    lamp.color.value = Vec3(0.0f);
+    lamp.emission = Vec3(2.0f);
+    lamp.emitsBothSides = lampCase.bothSides;
+    SppmParams params;
+    params.photonsPerPass = 50000;
+    const SppmRender render = renderSppm(closedSphere(lamp, lampCase.shape, lampCase.transform), params, 1);
+    EXPECT_NEAR(render.lastPass.photons.emitted / params.photonsPerPass, lampCase.power,
+                0.01 * lampCase.power);
+    EXPECT_EQ(render.lastPass.photons.escaped, 0.0);
+    EXPECT_EQ(render.lastPass.photons.faulty, 0u);
+}
+
+constexpr double kPiD = 3.14159265358979323846;
+
+INSTANTIATE_TEST_SUITE_P(
+    Lamps, PhotonEnergy,
+    testing::Values(EnergyCase{"Sphere", ShapeKind::Sphere, false, scale(Vec3(0.5f)),
+                               2.0 * kPiD * 4.0 * kPiD * 0.25},
+                    EnergyCase{"Rectangle", ShapeKind::Rectangle, false, scale(Vec3(0.5f, 0.25f, 1.0f)),
+                               2.0 * kPiD * 0.5},
+                    EnergyCase{"RectangleBothSides", ShapeKind::Rectangle, true, scale(Vec3(0.5f)),
+                               2.0 * 2.0 * kPiD * 1.0},
+                    EnergyCase{"Disc", ShapeKind::Disc, false, scale(Vec3(0.5f)), 2.0 * kPiD* kPiD * 0.25},
+                    // A prolate spheroid with half axes 0.4, 0.4, 0.8: area 2 pi a^2 (1 + c / (a e) asin e),
+                    // e^2 = 1 - a^2 / c^2.
+                    EnergyCase{"Ellipsoid", ShapeKind::Sphere, false, scale(Vec3(0.4f, 0.4f, 0.8f)),
+                               2.0 * kPiD * 2.0 * kPiD * 0.16 *
+                                   (1.0 + 2.0 / std::sqrt(0.75) * std::asin(std::sqrt(0.75)))}),
+    [](const auto& lampCase) { return lampCase.param.name; });
+
+TEST(PhotonEnergyOf, PointSpotDirectionalAndEnvironment) {
+    Material dark;
+    dark.name = "dark";
+    dark.color.value = Vec3(0.0f);
+    SppmParams params;
+    params.photonsPerPass = 50000;
+    const SceneDescription empty = closedSphere(dark, ShapeKind::Sphere, scale(Vec3(0.1f)));
+    SceneDescription scene = empty;
+    scene.lights = {Light{}};
+    scene.lights[0].position = Vec3(0.0f, 1.0f, 0.0f);
+    const double point = renderSppm(scene, params, 1).lastPass.photons.emitted / params.photonsPerPass;
+    EXPECT_NEAR(point, 4.0 * kPiD, 1e-3);
+    scene.lights[0].kind = LightKind::Spot;
+    scene.lights[0].coneAngleDeg = 60.0f;
+    scene.lights[0].coneFalloffStartDeg = 60.0f;
+    const double spot = renderSppm(scene, params, 1).lastPass.photons.emitted / params.photonsPerPass;
+    EXPECT_NEAR(spot, 2.0 * kPiD * 0.5, 0.01);
+
+    // From outside: all photons of the bounding disc arrive on the shell or miss it.
+    scene.lights[0].kind = LightKind::Directional;
+    const SppmPassStats directional = renderSppm(scene, params, 1).lastPass;
+    EXPECT_GE(directional.photons.emitted / params.photonsPerPass, kPiD * 9.0 * 0.99)
+        << "the disc covers the shell";
+    scene.lights.clear();
+    scene.environment.color = Vec3(0.5f);
+    const SppmPassStats environment = renderSppm(scene, params, 1).lastPass;
+    EXPECT_NEAR(environment.photons.emitted / directional.photons.emitted, 0.5 * 4.0 * kPiD, 0.02)
+        << "L * 4 pi over the same disc as one unit of irradiance";
+}
+
+TEST(Sppm, MirrorsAndEscapesOnly) {
+    SceneDescription scene = small(cornellBox());
+    scene.objects.resize(1);
+    scene.materials[static_cast<size_t>(scene.objects[0].material)].kind = MaterialKind::Mirror;
+    scene.environment.color = Vec3(0.5f);
+    const SppmRender render = renderSppm(scene, quickParams(), 2);
+    for (size_t i = 0; i < render.picture.size(); ++i) {
+        ASSERT_TRUE(isFinite(render.picture[i]));
+        ASSERT_EQ(render.state.pixels[i].radiusSquared, 0.0) << "no visible point, no radius";
+    }
+}
+
+TEST(Sppm, NoLightNoPhotons) {
+    const SppmRender render = renderSppm(small(darkness()), quickParams(), 2);
+    for (const Vec3& pixel : render.picture) {
+        ASSERT_EQ(pixel, Vec3(0.0f));
+    }
+}
+
+TEST(Sppm, MemoryIsPlannedWithinItsBudget) {
+    const SppmMemory free = planSppmMemory(1920, 1080, 262144, 4.0, 0);
+    EXPECT_EQ(free.photonsPerPass, 262144u);
+    EXPECT_LE(free.pixelBytes, 1920u * 1080u * 120u);
+    EXPECT_LE(free.photonBytes, 262144u * 4u * 48u);
+    const SppmMemory tight = planSppmMemory(1920, 1080, 10000000, 4.0, size_t{512} << 20);
+    EXPECT_LT(tight.photonsPerPass, 10000000u);
+    EXPECT_GT(tight.photonsPerPass, 1000000u);
+    EXPECT_LE(tight.total(), size_t{512} << 20);
+}
+
+}  // namespace
+}  // namespace glint::test
