@@ -3,10 +3,11 @@
 #include "engine/build/bvh_builder.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "engine/base/parallel.h"
-#include "engine/build/lanes4.h"
+#include "engine/build/box_lanes.h"
 
 namespace glint {
 namespace {
@@ -14,26 +15,9 @@ namespace {
 constexpr int kBins = 32;
 constexpr uint32_t kTaskPrimitives = 4096;  // smaller subtrees are not worth a task
 
-/// A box as two vectors of four floats; the fourth lanes are never read. Half the work of a binning builder
-/// is here.
-struct Box4 {
-    Lanes4 lo = Lanes4::all(kInfinity);
-    Lanes4 hi = Lanes4::all(-kInfinity);
-
-    void grow(const BuildPrimitive& p) {
-        lo = min(lo, Lanes4::load(&p.lo.x));
-        hi = max(hi, Lanes4::load(&p.hi.x));
-    }
-    void grow(const Box4& b) {
-        lo = min(lo, b.lo);
-        hi = max(hi, b.hi);
-    }
-    float halfArea() const { return Bounds{lo.xyz(), hi.xyz()}.halfArea(); }
-};
-
 struct Bin {
-    Box4 bounds;
-    uint32_t count;
+    BoxLanes box;
+    uint32_t count = 0;
 };
 
 struct Split {
@@ -44,41 +28,17 @@ struct Split {
 
 /// The boxes of some primitives and of their centres, doubled.
 struct Extent {
-    Box4 bounds;
-    Box4 doubledCenters;
+    BoxLanes box;
+    BoxLanes doubledCenters;
 
     void grow(const BuildPrimitive& p) {
-        bounds.grow(p);
-        const Lanes4 center = Lanes4::load(&p.lo.x) + Lanes4::load(&p.hi.x);
-        doubledCenters.grow(Box4{center, center});
+        box.grow(BoxLanes::of(p));
+        doubledCenters.grow(BoxLanes::doubledCenter(p));
     }
 };
 
-/// Maps a box to a bin by its centre, the same way when binning and when partitioning.
-struct BinMap {
-    Lanes4 origin;
-    Lanes4 scale;
-    int count;  ///< of bins: few primitives do not need many
-
-    BinMap(const Box4& doubledCenters, uint32_t primitives) {
-        count = static_cast<int>(std::min<uint32_t>(kBins, 6 + primitives / 16));
-        const Vec3 extent = doubledCenters.hi.xyz() - doubledCenters.lo.xyz();
-        Vec3 s(0.0f);
-        for (int axis = 0; axis < 3; ++axis) {
-            const float perBin = 0.9999f * static_cast<float>(count) / extent[axis];
-            if (extent[axis] > 0.0f && perBin < kInfinity) s[axis] = perBin;
-        }
-        origin = doubledCenters.lo;
-        scale = Lanes4::of(s);
-    }
-    /// Bins along x, y and z; the fourth number means nothing.
-    void bins(const BuildPrimitive& p, int32_t bin[4]) const {
-        const Lanes4 center = Lanes4::load(&p.lo.x) + Lanes4::load(&p.hi.x);
-        ((center - origin) * scale).storeClampedInts(0, count - 1, bin);
-    }
-    bool splits(int axis) const { return scale.xyz()[axis] > 0.0f; }
-    bool empty() const { return isZero(scale.xyz()); }
-};
+/// Few primitives do not need many bins.
+int binCount(uint32_t primitives) { return static_cast<int>(std::min<uint32_t>(kBins, 6 + primitives / 16)); }
 
 class Builder {
   public:
@@ -94,28 +54,31 @@ class Builder {
         return extent;
     }
 
-    /// Subtree over [begin, end) with its root in `slot`; it uses at most 2 * count - 1 slots from there on.
+    uint32_t nodeCount() const { return nextNode_.load(); }
+
+    /// The subtree over [begin, end), its root in nodes[slot].
     void build(uint32_t slot, uint32_t begin, uint32_t end, const Extent& extent) {
         BinaryNode& node = nodes_[slot];
-        node = {extent.bounds.lo.xyz(), extent.bounds.hi.xyz(), begin, end, 0};
+        const Bounds bounds = extent.box.bounds();
+        node = {bounds.lo, bounds.hi, begin, end, 0};
         if (end - begin <= options_.leafPrimitives) return;
         Extent left, right;
-        const uint32_t middle = split(node, extent.doubledCenters, &left, &right);
-        const uint32_t rightSlot = slot + 2 * (middle - begin);
-        node.right = rightSlot;
+        const uint32_t middle = split(node, extent.doubledCenters.bounds(), &left, &right);
+        const uint32_t children = nextNode_.fetch_add(2, std::memory_order_relaxed);
+        node.children = children;
         if (end - begin >= 2 * kTaskPrimitives) {
-#pragma omp task default(none) firstprivate(slot, begin, middle, left)
-            build(slot + 1, begin, middle, left);
+#pragma omp task default(none) firstprivate(children, begin, middle, left)
+            build(children, begin, middle, left);
         } else {
-            build(slot + 1, begin, middle, left);
+            build(children, begin, middle, left);
         }
-        build(rightSlot, middle, end, right);
+        build(children + 1, middle, end, right);
     }
 
   private:
     /// Partitions the node's primitives and returns where the right side begins; both sides get some.
-    uint32_t split(const BinaryNode& node, const Box4& doubledCenters, Extent* left, Extent* right) {
-        const BinMap map(doubledCenters, node.end - node.begin);
+    uint32_t split(const BinaryNode& node, const Bounds& doubledCenters, Extent* left, Extent* right) {
+        const BinMap map(doubledCenters, binCount(node.end - node.begin));
         Split best;
         if (!options_.balanced && !map.empty()) best = findSplit(node, map);
         if (best.axis >= 0) return partition(node, map, best, left, right);
@@ -130,11 +93,7 @@ class Builder {
                        Extent* right) {
         uint32_t low = node.begin;
         uint32_t high = node.end;
-        const auto belongsLeft = [&](uint32_t i) {
-            int32_t bin[4];
-            map.bins(primitives_[i], bin);
-            return bin[best.axis] < best.bin;
-        };
+        const auto belongsLeft = [&](uint32_t i) { return map.bin(primitives_[i], best.axis) < best.bin; };
         while (true) {
             while (low < high && belongsLeft(low)) left->grow(primitives_[low++]);
             while (low < high && !belongsLeft(high - 1)) right->grow(primitives_[--high]);
@@ -143,52 +102,53 @@ class Builder {
         }
     }
 
-    void sortAround(const BinaryNode& node, uint32_t middle, const Box4& doubledCenters) {
-        const Vec3 extent = doubledCenters.hi.xyz() - doubledCenters.lo.xyz();
+    void sortAround(const BinaryNode& node, uint32_t middle, const Bounds& doubledCenters) {
+        const Vec3 extent = doubledCenters.extent();
         const int axis = extent.x > extent.y ? (extent.x > extent.z ? 0 : 2) : (extent.y > extent.z ? 1 : 2);
         std::nth_element(primitives_ + node.begin, primitives_ + middle, primitives_ + node.end,
                          [axis](const BuildPrimitive& a, const BuildPrimitive& b) {
-                             const float ca = a.lo[axis] + a.hi[axis];
-                             const float cb = b.lo[axis] + b.hi[axis];
+                             const float ca = a.lo[axis] - a.negatedHi[axis];
+                             const float cb = b.lo[axis] - b.negatedHi[axis];
                              return ca < cb || (ca == cb && a.index < b.index);
                          });
     }
 
     Split findSplit(const BinaryNode& node, const BinMap& map) const {
-        Bin bins[3][kBins];  // only the first map.count of each are used
-        for (auto& axis : bins) std::fill_n(axis, map.count, Bin{Box4{}, 0});
+        Bin bins[3][kBins];
+        const int count = binCount(node.end - node.begin);
         for (uint32_t i = node.begin; i < node.end; ++i) {
             const BuildPrimitive& p = primitives_[i];
-            int32_t bin[4];
+            const BoxLanes box = BoxLanes::of(p);
+            uint32_t bin[3];
             map.bins(p, bin);
             for (int axis = 0; axis < 3; ++axis) {
                 Bin& target = bins[axis][bin[axis]];
-                target.bounds.grow(p);
+                target.box.grow(box);
                 ++target.count;
             }
         }
         Split best;
         for (int axis = 0; axis < 3; ++axis) {
-            if (map.splits(axis)) sweep(bins[axis], map.count, axis, &best);
+            if (map.splits(axis)) sweep(bins[axis], count, axis, &best);
         }
         return best;
     }
 
     float sideCost(const Bin& side) const {
-        return side.bounds.halfArea() * std::ceil(static_cast<float>(side.count) * leavesPerPrimitive_);
+        return side.box.halfArea() * std::ceil(static_cast<float>(side.count) * leavesPerPrimitive_);
     }
 
     void sweep(const Bin* bins, int count, int axis, Split* best) const {
         float rightCost[kBins];
-        Bin side{Box4{}, 0};
+        Bin side;
         for (int i = count - 1; i > 0; --i) {
-            side.bounds.grow(bins[i].bounds);
+            side.box.grow(bins[i].box);
             side.count += bins[i].count;
             rightCost[i] = side.count ? sideCost(side) : kInfinity;
         }
-        side = {Box4{}, 0};
+        side = Bin{};
         for (int i = 1; i < count; ++i) {
-            side.bounds.grow(bins[i - 1].bounds);
+            side.box.grow(bins[i - 1].box);
             side.count += bins[i - 1].count;
             if (side.count == 0) continue;
             const float cost = sideCost(side) + rightCost[i];
@@ -200,6 +160,7 @@ class Builder {
     BvhOptions options_;
     float leavesPerPrimitive_;
     BinaryNode* nodes_;
+    std::atomic<uint32_t> nextNode_{1};
 };
 
 }  // namespace
@@ -213,6 +174,7 @@ BinaryTree buildBinaryTree(HugeVector<BuildPrimitive>* primitives, const BvhOpti
 #pragma omp parallel num_threads(threads) if (count >= 2 * kTaskPrimitives && threads > 1)
 #pragma omp single
     builder.build(0, 0, count, builder.extentOf(0, count));
+    tree.count = builder.nodeCount();
     return tree;
 }
 

@@ -14,31 +14,34 @@
 
 namespace glint {
 
-/// A box to sort into the tree, and whose it is.
-struct alignas(16) BuildPrimitive {
-    Vec3 lo;  ///< finite, not above hi
+/// A box to sort into the tree, and whose it is. The upper corner is negated, so that joining boxes is one
+/// minimum.
+struct alignas(32) BuildPrimitive {
+    Vec3 lo;  ///< finite, not above the upper corner
     uint32_t index;
-    Vec3 hi;
+    Vec3 negatedHi;
     uint32_t unused;
 };
 
 inline BuildPrimitive makeBuildPrimitive(const Bounds& bounds, uint32_t index) {
-    return {bounds.lo, index, bounds.hi, 0};
+    return {bounds.lo, index, -bounds.hi, 0};
 }
 
 /// A node over primitives [begin, end), without default values: trees leave room for slots that they never
-/// use. An inner node's left child is the next node, the right one `right`.
+/// use. An inner node's children are nodes `children` and `children` + 1.
 struct BinaryNode {
     Vec3 lo, hi;
     uint32_t begin, end;
-    uint32_t right;  ///< 0: a leaf
+    uint32_t children;  ///< 0: a leaf
 
-    bool leaf() const { return right == 0; }
+    bool leaf() const { return children == 0; }
     Bounds bounds() const { return {lo, hi}; }
 };
 
 struct BinaryTree {
-    HugeVector<BinaryNode> nodes;  ///< nodes[0] is the root; sparse: subtrees keep room for their worst case
+    HugeVector<BinaryNode>
+        nodes;           ///< nodes[0] is the root; the order varies with the threads, the tree does not
+    uint32_t count = 0;  ///< nodes in use
 };
 
 struct BvhOptions {

@@ -12,6 +12,7 @@ class Collapser {
     Collapser(const BinaryTree& tree, const EmitLeaf& emitLeaf) : tree_(tree), emitLeaf_(emitLeaf) {}
 
     HugeVector<WideNode> run() {
+        nodes_.reserve(tree_.count / 6 + 1);
         collapse(0);
         return std::move(nodes_);
     }
@@ -24,8 +25,8 @@ class Collapser {
             const int opened = largestInner(children, count);
             if (opened < 0) break;
             const uint32_t parent = children[opened];
-            children[opened] = parent + 1;
-            children[count++] = tree_.nodes[parent].right;
+            children[opened] = tree_.nodes[parent].children;
+            children[count++] = tree_.nodes[parent].children + 1;
         }
         const uint32_t index = static_cast<uint32_t>(nodes_.size());
         nodes_.push_back(emptyNode());

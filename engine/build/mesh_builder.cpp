@@ -22,64 +22,95 @@ Bounds paddedBounds(const MeshData& mesh, uint32_t triangle) {
     return {b.lo - pad, b.hi + pad};
 }
 
-/// Packs the triangles of leaves into clusters.
-class ClusterWriter {
-  public:
-    explicit ClusterWriter(BuiltMesh* mesh) : mesh_(*mesh), data_(*mesh->data) {}
+/// Primitives [begin, end) of one leaf.
+struct LeafRange {
+    uint32_t begin, end;
+};
 
-    /// Appends clusters for the given triangles and returns the reference to them.
-    uint32_t write(const BuildPrimitive* begin, const BuildPrimitive* end) {
-        const uint32_t first = static_cast<uint32_t>(mesh_.clusters.size());
-        for (const BuildPrimitive* p = begin; p != end; ++p) {
-            if (p == begin || !tryAdd(p->index)) {
-                startCluster();
-                tryAdd(p->index);
-            }
+/// Packs triangles into clusters, one after the other.
+class ClusterPacker {
+  public:
+    ClusterPacker(const MeshData& data, const HugeVector<BuildPrimitive>& primitives)
+        : data_(data), primitives_(primitives) {}
+
+    /// Appends the leaf's clusters to `clusters` and returns how many they are.
+    uint32_t pack(const LeafRange& leaf, std::vector<TriangleCluster>* clusters) const {
+        uint32_t vertices = 0;
+        uint32_t count = 0;
+        for (uint32_t i = leaf.begin; i < leaf.end; ++i) {
+            if (count > 0 && tryAdd(primitives_[i].index, &clusters->back(), &vertices)) continue;
+            TriangleCluster cluster{};
+            cluster.firstPrimitive = i;
+            clusters->push_back(cluster);
+            ++count;
+            vertices = 0;
+            tryAdd(primitives_[i].index, &clusters->back(), &vertices);
         }
-        const uint32_t count = static_cast<uint32_t>(mesh_.clusters.size()) - first;
-        GLINT_CHECK_OP(first, <=, kMaxLeafFirst);
-        GLINT_CHECK_OP(count, <=, kMaxLeafItems);
-        return makeLeaf(first, count);
+        return count;
     }
 
   private:
-    void startCluster() {
-        TriangleCluster cluster{};
-        cluster.firstPrimitive = static_cast<uint32_t>(mesh_.clusterPrimitives.size());
-        mesh_.clusters.push_back(cluster);
-        vertices_ = 0;
-    }
-
-    bool tryAdd(uint32_t triangle) {
-        TriangleCluster& cluster = mesh_.clusters.back();
-        if (cluster.count == kClusterTriangles) return false;
-        uint32_t vertices = vertices_;
+    bool tryAdd(uint32_t triangle, TriangleCluster* cluster, uint32_t* usedVertices) const {
+        if (cluster->count == kClusterTriangles) return false;
+        uint32_t vertices = *usedVertices;
         uint8_t slot[3];
         for (int corner = 0; corner < 3; ++corner) {
             const Vec3& p = data_.positions[data_.indices[3 * size_t{triangle} + corner]];
             uint32_t v = 0;
-            while (v < vertices && !(cluster.position[0][v] == p.x && cluster.position[1][v] == p.y &&
-                                     cluster.position[2][v] == p.z)) {
+            while (v < vertices && !(cluster->position[0][v] == p.x && cluster->position[1][v] == p.y &&
+                                     cluster->position[2][v] == p.z)) {
                 ++v;
             }
             if (v == kClusterVertices) return false;
             if (v == vertices) {
-                for (int axis = 0; axis < 3; ++axis) cluster.position[axis][v] = p[axis];
+                for (int axis = 0; axis < 3; ++axis) cluster->position[axis][v] = p[axis];
                 ++vertices;
             }
             slot[corner] = static_cast<uint8_t>(v);
         }
-        vertices_ = vertices;
-        for (int corner = 0; corner < 3; ++corner) cluster.vertex[corner][cluster.count] = slot[corner];
-        ++cluster.count;
-        mesh_.clusterPrimitives.push_back(triangle);
+        *usedVertices = vertices;
+        for (int corner = 0; corner < 3; ++corner) cluster->vertex[corner][cluster->count] = slot[corner];
+        ++cluster->count;
         return true;
     }
 
-    BuiltMesh& mesh_;
     const MeshData& data_;
-    uint32_t vertices_ = 0;
+    const HugeVector<BuildPrimitive>& primitives_;
 };
+
+/// Fills mesh->clusters from the leaves, in their order, and returns the reference to each leaf's clusters.
+std::vector<uint32_t> packLeaves(const std::vector<LeafRange>& leaves,
+                                 const HugeVector<BuildPrimitive>& primitives, int threads, BuiltMesh* mesh) {
+    constexpr size_t kChunk = 2048;
+    const size_t chunks = (leaves.size() + kChunk - 1) / kChunk;
+    const ClusterPacker packer(*mesh->data, primitives);
+    std::vector<std::vector<TriangleCluster>> packed(chunks);
+    std::vector<uint32_t> references(leaves.size());  // at first the number of clusters
+    parallelChunks(static_cast<int64_t>(chunks), 1, threads, [&](int64_t chunk, int64_t) {
+        const size_t c = static_cast<size_t>(chunk);
+        packed[c].reserve(kChunk + kChunk / 4);
+        for (size_t i = c * kChunk; i < std::min(leaves.size(), (c + 1) * kChunk); ++i) {
+            references[i] = packer.pack(leaves[i], &packed[c]);
+        }
+    });
+    std::vector<size_t> first(chunks + 1, 0);
+    for (size_t c = 0; c < chunks; ++c) first[c + 1] = first[c] + packed[c].size();
+    GLINT_CHECK_OP(first[chunks], <=, size_t{kMaxLeafFirst});
+    mesh->clusters.resize(first[chunks]);
+    parallelChunks(static_cast<int64_t>(chunks), 1, threads, [&](int64_t chunk, int64_t) {
+        const size_t c = static_cast<size_t>(chunk);
+        std::copy(packed[c].begin(), packed[c].end(),
+                  mesh->clusters.begin() + static_cast<ptrdiff_t>(first[c]));
+        uint32_t next = static_cast<uint32_t>(first[c]);
+        for (size_t i = c * kChunk; i < std::min(leaves.size(), (c + 1) * kChunk); ++i) {
+            const uint32_t count = references[i];
+            GLINT_CHECK_OP(count, <=, kMaxLeafItems);
+            references[i] = makeLeaf(next, count);
+            next += count;
+        }
+    });
+    return references;
+}
 
 HugeVector<BuildPrimitive> trianglePrimitives(const MeshData& data, int threads) {
     HugeVector<BuildPrimitive> primitives(data.triangleCount());
@@ -100,15 +131,21 @@ uint32_t leafTriangles(const MeshData& data) {
 }
 
 void buildAcceleration(BuiltMesh* mesh, HugeVector<BuildPrimitive>* primitives, const BvhOptions& options) {
-    mesh->clusters.clear();
-    mesh->clusterPrimitives.clear();
     const BinaryTree tree = buildBinaryTree(primitives, options);
-    mesh->clusters.reserve(primitives->size() / 2);
-    mesh->clusterPrimitives.reserve(primitives->size());
-    ClusterWriter writer(mesh);
+    std::vector<LeafRange> leaves;
+    leaves.reserve(tree.count / 2 + 1);
     mesh->nodes = collapseTree(tree, [&](const BinaryNode& leaf) {
-        return writer.write(primitives->data() + leaf.begin, primitives->data() + leaf.end);
+        leaves.push_back({leaf.begin, leaf.end});
+        return kLeafBit | static_cast<uint32_t>(leaves.size() - 1);
     });
+    const std::vector<uint32_t> references = packLeaves(leaves, *primitives, options.threads, mesh);
+    for (WideNode& node : mesh->nodes) {
+        for (uint32_t& child : node.child) {
+            if (isLeaf(child)) child = references[child & ~kLeafBit];
+        }
+    }
+    mesh->clusterPrimitives.resize(primitives->size());
+    for (size_t i = 0; i < primitives->size(); ++i) mesh->clusterPrimitives[i] = (*primitives)[i].index;
 }
 
 }  // namespace
