@@ -24,6 +24,10 @@ class ByteWriter {
         bytes_.append(text);
     }
     void writeRaw(std::string_view bytes) { bytes_.append(bytes); }
+    /// Replaces a number that was written before, `at` bytes from the start.
+    template <class T>
+    requires std::is_arithmetic_v<T>
+    void overwrite(size_t at, T value) { std::memcpy(bytes_.data() + at, &value, sizeof value); }
     void reserve(size_t bytes) { bytes_.reserve(bytes); }
     const std::string& bytes() const { return bytes_; }
 

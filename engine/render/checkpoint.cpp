@@ -123,9 +123,14 @@ std::string checksumOf(std::string_view bytes) {
     return out.bytes();
 }
 
-void writeSection(std::string_view tag, const std::string& payload, ByteWriter* out) {
+/// Writes a section in place, since a film is too large to be copied about. `write` writes the payload.
+template <class Write>
+void writeSection(std::string_view tag, ByteWriter* out, Write write) {
     out->writeRaw(tag);
-    out->writeText(payload);
+    const size_t sizeAt = out->bytes().size();
+    out->write(uint64_t{0});
+    write();
+    out->overwrite(sizeAt, static_cast<uint64_t>(out->bytes().size() - sizeAt - sizeof(uint64_t)));
 }
 
 using Sections = std::map<std::string, std::string_view, std::less<>>;
@@ -226,36 +231,32 @@ std::string differences(const CheckpointInfo& info, const SceneDescription& scen
 
 Status saveCheckpoint(const std::string& path, const SceneDescription& scene, const Film& film,
                       double renderSeconds) {
-    ByteWriter info;
-    info.writeText(GLINT_VERSION);
-    info.write(renderSeconds);
-    ByteWriter settings;
-    const std::vector<Setting> current = renderSettings(scene);
-    settings.write(static_cast<uint32_t>(current.size()));
-    for (const Setting& setting : current) {
-        settings.writeText(setting.name);
-        settings.writeText(setting.value);
-    }
-    ByteWriter hashes;
-    hashes.write(static_cast<uint32_t>(kScenePartCount));
-    for (const Hash128& part : hashSceneParts(scene).parts) {
-        hashes.write(part.low);
-        hashes.write(part.high);
-    }
-    ByteWriter filmPayload;
-    FilmCheckpoint::write(film, &filmPayload);
-
-    ByteWriter sections;
-    writeSection("INFO", info.bytes(), &sections);
-    writeSection("SETT", settings.bytes(), &sections);
-    writeSection("HASH", hashes.bytes(), &sections);
-    writeSection("FILM", filmPayload.bytes(), &sections);
-
     ByteWriter file;
     file.writeRaw(kMagic);
     file.write(kFormatVersion);
-    file.write(file.bytes().size() + sizeof(uint64_t) + sections.bytes().size() + kChecksumBytes);
-    file.writeRaw(sections.bytes());
+    const size_t sizeAt = file.bytes().size();
+    file.write(uint64_t{0});
+    writeSection("INFO", &file, [&] {
+        file.writeText(GLINT_VERSION);
+        file.write(renderSeconds);
+    });
+    writeSection("SETT", &file, [&] {
+        const std::vector<Setting> settings = renderSettings(scene);
+        file.write(static_cast<uint32_t>(settings.size()));
+        for (const Setting& setting : settings) {
+            file.writeText(setting.name);
+            file.writeText(setting.value);
+        }
+    });
+    writeSection("HASH", &file, [&] {
+        file.write(static_cast<uint32_t>(kScenePartCount));
+        for (const Hash128& part : hashSceneParts(scene).parts) {
+            file.write(part.low);
+            file.write(part.high);
+        }
+    });
+    writeSection("FILM", &file, [&] { FilmCheckpoint::write(film, &file); });
+    file.overwrite(sizeAt, static_cast<uint64_t>(file.bytes().size() + kChecksumBytes));
     file.writeRaw(checksumOf(file.bytes()));
     return writeFileAtomically(path, file.bytes());
 }
