@@ -27,5 +27,6 @@ void addBenchCommand(CLI::App& app, int* exitCode);
 void addBenchLatency(CLI::App& bench, int* exitCode);
 void addBenchLoad(CLI::App& bench, int* exitCode);
 void addBenchThreads(CLI::App& bench, int* exitCode);
+void addBenchPaths(CLI::App& bench, int* exitCode);
 
 }  // namespace glint
