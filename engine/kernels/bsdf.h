@@ -73,7 +73,7 @@ namespace detail {
 GLINT_HD inline Vec3 bendShadingNormal(const Vec3& wo, const Vec3& ng, const Vec3& ns) {
     const Vec3 mirror = reflect(wo, ns);
     const float above = glm::dot(mirror, ng);
-    const float least = std::fmin(0.9f * glm::dot(wo, ng), 0.01f);
+    const float least = minf(0.9f * glm::dot(wo, ng), 0.01f);
     if (above >= least) {
         return ns;
     }
@@ -125,7 +125,7 @@ GLINT_HD Bsdf<kMask> makeBsdf(const View<MaterialData>& materials, const View<Te
     if constexpr (!isDiffuseOnly<kMask>()) {
         bsdf.frame = Frame::fromNormal(bsdf.nsWorld);
         bsdf.woLocal = bsdf.frame.toLocal(woWorld);
-        bsdf.woLocal.z = std::fmax(bsdf.woLocal.z, 0.0f);
+        bsdf.woLocal.z = maxf(bsdf.woLocal.z, 0.0f);
         bsdf.ngLocal =
             hasFeature<kMask>(kFeatureMeshNormals) ? bsdf.frame.toLocal(bsdf.ngWorld) : Vec3(0, 0, 1);
         bsdf.eta = outside ? bsdf.material->ior : 1.0f / bsdf.material->ior;

@@ -25,7 +25,7 @@ GLINT_HD inline void markTransmission(LobeSample* sample, float eta, TransportMo
 /// Reflects with the Fresnel reflectance as its probability, else refracts.
 GLINT_HD inline LobeSample sampleSmoothDielectric(const Vec3& tint, float eta, const Vec3& wo, float uLobe,
                                                   TransportMode transport) {
-    const float cosO = std::fmin(wo.z, 1.0f);
+    const float cosO = minf(wo.z, 1.0f);
     float cosT = 0.0f;
     const float fresnel = fresnelDielectric(cosO, eta, &cosT);
     if (uLobe < fresnel) {
@@ -41,7 +41,7 @@ GLINT_HD inline LobeSample sampleSmoothDielectric(const Vec3& tint, float eta, c
 /// passes straight. `ior` is the sheet's over its surroundings' index.
 GLINT_HD inline LobeSample sampleThinDielectric(const Vec3& tint, float ior, const Vec3& wo, float uLobe) {
     float cosT = 0.0f;
-    const float single = fresnelDielectric(std::fmin(wo.z, 1.0f), ior, &cosT);
+    const float single = fresnelDielectric(minf(wo.z, 1.0f), ior, &cosT);
     if (uLobe < 2.0f * single / (1.0f + single)) {
         return detail::specularSample(detail::mirrored(wo), tint);
     }
@@ -65,7 +65,7 @@ GLINT_HD inline LobeValue evaluateRoughDielectric(const Vec3& tint, float alpha,
         return {};
     }
     float cosT = 0.0f;
-    const float fresnel = fresnelDielectric(std::fmin(cosO, 1.0f), eta, &cosT);
+    const float fresnel = fresnelDielectric(minf(cosO, 1.0f), eta, &cosT);
     if (reflects) {
         return {tint * (fresnel * ggxReflection(wo, wi, h, alpha)), fresnel * ggxReflectionPdf(wo, h, alpha)};
     }
@@ -73,7 +73,7 @@ GLINT_HD inline LobeValue evaluateRoughDielectric(const Vec3& tint, float alpha,
     if (!(cosI < 0.0f)) {
         return {};
     }
-    const float jacobian = square(eta) * -cosI / std::fmax(square(cosO + eta * cosI), 1e-20f);
+    const float jacobian = square(eta) * -cosI / maxf(square(cosO + eta * cosI), 1e-20f);
     const float pdf = (1.0f - fresnel) * visibleNormalPdf(wo, h, alpha) * jacobian;
     return {tint * (pdf * ggxVisible(-wi, alpha) * detail::radianceScale(eta, transport)), pdf};
 }
@@ -96,7 +96,7 @@ GLINT_HD inline LobeSample sampleRoughDielectric(const Vec3& tint, float alpha, 
     if (!(wi.z < 0.0f)) {
         return {};
     }
-    const float jacobian = square(eta) * cosT / std::fmax(square(cosO - eta * cosT), 1e-20f);
+    const float jacobian = square(eta) * cosT / maxf(square(cosO - eta * cosT), 1e-20f);
     LobeSample sample =
         detail::glossySample(wi, tint * (ggxVisible(-wi, alpha) * detail::radianceScale(eta, transport)),
                              (1.0f - fresnel) * visibleNormalPdf(wo, h, alpha) * jacobian);

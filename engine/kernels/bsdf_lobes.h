@@ -59,7 +59,7 @@ GLINT_HD inline Vec3 mirrored(const Vec3& woLocal) { return {-woLocal.x, -woLoca
 GLINT_HD inline float ggxReflectionWeight(const Vec3& wo, const Vec3& wi, float alpha) {
     const float rootO = ggxRoot(wo, alpha);
     const float rootI = ggxRoot(wi, alpha);
-    return wi.z * (wo.z + rootO) / std::fmax(wo.z * rootI + wi.z * rootO, 1e-20f);
+    return wi.z * (wo.z + rootO) / maxf(wo.z * rootI + wi.z * rootO, 1e-20f);
 }
 
 }  // namespace detail
@@ -68,12 +68,12 @@ GLINT_HD inline float ggxReflectionWeight(const Vec3& wo, const Vec3& wi, float 
 /// shading off along the facets. This factor fades diffuse reflection out softly before: Chiang, Li and
 /// Burley 2019, "Taming the Shadow Terminator". 1 where ns = ng. Arguments: the cosines between the three.
 GLINT_HD inline float shadowTerminator(float ngWi, float nsWi, float ngNs) {
-    const float g = clampf(ngWi / std::fmax(nsWi * ngNs, 1e-20f), 0.0f, 1.0f);
+    const float g = clampf(ngWi / maxf(nsWi * ngNs, 1e-20f), 0.0f, 1.0f);
     return g * (1.0f + g * (1.0f - g));
 }
 
 GLINT_HD inline LobeValue evaluateDiffuse(const Vec3& color, const Vec3& wi) {
-    const float pdf = std::fmax(wi.z, 0.0f) * kInvPi;
+    const float pdf = maxf(wi.z, 0.0f) * kInvPi;
     return {color * pdf, pdf};
 }
 
@@ -109,7 +109,7 @@ GLINT_HD inline LobeSample sampleRoughConductor(const MaterialData& material, co
 GLINT_HD inline LobeSample sampleSmoothConductor(const MaterialData& material, const Vec3& color,
                                                  const Vec3& wo) {
     return detail::specularSample(detail::mirrored(wo),
-                                  color * fresnelConductor(std::fmin(wo.z, 1.0f), material.eta, material.k));
+                                  color * fresnelConductor(minf(wo.z, 1.0f), material.eta, material.k));
 }
 
 }  // namespace glint

@@ -30,7 +30,7 @@ GLINT_HD inline float coatAlbedo(const MaterialData& material, float mu) {
         position < static_cast<float>(kCoatSamples - 2) ? static_cast<int>(position) : kCoatSamples - 2;
     const float weight = position - static_cast<float>(index);
     const float ratio = (1.0f - weight) * material.coatRatio[index] + weight * material.coatRatio[index + 1];
-    return std::fmin(fresnel * ratio, 1.0f);
+    return minf(fresnel * ratio, 1.0f);
 }
 
 /// The base's reflectance of light that has entered, summed over all orders.
@@ -59,8 +59,7 @@ GLINT_HD inline PlasticChoice plasticChoice(const MaterialData& material, const 
 
 GLINT_HD inline LobeValue evaluatePlasticWith(const MaterialData& material, const PlasticChoice& choice,
                                               const Vec3& wo, const Vec3& wi, float baseScale) {
-    const float leaves =
-        (1.0f - coatAlbedo(material, wi.z)) / std::fmax(1.0f - material.coatAverageAlbedo, 1e-6f);
+    const float leaves = (1.0f - coatAlbedo(material, wi.z)) / maxf(1.0f - material.coatAverageAlbedo, 1e-6f);
     LobeValue result = evaluateDiffuse(choice.base * (choice.enters * leaves * baseScale), wi);
     result.pdfSolidAngle *= 1.0f - choice.coatProbability;
     if (material.alpha >= kSmoothAlpha) {

@@ -42,7 +42,7 @@ GLINT_HD inline float inverseErf(float v, float minusLog) {
 
 /// -log(1 - v^2) for |v| <= 1, finite.
 GLINT_HD inline float minusLogOneMinusSquare(float v) {
-    return -std::log(std::fmax((1.0f - v) * (1.0f + v), 1e-12f));
+    return -std::log(maxf((1.0f - v) * (1.0f + v), 1e-12f));
 }
 
 /// Gaussian with a standard deviation of a third of the support's half, cut off there: density ~ exp(-9/2
@@ -79,7 +79,7 @@ GLINT_HD inline float sampleBlackmanHarris(float u) {
         a0 * t + kInvPi * (a1 * once.sin + 0.5f * a2 * sinTwice + (1.0f / 3.0f) * a3 * sinThrice);
     const float density = a0 + a1 * once.cos + a2 * cosTwice + a3 * cosThrice;
     // At the very end the window is nearly 0 and rounding would make the step meaningless.
-    const float step = (integral - a0 * std::fabs(v)) / std::fmax(density, 1e-3f);
+    const float step = (integral - a0 * std::fabs(v)) / maxf(density, 1e-3f);
     return std::copysign(clampf(t - step, 0.0f, 1.0f), v);
 }
 

@@ -21,8 +21,8 @@ GLINT_HD inline float fresnelDielectric(float cosIncident, float eta, float* cos
     const float cosT = std::sqrt(cos2Transmitted);
     *cosTransmitted = cosT;
     // Both denominators are 0 only at grazing incidence with eta = 1: nothing is reflected there.
-    const float parallel = (eta * cosIncident - cosT) / std::fmax(eta * cosIncident + cosT, 1e-20f);
-    const float perpendicular = (cosIncident - eta * cosT) / std::fmax(cosIncident + eta * cosT, 1e-20f);
+    const float parallel = (eta * cosIncident - cosT) / maxf(eta * cosIncident + cosT, 1e-20f);
+    const float perpendicular = (cosIncident - eta * cosT) / maxf(cosIncident + eta * cosT, 1e-20f);
     return 0.5f * (square(parallel) + square(perpendicular));
 }
 
@@ -36,10 +36,10 @@ GLINT_HD inline float fresnelConductor(float cosIncident, float eta, float k) {
     const float a = safeSqrt(0.5f * (a2PlusB2 + difference));
     const float sum = a2PlusB2 + cos2;
     const float cross = 2.0f * a * cosIncident;
-    const float perpendicular = (sum - cross) / std::fmax(sum + cross, 1e-20f);
+    const float perpendicular = (sum - cross) / maxf(sum + cross, 1e-20f);
     const float sum2 = cos2 * a2PlusB2 + square(sin2);
     const float cross2 = cross * sin2;
-    const float parallel = perpendicular * (sum2 - cross2) / std::fmax(sum2 + cross2, 1e-20f);
+    const float parallel = perpendicular * (sum2 - cross2) / maxf(sum2 + cross2, 1e-20f);
     return clampf(0.5f * (perpendicular + parallel), 0.0f, 1.0f);
 }
 

@@ -20,19 +20,19 @@ GLINT_HD inline float ggxRoot(const Vec3& w, float alpha) {
 GLINT_HD inline float ggxDistribution(const Vec3& h, float alpha) {
     const float alpha2 = square(alpha);
     const float s = (square(h.x) + square(h.y)) + alpha2 * square(h.z);
-    return alpha2 * kInvPi / std::fmax(square(s), 1e-30f);
+    return alpha2 * kInvPi / maxf(square(s), 1e-30f);
 }
 
 /// The part of facets seen from w that nothing hides (Smith's G1). w.z >= 0.
 GLINT_HD inline float ggxVisible(const Vec3& w, float alpha) {
-    return 2.0f * w.z / std::fmax(w.z + ggxRoot(w, alpha), 1e-20f);
+    return 2.0f * w.z / maxf(w.z + ggxRoot(w, alpha), 1e-20f);
 }
 
 /// Density of h by solid angle under sampleVisibleNormal(wo): G1(wo) D(h) (wo . h) / wo.z. 0 where wo . h <=
 /// 0.
 GLINT_HD inline float visibleNormalPdf(const Vec3& wo, const Vec3& h, float alpha) {
-    const float cosine = std::fmax(glm::dot(wo, h), 0.0f);
-    return 2.0f * ggxDistribution(h, alpha) * cosine / std::fmax(wo.z + ggxRoot(wo, alpha), 1e-20f);
+    const float cosine = maxf(glm::dot(wo, h), 0.0f);
+    return 2.0f * ggxDistribution(h, alpha) * cosine / maxf(wo.z + ggxRoot(wo, alpha), 1e-20f);
 }
 
 /// A facet normal as seen from wo (wo.z >= 0): a reflection on a stretched hemisphere is uniform on a
@@ -43,7 +43,7 @@ GLINT_HD inline Vec3 sampleVisibleNormal(const Vec3& wo, float alpha, Vec2 u) {
     const float z = (1.0f - u.y) * (1.0f + stretched.z) - stretched.z;
     const float r = safeSqrt((1.0f - z) * (1.0f + z));
     const Vec3 h(r * phi.cos + stretched.x, r * phi.sin + stretched.y, z + stretched.z);
-    const Vec3 unstretched(alpha * h.x, alpha * h.y, std::fmax(h.z, 1e-7f * alpha));
+    const Vec3 unstretched(alpha * h.x, alpha * h.y, maxf(h.z, 1e-7f * alpha));
     return glm::normalize(unstretched);
 }
 
@@ -51,12 +51,12 @@ GLINT_HD inline Vec3 sampleVisibleNormal(const Vec3& wo, float alpha, Vec2 u) {
 /// Fresnel. G2 is height-correlated (Heitz 2014, eq. 99).
 GLINT_HD inline float ggxReflection(const Vec3& wo, const Vec3& wi, const Vec3& h, float alpha) {
     const float shared = wo.z * ggxRoot(wi, alpha) + wi.z * ggxRoot(wo, alpha);
-    return 0.5f * ggxDistribution(h, alpha) * wi.z / std::fmax(shared, 1e-20f);
+    return 0.5f * ggxDistribution(h, alpha) * wi.z / maxf(shared, 1e-20f);
 }
 
 /// Its density under sampleVisibleNormal(wo) and reflection: G1(wo) D / (4 wo.z).
 GLINT_HD inline float ggxReflectionPdf(const Vec3& wo, const Vec3& h, float alpha) {
-    return 0.5f * ggxDistribution(h, alpha) / std::fmax(wo.z + ggxRoot(wo, alpha), 1e-20f);
+    return 0.5f * ggxDistribution(h, alpha) / maxf(wo.z + ggxRoot(wo, alpha), 1e-20f);
 }
 
 }  // namespace glint

@@ -31,10 +31,14 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 GLINT_HD inline float square(float x) { return x * x; }
 GLINT_HD inline float clampf(float x, float lo, float hi) { return x < lo ? lo : (x > hi ? hi : x); }
+/// Not std::fmin and std::fmax, which keep numbers beside NaN and so are library calls on the host; these are one
+/// instruction. Where a number is NaN the answer is b.
+GLINT_HD inline float minf(float a, float b) { return a < b ? a : b; }
+GLINT_HD inline float maxf(float a, float b) { return a > b ? a : b; }
 GLINT_HD inline float absDot(const Vec3& a, const Vec3& b) { return std::fabs(glm::dot(a, b)); }
 GLINT_HD inline float lengthSquared(const Vec3& v) { return glm::dot(v, v); }
-GLINT_HD inline float maxComponent(const Vec3& v) { return std::fmax(v.x, std::fmax(v.y, v.z)); }
-GLINT_HD inline float minComponent(const Vec3& v) { return std::fmin(v.x, std::fmin(v.y, v.z)); }
+GLINT_HD inline float maxComponent(const Vec3& v) { return maxf(v.x, maxf(v.y, v.z)); }
+GLINT_HD inline float minComponent(const Vec3& v) { return minf(v.x, minf(v.y, v.z)); }
 GLINT_HD inline bool isZero(const Vec3& v) { return v.x == 0.0f && v.y == 0.0f && v.z == 0.0f; }
 GLINT_HD inline bool isFinite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 GLINT_HD inline Vec3 absVec(const Vec3& v) { return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}; }

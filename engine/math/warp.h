@@ -52,7 +52,7 @@ GLINT_HD inline Vec2 sampleDisc(Vec2 u) {
 /// A direction around +z with density cos/pi by solid angle (Malley's method). z is never 0.
 GLINT_HD inline Vec3 sampleCosineHemisphere(Vec2 u) {
     const Vec2 d = sampleDisc(u);
-    return {d.x, d.y, std::sqrt(std::fmax(1.0f - d.x * d.x - d.y * d.y, 1e-12f))};
+    return {d.x, d.y, std::sqrt(maxf(1.0f - d.x * d.x - d.y * d.y, 1e-12f))};
 }
 
 /// A direction with density 1/(4 pi).
@@ -84,8 +84,8 @@ GLINT_HD inline Vec2 sampleTriangle(Vec2 u) {
 /// uniform by area. u.x chooses the side's triangle and is stretched to be used again. sides >= 3.
 GLINT_HD inline Vec2 sampleRegularPolygon(Vec2 u, int sides, float rotationRad) {
     const float scaled = u.x * static_cast<float>(sides);
-    const float side = std::fmin(std::floor(scaled), static_cast<float>(sides - 1));
-    const Vec2 weights = sampleTriangle({std::fmin(scaled - side, kOneMinusEpsilon), u.y});
+    const float side = minf(std::floor(scaled), static_cast<float>(sides - 1));
+    const Vec2 weights = sampleTriangle({minf(scaled - side, kOneMinusEpsilon), u.y});
     const float step = kTwoPi / static_cast<float>(sides);
     const float first = rotationRad + step * side;
     const float second = first + step;
