@@ -125,7 +125,7 @@ GLINT_HD inline DirectionSample sampleEnvironmentConstant(const LightContext& at
 }
 
 GLINT_HD inline float pdfEnvironmentConstant(const LightContext& at, const Vec3& wiWorld) {
-    return at.bothSides ? 0.25f * kInvPi : std::fmax(0.0f, glm::dot(at.n, wiWorld)) * kInvPi;
+    return at.bothSides ? 0.25f * kInvPi : maxf(glm::dot(at.n, wiWorld), 0.0f) * kInvPi;
 }
 
 template <FeatureMask kMask>

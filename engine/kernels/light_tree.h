@@ -36,7 +36,7 @@ GLINT_HD inline float lightImportance(const LightNode& node, const LightContext&
     const Vec3 d = node.center - at.p;
     const float distance2 = lengthSquared(d);
     const float radius2 = node.radius * node.radius;
-    const float weight = std::fmin(node.intensity / std::fmax(std::fmax(distance2, radius2), 1e-30f), 1e30f);
+    const float weight = minf(node.intensity / maxf(maxf(distance2, radius2), 1e-30f), 1e30f);
     if (!(distance2 > radius2)) return weight;
 
     const float inverseDistance = 1.0f / std::sqrt(distance2);
@@ -74,7 +74,7 @@ GLINT_HD inline float infiniteImportance(const LightView& lights, const EmitterD
     if (e.tag == EmitterTag::Environment) return lights.environmentIrradiance;
     const float cosine = -glm::dot(at.n, e.direction);
     return e.area *
-           (at.bothSides ? std::fabs(cosine) : std::fmax(0.0f, cosine));  // area: the irradiance's luminance
+           (at.bothSides ? std::fabs(cosine) : maxf(cosine, 0.0f));  // area: the irradiance's luminance
 }
 
 GLINT_HD inline float infiniteImportanceSum(const LightView& lights, const LightContext& at) {
@@ -138,11 +138,11 @@ GLINT_HD inline LightChoice chooseInTree(const LightView& lights, const LightCon
         if (u < share) {
             index = child;
             probability *= share;
-            u = std::fmin(u / share, kOneMinusEpsilon);
+            u = minf(u / share, kOneMinusEpsilon);
         } else {
             index = child + 1;
             probability *= 1.0f - share;
-            u = std::fmin((u - share) / (1.0f - share), kOneMinusEpsilon);
+            u = minf((u - share) / (1.0f - share), kOneMinusEpsilon);
         }
     }
     return {lights.nodes[index].child, probability};

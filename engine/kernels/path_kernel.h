@@ -155,7 +155,7 @@ template <FeatureMask kMask, class Log>
 GLINT_HD inline bool survivesRoulette(const PassParams& params, const Sampler& sampler, PathState* path,
                                       Log* log) {
     if (path->depth < params.rouletteStartDepth) return true;
-    const float chance = std::fmin(maxComponent(path->throughput) * path->etaScale, 1.0f);
+    const float chance = minf(maxComponent(path->throughput) * path->etaScale, 1.0f);
     bool survives = true;
     if (chance < 1.0f) {
         survives = get1D<kMask>(sampler, dimension(BounceDimension::Roulette, path->depth)) < chance;

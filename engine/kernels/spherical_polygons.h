@@ -58,7 +58,7 @@ GLINT_HD inline Vec2 sampleSphericalRectangle(const SphericalRectangle& q, const
     const float au = u.x * q.solidAngle + q.k;
     const float fu = (std::cos(au) * q.b0 - q.b1) / std::sin(au);
     const float cu = clampf(std::copysign(1.0f, fu) / std::sqrt(fu * fu + q.b0 * q.b0), -1.0f, 1.0f);
-    const float xu = clampf(-(cu * q.z0) / std::sqrt(std::fmax(1.0f - cu * cu, 1e-12f)), q.x0, q.x1);
+    const float xu = clampf(-(cu * q.z0) / std::sqrt(maxf(1.0f - cu * cu, 1e-12f)), q.x0, q.x1);
     const float d2 = xu * xu + q.z0 * q.z0;
     const float h0 = q.y0 / std::sqrt(d2 + q.y0 * q.y0);
     const float h1 = q.y1 / std::sqrt(d2 + q.y1 * q.y1);
@@ -130,9 +130,9 @@ GLINT_HD inline bool intersectTrianglePlane(const Vec3& v0, const Vec3& e1, cons
     const float determinant = glm::dot(e1, h);
     if (determinant == 0.0f || !std::isfinite(1.0f / determinant)) return false;
     const float f = 1.0f / determinant;
-    const float a = std::fmax(0.0f, -f * glm::dot(v0, h));
-    const float b = std::fmax(0.0f, -f * glm::dot(direction, glm::cross(v0, e1)));
-    const float outside = std::fmax(1.0f, a + b);
+    const float a = maxf(-f * glm::dot(v0, h), 0.0f);
+    const float b = maxf(-f * glm::dot(direction, glm::cross(v0, e1)), 0.0f);
+    const float outside = maxf(a + b, 1.0f);
     *barycentric = {a / outside, b / outside};
     return true;
 }
