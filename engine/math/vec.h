@@ -4,15 +4,15 @@
 #pragma once
 
 #define GLM_FORCE_SILENT_WARNINGS
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
-
-#include <cmath>
-#include <cstdint>
-#include <limits>
 
 #include "engine/base/host_device.h"
 
@@ -31,8 +31,8 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 GLINT_HD inline float square(float x) { return x * x; }
 GLINT_HD inline float clampf(float x, float lo, float hi) { return x < lo ? lo : (x > hi ? hi : x); }
-/// Not std::fmin and std::fmax, which keep numbers beside NaN and so are library calls on the host; these are one
-/// instruction. Where a number is NaN the answer is b.
+/// Not std::fmin and std::fmax, which keep numbers beside NaN and so are library calls on the host; these are
+/// one instruction. Where a number is NaN the answer is b.
 GLINT_HD inline float minf(float a, float b) { return a < b ? a : b; }
 GLINT_HD inline float maxf(float a, float b) { return a > b ? a : b; }
 GLINT_HD inline float absDot(const Vec3& a, const Vec3& b) { return std::fabs(glm::dot(a, b)); }
@@ -40,13 +40,16 @@ GLINT_HD inline float lengthSquared(const Vec3& v) { return glm::dot(v, v); }
 GLINT_HD inline float maxComponent(const Vec3& v) { return maxf(v.x, maxf(v.y, v.z)); }
 GLINT_HD inline float minComponent(const Vec3& v) { return minf(v.x, minf(v.y, v.z)); }
 GLINT_HD inline bool isZero(const Vec3& v) { return v.x == 0.0f && v.y == 0.0f && v.z == 0.0f; }
-GLINT_HD inline bool isFinite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+GLINT_HD inline bool isFinite(const Vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 GLINT_HD inline Vec3 absVec(const Vec3& v) { return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}; }
 
 /// sqrt that answers 0 for the slightly negative arguments that rounding produces.
 GLINT_HD inline float safeSqrt(float x) { return x > 0.0f ? std::sqrt(x) : 0.0f; }
 
-/// The bound of accumulated relative error after n float operations (Higham 2002, section 3.1): n eps / (1 - n eps).
+/// The bound of accumulated relative error after n float operations (Higham 2002, section 3.1): n eps / (1 -
+/// n eps).
 GLINT_HD constexpr float errorGamma(int n) {
     constexpr float kMachineEpsilon = 0x1p-24f;
     return (static_cast<float>(n) * kMachineEpsilon) / (1.0f - static_cast<float>(n) * kMachineEpsilon);
