@@ -9,19 +9,13 @@
 
 namespace glint {
 
-/// Calls visit(pointer, count) with a reference to each pointer of a mesh. `mesh` must point to host memory,
-/// since one length is known from the last cluster only.
+/// Calls visit(pointer, count) with a reference to each pointer of a mesh.
 template <class Visit>
 void forEachArray(MeshView& mesh, Visit&& visit) {
     static_assert(sizeof(MeshView) == 104, "list a new array of MeshView below");
-    size_t primitives = 0;
-    if (mesh.clusterCount != 0) {
-        const TriangleCluster& last = mesh.clusters[mesh.clusterCount - 1];
-        primitives = size_t{last.firstPrimitive} + last.count;
-    }
-    visit(mesh.clusterPrimitives, primitives);
     visit(mesh.nodes, size_t{mesh.nodeCount});
     visit(mesh.clusters, size_t{mesh.clusterCount});
+    visit(mesh.clusterPrimitives, size_t{mesh.triangleCount});
     visit(mesh.positions, size_t{mesh.vertexCount});
     visit(mesh.indices, 3 * size_t{mesh.triangleCount});
     visit(mesh.normals, size_t{mesh.vertexCount});

@@ -6,6 +6,7 @@
 
 #include "cuda/device_scene.h"
 #include "cuda/scene_arrays.h"
+#include "engine/build/mesh_builder.h"
 #include "engine/build/scene_builder.h"
 #include "tests/support/host_device.h"
 #include "tests/support/test_scenes.h"
@@ -100,6 +101,29 @@ TEST(CudaDeviceScene, EveryArrayIsCopiedAndEveryPointerLeadsToItsCopy) {
     EXPECT_TRUE(
         upload.control->holds(view.geometry.meshes.data, view.geometry.meshes.count * sizeof(MeshView)));
     EXPECT_TRUE(upload.control->holds(view.textures.data, view.textures.count * sizeof(TextureView)));
+}
+
+TEST(CudaDeviceScene, TheListedLengthsAreTheBuildersOwn) {
+    const auto built = build(fullScene());
+    const BuiltMesh& mesh = *built->meshes.at(0);
+    MeshView view = mesh.view();
+    size_t acceleration = 0;
+    forEachArray(view, [&](const auto* pointer, size_t count) {
+        const void* array = pointer;
+        if (array == mesh.nodes.data()) {
+            EXPECT_EQ(count, mesh.nodes.size());
+        }
+        if (array == mesh.clusters.data()) {
+            EXPECT_EQ(count, mesh.clusters.size());
+        }
+        if (array == mesh.clusterPrimitives.data()) {
+            EXPECT_EQ(count, mesh.clusterPrimitives.size());
+        }
+        const bool isVertexData = array == view.positions || array == view.indices || array == view.normals ||
+                                  array == view.uvs || array == view.colors;
+        if (!isVertexData) acceleration += count * sizeof(*pointer);
+    });
+    EXPECT_EQ(acceleration, mesh.accelerationBytes());
 }
 
 TEST(CudaDeviceScene, ACameraEditCopiesNothing) {
