@@ -54,6 +54,11 @@ std::string_view JsonValue::raw() const {
     return std::string_view(document_->source.text).substr(node().begin, node().end - node().begin);
 }
 
+Error JsonValue::error(std::string message) const {
+    const size_t quote = type() == JsonType::String ? 1 : 0;
+    return document_->source.error(node().begin - quote, std::move(message));
+}
+
 std::string JsonValue::string() const {
     const std::string_view text = raw();
     std::string out;

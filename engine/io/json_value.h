@@ -50,9 +50,8 @@ class JsonValue {
     std::string_view raw() const;
     /// A string with its escapes resolved.
     std::string string() const;
-    Error error(std::string message) const {
-        return document_->source.error(node().begin, std::move(message));
-    }
+    /// An error at the value's first character, a string's opening quote.
+    Error error(std::string message) const;
 
     /// Elements of an array, or keys and values in turn of an object: for (v = first(); v.present(); v =
     /// next(v)).

@@ -194,9 +194,10 @@ int SceneJsonReader::findName(const std::map<std::string, int>& names, const Jso
     for (const auto& entry : names) {
         known.push_back(entry.first);
     }
-    const std::string choices = known.empty() ? fmt::format("the scene has no \"{}s\"", what)
+    const std::string list = std::string(what) + (what == "mesh" ? "es" : "s");
+    const std::string choices = known.empty() ? fmt::format("the scene has no \"{}\"", list)
                                 : known.size() > 12
-                                    ? fmt::format("expected one of the {} in \"{}s\"", known.size(), what)
+                                    ? fmt::format("expected one of the {} in \"{}\"", known.size(), list)
                                     : "expected " + joinNames(known);
     errors_.add(value, fmt::format("no {} is called \"{}\"{}; {}", what, name.substr(0, 60),
                                    didYouMean(name, known), choices));

@@ -45,7 +45,8 @@ void SceneTextReader::readMaterial() {
             ior = tokens_.number("refr", 0.01f, 100.0f, "an index of refraction from 0.01 to 100");
             hasIor = true;
         } else if (tokens_.accept("texture")) {
-            material.color.texture = addTexture(tokens_.peek(), tokens_.path("a texture"));
+            const TextToken pathAt = tokens_.peek();
+            material.color.texture = addTexture(pathAt, tokens_.path("a texture"));
         } else if (tokens_.accept("bump")) {
             missing(at, fmt::format("bump maps (\"{}\") are not drawn yet", tokens_.path("a bump map")));
         } else {

@@ -93,8 +93,8 @@ TEST(SceneJson, MaterialsAndMeshesMayStandWhereTheyAreUsed) {
 TEST(SceneJson, OurOwnScenesLoad) {
     const auto scene = loadScene(GLINT_SOURCE_DIR "/scenes/cornell.json");
     ASSERT_TRUE(scene.ok()) << scene.error().format();
-    EXPECT_EQ(scene->objects.size(), 8u);
-    EXPECT_EQ(scene->meshes.size(), 1u);
+    EXPECT_EQ(scene->objects.size(), 9u);
+    EXPECT_EQ(scene->meshes.size(), 2u);
 }
 
 }  // namespace
