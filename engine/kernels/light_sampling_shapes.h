@@ -130,7 +130,7 @@ GLINT_HD inline float pdfTriangleEmitter(const EmitterData& e, const Vec3& from,
 /// they lie on its inner side as likely as not.
 constexpr float kSphereInsideBand = 2e-6f;
 
-/// A sphere seen from a place. `magnitude`: the size of the numbers that `from` was computed from.
+/// A sphere seen from a place.
 struct SphereView {
     Vec3 toCenter;
     float radius;
@@ -139,6 +139,7 @@ struct SphereView {
                            ///< around
 };
 
+/// `magnitude`: the size of the numbers that `from` was computed from, which its rounding error goes by.
 GLINT_HD inline SphereView viewSphere(const Vec3& center, float radius, const Vec3& from, float magnitude) {
     SphereView v{center - from, radius, 0.0f, 2.0f};
     v.distance = std::sqrt(lengthSquared(v.toCenter));
