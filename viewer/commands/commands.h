@@ -19,6 +19,7 @@ enum ExitCode : int {
 };
 
 /// Each adds a subcommand to `app`; when the user chose it, *exitCode is set by running it.
+void addViewCommand(CLI::App& app, int* exitCode);
 void addRenderCommand(CLI::App& app, int* exitCode);
 void addInfoCommand(CLI::App& app, int* exitCode);
 void addBenchCommand(CLI::App& app, int* exitCode);

@@ -20,6 +20,7 @@ Exit codes: 0 done, 1 the input or the options are wrong, 2 the run failed, 130 
 `glint COMMAND --help` explains a command.)";
 
 void addCommands(CLI::App& app, int* exitCode) {
+    addViewCommand(app, exitCode);
     addRenderCommand(app, exitCode);
     addInfoCommand(app, exitCode);
     addBenchCommand(app, exitCode);

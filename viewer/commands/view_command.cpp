@@ -1,0 +1,167 @@
+// `glint view`: reads the options and the scene, and opens the window, or draws it in memory.
+#include <cstdio>
+#include <cstdlib>
+#include <future>
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "engine/io/scene_loader.h"
+#include "viewer/commands/commands.h"
+#include "viewer/commands/output_files.h"
+#include "viewer/make_backend.h"
+#if GLINT_HAS_VIEWER
+#include "viewer/window/app.h"
+#include "viewer/window/job_queue.h"
+#endif
+
+namespace glint {
+namespace {
+
+constexpr const char* kFooter = R"(Examples:
+  glint view scenes/cornell.json
+  glint view scenes/cornell.json --headless --size 1280x720 --passes 64 --screenshot window.png --output picture.png
+  glint view scenes/cornell.json --headless --script drag.txt
+The script language is described in viewer/window/README.md.)";
+
+struct ViewCommandOptions {
+    std::string scene;
+    bool headless = false;
+    std::string size = "1280x720";
+    float scale = 0.0f;
+    uint32_t passes = 0;
+    std::string screenshot;
+    std::string output;
+    std::string script;
+    std::string json;
+    std::string backend = "cpu";
+    int threads = 0;
+    bool allowMissing = false;
+};
+
+int complain(const Error& error, int exitCode) {
+    fmt::print(stderr, "error: {}\n", error.format());
+    return exitCode;
+}
+
+#if GLINT_HAS_VIEWER
+
+constexpr int kSmallestSide = 64;
+constexpr int kLargestSide = 16384;
+
+Result<Vec2i> parseSize(const std::string& text) {
+    int width = 0;
+    int height = 0;
+    char rest = 0;
+    const bool read = std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) == 2;
+    if (!read || std::min(width, height) < kSmallestSide || std::max(width, height) > kLargestSide) {
+        return Error{fmt::format("--size {}: expected WIDTHxHEIGHT, each from {} to {}", text, kSmallestSide,
+                                 kLargestSide),
+                     {}};
+    }
+    return Vec2i(width, height);
+}
+
+Result<ViewerOptions> viewerOptions(const ViewCommandOptions& o) {
+    ViewerOptions options;
+    const auto size = parseSize(o.size);
+    if (!size) return size.error();
+    if (!o.headless && (!o.screenshot.empty() || !o.output.empty())) {
+        return Error{"--screenshot and --output need --headless", {}};
+    }
+    for (const std::string& file : {o.screenshot, o.output, o.json == "-" ? std::string() : o.json}) {
+        if (Status writable = file.empty() ? Status() : checkWritable(file); !writable)
+            return writable.error();
+    }
+    if (!o.script.empty()) {
+        auto script = loadScript(o.script);
+        if (!script) return script.error();
+        options.script = std::move(*script);
+    }
+    options.headless = o.headless;
+    options.surface = {.width = size->x, .height = size->y, .contentScale = o.scale};
+    options.passes = o.passes;
+    options.screenshot = o.screenshot;
+    options.output = o.output;
+    options.frameStats = o.json;
+    return options;
+}
+
+bool hasDisplay() {
+    const auto isSet = [](const char* name) {
+        const char* value = std::getenv(name);
+        return value != nullptr && *value != '\0';
+    };
+    return isSet("DISPLAY") || isSet("WAYLAND_DISPLAY");
+}
+
+int runCommand(const ViewCommandOptions& o) {
+    auto options = viewerOptions(o);
+    if (!options) return complain(options.error(), kExitBadInput);
+    if (!o.headless && !hasDisplay()) {
+        return complain(
+            Error{"there is no display (DISPLAY and WAYLAND_DISPLAY are not set); `glint view --headless` "
+                  "draws the same window without one, and `glint render` only renders",
+                  {}},
+            kExitFailed);
+    }
+    auto backend = makeBackend(o.backend, o.threads);
+    if (!backend) return complain(backend.error(), kExitBadInput);
+    std::optional<SceneDescription> scene;
+    if (!o.scene.empty()) {
+        auto loaded = loadScene(o.scene, {.allowMissing = o.allowMissing});
+        if (!loaded) return complain(loaded.error(), kExitBadInput);
+        scene = std::move(*loaded);
+    } else if (o.headless && o.script.empty()) {
+        return complain(Error{"--headless needs a SCENE or a --script", {}}, kExitBadInput);
+    }
+    bool scriptFailed = false;
+    const Status done = runViewer(*options, std::move(*backend), std::move(scene), &scriptFailed);
+    const int exitCode = done ? static_cast<int>(kExitDone)
+                              : complain(done.error(), scriptFailed ? kExitBadInput : kExitFailed);
+    if (JobQueue::anyAbandoned()) {
+        // A scene is still being loaded by a thread that nobody needs any more; it must not outlive the
+        // statics.
+        std::fflush(nullptr);
+        std::_Exit(exitCode);
+    }
+    return exitCode;
+}
+
+#else
+
+int runCommand(const ViewCommandOptions&) {
+    return complain(
+        Error{"this build has no window (GLINT_VIEWER=OFF); `glint render` renders without one", {}},
+        kExitFailed);
+}
+
+#endif
+
+}  // namespace
+
+void addViewCommand(CLI::App& app, int* exitCode) {
+    CLI::App* command = app.add_subcommand("view", "Open a scene in the window and watch it converge");
+    auto options = std::make_shared<ViewCommandOptions>();
+    command->add_option("SCENE", options->scene, "Scene to open");
+    command->add_flag("--headless", options->headless, "Draw the same window in memory, without a display");
+    command->add_option("--size", options->size, "Size of the window in pixels, as 1280x720");
+    command
+        ->add_option("--scale", options->scale, "Size of text and controls, 1 or 2; the screen's by default")
+        ->check(CLI::Range(0.5, 4.0));
+    command->add_option("--passes", options->passes, "Stop after so many passes; headless 64 by default");
+    command->add_option("--screenshot", options->screenshot, "PNG of the whole window at the end (headless)");
+    command->add_option("--output", options->output, "The picture at the end: .png, .exr or .hdr (headless)");
+    command->add_option("--script", options->script, "Play input from a file");
+    command->add_option("--json", options->json, "Frame times to a file, or - for standard output");
+    command->add_option("--backend", options->backend, "cpu or cuda");
+    command->add_option("--threads", options->threads, "Threads that render; 0: all")
+        ->check(CLI::Range(0, 1024));
+    command->add_flag("--allow-missing", options->allowMissing, "Open scenes with missing parts");
+    command->footer(kFooter);
+    command->callback([options, exitCode] { *exitCode = runCommand(*options); });
+}
+
+}  // namespace glint

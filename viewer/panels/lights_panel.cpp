@@ -1,0 +1,106 @@
+// The lights without a shape, and the environment. Shapes shine through their material.
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "viewer/panels/panels.h"
+#include "viewer/window/widgets.h"
+
+namespace glint {
+namespace {
+
+constexpr std::array<std::string_view, 3> kKinds{"Point", "Spot", "Directional"};
+
+void drawEnvironment(SceneDescription* scene) {
+    Environment* environment = &scene->environment;
+    ui::heading("Environment");
+    ui::color("Radiance", &environment->color, 1e6f, "W/(sr m²); multiplies the image where there is one");
+    ui::number("Env. strength", &environment->strength, {.format = "× %.3f", .speed = 0.01f, .max = 1e6f});
+    if (!scene->environmentImages.empty()) {
+        std::vector<std::string> names{"none"};
+        for (size_t i = 0; i < scene->environmentImages.size(); ++i) {
+            const std::string& path = scene->environmentImages[i].path;
+            names.push_back(path.empty() ? fmt::format("image {}", i) : path);
+        }
+        const std::vector<std::string_view> views(names.begin(), names.end());
+        int index = environment->image + 1;
+        if (ui::choice("Image", &index, views, "Latitude and longitude")) environment->image = index - 1;
+    }
+    ui::number("Rotation", &environment->rotationDeg,
+               {.format = "%.1f°",
+                .speed = 0.5f,
+                .min = -360.0f,
+                .max = 360.0f,
+                .tooltip = "About the vertical axis"});
+}
+
+void drawLight(Light* light, float speed) {
+    int kind = static_cast<int>(light->kind);
+    if (ui::choice("Kind", &kind, kKinds)) light->kind = static_cast<LightKind>(kind);
+    const bool directional = light->kind == LightKind::Directional;
+    ui::color(directional ? "Irradiance" : "Intensity", &light->color, 1e6f,
+              directional ? "W/m² on a surface that faces it" : "W/sr");
+    ui::number("Strength", &light->strength,
+               {.format = "× %.3f", .speed = std::max(light->strength * 0.01f, 0.01f), .max = 1e6f});
+    if (!directional)
+        ui::vector3("Position", &light->position, {.format = "%.3f", .speed = speed, .tooltip = "Metres"});
+    if (light->kind != LightKind::Point) {
+        Vec3 direction = light->direction;
+        if (ui::vector3("Direction", &direction,
+                        {.format = "%.3f", .speed = 0.005f, .tooltip = "Where the light travels"}) &&
+            lengthSquared(direction) > 0.0f) {
+            light->direction = direction;
+        }
+    }
+    if (light->kind != LightKind::Spot) return;
+    ui::number("Cone", &light->coneAngleDeg,
+               {.format = "%.1f°",
+                .speed = 0.1f,
+                .min = 0.1f,
+                .max = 90.0f,
+                .tooltip = "Half angle where the light ends"});
+    ui::number(
+        "Falloff from", &light->coneFalloffStartDeg,
+        {.format = "%.1f°", .speed = 0.1f, .max = 90.0f, .tooltip = "Half angle where it begins to fade"});
+    light->coneFalloffStartDeg = std::min(light->coneFalloffStartDeg, light->coneAngleDeg);
+}
+
+void drawLights(ViewerModel* model) {
+    std::vector<Light>& lights = model->draft().lights;
+    if (lights.empty()) {
+        ui::hint("No point, spot or directional lights.");
+        return;
+    }
+    std::vector<std::string> names;
+    for (size_t i = 0; i < lights.size(); ++i) {
+        names.push_back(lights[i].name.empty() ? fmt::format("light {}", i) : lights[i].name);
+    }
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    model->selectedLight = std::clamp(model->selectedLight, 0, static_cast<int>(lights.size()) - 1);
+    ui::choice("Light", &model->selectedLight, views);
+    ImGui::PushID(model->selectedLight);
+    const float speed = std::max(maxComponent(model->bounds().extent()) * 0.002f, 1e-4f);
+    drawLight(&lights[static_cast<size_t>(model->selectedLight)], std::isfinite(speed) ? speed : 0.01f);
+    ImGui::PopID();
+}
+
+}  // namespace
+
+void drawLightsPanel(ViewerModel* model) {
+    if (!ui::section("Lights", false)) return;
+    ImGui::PushID("lights");
+    if (model->hasScene()) {
+        drawLights(model);
+        drawEnvironment(&model->draft());
+    } else {
+        ui::hint("No scene is open.");
+    }
+    ImGui::PopID();
+    ui::gap();
+}
+
+}  // namespace glint

@@ -1,0 +1,150 @@
+// The materials' list, and every parameter of the one that is selected.
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "engine/scene/metals.h"
+#include "viewer/panels/panels.h"
+#include "viewer/window/widgets.h"
+
+namespace glint {
+namespace {
+
+constexpr std::array<std::string_view, 6> kKinds{"Diffuse",    "Mirror",  "Conductor",
+                                                 "Dielectric", "Plastic", "Mixture"};
+constexpr const char* kOwnMetal = "own constants";
+
+std::string nameOf(const Material& material, size_t index) {
+    return material.name.empty() ? fmt::format("material {}", index) : material.name;
+}
+
+void drawList(ViewerModel* model) {
+    const std::vector<Material>& materials = model->draft().materials;
+    const float rows = std::min(static_cast<float>(materials.size()), 6.0f);
+    const float height = rows * ImGui::GetTextLineHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
+    ImGui::BeginChild("list", {0.0f, height});
+    for (size_t i = 0; i < materials.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        const Vec3& swatch = materials[i].emissive() ? materials[i].emission : materials[i].color.value;
+        if (ui::selectable(nameOf(materials[i], i).c_str(), static_cast<int>(i) == model->selectedMaterial,
+                           &swatch)) {
+            model->selectedMaterial = static_cast<int>(i);
+        }
+        ImGui::PopID();
+    }
+    ImGui::EndChild();
+}
+
+void drawTexture(const SceneDescription& scene, Material* material) {
+    if (scene.textures.empty()) return;
+    std::vector<std::string> names{"none"};
+    for (size_t i = 0; i < scene.textures.size(); ++i) {
+        const Texture& texture = scene.textures[i];
+        names.push_back(!texture.name.empty()         ? texture.name
+                        : !texture.image.path.empty() ? texture.image.path
+                                                      : fmt::format("texture {}", i));
+    }
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    int index = material->color.texture + 1;
+    if (ui::choice("Texture", &index, views, "An image that replaces the colour"))
+        material->color.texture = index - 1;
+}
+
+void drawMetal(Material* material) {
+    std::vector<std::string_view> names{kOwnMetal};
+    const std::vector<std::string_view> metals = metalNames();
+    names.insert(names.end(), metals.begin(), metals.end());
+    const auto found = std::find(names.begin() + 1, names.end(), material->metal);
+    int index = found == names.end() ? 0 : static_cast<int>(found - names.begin());
+    if (ui::choice("Metal", &index, names, "Measured constants, or eta and k of one's own")) {
+        // One's own constants begin with those of the metal that was shown.
+        if (const auto constants = findMetal(material->metal)) {
+            material->eta = constants->eta;
+            material->k = constants->k;
+        }
+        material->metal = index == 0 ? "" : std::string(names[static_cast<size_t>(index)]);
+    }
+    if (index != 0) return;
+    ui::vector3("Eta", &material->eta,
+                {.format = "%.3f",
+                 .speed = 0.005f,
+                 .min = 0.001f,
+                 .max = 20.0f,
+                 .tooltip = "Index of refraction at R, G, B"});
+    ui::vector3("k", &material->k,
+                {.format = "%.3f", .speed = 0.005f, .max = 20.0f, .tooltip = "Extinction at R, G, B"});
+}
+
+void drawScattering(const SceneDescription& scene, Material* material) {
+    const MaterialKind kind = material->kind;
+    const bool mixture = kind == MaterialKind::Mixture;
+    const bool conductor = kind == MaterialKind::Conductor;
+    const bool dielectric = kind == MaterialKind::Dielectric;
+    const bool plastic = kind == MaterialKind::Plastic;
+    ui::color("Colour", &material->color.value, 1.0f, "Linear Rec.709. Click the patch for a picker");
+    drawTexture(scene, material);
+    if (conductor) drawMetal(material);
+    if (dielectric || plastic || mixture) {
+        ui::number("IOR", &material->ior,
+                   {.format = "%.3f",
+                    .speed = 0.003f,
+                    .min = 0.1f,
+                    .max = 5.0f,
+                    .tooltip = "Index of refraction, inside over outside"});
+    }
+    if (conductor || dielectric || plastic) {
+        ui::number(
+            "Roughness", &material->roughness,
+            {.format = "%.3f", .max = 1.0f, .zeroText = "smooth", .slider = true, .tooltip = "GGX alpha"});
+    }
+    if (dielectric) ui::toggle("Thin", &material->thin, "A sheet without thickness: light passes straight");
+    if (!mixture) return;
+    Vec3 weights = material->mixtureWeights;
+    if (ui::vector3("Weights", &weights,
+                    {.format = "%.2f",
+                     .speed = 0.005f,
+                     .max = 1.0f,
+                     .tooltip = "Diffuse, mirror, refractive; their ratio counts"}) &&
+        maxComponent(weights) > 0.0f) {
+        material->mixtureWeights = weights;
+    }
+}
+
+void drawEmission(Material* material) {
+    ui::heading("Emission");
+    ui::color("Emission", &material->emission, 1e6f, "Radiance, linear Rec.709, W/(sr m²)");
+    ui::number(
+        "Strength", &material->emissionStrength,
+        {.format = "× %.3f", .speed = std::max(material->emissionStrength * 0.01f, 0.01f), .max = 1e6f});
+    ui::toggle("Both sides", &material->emitsBothSides, "Otherwise only the front shines");
+}
+
+}  // namespace
+
+void drawMaterialsPanel(ViewerModel* model) {
+    if (!ui::section("Materials", false)) return;
+    ImGui::PushID("materials");
+    std::vector<Material>& materials = model->draft().materials;
+    if (materials.empty()) {
+        ui::hint("The scene has no materials.");
+    } else {
+        model->selectedMaterial =
+            std::clamp(model->selectedMaterial, 0, static_cast<int>(materials.size()) - 1);
+        drawList(model);
+        Material& material = materials[static_cast<size_t>(model->selectedMaterial)];
+        ImGui::PushID(model->selectedMaterial);
+        int kind = static_cast<int>(material.kind);
+        if (ui::choice("Kind", &kind, kKinds)) material.kind = static_cast<MaterialKind>(kind);
+        drawScattering(model->draft(), &material);
+        drawEmission(&material);
+        ImGui::PopID();
+    }
+    ImGui::PopID();
+    ui::gap();
+}
+
+}  // namespace glint

@@ -1,0 +1,143 @@
+// How the render goes: start and stop, speed, error and limits.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "viewer/panels/panels.h"
+#include "viewer/panels/units.h"
+#include "viewer/window/theme.h"
+#include "viewer/window/widgets.h"
+
+namespace glint {
+namespace {
+
+const char* stateText(const ViewerModel& model) {
+    switch (model.status().state) {
+        case SessionState::Empty:
+            return "No scene";
+        case SessionState::Building:
+            return "Building";
+        case SessionState::Rendering:
+            return model.paused ? "Pausing" : "Rendering";
+        case SessionState::Paused:
+            return "Paused";
+        case SessionState::Finished:
+            return "Finished";
+        case SessionState::Failed:
+            return "Failed";
+    }
+    return "";
+}
+
+/// The share of the nearest stop limit that is done; negative without limits.
+float progress(const SessionStatus& status, const StopLimits& limits) {
+    double done = -1.0;
+    if (limits.passes > 0) done = std::max(done, static_cast<double>(status.passes) / limits.passes);
+    if (limits.renderSeconds > 0.0) done = std::max(done, status.renderSeconds / limits.renderSeconds);
+    if (limits.relativeError > 0.0 && status.relativeError > 0.0 && std::isfinite(status.relativeError)) {
+        // The error falls with the square root of the passes.
+        done = std::max(done, std::pow(limits.relativeError / status.relativeError, 2.0));
+    }
+    return static_cast<float>(std::min(done, 1.0));
+}
+
+void drawActions(ViewerModel* model) {
+    const float width = ui::buttonWidth(2);
+    const bool finished = model->status().state == SessionState::Finished;
+    if (finished) {
+        ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.5f);
+        ui::button("Finished", width, "A stop limit is reached. Raise or clear it to go on.");
+        ImGui::PopStyleVar();
+    } else if (ui::button(model->paused ? "Start" : "Pause", width, "Space", true)) {
+        model->paused = !model->paused;
+    }
+    ImGui::SameLine();
+    if (ui::button("Restart", width, "Throws the picture away and begins again (R)")) model->restart();
+}
+
+void drawIntegrator() {
+    static constexpr std::array<std::string_view, 1> kIntegrators{"Path tracing"};
+    int integrator = 0;
+    ui::choice("Integrator", &integrator, kIntegrators, "How light is followed");
+}
+
+void drawNumbers(const ViewerModel& model) {
+    const SessionStatus& status = model.status();
+    ui::value("State", stateText(model));
+    ui::value("Passes", grouped(status.passes), "Samples of each pixel so far");
+    ui::value("Speed", fmt::format("{:.2f} passes/s", status.passesPerSecond));
+    ui::value("Paths", withPrefix(status.pathsPerSecond, "paths/s"));
+    ui::value("Rays", withPrefix(status.raysPerSecond, "rays/s"));
+    ui::value("Elapsed", duration(status.renderSeconds), "Time spent in passes since the last restart");
+    ui::value("Est. error", status.passes > 1 ? percent(status.relativeError) : "–",
+              "Root mean squared standard error of the pixels, relative to the picture's mean luminance");
+    ui::value("Last edit", latency(status.lastEditToPictureSeconds),
+              "From the edit to its first new picture");
+    ui::value("Device", status.backend);
+    if (!status.error.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::kTextError);
+        ImGui::TextWrapped("%s", status.error.c_str());
+        ImGui::PopStyleColor();
+    }
+}
+
+void drawLimits(ViewerModel* model) {
+    ui::heading("Stop at");
+    int passes = static_cast<int>(model->limits.passes);
+    auto seconds = static_cast<float>(model->limits.renderSeconds);
+    auto error = static_cast<float>(model->limits.relativeError * 100.0);
+    if (ui::integer("Pass limit", &passes,
+                    {.format = "%d passes",
+                     .speed = 1.0f,
+                     .max = 1e7f,
+                     .zeroText = "none",
+                     .tooltip = "Never restarts anything. 0: no limit"})) {
+        model->limits.passes = static_cast<uint32_t>(passes);
+    }
+    if (ui::number("Time limit", &seconds,
+                   {.format = "%.0f s", .speed = 1.0f, .max = 1e7f, .zeroText = "none"})) {
+        model->limits.renderSeconds = static_cast<double>(seconds);
+    }
+    if (ui::number("Error limit", &error,
+                   {.format = "%.2f %%", .speed = 0.01f, .max = 100.0f, .zeroText = "none"})) {
+        model->limits.relativeError = static_cast<double>(error) / 100.0;
+    }
+    if (const float done = progress(model->status(), model->limits); done >= 0.0f) {
+        ImGui::ProgressBar(done, {-FLT_MIN, ImGui::GetFontSize() * 0.45f}, "");
+    }
+}
+
+void drawFaults(ViewerModel* model) {
+    const auto& counts = model->status().faultCounts;
+    const uint64_t total = counts[1] + counts[2] + counts[3];
+    ui::value("Dropped", total == 0 ? "none" : fmt::format("{} samples", grouped(total)),
+              "Samples that were not finite or negative: counted, left out, and never clamped");
+    if (total == 0) return;
+    ui::hint(
+        fmt::format("{} not a number, {} infinite, {} negative", counts[1], counts[2], counts[3]).c_str());
+    if (ui::button("Find the first", ui::buttonWidth(1))) model->findFault();
+    if (model->replayCommand().empty()) return;
+    std::string command = model->replayCommand();
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    ImGui::InputText("##replay", command.data(), command.size() + 1, ImGuiInputTextFlags_ReadOnly);
+    if (ui::button("Copy command", ui::buttonWidth(1))) ImGui::SetClipboardText(command.c_str());
+}
+
+}  // namespace
+
+void drawRenderPanel(ViewerModel* model) {
+    if (!ui::section("Render", true)) return;
+    ImGui::PushID("render");
+    drawActions(model);
+    drawIntegrator();
+    drawNumbers(*model);
+    drawFaults(model);
+    drawLimits(model);
+    ImGui::PopID();
+    ui::gap();
+}
+
+}  // namespace glint

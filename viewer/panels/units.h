@@ -1,0 +1,20 @@
+// Numbers as people read them, with units: for panels and the status line.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace glint {
+
+/// 3 significant digits and k, M, G: "1.02 M", "384", "0.52". `unit` follows: "1.02 M rays/s".
+std::string withPrefix(double value, const char* unit);
+/// "8.4 s", "2:05 min", "1:12:40 h".
+std::string duration(double seconds);
+/// "1.25 %"; "–" when it is not known yet.
+std::string percent(double fraction);
+/// "1 234 567".
+std::string grouped(uint64_t value);
+/// "3.2 ms", "1.40 s".
+std::string latency(double seconds);
+
+}  // namespace glint

@@ -1,0 +1,33 @@
+// The viewer as a whole: a surface, the model, the shell, and the loop that joins them. Called by the view
+// command.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/render/backend.h"
+#include "engine/scene/scene.h"
+#include "viewer/window/script.h"
+#include "viewer/window/surface.h"
+
+namespace glint {
+
+struct ViewerOptions {
+    bool headless = false;
+    SurfaceOptions surface;
+    uint32_t passes = 0;     ///< stop limit; headless without a script: how many to wait for, 0: 64
+    std::string screenshot;  ///< headless: PNG of the whole window at the end
+    std::string output;      ///< headless: the picture alone, .png, .exr or .hdr
+    std::optional<std::vector<ScriptStatement>> script;
+    std::string frameStats;  ///< JSON file of frame times, "-": standard output; draws every frame for them
+};
+
+/// Runs until the window is closed, or headless until the passes or the script are done. Error: no context, a
+/// shader that fails, a file that cannot be written, or a script that failed; `scriptFailed` tells the last
+/// from the others.
+Status runViewer(const ViewerOptions& options, std::unique_ptr<Backend> backend,
+                 std::optional<SceneDescription> scene, bool* scriptFailed);
+
+}  // namespace glint

@@ -1,0 +1,37 @@
+// Moves a camera: orbit, pan, dolly, fly, frame. Pure functions of the camera, called by the image view.
+//
+// Pixels are ImGui units over the picture. Nothing here reads input devices or knows of rendering.
+#pragma once
+
+#include "engine/math/bounds.h"
+#include "engine/scene/scene.h"
+
+namespace glint {
+
+/// Turns the camera around its target. A drag over the picture's height turns by half a circle. The view
+/// never passes over the poles of `up`.
+void orbit(Camera* camera, Vec2 dragPixels, float pictureHeight);
+/// Shifts position and target in the picture's plane so that the target stays under the mouse.
+void pan(Camera* camera, Vec2 dragPixels, float pictureHeight);
+/// Moves towards the target (steps > 0) by a fixed share of the distance; never reaches it.
+void dolly(Camera* camera, float steps);
+/// Moves position and target together: x right, y up, z forwards, in units of the target's distance.
+void fly(Camera* camera, const Vec3& amount);
+/// Looks around from where the camera stands: turns the target about the position.
+void lookAround(Camera* camera, Vec2 dragPixels, float pictureHeight);
+/// Keeps the direction and moves so that `bounds` fill the picture. Does nothing for empty bounds.
+void frameBounds(Camera* camera, const Bounds& bounds, float aspect);
+
+/// Metres from the position to the target.
+float targetDistance(const Camera& camera);
+
+/// Focal length over aperture diameter, of a lens in front of a full-frame sensor of 24 mm height. Infinite
+/// for a pinhole.
+float fStop(const Camera& camera);
+/// Aperture diameter in metres for an f-stop; 0 for an infinite one.
+float apertureForFStop(const Camera& camera, float fStop);
+
+/// Of all finite objects; empty when there is none.
+Bounds sceneBounds(const SceneDescription& scene);
+
+}  // namespace glint

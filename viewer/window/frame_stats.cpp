@@ -1,0 +1,41 @@
+#include "viewer/window/frame_stats.h"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+namespace glint {
+namespace {
+
+nlohmann::ordered_json percentiles(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const auto at = [&](double share) {
+        return values.empty() ? 0.0
+                              : values[static_cast<size_t>(share * static_cast<double>(values.size() - 1))];
+    };
+    return {{"p50", at(0.5)}, {"p95", at(0.95)}, {"p99", at(0.99)}, {"max", at(1.0)}};
+}
+
+}  // namespace
+
+std::string FrameStats::json() const {
+    const auto collect = [this](auto&& part) {
+        std::vector<double> values;
+        for (const FrameTimes& frame : frames_) values.push_back(part(frame));
+        return values;
+    };
+    const std::vector<double> own =
+        collect([](const FrameTimes& f) { return f.uiMs + f.uploadMs + f.wakeMs; });
+    nlohmann::ordered_json report;
+    report["frames"] = frames_.size();
+    report["ui_ms"] = percentiles(collect([](const FrameTimes& f) { return f.uiMs; }));
+    report["upload_ms"] = percentiles(collect([](const FrameTimes& f) { return f.uploadMs; }));
+    report["draw_ms"] = percentiles(collect([](const FrameTimes& f) { return f.drawMs; }));
+    report["wake_ms"] = percentiles(collect([](const FrameTimes& f) { return f.wakeMs; }));
+    report["frame_ms_without_drawing"] = percentiles(own);
+    report["over_60hz_without_drawing"] =
+        std::count_if(own.begin(), own.end(), [](double ms) { return ms > 1000.0 / 60.0; });
+    return report.dump(2) + "\n";
+}
+
+}  // namespace glint

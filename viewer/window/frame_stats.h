@@ -1,0 +1,30 @@
+// How long frames take, by part, so that our own code's time is told apart from software drawing's.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+struct FrameTimes {
+    double uiMs = 0.0;      ///< input, panels and edits
+    double uploadMs = 0.0;  ///< a new picture to the graphics card and its tone mapping
+    double drawMs = 0.0;    ///< ImGui's draw lists and the swap: all drawing when OpenGL is software
+    double wakeMs =
+        0.0;  ///< how much later than asked the loop woke up: the scheduler, with all cores rendering
+};
+
+class FrameStats {
+  public:
+    void add(const FrameTimes& times) { frames_.push_back(times); }
+    size_t count() const { return frames_.size(); }
+    /// {"frames": n, "ui_ms": {"p50", "p95", "p99", "max"}, "upload_ms", "draw_ms", "wake_ms",
+    /// "frame_ms_without_drawing", "over_60hz_without_drawing": how many frames took more than 1/60 s}
+    std::string json() const;
+
+  private:
+    std::vector<FrameTimes> frames_;
+};
+
+}  // namespace glint

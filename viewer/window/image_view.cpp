@@ -1,0 +1,122 @@
+#include "viewer/window/image_view.h"
+
+#define GLFW_INCLUDE_NONE
+#include <algorithm>
+#include <cmath>
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include "viewer/window/camera_controller.h"
+#include "viewer/window/theme.h"
+#include "viewer/window/widgets.h"
+
+namespace glint {
+namespace {
+
+constexpr float kFlySpeed = 0.7f;  // target distances per second
+constexpr float kFastFactor = 4.0f;
+constexpr double kWheelHoldSeconds = 0.15;
+
+bool isDown(int key) { return ImGui::IsKeyDown(key); }
+
+/// Which way the fly keys point; zero when none is down or a text field has the keyboard.
+Vec3 flyDirection() {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.WantTextInput || io.KeyCtrl || io.KeyAlt) return Vec3(0.0f);
+    const auto axis = [](int plus, int minus) {
+        return static_cast<float>(isDown(plus)) - static_cast<float>(isDown(minus));
+    };
+    return {axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q), axis(GLFW_KEY_W, GLFW_KEY_S)};
+}
+
+void drawHint(Vec2 min, Vec2 max, const char* text) {
+    const ImVec2 size = ImGui::CalcTextSize(text);
+    const ImVec2 corner{(min.x + max.x - size.x) * 0.5f, (min.y + max.y - size.y) * 0.5f};
+    ImGui::GetWindowDrawList()->AddText(corner, ImGui::GetColorU32(theme::kTextDim), text);
+}
+
+}  // namespace
+
+void ImageView::placePicture(const ViewerModel& model, Vec2 min, Vec2 max) {
+    const Resolution& size = model.draft().resolution;
+    const Vec2 film(static_cast<float>(std::max(size.width, 1)),
+                    static_cast<float>(std::max(size.height, 1)));
+    const Vec2 room = max - min;
+    const float fit = std::min(room.x / film.x, room.y / film.y);
+    const ImVec2 pixelScale = ImGui::GetIO().DisplayFramebufferScale;
+    zoom_ = model.display.pixelScale ? 1.0f / std::max(pixelScale.x, 1.0f) : fit;
+    const Vec2 shown = film * zoom_;
+    pictureMin_ = {std::floor(min.x + (room.x - shown.x) * 0.5f),
+                   std::floor(min.y + (room.y - shown.y) * 0.5f)};
+    pictureMax_ = pictureMin_ + shown;
+}
+
+bool ImageView::navigate(Camera* camera, bool hovered, bool held) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const float height = pictureMax_.y - pictureMin_.y;
+    const Vec2 delta(io.MouseDelta.x, io.MouseDelta.y);
+    if (held && (delta.x != 0.0f || delta.y != 0.0f)) {
+        if (!ImGui::IsMouseDown(ImGuiMouseButton_Left) || io.KeyShift) {
+            pan(camera, delta, height);
+        } else if (io.KeyCtrl) {
+            lookAround(camera, delta, height);
+        } else {
+            orbit(camera, delta, height);
+        }
+    }
+    if (hovered && io.MouseWheel != 0.0f) {
+        dolly(camera, io.MouseWheel);
+        lastWheel_ = ImGui::GetTime();
+    }
+    const Vec3 direction = flyDirection();
+    const bool flying = !isZero(direction);
+    if (flying) {
+        const float speed = kFlySpeed * (io.KeyShift ? kFastFactor : 1.0f);
+        fly(camera, direction * (speed * std::min(io.DeltaTime, 0.1f)));
+    }
+    return held || flying || (lastWheel_ >= 0.0 && ImGui::GetTime() - lastWheel_ < kWheelHoldSeconds);
+}
+
+bool ImageView::draw(ViewerModel* model, const ImageDisplay& display, Vec2 min, Vec2 max) {
+    ImGui::SetNextWindowPos({min.x, min.y});
+    ImGui::SetNextWindowSize({max.x - min.x, max.y - min.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::kImageBackground);
+    ImGui::Begin("##image", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::InvisibleButton("##area", {max.x - min.x, max.y - min.y},
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                               ImGuiButtonFlags_MouseButtonMiddle);
+    const bool hovered = ImGui::IsItemHovered();
+    const bool held = ImGui::IsItemActive();
+    // A click on the picture takes the keyboard back from a text field.
+    hoveredPixel_.reset();
+    bool moving = false;
+    if (model->hasScene()) {
+        placePicture(*model, min, max);
+        moving = navigate(&model->draft().camera, hovered, held);
+        if (display.texture() != 0) {
+            ImGui::GetWindowDrawList()->AddImage(
+                reinterpret_cast<ImTextureID>(static_cast<intptr_t>(display.texture())),
+                {pictureMin_.x, pictureMin_.y}, {pictureMax_.x, pictureMax_.y});
+        } else {
+            drawHint(min, max, "Building…");
+        }
+        const ImVec2 mouse = ImGui::GetIO().MousePos;
+        if (hovered && mouse.x >= pictureMin_.x && mouse.y >= pictureMin_.y && mouse.x < pictureMax_.x &&
+            mouse.y < pictureMax_.y) {
+            hoveredPixel_ = Vec2i((Vec2(mouse.x, mouse.y) - pictureMin_) / zoom_);
+        }
+    } else {
+        drawHint(min, max, model->opening() ? "Opening…" : "No scene is open. Enter a file on the right.");
+    }
+    ui::area("Image", min, max, "");
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+    return moving;
+}
+
+}  // namespace glint

@@ -1,0 +1,88 @@
+#include "viewer/window/scene_diff.h"
+
+namespace glint {
+namespace {
+
+bool sameCamera(const Camera& a, const Camera& b) {
+    return a.position == b.position && a.target == b.target && a.up == b.up &&
+           a.verticalFovDeg == b.verticalFovDeg && a.horizontalScale == b.horizontalScale &&
+           a.apertureDiameter == b.apertureDiameter && a.focalDistance == b.focalDistance &&
+           a.apertureBlades == b.apertureBlades && a.bladeRotationDeg == b.bladeRotationDeg;
+}
+
+bool sameParameters(const Material& a, const Material& b) {
+    return a.color.value == b.color.value && a.metal == b.metal && a.eta == b.eta && a.k == b.k &&
+           a.ior == b.ior && a.roughness == b.roughness && a.thin == b.thin &&
+           a.mixtureWeights == b.mixtureWeights && a.emission == b.emission &&
+           a.emissionStrength == b.emissionStrength && a.emitsBothSides == b.emitsBothSides;
+}
+
+EditKind materialDifferences(const std::vector<Material>& before, const std::vector<Material>& after) {
+    if (before.size() != after.size()) return EditKind::Everything;
+    EditKind kinds = EditKind::None;
+    for (size_t i = 0; i < before.size(); ++i) {
+        const bool sameKind =
+            before[i].kind == after[i].kind && before[i].color.texture == after[i].color.texture;
+        if (!sameKind) kinds |= EditKind::MaterialKind;
+        if (!sameParameters(before[i], after[i])) kinds |= EditKind::MaterialParameters;
+    }
+    return kinds;
+}
+
+bool sameLight(const Light& a, const Light& b) {
+    return a.kind == b.kind && a.position == b.position && a.direction == b.direction && a.color == b.color &&
+           a.strength == b.strength && a.coneAngleDeg == b.coneAngleDeg &&
+           a.coneFalloffStartDeg == b.coneFalloffStartDeg;
+}
+
+bool sameLights(const SceneDescription& a, const SceneDescription& b) {
+    const Environment& e = a.environment;
+    const Environment& f = b.environment;
+    if (e.color != f.color || e.strength != f.strength || e.image != f.image ||
+        e.rotationDeg != f.rotationDeg || a.lights.size() != b.lights.size()) {
+        return false;
+    }
+    for (size_t i = 0; i < a.lights.size(); ++i) {
+        if (!sameLight(a.lights[i], b.lights[i])) return false;
+    }
+    return true;
+}
+
+bool sameContent(const SceneDescription& a, const SceneDescription& b) {
+    if (a.path != b.path || a.textures.size() != b.textures.size() || a.meshes.size() != b.meshes.size() ||
+        a.environmentImages.size() != b.environmentImages.size() || a.objects.size() != b.objects.size()) {
+        return false;
+    }
+    for (size_t i = 0; i < a.meshes.size(); ++i) {
+        if (a.meshes[i].data != b.meshes[i].data) return false;
+    }
+    for (size_t i = 0; i < a.objects.size(); ++i) {
+        const Object& x = a.objects[i];
+        const Object& y = b.objects[i];
+        if (x.shape != y.shape || x.mesh != y.mesh || x.material != y.material || x.frontOnly != y.frontOnly)
+            return false;
+    }
+    return true;
+}
+
+bool sameTransforms(const SceneDescription& a, const SceneDescription& b) {
+    for (size_t i = 0; i < a.objects.size(); ++i) {
+        if (!(a.objects[i].objectToWorld == b.objects[i].objectToWorld)) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+EditKind differences(const SceneDescription& before, const SceneDescription& after) {
+    if (!sameContent(before, after)) return EditKind::Everything;
+    EditKind kinds = materialDifferences(before.materials, after.materials);
+    if (!sameCamera(before.camera, after.camera)) kinds |= EditKind::Camera;
+    if (!(before.resolution == after.resolution)) kinds |= EditKind::Resolution;
+    if (!(before.options == after.options)) kinds |= EditKind::Options;
+    if (!sameLights(before, after)) kinds |= EditKind::Lights;
+    if (!sameTransforms(before, after)) kinds |= EditKind::ObjectTransform;
+    return kinds;
+}
+
+}  // namespace glint

@@ -1,0 +1,191 @@
+#include "viewer/window/shell.h"
+
+#define GLFW_INCLUDE_NONE
+#include <algorithm>
+#include <filesystem>
+
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "viewer/panels/panels.h"
+#include "viewer/panels/units.h"
+#include "viewer/window/camera_controller.h"
+#include "viewer/window/theme.h"
+#include "viewer/window/widgets.h"
+
+namespace glint {
+namespace {
+
+constexpr float kSplitterUnits = 6.0f;
+constexpr float kSmallestColumn = 300.0f;
+constexpr float kSmallestPicture = 240.0f;
+constexpr float kExposureStep = 1.0f / 3.0f;
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+struct KeyHelp {
+    const char* keys;
+    const char* does;
+};
+
+constexpr KeyHelp kKeyHelp[] = {
+    {"Left drag", "orbit around the target"},
+    {"Right or middle drag", "pan (also Shift + left drag)"},
+    {"Ctrl + left drag", "look around"},
+    {"Wheel", "dolly: closer or farther"},
+    {"W A S D", "fly forwards, left, back, right"},
+    {"E, Q", "fly up, down"},
+    {"Shift", "fly fast"},
+    {"F", "frame the whole scene"},
+    {"Home", "the scene file's camera"},
+    {"Space", "pause and go on"},
+    {"R", "restart"},
+    {"[ and ]", "exposure by a third of a stop"},
+    {"Ctrl + S", "save the PNG"},
+    {"Tab", "show or hide the panels"},
+    {"F1", "this help"},
+};
+
+bool isPressed(int key) { return ImGui::IsKeyPressed(key, false); }
+
+}  // namespace
+
+void Shell::handleKeys(ViewerModel* model) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (isPressed(GLFW_KEY_F1)) helpShown_ = !helpShown_;
+    if (isPressed(GLFW_KEY_ESCAPE)) helpShown_ = false;
+    if (io.WantTextInput) return;
+    if (io.KeyCtrl) {
+        if (isPressed(GLFW_KEY_S) && model->hasScene()) model->savePng();
+        return;
+    }
+    if (isPressed(GLFW_KEY_TAB)) panelsShown_ = !panelsShown_;
+    if (isPressed(GLFW_KEY_LEFT_BRACKET)) model->display.exposureStops -= kExposureStep;
+    if (isPressed(GLFW_KEY_RIGHT_BRACKET)) model->display.exposureStops += kExposureStep;
+    if (!model->hasScene()) return;
+    if (isPressed(GLFW_KEY_SPACE)) model->paused = !model->paused;
+    if (isPressed(GLFW_KEY_R)) model->restart();
+    if (isPressed(GLFW_KEY_HOME)) model->draft().camera = model->cameraOfFile();
+    if (isPressed(GLFW_KEY_F)) {
+        const Resolution& size = model->draft().resolution;
+        frameBounds(&model->draft().camera, model->bounds(),
+                    static_cast<float>(size.width) / static_cast<float>(size.height));
+    }
+}
+
+void Shell::drawSplitter(float x, float height) {
+    const float width = kSplitterUnits * ui::scale();
+    ImGui::SetNextWindowPos({x, 0.0f});
+    ImGui::SetNextWindowSize({width, height});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0f, 1.0f));
+    ImGui::Begin("##splitter", nullptr, kFixed | ImGuiWindowFlags_NoScrollbar);
+    ImGui::InvisibleButton("##handle", {width, height});
+    const bool active = ImGui::IsItemActive();
+    const bool hovered = ImGui::IsItemHovered() || active;
+    if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (active) columnUnits_ -= ImGui::GetIO().MouseDelta.x / ui::scale();
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        {x, 0.0f}, {x + width, height},
+        ImGui::GetColorU32(hovered ? ImGui::GetStyleColorVec4(ImGuiCol_SeparatorHovered)
+                                   : theme::kPanelBackground));
+    ui::area("Splitter", {x, 0.0f}, {x + width, height}, "");
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+}
+
+void Shell::drawColumn(ViewerModel* model, float x, float height) {
+    const float right = ImGui::GetIO().DisplaySize.x;
+    ImGui::SetNextWindowPos({x, 0.0f});
+    ImGui::SetNextWindowSize({right - x, height});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(6.0f * ui::scale(), 8.0f * ui::scale()));
+    ImGui::Begin("##panels", nullptr, kFixed | ImGuiWindowFlags_AlwaysVerticalScrollbar);
+    drawPanels(model);
+    ImGui::End();
+    ImGui::PopStyleVar();
+}
+
+void Shell::drawStatusLine(const ViewerModel& model, float y) {
+    const ImGuiIO& io = ImGui::GetIO();
+    ImGui::SetNextWindowPos({0.0f, y});
+    ImGui::SetNextWindowSize({io.DisplaySize.x, io.DisplaySize.y - y});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10.0f * ui::scale(), 4.0f * ui::scale()));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0f, 1.0f));
+    ImGui::Begin("##status", nullptr, kFixed | ImGuiWindowFlags_NoScrollbar);
+    std::string left = "No scene";
+    std::string right = "F1: help";
+    if (model.hasScene()) {
+        const Resolution& size = model.draft().resolution;
+        left = fmt::format("{}    {} × {} px    {:.0f} %",
+                           std::filesystem::path(model.draft().path).filename().string(), size.width,
+                           size.height, view_.zoom() * 100.0f);
+        const SessionStatus& status = model.status();
+        const auto& snapshot = model.snapshot();
+        if (const auto& pixel = view_.hoveredPixel(); pixel && snapshot && snapshot->width > 0) {
+            const Vec2i at =
+                glm::min(*pixel / snapshot->previewScale, Vec2i(snapshot->width - 1, snapshot->height - 1));
+            const float* rgb = snapshot->radiance.data() +
+                               3 * (static_cast<size_t>(at.y) * static_cast<size_t>(snapshot->width) +
+                                    static_cast<size_t>(at.x));
+            left += fmt::format("    ({}, {})  R {:.4g}  G {:.4g}  B {:.4g}", pixel->x, pixel->y, rgb[0],
+                                rgb[1], rgb[2]);
+        }
+        right = fmt::format("{} passes    {}    error {}    F1: help", grouped(status.passes),
+                            duration(status.renderSeconds),
+                            status.passes > 1 ? percent(status.relativeError) : "–");
+    }
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::kTextDim);
+    ImGui::TextUnformatted(left.c_str());
+    ImGui::SameLine(io.DisplaySize.x - ImGui::CalcTextSize(right.c_str()).x - 10.0f * ui::scale());
+    ImGui::TextUnformatted(right.c_str());
+    ImGui::PopStyleColor();
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+}
+
+void Shell::drawHelp() {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({size.x * 0.5f, size.y * 0.5f}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(22.0f * ui::scale(), 16.0f * ui::scale()));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8.0f * ui::scale());
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0.13f, 0.13f, 0.13f, 0.97f));
+    ImGui::Begin(
+        "##help", nullptr,
+        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings);
+    ImGui::PushFont(ui::fonts().heading);
+    ImGui::TextUnformatted("Mouse and keyboard");
+    ImGui::PopFont();
+    ImGui::Dummy({0.0f, 4.0f * ui::scale()});
+    for (const KeyHelp& help : kKeyHelp) {
+        ImGui::TextColored(theme::kTextDim, "%s", help.keys);
+        ImGui::SameLine(190.0f * ui::scale());
+        ImGui::TextUnformatted(help.does);
+    }
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(2);
+}
+
+bool Shell::draw(ViewerModel* model, const ImageDisplay& display) {
+    handleKeys(model);
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const float scale = ui::scale();
+    const float statusTop = size.y - ImGui::GetFontSize() - 9.0f * scale;
+    const float widest = std::max(kSmallestColumn, size.x / scale - kSmallestPicture);
+    columnUnits_ = std::clamp(columnUnits_, kSmallestColumn, widest);
+    const float column = panelsShown_ ? columnUnits_ * scale : 0.0f;
+    const float splitter = panelsShown_ ? kSplitterUnits * scale : 0.0f;
+    const float pictureRight = std::max(1.0f, size.x - column - splitter);
+    const bool moving = view_.draw(model, display, {0.0f, 0.0f}, {pictureRight, statusTop});
+    if (panelsShown_) {
+        drawSplitter(pictureRight, statusTop);
+        drawColumn(model, pictureRight + splitter, statusTop);
+    }
+    drawStatusLine(*model, statusTop);
+    if (helpShown_) drawHelp();
+    return moving || ImGui::IsAnyItemActive();
+}
+
+}  // namespace glint

@@ -1,0 +1,154 @@
+#include "viewer/window/viewer_model.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "engine/base/log.h"
+#include "engine/io/scene_loader.h"
+#include "viewer/window/camera_controller.h"
+#include "viewer/window/scene_diff.h"
+
+namespace glint {
+namespace {
+
+constexpr uint32_t kAllAovs =
+    kAovAlbedo | kAovShadingNormal | kAovGeometricNormal | kAovDepth | kAovObjectId | kAovMaterialId;
+
+uint32_t aovOf(ShownPicture shown) {
+    switch (shown) {
+        case ShownPicture::Albedo:
+            return kAovAlbedo;
+        case ShownPicture::ShadingNormal:
+            return kAovShadingNormal;
+        case ShownPicture::GeometricNormal:
+            return kAovGeometricNormal;
+        case ShownPicture::Depth:
+            return kAovDepth;
+        case ShownPicture::ObjectId:
+            return kAovObjectId;
+        case ShownPicture::MaterialId:
+            return kAovMaterialId;
+        case ShownPicture::Radiance:
+        case ShownPicture::StandardError:
+            break;
+    }
+    return 0;
+}
+
+bool sameLimits(const StopLimits& a, const StopLimits& b) {
+    return a.passes == b.passes && a.renderSeconds == b.renderSeconds && a.relativeError == b.relativeError;
+}
+
+}  // namespace
+
+ViewerModel::ViewerModel(std::unique_ptr<Backend> backend) : session_(std::move(backend)) {}
+
+void ViewerModel::adopt(SceneDescription scene) {
+    for (const std::string& warning : scene.warnings) logWarning("{}: {}", scene.path, warning);
+    logInfo("Opened {}: {} objects, {} materials, {} lights, {}x{} pixels", scene.path, scene.objects.size(),
+            scene.materials.size(), scene.lights.size(), scene.resolution.width, scene.resolution.height);
+    draft_ = std::move(scene);
+    posted_ = std::make_shared<const SceneDescription>(draft_);
+    cameraOfFile_ = draft_.camera;
+    bounds_ = sceneBounds(draft_);
+    files.scene = draft_.path;
+    selectedMaterial = 0;
+    selectedLight = 0;
+    openError_.reset();
+    replayCommand_.clear();
+    // An orbit must not change the focus of a scene whose author focused elsewhere.
+    const float distance = targetDistance(draft_.camera);
+    focusFollowsTarget = draft_.camera.apertureDiameter <= 0.0f ||
+                         std::fabs(distance - draft_.camera.focalDistance) <= 1e-3f * distance;
+    expectPicture();
+    session_.post({posted_, EditKind::Everything});
+}
+
+void ViewerModel::open(const std::string& path) {
+    if (opening_ || path.empty()) return;
+    opening_ = true;
+    openError_.reset();
+    jobs_.start(
+        [this, path]() -> JobQueue::Completion {
+            auto loaded = std::make_shared<Result<SceneDescription>>(loadScene(path));
+            return [this, loaded] {
+                opening_ = false;
+                if (*loaded) {
+                    adopt(std::move(loaded->value()));
+                } else {
+                    openError_ = loaded->error();
+                    logError("{}", loaded->error().format());
+                }
+            };
+        },
+        false);
+}
+
+void ViewerModel::restart() {
+    expectPicture();
+    session_.restart();
+    logInfo("Restarted by hand");
+}
+
+void ViewerModel::setInteracting(bool interacting) {
+    if (interacting == postedInteracting_) return;
+    postedInteracting_ = interacting;
+    session_.setInteracting(interacting);
+}
+
+void ViewerModel::refresh() {
+    jobs_.runCompletions();
+    status_ = session_.status();
+    snapshot_ = session_.snapshot();
+    if (awaitsEdit_ && status_.generation > generationBeforeEdit_ && pictureIsCurrent()) awaitsEdit_ = false;
+    if (status_.state == SessionState::Failed) awaitsEdit_ = false;
+    if (pendingExr_ && status_.aovPasses > 0) startExr();
+    autosave();
+}
+
+void ViewerModel::finishMotion() { setInteracting(false); }
+
+void ViewerModel::expectPicture() {
+    awaitsEdit_ = true;
+    generationBeforeEdit_ = session_.status().generation;
+}
+
+EditKind ViewerModel::commitEdits(bool held) {
+    if (!posted_) return EditKind::None;
+    if (focusFollowsTarget) {
+        const bool moved = draft_.camera.position != posted_->camera.position ||
+                           draft_.camera.target != posted_->camera.target;
+        if (moved) draft_.camera.focalDistance = targetDistance(draft_.camera);
+    }
+    const EditKind kinds = differences(*posted_, draft_);
+    if (kinds != EditKind::None) {
+        posted_ = std::make_shared<const SceneDescription>(draft_);
+        if (held) setInteracting(true);
+        expectPicture();
+        session_.post({posted_, kinds});
+        replayCommand_.clear();
+    }
+    if (!sameLimits(limits, postedLimits_)) {
+        postedLimits_ = limits;
+        session_.setLimits(limits);
+    }
+    if (paused != postedPaused_) {
+        postedPaused_ = paused;
+        session_.setPaused(paused);
+    }
+    const uint32_t aovs = files.exrLayers || pendingExr_ ? kAllAovs : aovOf(display.shown);
+    const bool error = display.shown == ShownPicture::StandardError;
+    if (aovs != requestedAovs_ || error != requestedError_) {
+        requestedAovs_ = aovs;
+        requestedError_ = error;
+        session_.request(aovs, error);
+    }
+    return kinds;
+}
+
+bool ViewerModel::pictureIsCurrent() const {
+    return snapshot_ && snapshot_->previewScale == 1 && snapshot_->generation == status_.generation;
+}
+
+}  // namespace glint

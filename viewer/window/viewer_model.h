@@ -1,0 +1,145 @@
+// What the window shows and edits: the scene's draft, the render session, and everything the panels set.
+//
+// Panels change the public settings and draft() and know nothing of restarts: commitEdits() finds the
+// smallest edit, once a frame. Whatever takes time (loading, saving) runs as a job. Lives on the UI thread;
+// nothing here draws.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "engine/math/bounds.h"
+#include "engine/render/render_session.h"
+#include "engine/render/tonemap.h"
+#include "viewer/window/job_queue.h"
+
+namespace glint {
+
+/// Which picture is shown. AOVs are asked of the session only while they are shown or saved.
+enum class ShownPicture {
+    Radiance,
+    Albedo,
+    ShadingNormal,
+    GeometricNormal,
+    Depth,
+    ObjectId,
+    MaterialId,
+    StandardError
+};
+
+struct DisplaySettings {
+    float exposureStops = 0.0f;
+    ToneMap toneMap = ToneMap::Srgb;
+    ShownPicture shown = ShownPicture::Radiance;
+    bool pixelScale = false;  ///< one screen pixel a picture pixel, instead of fitting the window
+};
+
+struct FileSettings {
+    std::string scene;
+    std::string png = "render.png";
+    std::string exr = "render.exr";
+    std::string checkpoint = "render.glintfilm";
+    std::string json = "scene.json";
+    bool exrFloat = false;
+    bool exrLayers = false;
+    bool automatic = false;
+    float automaticSeconds = 300.0f;
+};
+
+class ViewerModel {
+  public:
+    explicit ViewerModel(std::unique_ptr<Backend> backend);
+    ViewerModel(const ViewerModel&) = delete;
+    ViewerModel& operator=(const ViewerModel&) = delete;
+
+    // The scene.
+    bool hasScene() const { return posted_ != nullptr; }
+    SceneDescription& draft() { return draft_; }
+    const SceneDescription& draft() const { return draft_; }
+    const Camera& cameraOfFile() const { return cameraOfFile_; }
+    const Bounds& bounds() const { return bounds_; }
+    void adopt(SceneDescription scene);
+    /// Loads in the background. A scene that cannot be opened sets openError() and changes nothing else.
+    void open(const std::string& path);
+    bool opening() const { return opening_; }
+    const std::optional<Error>& openError() const { return openError_; }
+    void dismissOpenError() { openError_.reset(); }
+
+    // Rendering.
+    RenderSession& session() { return session_; }
+    StopLimits limits;
+    bool paused = false;
+    void restart();
+
+    // Files; each logs how it ended.
+    void savePng();
+    void saveExr();
+    void saveCheckpointFile();
+    void resumeCheckpoint();
+    void saveSceneFile();
+    /// The result of the last save, load or resume, for the panel.
+    const std::string& fileMessage() const { return fileMessage_; }
+    bool fileMessageIsError() const { return fileMessageIsError_; }
+    bool busy() const { return jobs_.running() > 0 || pendingExr_; }
+    /// Looks up the first dropped sample and makes the command line that replays it.
+    void findFault();
+    const std::string& replayCommand() const { return replayCommand_; }
+
+    // Once a frame: first refresh(), then the panels, then commitEdits().
+    void refresh();
+    /// `held`: the user is holding a control or the camera, so passes run at low resolution until
+    /// finishMotion(). Returns what was posted.
+    EditKind commitEdits(bool held);
+    void finishMotion();
+    const SessionStatus& status() const { return status_; }
+    const std::shared_ptr<const FilmSnapshot>& snapshot() const { return snapshot_; }
+    /// The film is at full resolution and belongs to the scene as it is now.
+    bool pictureIsCurrent() const;
+    /// An edit was posted, and no picture of it has come back.
+    bool awaitsEdit() const { return awaitsEdit_; }
+
+    DisplaySettings display;
+    FileSettings files;
+    bool focusFollowsTarget = true;
+    int selectedMaterial = 0;
+    int selectedLight = 0;
+
+  private:
+    using Capture = RenderSession::Capture;
+    void setInteracting(bool interacting);
+    void expectPicture();
+    /// Takes the film when the pass in flight is done, then runs `save` on it, both in the background.
+    void saveCaptured(const std::string& path, std::function<Status(const Capture&)> save);
+    void startExr();
+    void finishFileJob(const Status& result, const std::string& success);
+    void autosave();
+
+    SceneDescription draft_;
+    std::shared_ptr<const SceneDescription> posted_;
+    Camera cameraOfFile_;
+    Bounds bounds_;
+    bool opening_ = false;
+    std::optional<Error> openError_;
+
+    JobQueue jobs_;  // before the session, whose end answers the jobs that wait for a picture
+    RenderSession session_;
+    SessionStatus status_;
+    std::shared_ptr<const FilmSnapshot> snapshot_;
+    StopLimits postedLimits_;
+    bool postedPaused_ = false;
+    bool postedInteracting_ = false;
+    uint32_t requestedAovs_ = 0;
+    bool requestedError_ = false;
+    bool awaitsEdit_ = false;
+    uint64_t generationBeforeEdit_ = 0;
+
+    bool pendingExr_ = false;
+    std::string fileMessage_;
+    bool fileMessageIsError_ = false;
+    std::string replayCommand_;
+    double lastAutosave_ = 0.0;
+};
+
+}  // namespace glint
