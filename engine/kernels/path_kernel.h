@@ -230,7 +230,8 @@ GLINT_HD inline void logVertex(const PathState& path, const SurfacePoint& surfac
 
 /// What light sampling needs to know of a vertex that is seen from wo.
 template <FeatureMask kMask>
-GLINT_HD inline LightContext lightContextAt(const SceneView& view, const SurfacePoint& surface, const Vec3& wo) {
+GLINT_HD inline LightContext lightContextAt(const SceneView& view, const SurfacePoint& surface,
+                                            const Vec3& wo) {
     LightContext context;
     context.p = surface.p;
     context.n = glm::dot(surface.ng, wo) < 0.0f ? -surface.ng : surface.ng;
