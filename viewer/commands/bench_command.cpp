@@ -9,6 +9,7 @@ void addBenchCommand(CLI::App& app, int* exitCode) {
     CLI::App* bench = app.add_subcommand("bench", "Measures speed: rays, paths, latency, loading, threads");
     bench->require_subcommand(1);
     bench->footer("Figures are only worth something on a machine that does nothing else.");
+    addBenchRays(*bench, exitCode);
     addBenchPaths(*bench, exitCode);
     addBenchLatency(*bench, exitCode);
     addBenchLoad(*bench, exitCode);

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "engine/base/result.h"
 
 namespace glint {
@@ -67,6 +69,6 @@ std::string benchRaysText(const BenchRaysReport& report);
 /// rows[] = {name, glint_mrays_per_s, embree_mrays_per_s, ratio}; build = {glint_mtris_per_s,
 /// embree_mtris_per_s, ratio}; disagreements (their sum) and disagreements_by_kind; mesh, triangles, threads,
 /// rays, embree (its version or null). Without Embree its figures are null.
-std::string benchRaysJson(const BenchRaysReport& report);
+nlohmann::ordered_json benchRaysJson(const BenchRaysReport& report);
 
 }  // namespace glint

@@ -53,8 +53,8 @@ std::string benchRaysText(const BenchRaysReport& r) {
     return out;
 }
 
-std::string benchRaysJson(const BenchRaysReport& r) {
-    using nlohmann::json;
+nlohmann::ordered_json benchRaysJson(const BenchRaysReport& r) {
+    using json = nlohmann::ordered_json;
     const auto orNull = [&](double x) { return r.hasEmbree ? json(x) : json(nullptr); };
     json out;
     out["mesh"] = r.options.generator;
@@ -79,7 +79,7 @@ std::string benchRaysJson(const BenchRaysReport& r) {
     for (size_t i = 0; r.hasEmbree && i < kRayDisagreementCount; ++i) {
         out["disagreements_by_kind"][kKinds[i].key] = r.disagreements[i];
     }
-    return out.dump(2) + "\n";
+    return out;
 }
 
 }  // namespace glint

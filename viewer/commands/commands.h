@@ -28,6 +28,7 @@ void addBenchCommand(CLI::App& app, int* exitCode);
 void addBenchLatency(CLI::App& bench, int* exitCode);
 void addBenchLoad(CLI::App& bench, int* exitCode);
 void addBenchThreads(CLI::App& bench, int* exitCode);
+void addBenchRays(CLI::App& bench, int* exitCode);
 void addBenchPaths(CLI::App& bench, int* exitCode);
 
 }  // namespace glint
