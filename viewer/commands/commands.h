@@ -22,6 +22,7 @@ enum ExitCode : int {
 void addViewCommand(CLI::App& app, int* exitCode);
 void addRenderCommand(CLI::App& app, int* exitCode);
 void addInfoCommand(CLI::App& app, int* exitCode);
+void addConvertCommand(CLI::App& app, int* exitCode);
 void addBenchCommand(CLI::App& app, int* exitCode);
 
 /// Of `glint bench`.

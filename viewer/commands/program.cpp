@@ -23,6 +23,7 @@ void addCommands(CLI::App& app, int* exitCode) {
     addViewCommand(app, exitCode);
     addRenderCommand(app, exitCode);
     addInfoCommand(app, exitCode);
+    addConvertCommand(app, exitCode);
     addBenchCommand(app, exitCode);
 }
 
@@ -61,8 +62,8 @@ const CLI::App* chosenCommand(const CLI::App& app, std::string* name) {
     return chosen;
 }
 
-void printUnknown(const CLI::App& chosen, const std::string& name) {
-    const std::vector<std::string> extras = chosen.remaining(true);
+void printUnknown(const CLI::App& app, const CLI::App& chosen, const std::string& name) {
+    const std::vector<std::string> extras = app.remaining(true);
     const std::string word = extras.empty() ? "" : extras.front();
     const bool option = word.starts_with("-");
     const std::string bare = word.substr(0, word.find('='));
@@ -79,7 +80,7 @@ int answerParseError(const CLI::App& app, const CLI::ParseError& problem) {
     std::string name;
     const CLI::App* chosen = chosenCommand(app, &name);
     if (dynamic_cast<const CLI::ExtrasError*>(&problem) != nullptr) {
-        printUnknown(*chosen, name);
+        printUnknown(app, *chosen, name);
     } else {
         fmt::print(stderr, "{}: {}; see `{} --help`\n", name, problem.what(), name);
     }

@@ -63,12 +63,9 @@ std::string formatSeconds(double seconds) {
                      : fmt::format("{}:{:02}", minutes, whole % 60);
 }
 
-ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {}
+ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) == 1) {}
 
 void ProgressLine::update(const SessionStatus& status, const StopLimits& limits) {
-    if (quiet_) {
-        return;
-    }
     const Forecast ahead = forecast(status, limits);
     const std::string text = describe(status, limits, ahead);
     if (terminal_) {

@@ -20,14 +20,13 @@ std::string formatSeconds(double seconds);
 
 class ProgressLine {
   public:
-    /// Writes to standard error; `quiet` writes nothing.
-    explicit ProgressLine(bool quiet);
+    /// Writes to standard error.
+    ProgressLine();
     void update(const SessionStatus& status, const StopLimits& limits);
     /// Ends the drawn line, so that what follows starts on its own.
     void finish();
 
   private:
-    bool quiet_;
     bool terminal_;
     bool drawn_ = false;
     double lastFraction_ = -1.0;

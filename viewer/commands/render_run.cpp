@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 #include "engine/base/log.h"
 #include "engine/build/scene_builder.h"
@@ -103,7 +102,7 @@ class BatchRender {
     /// True when a limit was reached or the session failed, false when the user interrupted.
     bool waitUntilDone() {
         const InterruptGuard interrupt;
-        ProgressLine progress(jsonTakesOutput(options_.json) && isatty(STDERR_FILENO) == 0);
+        ProgressLine progress;
         auto savedAt = Clock::now();
         bool finished = false;
         while (!finished && !interrupt.interrupted()) {

@@ -1,0 +1,218 @@
+// The program as its users meet it: exit codes, messages, Ctrl-C, resuming, files that cannot be written,
+// reports.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/run_program.h"
+#include "tests/support/temp_folder.h"
+
+namespace glint {
+namespace {
+
+using test::ProgramRun;
+using test::runProgram;
+using test::TempFolder;
+
+const std::string kCornell = GLINT_SOURCE_DIR "/scenes/cornell.json";
+
+class CommandLine : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (!test::programExists()) {
+            GTEST_SKIP() << "the program was not built";
+        }
+    }
+    TempFolder folder;
+};
+
+testing::AssertionResult says(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos
+               ? testing::AssertionSuccess()
+               : testing::AssertionFailure() << "'" << part << "' is not in: " << text;
+}
+
+TEST_F(CommandLine, HelpAndVersionSucceed) {
+    for (const char* command : {"render", "info", "bench"}) {
+        const ProgramRun help = runProgram({command, "--help"});
+        EXPECT_EQ(help.exitCode, 0);
+        EXPECT_TRUE(says(help.out, "--help"));
+    }
+    EXPECT_TRUE(says(runProgram({"--help"}).out, "Exit codes"));
+    EXPECT_TRUE(says(runProgram({"--version"}).out, "glint 0"));
+}
+
+TEST_F(CommandLine, UnknownOptionsNameTheNearest) {
+    const ProgramRun option = runProgram({"render", kCornell, "-o", folder.path("a.png"), "--pases", "3"});
+    EXPECT_EQ(option.exitCode, 1);
+    EXPECT_TRUE(says(option.err, "--passes"));
+    EXPECT_EQ(runProgram({"rendr", kCornell}).exitCode, 1);
+    const ProgramRun aov = runProgram({"render", kCornell, "-o", folder.path("a.exr"), "--aov", "albedoo"});
+    EXPECT_EQ(aov.exitCode, 1);
+    EXPECT_TRUE(says(aov.err, "albedo'"));
+}
+
+TEST_F(CommandLine, BadValuesAreRefusedWithOneMessage) {
+    const std::string out = folder.path("a.png");
+    const std::vector<std::vector<std::string>> bad = {
+        {"--passes", "0"},        {"--passes", "many"},
+        {"--size", "12"},         {"--size", "0x5"},
+        {"--time", "-1"},         {"--filter", "sinc"},
+        {"--tone", "loud"},       {"--threads", "0"},
+        {"--backend", "gpu"},     {"--camera-target", "1,2"},
+        {"--aov", "depth"},       {"--checkpoint-every", "5"},
+        {"--fov", "180"},         {"--sampler", "halton"},
+        {"--exposure", "bright"}, {"--resume", folder.path("none")},
+    };
+    for (const auto& words : bad) {
+        std::vector<std::string> arguments = {"render", kCornell, "-o", out};
+        arguments.insert(arguments.end(), words.begin(), words.end());
+        const ProgramRun run = runProgram(arguments);
+        EXPECT_EQ(run.exitCode, 1) << words[0] << " " << words[1] << ": " << run.err;
+        EXPECT_FALSE(run.err.empty());
+    }
+    EXPECT_EQ(folder.size(), 0u) << "a refused run must leave nothing behind";
+}
+
+TEST_F(CommandLine, BadScenesAreRefusedWithTheirPlace) {
+    const std::string scene =
+        folder.write("bad.json", "{ \"glint\": 1,\n  \"camera\": { \"positon\": [0, 1, 2] }\n}\n");
+    for (const char* command : {"render", "info"}) {
+        std::vector<std::string> arguments = {command, scene};
+        if (std::string(command) == "render") {
+            arguments.insert(arguments.end(), {"-o", folder.path("a.png")});
+        }
+        const ProgramRun run = runProgram(arguments);
+        EXPECT_EQ(run.exitCode, 1);
+        EXPECT_TRUE(says(run.err, "bad.json:2:"));
+        EXPECT_TRUE(says(run.err, "position"));
+    }
+    EXPECT_EQ(runProgram({"info", folder.path("missing.json")}).exitCode, 1);
+}
+
+TEST_F(CommandLine, WhatCannotBeWrittenIsRefusedBeforeRendering) {
+    // So many passes that the test would not end if it began to render.
+    const std::vector<std::string> render = {"render", kCornell, "--passes", "100000000"};
+    const auto with = [&](std::vector<std::string> more) {
+        std::vector<std::string> all = render;
+        all.insert(all.end(), more.begin(), more.end());
+        return runProgram(all);
+    };
+    const std::string nowhere = folder.path("no/such/folder/a.png");
+    EXPECT_EQ(with({"-o", nowhere}).exitCode, 1);
+    EXPECT_TRUE(says(with({"-o", nowhere}).err, "does not exist"));
+    EXPECT_EQ(with({"-o", folder.path()}).exitCode, 1);
+    EXPECT_EQ(with({"-o", folder.path("a.bmp")}).exitCode, 1);
+    EXPECT_EQ(with({}).exitCode, 1);
+    EXPECT_EQ(with({"-o", folder.path("a.png"), "--checkpoint", nowhere}).exitCode, 1);
+    EXPECT_EQ(with({"-o", folder.path("a.png"), "--json", nowhere}).exitCode, 1);
+}
+
+TEST_F(CommandLine, RenderWritesPicturesAndAReport) {
+    for (const char* name : {"a.png", "a.hdr", "a.exr"}) {
+        const std::string picture = folder.path(name);
+        const ProgramRun run = runProgram(
+            {"render", kCornell, "-o", picture, "--size", "32x24", "--passes", "3", "--json", "-"});
+        ASSERT_EQ(run.exitCode, 0) << run.err;
+        EXPECT_FALSE(TempFolder::read(picture).empty());
+        const auto report = nlohmann::json::parse(run.out, nullptr, false);
+        ASSERT_FALSE(report.is_discarded()) << run.out;
+        EXPECT_EQ(report["passes"], 3);
+        EXPECT_EQ(report["width"], 32);
+        EXPECT_EQ(report["height"], 24);
+        EXPECT_GT(report["render_seconds"].get<double>(), 0.0);
+    }
+    const std::string json = folder.path("report.json");
+    const ProgramRun run =
+        runProgram({"render", kCornell, "-o", folder.path("b.exr"), "--size", "16x16", "--passes", "2",
+                    "--aov", "albedo,depth,standard-error", "--json", json});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_FALSE(nlohmann::json::parse(TempFolder::read(json), nullptr, false).is_discarded());
+    EXPECT_TRUE(says(TempFolder::read(folder.path("b.exr")), "albedo.R"));
+}
+
+TEST_F(CommandLine, ThreadsChangeNoByteOfThePicture) {
+    const auto picture = [&](const char* threads) {
+        const std::string path = folder.path(std::string("t") + threads + ".exr");
+        const ProgramRun run =
+            runProgram({"render", kCornell, "-o", path, "--exr-float", "--size", "40x30", "--passes", "4",
+                        "--threads", threads, "--checkpoint", path + ".film"});
+        EXPECT_EQ(run.exitCode, 0) << run.err;
+        return path;
+    };
+    // The EXR says how long it took, so the films are compared by rendering on from them: see the resume
+    // test. Here the tone-mapped pictures are, which hold nothing but pixels.
+    const auto png = [&](const char* threads) {
+        const std::string path = folder.path(std::string("t") + threads + ".png");
+        EXPECT_EQ(runProgram({"render", kCornell, "-o", path, "--size", "40x30", "--passes", "4", "--threads",
+                              threads})
+                      .exitCode,
+                  0);
+        return TempFolder::read(path);
+    };
+    EXPECT_FALSE(TempFolder::read(picture("1")).empty());
+    const std::string one = png("1");
+    EXPECT_EQ(one, png("2"));
+    EXPECT_EQ(one, png("3"));
+}
+
+TEST_F(CommandLine, InterruptedRendersSaveAndGoOnBitForBit) {
+    const std::string film = folder.path("a.film"), picture = folder.path("a.hdr"),
+                      whole = folder.path("whole.hdr");
+    const std::vector<std::string> settings = {"--size", "96x96"};
+    const auto render = [&](std::vector<std::string> more, const std::string& interrupt = {}) {
+        std::vector<std::string> all = {"render", kCornell};
+        all.insert(all.end(), settings.begin(), settings.end());
+        all.insert(all.end(), more.begin(), more.end());
+        return runProgram(all, interrupt);
+    };
+    const ProgramRun stopped =
+        render({"-o", picture, "--time", "100000", "--passes", "100000", "--checkpoint", film, "--json", "-"},
+               "pass ");
+    ASSERT_EQ(stopped.exitCode, 130) << stopped.err;
+    EXPECT_FALSE(TempFolder::read(picture).empty());
+    const auto report = nlohmann::json::parse(stopped.out, nullptr, false);
+    ASSERT_FALSE(report.is_discarded());
+    const int more = report["passes"].get<int>() + 3;
+    const std::string passes = std::to_string(more);
+    const ProgramRun resumed = render({"-o", picture, "--resume", film, "--passes", passes});
+    ASSERT_EQ(resumed.exitCode, 0) << resumed.err;
+    ASSERT_EQ(render({"-o", whole, "--passes", passes}).exitCode, 0);
+    EXPECT_EQ(TempFolder::read(picture), TempFolder::read(whole));
+}
+
+TEST_F(CommandLine, ResumingWithOtherSettingsNamesTheDifference) {
+    const std::string film = folder.path("a.film"), picture = folder.path("a.png");
+    ASSERT_EQ(runProgram({"render", kCornell, "-o", picture, "--size", "16x16", "--passes", "2",
+                          "--checkpoint", film})
+                  .exitCode,
+              0);
+    const ProgramRun other = runProgram({"render", kCornell, "-o", picture, "--size", "16x16", "--passes",
+                                         "4", "--depth", "3", "--resume", film});
+    EXPECT_EQ(other.exitCode, 1);
+    EXPECT_TRUE(says(other.err, "maxDepth"));
+}
+
+TEST_F(CommandLine, ReplayPrintsThePathOfOnePixel) {
+    const ProgramRun run =
+        runProgram({"render", kCornell, "--size", "32x32", "--pixel", "16,20", "--pass", "5"});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_TRUE(says(run.out, "radiance"));
+    EXPECT_EQ(runProgram({"render", kCornell, "--size", "32x32", "--pixel", "32,0"}).exitCode, 1);
+    EXPECT_EQ(runProgram({"render", kCornell, "--pixel", "middle"}).exitCode, 1);
+}
+
+TEST_F(CommandLine, InfoReportsWhatIsThereAndWhatIsLeftOut) {
+    const ProgramRun text = runProgram({"info", kCornell});
+    ASSERT_EQ(text.exitCode, 0) << text.err;
+    EXPECT_TRUE(says(text.out, "left out"));
+    EXPECT_TRUE(says(text.out, "memory"));
+    const auto report =
+        nlohmann::json::parse(runProgram({"info", kCornell, "--json", "-"}).out, nullptr, false);
+    ASSERT_FALSE(report.is_discarded());
+    EXPECT_GT(report["memory_total_bytes"].get<uint64_t>(), 0u);
+    EXPECT_FALSE(report["kernel"].get<std::string>().empty());
+    EXPECT_TRUE(report["left_out"].is_array());
+}
+
+}  // namespace
+}  // namespace glint

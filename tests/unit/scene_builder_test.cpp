@@ -1,0 +1,175 @@
+// The edit table with real parts: what each edit rebuilds and what it shares, and what is refused.
+#include "engine/build/scene_builder.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/test_scenes.h"
+
+namespace glint {
+namespace {
+
+using Built = std::shared_ptr<const BuiltScene>;
+
+struct Edited {
+    Built scene;
+    BuildReport report;
+};
+
+class SceneBuilder : public testing::Test {
+  protected:
+    SceneBuilder() {
+        description = test::meshInstances();
+        description.materials.push_back({});
+        description.materials.back().name = "spare";
+        // The scene's own materials may share one mesh; a lamp makes light tables matter.
+        description.materials.back().emission = Vec3(1.0f);
+        Object lamp;
+        lamp.name = "lamp";
+        lamp.shape = ShapeKind::Sphere;
+        lamp.material = static_cast<int>(description.materials.size()) - 1;
+        lamp.objectToWorld.translation = {0, 5, 0};
+        description.objects.push_back(lamp);
+        const Edited first = edit(EditKind::Everything, nullptr);
+        before = first.scene;
+    }
+
+    Edited edit(EditKind kinds, const Built& previous) {
+        Edited out;
+        auto result = buildScene({std::make_shared<SceneDescription>(description), kinds}, previous.get(), 1,
+                                 nullptr, &out.report);
+        EXPECT_TRUE(result.ok()) << (result.ok() ? "" : result.error().format());
+        if (result.ok()) {
+            out.scene = *result;
+        }
+        return out;
+    }
+
+    std::string refusal(EditKind kinds = EditKind::Everything) {
+        const auto result = buildScene({std::make_shared<SceneDescription>(description), kinds}, before.get(),
+                                       1, nullptr, nullptr);
+        return result.ok() ? "" : result.error().format();
+    }
+
+    SceneDescription description;
+    Built before;
+};
+
+TEST_F(SceneBuilder, CameraAndSizeRebuildNothing) {
+    description.camera.position.x += 1.0f;
+    description.resolution.width *= 2;
+    const Edited after = edit(EditKind::Camera | EditKind::Resolution, before);
+    EXPECT_EQ(after.scene->instances, before->instances);
+    EXPECT_EQ(after.scene->materials, before->materials);
+    EXPECT_EQ(after.scene->textures, before->textures);
+    EXPECT_EQ(after.scene->lights, before->lights);
+    EXPECT_EQ(after.scene->meshes, before->meshes);
+    EXPECT_NE(after.scene->camera.position, before->camera.position);
+    EXPECT_NE(after.scene->camera.tanHalfFovX, before->camera.tanHalfFovX);
+    EXPECT_FALSE(after.report.featuresScanned);
+}
+
+TEST_F(SceneBuilder, AColourRebuildsTheMaterialTableOnly) {
+    description.materials[0].color.value = Vec3(0.123f);
+    const Edited after = edit(EditKind::MaterialParameters, before);
+    EXPECT_TRUE(after.report.materialsBuilt);
+    EXPECT_NE(after.scene->materials, before->materials);
+    EXPECT_EQ(after.scene->lights, before->lights);
+    EXPECT_EQ(after.scene->instances, before->instances);
+    EXPECT_EQ(after.scene->textures, before->textures);
+}
+
+TEST_F(SceneBuilder, AnEmissionRebuildsTheLightTableToo) {
+    description.materials.back().emission = Vec3(2.0f);
+    const Edited brighter = edit(EditKind::MaterialParameters, before);
+    EXPECT_TRUE(brighter.report.lightsBuilt);
+    EXPECT_EQ(brighter.scene->instances, before->instances) << "the same emitters, only brighter";
+    description.materials[0].emission = Vec3(1.0f);
+    const Edited more = edit(EditKind::MaterialParameters, brighter.scene);
+    EXPECT_TRUE(more.report.topLevelBuilt) << "instances hold the numbers of their emitters";
+}
+
+TEST_F(SceneBuilder, ALightRebuildsTheLightTableOnly) {
+    description.environment.strength = 0.5f;
+    const Edited after = edit(EditKind::Lights, before);
+    EXPECT_TRUE(after.report.lightsBuilt);
+    EXPECT_FALSE(after.report.materialsBuilt);
+    EXPECT_FALSE(after.report.topLevelBuilt);
+    EXPECT_EQ(after.scene->materials, before->materials);
+    EXPECT_EQ(after.scene->instances, before->instances);
+}
+
+TEST_F(SceneBuilder, AMovedObjectRebuildsTheTopLevelAndNoMesh) {
+    description.objects[0].objectToWorld.translation.x += 0.5f;
+    const Edited after = edit(EditKind::ObjectTransform, before);
+    EXPECT_TRUE(after.report.topLevelBuilt);
+    EXPECT_EQ(after.report.meshesBuilt, 0);
+    EXPECT_EQ(after.scene->meshes, before->meshes);
+    EXPECT_EQ(after.scene->materials, before->materials);
+}
+
+TEST_F(SceneBuilder, AnotherSceneSharesTheMeshesThatStay) {
+    const Edited after = edit(EditKind::Everything, before);
+    EXPECT_EQ(after.report.meshesBuilt, 0);
+    EXPECT_EQ(after.scene->meshes, before->meshes);
+    const Edited fresh = edit(EditKind::Everything, nullptr);
+    EXPECT_GT(fresh.report.meshesBuilt, 0);
+}
+
+TEST_F(SceneBuilder, FeaturesGrowWithEditsAndShrinkWithAnotherScene) {
+    const FeatureMask atFirst = before->features;
+    ASSERT_EQ(atFirst & kFeatureMixture, 0u);
+    const MaterialKind kind = description.materials[0].kind;
+    description.materials[0].kind = MaterialKind::Mixture;
+    const Edited grown = edit(EditKind::MaterialKind, before);
+    EXPECT_NE(grown.scene->features & kFeatureMixture, 0u);
+    description.materials[0].kind = kind;
+    const Edited kept = edit(EditKind::MaterialKind, grown.scene);
+    EXPECT_NE(kept.scene->features & kFeatureMixture, 0u);
+    EXPECT_EQ(edit(EditKind::Everything, kept.scene).scene->features, atFirst);
+}
+
+TEST_F(SceneBuilder, AnEditThatForgetsToSayThatObjectsAppearedIsMadeGood) {
+    description.objects.push_back(description.objects.front());
+    const Edited after = edit(EditKind::Camera, before);
+    EXPECT_EQ(after.scene->view().geometry.instances.count, before->view().geometry.instances.count + 1);
+}
+
+TEST_F(SceneBuilder, FaultsNameWhatTheyAreIn) {
+    const SceneDescription good = description;
+    const auto expect = [&](const char* part, const std::function<void()>& spoil) {
+        description = good;
+        spoil();
+        EXPECT_NE(refusal().find(part), std::string::npos) << part << " is not in: " << refusal();
+    };
+    description.objects.back().name = "lamp";
+    expect("object 'lamp'", [&] { description.objects.back().material = 99; });
+    expect("object 'lamp'", [&] { description.objects.back().objectToWorld.linear = Mat3(0.0f); });
+    expect("object 'lamp'", [&] { description.objects.back().objectToWorld.translation.x = kInfinity; });
+    expect("material 'spare'", [&] { description.materials.back().roughness = 2.0f; });
+    expect("material 'spare'",
+           [&] { description.materials.back().emission.x = std::numeric_limits<float>::quiet_NaN(); });
+    expect("material 'spare'", [&] { description.materials.back().color.texture = 77; });
+    expect("camera", [&] { description.camera.target = description.camera.position; });
+    expect("camera", [&] { description.camera.apertureBlades = 2; });
+    expect("resolution", [&] { description.resolution.width = 0; });
+    expect("environment", [&] { description.environment.image = 5; });
+    expect("mesh", [&] { description.meshes[0].data.reset(); });
+    expect("light", [&] {
+        Light light;
+        light.kind = LightKind::Spot;
+        light.direction = Vec3(0.0f);
+        description.lights.push_back(light);
+    });
+}
+
+TEST_F(SceneBuilder, AStopIsHeeded) {
+    const std::atomic<bool> stop{true};
+    const auto result = buildScene({std::make_shared<SceneDescription>(description), EditKind::Everything},
+                                   nullptr, 1, &stop, nullptr);
+    EXPECT_FALSE(result.ok());
+}
+
+}  // namespace
+}  // namespace glint

@@ -1,0 +1,57 @@
+// `glint convert IN OUT.json`: any readable scene as Glint's own JSON.
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "engine/base/log.h"
+#include "engine/io/scene_json.h"
+#include "engine/io/scene_loader.h"
+#include "viewer/commands/commands.h"
+#include "viewer/commands/output_files.h"
+
+namespace glint {
+namespace {
+
+struct ConvertOptions {
+    std::string in, out;
+    bool allowMissing = false;
+};
+
+int complain(const Error& error, int exitCode) {
+    fmt::print(stderr, "error: {}\n", error.format());
+    return exitCode;
+}
+
+int runConvert(const ConvertOptions& options) {
+    if (!options.out.ends_with(".json")) {
+        return complain({fmt::format("'{}': expected a name that ends in .json", options.out), {}},
+                        kExitBadInput);
+    }
+    if (Status writable = checkWritable(options.out); !writable) {
+        return complain(writable.error(), kExitBadInput);
+    }
+    const auto scene = loadScene(options.in, {.allowMissing = options.allowMissing});
+    if (!scene) {
+        return complain(scene.error(), kExitBadInput);
+    }
+    for (const std::string& warning : scene->warnings) {
+        logWarning("{}", warning);
+    }
+    if (Status saved = saveSceneJson(*scene, options.out); !saved) {
+        return complain(saved.error(), kExitFailed);
+    }
+    return kExitDone;
+}
+
+}  // namespace
+
+void addConvertCommand(CLI::App& app, int* exitCode) {
+    CLI::App* command = app.add_subcommand("convert", "Writes any readable scene as Glint's own JSON");
+    const auto options = std::make_shared<ConvertOptions>();
+    command->add_option("in", options->in, "The scene to read")->required()->type_name("IN");
+    command->add_option("out", options->out, "The file to write, OUT.json")->required()->type_name("OUT");
+    command->add_flag("--allow-missing", options->allowMissing,
+                      "Convert what is there when parts are missing");
+    command->callback([options, exitCode] { *exitCode = runConvert(*options); });
+}
+
+}  // namespace glint
