@@ -38,6 +38,7 @@ ScriptPlayer::ScriptPlayer(std::vector<ScriptStatement> statements, WidgetRegist
 Status ScriptPlayer::step() {
     wheel_ = 0.0f;
     typed_.clear();
+    if (registry_->widgets().empty()) return {};  // the first frames: nothing has been on screen yet
     while (next_ < statements_.size() && actions_.empty() && !finishing_) {
         if (attempts_ == 0) began_ = secondsNow();
         auto progress = run(statements_[next_]);

@@ -61,6 +61,7 @@ void ViewerModel::adopt(SceneDescription scene) {
     const float distance = targetDistance(draft_.camera);
     focusFollowsTarget = draft_.camera.apertureDiameter <= 0.0f ||
                          std::fabs(distance - draft_.camera.focalDistance) <= 1e-3f * distance;
+    postWishes();  // first, so that not a pass too many is made
     expectPicture();
     session_.post({posted_, EditKind::Everything});
 }
@@ -129,6 +130,11 @@ EditKind ViewerModel::commitEdits(bool held) {
         session_.post({posted_, kinds});
         replayCommand_.clear();
     }
+    postWishes();
+    return kinds;
+}
+
+void ViewerModel::postWishes() {
     if (!sameLimits(limits, postedLimits_)) {
         postedLimits_ = limits;
         session_.setLimits(limits);
@@ -144,7 +150,6 @@ EditKind ViewerModel::commitEdits(bool held) {
         requestedError_ = error;
         session_.request(aovs, error);
     }
-    return kinds;
 }
 
 bool ViewerModel::pictureIsCurrent() const {

@@ -110,6 +110,8 @@ class ViewerModel {
     using Capture = RenderSession::Capture;
     void setInteracting(bool interacting);
     void expectPicture();
+    /// Limits, pause and extra pictures, where they changed.
+    void postWishes();
     /// Takes the film when the pass in flight is done, then runs `save` on it, both in the background.
     void saveCaptured(const std::string& path, std::function<Status(const Capture&)> save);
     void startExr();

@@ -1,0 +1,305 @@
+// The whole viewer, headless through OSMesa, driven by scripts as a person would drive it: what restarts and
+// what does not, errors that leave the running scene alone, pictures and checkpoints out and in.
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include "engine/io/image_io.h"
+
+namespace glint {
+namespace {
+
+// Small enough that a pass is quick on a busy machine.
+constexpr const char* kScene = R"({
+  "glint": 1,
+  "resolution": [64, 48],
+  "camera": { "position": [0, 1, 4], "target": [0, 1, 0] },
+  "materials": { "grey": { "type": "diffuse", "color": 0.5 } },
+  "objects": [{ "type": "sphere", "material": "grey", "center": [0, 1, 0], "radius": 1 }],
+  "environment": { "color": 1 }
+})";
+
+struct Ran {
+    int exitCode = -1;
+    std::string output;
+};
+
+Ran run(const std::string& arguments) {
+    Ran ran;
+    const std::string command = std::string(GLINT_PROGRAM) + " " + arguments + " 2>&1 < /dev/null";
+    std::FILE* pipe = popen(command.c_str(), "r");
+    std::array<char, 4096> buffer{};
+    for (size_t got; (got = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+        ran.output.append(buffer.data(), got);
+    const int status = pclose(pipe);
+    ran.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return ran;
+}
+
+void write(const std::string& path, const std::string& text) {
+    std::ofstream(path, std::ios::binary) << text;
+}
+
+/// Plays `script` on the small scene in a window of 1280 x 720.
+Ran play(const std::string& script, const std::string& more = "") {
+    write("scene.json", kScene);
+    write("script.txt", script);
+    return run("view scene.json --headless --threads 1 --script script.txt " + more);
+}
+
+void expectPlayed(const Ran& ran) { EXPECT_EQ(ran.exitCode, 0) << ran.output; }
+
+TEST(ScriptedViewer, ApertureDragRestartsTheFilmOnceAndNothingElse) {
+    const Ran ran = play(R"(
+wait picture
+mark
+drag "Aperture" 40 0
+wait picture
+expect restarts 1
+expect allocations 0
+expect material-tables 0
+expect texture-tables 0
+expect light-tables 0
+expect feature-scans 0
+expect mesh-builds 0
+expect top-level-builds 0
+expect "Aperture" 0
+)");
+    // The last expectation is there to fail: it shows that the drag arrived, and that a failing script is an
+    // error.
+    EXPECT_EQ(ran.exitCode, 1) << ran.output;
+    EXPECT_THAT(ran.output, testing::HasSubstr("script.txt:14:19:")) << "the aperture changed";
+}
+
+TEST(ScriptedViewer, DisplayAndLimitsRestartNothing) {
+    expectPlayed(play(R"(
+wait picture
+mark
+set "Exposure" 1.5
+set "Tone map" Filmic
+set "Shown" Depth
+set "Pass limit" 100000
+set "Time limit" 5000
+set "Size" "1:1 pixels"
+drag "Splitter" -60 0
+wait frames 5
+expect restarts 0
+expect allocations 0
+expect "Exposure" 1.5
+)"));
+}
+
+TEST(ScriptedViewer, EachEditRestartsItsPart) {
+    expectPlayed(play(R"(
+wait picture
+open "Materials"
+open "Lights"
+open "Picture"
+wait frames 2
+mark
+set "Colour" 0.2 0.3 0.4
+wait picture
+expect restarts 1
+expect material-tables 1
+expect light-tables 0
+expect mesh-builds 0
+mark
+set "Env. strength" 2
+wait picture
+expect restarts 1
+expect light-tables 1
+expect material-tables 0
+mark
+set "Width" 80
+wait picture
+expect allocations 1
+expect material-tables 0
+mark
+click "Restart"
+wait picture
+expect restarts 1
+expect material-tables 0
+expect allocations 0
+)"));
+}
+
+TEST(ScriptedViewer, TheMouseMovesTheCamera) {
+    expectPlayed(play(R"(
+wait picture
+mark
+drag 400 300 500 300
+wait picture
+expect restarts 1
+expect mesh-builds 0
+wheel 2 400 300
+wait picture
+key home
+wait picture
+expect "Camera/Position" 0 1 4
+)"));
+}
+
+TEST(ScriptedViewer, EveryPanelOpens) {
+    expectPlayed(play(R"(
+wait picture
+open "Materials"
+open "Lights"
+open "Picture"
+open "Checkpoint"
+open "Log"
+wait frames 3
+expect widget "Scene/Open"
+expect widget "Render/Pause"
+expect widget "Camera/Aperture"
+expect widget "Materials/Kind"
+expect widget "Lights/Rotation"
+expect widget "Display/Exposure"
+expect widget "Picture/Max depth"
+expect widget "Checkpoint/Save PNG"
+expect widget "Log/Copy log"
+set "Materials/Kind" Conductor
+wait frames 2
+expect widget "Metal"
+close "Materials"
+wait frames 2
+expect no-widget "Metal"
+key f1
+wait frames 3
+screenshot "panels.png"
+)"));
+    const auto picture = loadImage8("panels.png");
+    ASSERT_TRUE(picture) << picture.error().format();
+    EXPECT_EQ((*picture)->width, 1280);
+    EXPECT_EQ((*picture)->height, 720);
+    // The column of panels holds text: far from one grey.
+    size_t bright = 0;
+    for (int y = 0; y < 700; ++y) {
+        for (int x = 920; x < 1260; ++x)
+            bright += (*picture)->rgb[static_cast<size_t>(y * 1280 + x) * 3] > 180;
+    }
+    EXPECT_GT(bright, 1000u);
+}
+
+TEST(ScriptedViewer, ABadSceneLeavesTheRunningOneAlone) {
+    write("bad.json", "{ \"glint\": 1,\n  \"camera\": {\"positoin\": [0, 0, 1]}\n}\n");
+    expectPlayed(play(R"(
+wait picture
+mark
+set "File" bad.json
+click "Open"
+wait jobs
+expect error "bad.json:2:"
+expect error "position"
+expect widget "Scene/Dismiss"
+expect restarts 0
+expect mesh-builds 0
+click "Dismiss"
+wait frames 2
+expect no-error
+expect no-widget "Scene/Dismiss"
+)"));
+}
+
+TEST(ScriptedViewer, PausesAndGoesOn) {
+    expectPlayed(play(R"(
+wait picture
+click "Pause"
+wait paused
+mark
+click "Start"
+wait passes 3
+expect restarts 0
+)"));
+}
+
+TEST(ScriptedViewer, ACheckpointIsSavedAndResumed) {
+    expectPlayed(play(R"(
+wait finished
+open "Checkpoint"
+wait frames 2
+set "Checkpoint file" six.glintfilm
+click "Save"
+wait jobs
+expect message "Saved six.glintfilm (6 passes"
+click "Restart"
+wait finished
+set "Pass limit" 8
+click "Resume"
+wait jobs
+expect message "Resumed six.glintfilm at 6 passes"
+wait finished
+expect passes-at-least 8
+set "Field of view" 30
+wait picture
+click "Resume"
+wait jobs
+expect message "camera"
+)",
+                      "--passes 6"));
+}
+
+TEST(ScriptedViewer, ThePngIsThePictureOnTheScreen) {
+    expectPlayed(play(R"(
+set "Exposure" 0.7
+set "Tone map" Reinhard
+wait finished
+open "Checkpoint"
+wait frames 2
+set "PNG file" saved.png
+click "Save PNG"
+wait jobs
+expect message "Saved saved.png (4 passes"
+)",
+                      "--passes 4"));
+    // `glint render` goes through the processor's tone map.
+    const Ran render =
+        run("render scene.json -o rendered.png --passes 4 --threads 1 --exposure 0.7 --tone reinhard");
+    ASSERT_EQ(render.exitCode, 0) << render.output;
+    const auto saved = loadImage8("saved.png");
+    const auto rendered = loadImage8("rendered.png");
+    ASSERT_TRUE(saved && rendered);
+    EXPECT_EQ((*saved)->rgb, (*rendered)->rgb);
+}
+
+TEST(ScriptedViewer, ScriptErrorsHaveTheirPlace) {
+    Ran ran = play("wait picture\nset \"Apertur\" 3\n");
+    EXPECT_EQ(ran.exitCode, 1);
+    EXPECT_THAT(ran.output, testing::HasSubstr("script.txt:2:5:"));
+    EXPECT_THAT(ran.output, testing::HasSubstr("Aperture"));
+    ran = play("wait picture\nset \"Aperture\" wide\n");
+    EXPECT_EQ(ran.exitCode, 1);
+    EXPECT_THAT(ran.output, testing::HasSubstr("expected a number"));
+    ran = play("wiat picture\n");
+    EXPECT_EQ(ran.exitCode, 1);
+    EXPECT_THAT(ran.output, testing::HasSubstr("script.txt:1:1:"));
+}
+
+TEST(ScriptedViewer, HeadlessWithoutAScriptLeavesPictures) {
+    write("scene.json", kScene);
+    const Ran ran = run(
+        "view scene.json --headless --threads 1 --size 900x500 --scale 2 --passes 2 --screenshot window.png "
+        "--output picture.png");
+    ASSERT_EQ(ran.exitCode, 0) << ran.output;
+    const auto window = loadImage8("window.png");
+    const auto picture = loadImage8("picture.png");
+    ASSERT_TRUE(window && picture);
+    EXPECT_EQ((*window)->width, 900);
+    EXPECT_EQ((*picture)->width, 64);
+}
+
+TEST(ScriptedViewer, WithoutADisplayItSaysWhatToDo) {
+    unsetenv("DISPLAY");
+    unsetenv("WAYLAND_DISPLAY");
+    write("scene.json", kScene);
+    const Ran ran = run("view scene.json");
+    EXPECT_EQ(ran.exitCode, 2);
+    EXPECT_THAT(ran.output, testing::HasSubstr("--headless"));
+}
+
+}  // namespace
+}  // namespace glint

@@ -1,0 +1,72 @@
+// The shader that the window shows pictures with agrees with the code that writes PNGs, to 1/255: every tone
+// map, dark, bright, saturated and broken values, over a wide range of exposures. Drawn by OSMesa; no display
+// is needed.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/render/tonemap.h"
+#include "viewer/window/image_display.h"
+#include "viewer/window/surface.h"
+
+namespace glint {
+namespace {
+
+constexpr int kWidth = 64;
+constexpr int kHeight = 33;
+
+std::vector<float> testPicture() {
+    std::vector<float> rgb;
+    uint32_t state = 1;
+    for (int i = 0; i < kWidth * kHeight * 3; ++i) {
+        state = state * 1664525u + 1013904223u;
+        const float unit = static_cast<float>(state >> 8) * 0x1p-24f;
+        rgb.push_back(std::exp2(unit * 24.0f - 16.0f));  // 1.5e-5 … 256
+    }
+    const float corners[] = {0.0f,   -1.0f, kInfinity, -kInfinity, std::nanf(""),
+                             1e-38f, 1e30f, 1.0f,      0.5f,       0.0031308f};
+    std::copy(std::begin(corners), std::end(corners), rgb.begin());
+    return rgb;
+}
+
+TEST(ToneMapShader, AgreesWithTheProcessorsToOneStep) {
+    const auto surface = makeHeadlessSurface({.width = 64, .height = 64});
+    ASSERT_TRUE(surface) << surface.error().format();
+    const auto display = ImageDisplay::create((*surface)->gl());
+    ASSERT_TRUE(display) << display.error().format();
+    const std::vector<float> picture = testPicture();
+    (*display)->upload(picture.data(), kWidth, kHeight, false);
+    for (int map = 0; map < kToneMapCount; ++map) {
+        for (const float stops : {-10.0f, -1.5f, 0.0f, 0.3333f, 3.0f, 10.0f}) {
+            const auto toneMap = static_cast<ToneMap>(map);
+            (*display)->update({stops, toneMap, false});
+            const std::vector<uint8_t> shown = (*display)->readBack();
+            const Image8 saved = toneMapPicture(picture.data(), kWidth, kHeight, stops, toneMap, 1);
+            ASSERT_EQ(shown.size(), saved.rgb.size());
+            int largest = 0;
+            for (size_t i = 0; i < shown.size(); ++i)
+                largest = std::max(largest, std::abs(shown[i] - saved.rgb[i]));
+            EXPECT_LE(largest, 1) << toneMapName(toneMap) << " at " << stops << " stops";
+            EXPECT_NE(*std::max_element(shown.begin(), shown.end()), 0);
+        }
+    }
+}
+
+TEST(ToneMapShader, DisplayValuesPassUnchanged) {
+    const auto surface = makeHeadlessSurface({.width = 64, .height = 64});
+    ASSERT_TRUE(surface) << surface.error().format();
+    const auto display = ImageDisplay::create((*surface)->gl());
+    ASSERT_TRUE(display) << display.error().format();
+    const std::vector<float> values{0.0f, 0.25f, 1.0f, 0.5f, 0.75f, 0.1f};
+    (*display)->upload(values.data(), 2, 1, false);
+    (*display)->update({5.0f, ToneMap::Filmic, true});
+    const std::vector<uint8_t> shown = (*display)->readBack();
+    ASSERT_EQ(shown.size(), values.size());
+    for (size_t i = 0; i < values.size(); ++i) EXPECT_NEAR(shown[i], values[i] * 255.0f, 0.51f) << i;
+}
+
+}  // namespace
+}  // namespace glint

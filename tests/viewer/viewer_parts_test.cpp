@@ -1,0 +1,139 @@
+// The viewer's parts that draw nothing: which edit a change is, camera moves, and what scripts may say.
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "viewer/window/camera_controller.h"
+#include "viewer/window/scene_diff.h"
+#include "viewer/window/script.h"
+
+namespace glint {
+namespace {
+
+SceneDescription smallScene() {
+    SceneDescription scene;
+    scene.materials.resize(2);
+    scene.lights.resize(1);
+    scene.objects.resize(1);
+    scene.textures.resize(1);
+    return scene;
+}
+
+template <class Change>
+EditKind kindOf(Change change) {
+    const SceneDescription before = smallScene();
+    SceneDescription after = before;
+    change(after);
+    return differences(before, after);
+}
+
+TEST(SceneDiff, EachChangeIsTheSmallestEdit) {
+    using S = SceneDescription;
+    EXPECT_EQ(kindOf([](S&) {}), EditKind::None);
+    EXPECT_EQ(kindOf([](S& s) { s.title = "x"; }), EditKind::None);
+    EXPECT_EQ(kindOf([](S& s) { s.camera.apertureDiameter = 0.1f; }), EditKind::Camera);
+    EXPECT_EQ(kindOf([](S& s) { s.camera.apertureBlades = 6; }), EditKind::Camera);
+    EXPECT_EQ(kindOf([](S& s) { s.camera.bladeRotationDeg = 5.0f; }), EditKind::Camera);
+    EXPECT_EQ(kindOf([](S& s) { s.resolution.width = 100; }), EditKind::Resolution);
+    EXPECT_EQ(kindOf([](S& s) { s.options.maxDepth = 3; }), EditKind::Options);
+    EXPECT_EQ(kindOf([](S& s) { s.materials[1].color.value = Vec3(0.1f); }), EditKind::MaterialParameters);
+    EXPECT_EQ(kindOf([](S& s) { s.materials[1].emission = Vec3(1.0f); }), EditKind::MaterialParameters);
+    EXPECT_EQ(kindOf([](S& s) { s.materials[0].roughness = 0.3f; }), EditKind::MaterialParameters);
+    EXPECT_EQ(kindOf([](S& s) { s.materials[1].kind = MaterialKind::Mirror; }), EditKind::MaterialKind);
+    EXPECT_EQ(kindOf([](S& s) { s.materials[1].color.texture = 0; }), EditKind::MaterialKind);
+    EXPECT_EQ(kindOf([](S& s) { s.lights[0].strength = 2.0f; }), EditKind::Lights);
+    EXPECT_EQ(kindOf([](S& s) { s.environment.rotationDeg = 2.0f; }), EditKind::Lights);
+    EXPECT_EQ(kindOf([](S& s) { s.objects[0].objectToWorld.translation.x = 1.0f; }),
+              EditKind::ObjectTransform);
+    EXPECT_EQ(kindOf([](S& s) { s.objects.pop_back(); }), EditKind::Everything);
+    EXPECT_EQ(kindOf([](S& s) {
+                  s.camera.position.x = 1.0f;
+                  s.lights[0].color.x = 3.0f;
+              }),
+              EditKind::Camera | EditKind::Lights);
+}
+
+TEST(CameraController, OrbitKeepsTheDistanceAndStopsShortOfThePoles) {
+    Camera camera;
+    const float distance = targetDistance(camera);
+    for (int i = 0; i < 50; ++i) orbit(&camera, {13.0f, 40.0f}, 500.0f);
+    EXPECT_NEAR(targetDistance(camera), distance, 1e-3f * distance);
+    const Vec3 direction = glm::normalize(camera.position - camera.target);
+    EXPECT_LT(std::fabs(direction.y), 0.99999f);
+    EXPECT_GT(direction.y, 0.9f);
+}
+
+TEST(CameraController, PanKeepsWhatIsUnderTheMouse) {
+    Camera camera;
+    const float height = 400.0f;
+    const Vec3 target = camera.target;
+    pan(&camera, {100.0f, 0.0f}, height);
+    const float shown = 2.0f * 5.0f * std::tan(20.0f * kPi / 180.0f);  // metres over the picture's height
+    EXPECT_NEAR(camera.target.x - target.x, -100.0f / height * shown, 1e-4f);
+    EXPECT_NEAR(targetDistance(camera), 5.0f, 1e-4f);
+}
+
+TEST(CameraController, DollyNeverReachesTheTarget) {
+    Camera camera;
+    for (int i = 0; i < 100; ++i) dolly(&camera, 3.0f);
+    EXPECT_GT(targetDistance(camera), 0.0f);
+    Camera other;
+    dolly(&other, 1.0f);
+    dolly(&other, -1.0f);
+    EXPECT_NEAR(targetDistance(other), 5.0f, 1e-4f);
+}
+
+TEST(CameraController, FStopAndApertureAreInverse) {
+    Camera camera;
+    EXPECT_TRUE(std::isinf(fStop(camera)));
+    camera.apertureDiameter = apertureForFStop(camera, 2.8f);
+    EXPECT_NEAR(fStop(camera), 2.8f, 1e-4f);
+    // 24 mm of sensor at 40 degrees: f = 12 mm / tan 20 = 32.97 mm.
+    EXPECT_NEAR(camera.apertureDiameter, 0.03297f / 2.8f, 1e-5f);
+}
+
+TEST(CameraController, FramePutsTheWholeSphereInThePicture) {
+    Camera camera;
+    frameBounds(&camera, {Vec3(9.0f), Vec3(11.0f)}, 1.0f);
+    EXPECT_EQ(camera.target, Vec3(10.0f));
+    EXPECT_GE(targetDistance(camera) * std::sin(20.0f * kPi / 180.0f), std::sqrt(3.0f));
+    EXPECT_LE(targetDistance(camera) * std::sin(20.0f * kPi / 180.0f), 1.2f * std::sqrt(3.0f));
+}
+
+TEST(Script, ReadsStatementsCommentsAndQuotes) {
+    const auto script =
+        parseScript("# nothing\n  set \"Field of view\" 35 # wide\n\nwait passes 3\nquit\n", "s.txt");
+    ASSERT_TRUE(script) << script.error().format();
+    ASSERT_EQ(script->size(), 3u);
+    EXPECT_EQ((*script)[0].words[0].text, "Field of view");
+    EXPECT_EQ((*script)[0].place.line, 2);
+    EXPECT_EQ((*script)[0].place.column, 3);
+    EXPECT_EQ((*script)[1].number(1), 3.0f);
+}
+
+TEST(Script, ErrorsNameTheirPlace) {
+    const struct {
+        const char* text;
+        const char* beginning;
+        const char* part;
+    } cases[] = {
+        {"wait picture\nclik 3 4\n", "s.txt:2:1:", "click"},
+        {"move 3 x\n", "s.txt:1:8:", "move X Y"},
+        {"move 3\n", "s.txt:1:7:", "incomplete"},
+        {"wait passes\n", "s.txt:1:12:", "wait passes"},
+        {"set \"Aperture 3\n", "s.txt:1:5:", "closing"},
+        {"press sideways\n", "s.txt:1:7:", "left|right|middle"},
+        {"key hyperspace\n", "s.txt:1:5:", "key NAME"},
+        {"quit now\n", "s.txt:1:6:", "now"},
+    };
+    for (const auto& c : cases) {
+        const auto script = parseScript(c.text, "s.txt");
+        ASSERT_FALSE(script) << c.text;
+        EXPECT_THAT(script.error().format(), testing::StartsWith(c.beginning)) << c.text;
+        EXPECT_THAT(script.error().format(), testing::HasSubstr(c.part)) << c.text;
+    }
+}
+
+}  // namespace
+}  // namespace glint
