@@ -10,6 +10,7 @@
 #include "engine/build/built_scene.h"
 #include "engine/kernels/pass.h"
 #include "engine/render/film.h"
+#include "engine/render/sppm_state.h"
 
 namespace glint {
 
@@ -34,6 +35,12 @@ public:
     /// The same for the first-hit pictures, with the same camera rays.
     virtual Result<bool> renderAovPass(const PassParams& params, const std::atomic<bool>& stop,
                                        std::vector<AovSample>* out) = 0;
+
+    /// One SPPM pass: direct light and emission into `direct`, one sample a pixel, photons into `state`, which must have the
+    /// pass's resolution and params.pass.pass passes. False: stopped early, and `state` has not changed. Error: not enough
+    /// memory, or this back end does not do SPPM.
+    virtual Result<bool> renderSppmPass(const SppmParams& params, const std::atomic<bool>& stop, SppmState* state,
+                                        std::vector<PixelSample>* direct);
 };
 
 /// The OpenMP loop over tiles. threads 0: all.

@@ -5,11 +5,14 @@
 // nothing.
 #include <algorithm>
 #include <new>
+#include <optional>
 
 #include <fmt/core.h>
 
 #include "engine/base/parallel.h"
+#include "engine/build/emission_table.h"
 #include "engine/render/backend.h"
+#include "engine/render/cpu_sppm.h"
 #include "engine/render/cpu_variants.h"
 
 namespace glint {
@@ -28,6 +31,7 @@ class CpuBackend final : public Backend {
 
     Status setScene(std::shared_ptr<const BuiltScene> scene) override {
         scene_ = std::move(scene);
+        emission_.reset();
         return {};
     }
 
@@ -41,6 +45,21 @@ class CpuBackend final : public Backend {
     Result<bool> renderAovPass(const PassParams& params, const std::atomic<bool>& stop,
                                std::vector<AovSample>* out) override {
         return run(params, stop, out, &KernelVariant::renderAovTile);
+    }
+
+    Result<bool> renderSppmPass(const SppmParams& params, const std::atomic<bool>& stop, SppmState* state,
+                                std::vector<PixelSample>* direct) override {
+        if (!scene_) {
+            return Error{"there is no scene to render", {}};
+        }
+        const SceneView view = scene_->view();
+        if (!emission_) {
+            emission_ = buildEmissionTable(view);
+        }
+        if (!sppm_) {
+            sppm_.emplace(threads_);
+        }
+        return sppm_->renderPass(view, scene_->features, emission_->view(), params, stop, state, direct);
     }
 
   private:
@@ -85,9 +104,16 @@ class CpuBackend final : public Backend {
 
     int threads_;
     std::shared_ptr<const BuiltScene> scene_;
+    std::optional<EmissionTable> emission_;  ///< made by the first SPPM pass of a scene
+    std::optional<CpuSppm> sppm_;            ///< made by the first SPPM pass
 };
 
 }  // namespace
+
+Result<bool> Backend::renderSppmPass(const SppmParams&, const std::atomic<bool>&, SppmState*,
+                                     std::vector<PixelSample>*) {
+    return Error{name() + " does not render photon maps; use path tracing or the CPU", {}};
+}
 
 std::unique_ptr<Backend> makeCpuBackend(int threads) { return std::make_unique<CpuBackend>(threads); }
 

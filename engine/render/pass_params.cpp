@@ -1,9 +1,12 @@
 // The tags are in the same order as the kinds, which kernels do not see.
 #include "engine/render/pass_params.h"
 
+#include "engine/render/sppm_state.h"
+
 namespace glint {
 
 static_assert(static_cast<int>(FilterTag::BlackmanHarris) == static_cast<int>(FilterKind::BlackmanHarris));
+static_assert(static_cast<int>(PhotonLookup::Tree) == static_cast<int>(PhotonLookupKind::Tree));
 static_assert(static_cast<int>(SamplerTag::Independent) == static_cast<int>(SamplerKind::Independent));
 
 PassParams passParamsOf(const SceneDescription& scene) {
@@ -18,6 +21,20 @@ PassParams passParamsOf(const SceneDescription& scene) {
     params.filterRadius = options.filterRadius;
     params.sampler = static_cast<SamplerTag>(options.sampler);
     params.fireflyClamp = options.fireflyClamp;
+    return params;
+}
+
+SppmParams sppmParamsOf(const SceneDescription& scene) {
+    const SppmOptions& options = scene.sppm;
+    SppmParams params;
+    params.pass = passParamsOf(scene);
+    params.photonsPerPass = planSppmMemory(scene).photonsPerPass;
+    params.alpha = static_cast<double>(options.alpha);
+    params.radiusWorld = options.radiusWorld;
+    params.radiusFootprints = options.radiusFootprints;
+    params.storeAlpha = options.storeRoughness;
+    params.sampleDirectLight = options.sampleDirectLight;
+    params.lookup = static_cast<PhotonLookup>(options.lookup);
     return params;
 }
 

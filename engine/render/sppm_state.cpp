@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "engine/kernels/sppm_gather_kernel.h"
+#include "engine/math/color.h"
 #include "engine/render/photon_store.h"
 
 namespace glint {
@@ -23,6 +24,32 @@ double SppmState::photonStandardError(size_t index) const {
     }
     const double n = passes;
     return std::sqrt(static_cast<double>(pixels[index].passM2) / (n - 1.0) / n);
+}
+
+double SppmState::relativeErrorEstimate(const Film& film) const {
+    if (film.passes() < 2 || passes < 2) {
+        return std::numeric_limits<double>::infinity();
+    }
+    double squaredErrors = 0.0;
+    double sum = 0.0;
+    for (size_t i = 0; i < pixels.size(); ++i) {
+        const FilmPixel& direct = film.pixels()[i];
+        const double ownError = direct.count > 1 ? film.standardError(direct) : 0.0;
+        const double photonError = photonStandardError(i);
+        squaredErrors += ownError * ownError + photonError * photonError;
+        sum += 0.2126 * direct.mean[0] + 0.7152 * direct.mean[1] + 0.0722 * direct.mean[2] +
+               static_cast<double>(luminance(photonRadiance(i)));
+    }
+    if (squaredErrors == 0.0) {
+        return 0.0;
+    }
+    const double count = static_cast<double>(pixels.size());
+    return std::sqrt(squaredErrors / count) / (sum / count);
+}
+
+SppmMemory planSppmMemory(const SceneDescription& scene) {
+    return planSppmMemory(scene.resolution.width, scene.resolution.height, scene.sppm.photonsPerPass, kExpectedStores,
+                          size_t{scene.sppm.memoryBudgetMiB} << 20);
 }
 
 SppmMemory planSppmMemory(int width, int height, uint32_t photonsPerPass, double storedPerPhoton,

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "engine/kernels/sppm_view.h"
+#include "engine/render/film.h"
+#include "engine/scene/scene.h"
 
 namespace glint {
 
@@ -28,6 +30,10 @@ struct SppmState {
     /// estimates. Infinite with fewer than two passes.
     double photonStandardError(size_t index) const;
 
+    /// Film::relativeErrorEstimate of both parts together: the film's own light and the photons'. Their errors are taken as
+    /// independent; the bias of the finite radius is not in it.
+    double relativeErrorEstimate(const Film& film) const;
+
     size_t bytes() const { return pixels.capacity() * sizeof(SppmPixel); }
 };
 
@@ -38,6 +44,12 @@ struct SppmMemory {
     uint32_t photonsPerPass = 0;  ///< as asked for, or the most that fits the budget
     size_t total() const { return pixelBytes + photonBytes; }
 };
+
+/// With the scene's resolution, photons and budget, and kExpectedStores places a photon.
+SppmMemory planSppmMemory(const SceneDescription& scene);
+
+/// A generous guess before anything is traced: closed rooms of albedo 0.75 store three to four times.
+constexpr double kExpectedStores = 4.0;
 
 /// storedPerPhoton: how many places a photon is stored at on average, measured or expected. budgetBytes 0: no
 /// limit.

@@ -53,6 +53,7 @@ struct SceneDescription {
     Camera camera;
     Resolution resolution;
     RenderOptions options;
+    SppmOptions sppm;
     std::vector<Texture> textures;
     std::vector<ImageSource> environmentImages;
     std::vector<Material> materials;  ///< never empty when there are objects

@@ -20,6 +20,7 @@ enum class EditKind : uint32_t {
     Options = 1u << 6,             ///< RenderOptions of the running integrator: film
     SppmParameters = 1u << 7,      ///< radius, alpha, photons per pass: SPPM statistics only
     Everything = 1u << 8,          ///< another scene
+    Integrator = 1u << 9,          ///< which film is shown and goes on; nothing restarts
 };
 
 constexpr EditKind operator|(EditKind a, EditKind b) {
