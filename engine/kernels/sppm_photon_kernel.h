@@ -60,7 +60,7 @@ GLINT_HD bool scatterPhoton(const Sampler& sampler, const SurfacePoint& surface,
     Vec3 scattered = *flux * next.weight;
     if constexpr (hasFeature<kMask>(kFeatureMeshNormals))
         scattered *= adjointCorrection(surface, wo, next.wiWorld);
-    const float chance = std::fmin(1.0f, maxComponent(scattered) / maxComponent(*flux));
+    const float chance = minf(1.0f, maxComponent(scattered) / maxComponent(*flux));
     if (!(chance > 0.0f)) return false;
     if (chance < 1.0f && get1D<kMask>(sampler, dimension(BounceDimension::Roulette, depth)) >= chance)
         return false;

@@ -15,20 +15,21 @@
 namespace glint {
 
 class Backend {
-public:
+  public:
     virtual ~Backend() = default;
 
     /// "CPU, 2 threads" or "CUDA, <device name>".
     virtual std::string name() const = 0;
 
-    /// Takes the scene for the following passes (uploads what changed). Error: does not fit the device's memory.
+    /// Takes the scene for the following passes (uploads what changed). Error: does not fit the device's
+    /// memory.
     virtual Status setScene(std::shared_ptr<const BuiltScene> scene) = 0;
 
     /// The kernel variant that the present scene runs, for status lines; empty before setScene().
     virtual std::string kernelName() const { return {}; }
 
-    /// Renders one path for each pixel into `out`, which is resized as needed. Checks `stop` at least once a tile;
-    /// returns false when it stopped early, and `out` is then to be thrown away.
+    /// Renders one path for each pixel into `out`, which is resized as needed. Checks `stop` at least once a
+    /// tile; returns false when it stopped early, and `out` is then to be thrown away.
     virtual Result<bool> renderPass(const PassParams& params, const std::atomic<bool>& stop,
                                     std::vector<PixelSample>* out) = 0;
 
@@ -36,11 +37,11 @@ public:
     virtual Result<bool> renderAovPass(const PassParams& params, const std::atomic<bool>& stop,
                                        std::vector<AovSample>* out) = 0;
 
-    /// One SPPM pass: direct light and emission into `direct`, one sample a pixel, photons into `state`, which must have the
-    /// pass's resolution and params.pass.pass passes. False: stopped early, and `state` has not changed. Error: not enough
-    /// memory, or this back end does not do SPPM.
-    virtual Result<bool> renderSppmPass(const SppmParams& params, const std::atomic<bool>& stop, SppmState* state,
-                                        std::vector<PixelSample>* direct);
+    /// One SPPM pass: direct light and emission into `direct`, one sample a pixel, photons into `state`,
+    /// which must have the pass's resolution and params.pass.pass passes. False: stopped early, and `state`
+    /// has not changed. Error: not enough memory, or this back end does not do SPPM.
+    virtual Result<bool> renderSppmPass(const SppmParams& params, const std::atomic<bool>& stop,
+                                        SppmState* state, std::vector<PixelSample>* direct);
 };
 
 /// The OpenMP loop over tiles. threads 0: all.

@@ -17,6 +17,20 @@ void Bulletin::show(std::shared_ptr<const FilmSnapshot> snapshot) {
     const std::lock_guard lock(mutex_);
     // The old picture's memory is freed after the lock.
     snapshot_.swap(snapshot);
+    if (other_ &&
+        (other_->generation != snapshot_->generation || other_->integrator == snapshot_->integrator)) {
+        other_.reset();
+    }
+}
+
+void Bulletin::showOther(std::shared_ptr<const FilmSnapshot> snapshot) {
+    const std::lock_guard lock(mutex_);
+    other_.swap(snapshot);
+}
+
+std::shared_ptr<const FilmSnapshot> Bulletin::otherSnapshot() const {
+    const std::lock_guard lock(mutex_);
+    return other_;
 }
 
 void Bulletin::set(const SessionStatus& status, uint64_t ticket) {

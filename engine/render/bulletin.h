@@ -15,6 +15,10 @@ class Bulletin {
     /// `ticket`: everything asked for up to Mail::ticket has been taken into account.
     void set(const SessionStatus& status, uint64_t ticket);
 
+    /// The picture of the integrator that is not shown; dropped with the first picture of another generation.
+    void showOther(std::shared_ptr<const FilmSnapshot> snapshot);
+    std::shared_ptr<const FilmSnapshot> otherSnapshot() const;
+
     std::shared_ptr<const FilmSnapshot> snapshot() const;
     SessionStatus status() const;
     /// Blocks until the state is a resting one with at least `ticket` taken into account, or `seconds` have
@@ -25,6 +29,7 @@ class Bulletin {
     mutable std::mutex mutex_;
     mutable std::condition_variable changed_;
     std::shared_ptr<const FilmSnapshot> snapshot_;
+    std::shared_ptr<const FilmSnapshot> other_;
     SessionStatus status_;
     uint64_t ticket_ = 0;
 };

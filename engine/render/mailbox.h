@@ -49,6 +49,8 @@ struct Wishes {
     bool interacting = false;
     uint32_t aovs = 0;
     bool standardError = false;
+    bool photonStatistics = false;
+    bool compare = false;
 };
 
 /// What runs now, as far as it matters to whether an edit or a pause should stop it.

@@ -62,6 +62,18 @@ void RenderSession::request(uint32_t aovs, bool standardError) {
     });
 }
 
+void RenderSession::requestPhotonStatistics(bool wanted) {
+    impl_->mailbox.change([&](Wishes& wishes) { wishes.photonStatistics = wanted; });
+}
+
+void RenderSession::setComparing(bool comparing) {
+    impl_->mailbox.change([&](Wishes& wishes) { wishes.compare = comparing; });
+}
+
+std::shared_ptr<const FilmSnapshot> RenderSession::otherSnapshot() const {
+    return impl_->bulletin.otherSnapshot();
+}
+
 std::shared_ptr<const FilmSnapshot> RenderSession::snapshot() const { return impl_->bulletin.snapshot(); }
 
 SessionStatus RenderSession::status() const { return impl_->bulletin.status(); }

@@ -36,11 +36,15 @@ struct FilmSnapshot {
     int width = 0;            ///< smaller than the film's while something moves
     int height = 0;
     int previewScale = 1;  ///< film pixels per snapshot pixel in each direction; 1: full resolution
+    IntegratorKind integrator = IntegratorKind::PathTracing;
     uint32_t passes = 0;
     double renderSeconds = 0.0;        ///< time spent in passes since the last restart, resumed time included
     double relativeError = 0.0;        ///< Film::relativeErrorEstimate
     std::vector<float> radiance;       ///< linear RGB, 3 per pixel
     std::vector<float> standardError;  ///< of the mean luminance, 1 per pixel; empty unless asked for
+    std::vector<float>
+        radiusWorld;  ///< SPPM: present radius; 0: no visible point yet. Empty unless asked for
+    std::vector<float> photonCount;  ///< SPPM: photons kept so far (N). Empty unless asked for
     std::shared_ptr<const AovFilm>
         aovs;  ///< of the snapshot's size; null unless asked for, and until the first is made
 };
@@ -56,6 +60,8 @@ enum class SessionState {
 
 struct SessionStatus {
     SessionState state = SessionState::Empty;
+    IntegratorKind integrator = IntegratorKind::PathTracing;  ///< that is shown; all figures are its own
+    uint32_t photonsPerPass = 0;  ///< SPPM: what the memory budget allows of what the scene asks for
     uint64_t generation = 0;
     uint32_t passes = 0;
     double renderSeconds = 0.0;
@@ -97,6 +103,7 @@ struct SessionStatus {
 /// What is needed to go on exactly where a render stopped (io/checkpoint.h saves and loads it).
 struct ResumePoint {
     Film film;
+    SppmState sppm{};  ///< empty for path tracing
     double renderSeconds = 0.0;
 };
 
@@ -104,6 +111,7 @@ struct ResumePoint {
 struct SessionCapture {
     std::shared_ptr<const SceneDescription> scene;
     Film film;
+    SppmState sppm{};  ///< empty for path tracing
     AovFilm aovs;
     double renderSeconds = 0.0;
 };
@@ -141,6 +149,14 @@ class RenderSession {
     void setInteracting(bool interacting);
     /// Bits of Aov, plus whether snapshots carry standard errors. Never restarts the film.
     void request(uint32_t aovs, bool standardError);
+
+    /// Whether SPPM's snapshots carry radii and photon counts. Never restarts anything.
+    void requestPhotonStatistics(bool wanted);
+    /// While true both integrators render in turn, so that each had the same time. Never restarts anything.
+    void setComparing(bool comparing);
+    /// While comparing: the newest picture of the integrator that snapshot() does not show; null before the
+    /// first of the present generation.
+    std::shared_ptr<const FilmSnapshot> otherSnapshot() const;
 
     /// The newest picture of the current generation, or of the one before while there is none; null before
     /// the first.

@@ -50,8 +50,8 @@ bool SessionWorker::wantsFilmPass(const Wishes& wishes) const {
 
 bool SessionWorker::limitReached(const StopLimits& limits) const {
     return (limits.passes > 0 && filmPasses() >= limits.passes) ||
-           (limits.renderSeconds > 0.0 && renderSeconds_ >= limits.renderSeconds) ||
-           (limits.relativeError > 0.0 && filmPasses() > 1 && relativeError_ <= limits.relativeError);
+           (limits.renderSeconds > 0.0 && track().renderSeconds >= limits.renderSeconds) ||
+           (limits.relativeError > 0.0 && filmPasses() > 1 && track().relativeError <= limits.relativeError);
 }
 
 PassParams SessionWorker::passParams(NextPass kind) const {
@@ -64,7 +64,7 @@ PassParams SessionWorker::passParams(NextPass kind) const {
             params.pass = kind == NextPass::Preview ? preview_.passes() : previewAovs_.passes();
             break;
         case NextPass::Film:
-            params.pass = filmPasses();
+            params.pass = tracks_[static_cast<size_t>(passIntegrator_)].passes();
             break;
         case NextPass::FilmAov:
             params.pass = aovFilm_.passes();
@@ -73,6 +73,47 @@ PassParams SessionWorker::passParams(NextPass kind) const {
             break;
     }
     return params;
+}
+
+/// Previews spread the photons as thinly over their pixels as the film does.
+SppmParams SessionWorker::sppmParams(NextPass kind) const {
+    SppmParams params = sppmParamsOf(*scene_);
+    params.pass = passParams(kind);
+    if (kind == NextPass::Preview) {
+        const double share =
+            static_cast<double>(pixelCount(params.pass.width, params.pass.height)) /
+            static_cast<double>(pixelCount(scene_->resolution.width, scene_->resolution.height));
+        params.photonsPerPass = std::max(1u, static_cast<uint32_t>(share * params.photonsPerPass));
+    }
+    return params;
+}
+
+IntegratorKind SessionWorker::nextIntegrator(const Wishes& wishes) const {
+    if (!wishes.compare || filmPasses() == 0) {
+        return integrator();
+    }
+    return tracks_[0].renderSeconds <= tracks_[1].renderSeconds ? IntegratorKind::PathTracing
+                                                                : IntegratorKind::Sppm;
+}
+
+void SessionWorker::prepareSppm(int width, int height, uint32_t passes, SppmState* state) const {
+    if (state->width != width || state->height != height) {
+        *state = SppmState(width, height);
+    } else if (passes == 0) {
+        state->clear();
+    }
+}
+
+/// The integrator's pass into samples_, and for SPPM into the statistics.
+Result<bool> SessionWorker::renderInto(NextPass kind) {
+    if (passIntegrator_ == IntegratorKind::PathTracing) {
+        return backend_->renderPass(passParams(kind), mailbox_->stopFlag(), &samples_);
+    }
+    const SppmParams params = sppmParams(kind);
+    SppmState& state =
+        kind == NextPass::Preview ? previewSppm_ : tracks_[static_cast<size_t>(IntegratorKind::Sppm)].sppm;
+    prepareSppm(params.pass.width, params.pass.height, params.pass.pass, &state);
+    return backend_->renderSppmPass(params, mailbox_->stopFlag(), &state, &samples_);
 }
 
 PassInFlight SessionWorker::passInFlight(NextPass kind) const {
@@ -86,12 +127,13 @@ PassInFlight SessionWorker::passInFlight(NextPass kind) const {
 }
 
 void SessionWorker::runPass(NextPass kind) {
-    const PassParams params = passParams(kind);
     const bool aov = kind == NextPass::PreviewAov || kind == NextPass::FilmAov;
+    passIntegrator_ = kind == NextPass::Film ? nextIntegrator(wishes_) : integrator();
     const auto began = SessionClock::now();
     mailbox_->beginPass(passInFlight(kind));
-    const Result<bool> done = aov ? backend_->renderAovPass(params, mailbox_->stopFlag(), &aovSamples_)
-                                  : backend_->renderPass(params, mailbox_->stopFlag(), &samples_);
+    const Result<bool> done =
+        aov ? backend_->renderAovPass(passParams(kind), mailbox_->stopFlag(), &aovSamples_)
+            : renderInto(kind);
     mailbox_->endPass();
     if (!done) {
         fail(done.error().format());
@@ -131,19 +173,32 @@ void SessionWorker::commitPass(NextPass kind, double seconds) {
 
 void SessionWorker::commitFilmPass(double seconds) {
     previewing_ = false;
-    prepareFilm();
-    const uint64_t raysBefore = film_.rays();
-    film_.commit(samples_, film_.passes(), options_.threads);
-    const int64_t paths = pixelCount(film_.width(), film_.height());
-    pace_.measured(paths, seconds);
-    renderSeconds_ += seconds;
-    secondsPerPass_ = secondsPerPass_ == 0.0 ? seconds : 0.8 * secondsPerPass_ + 0.2 * seconds;
-    status_.passesPerSecond = 1.0 / std::max(1e-9, secondsPerPass_);
-    status_.pathsPerSecond = status_.passesPerSecond * static_cast<double>(paths);
-    status_.raysPerSecond = status_.passesPerSecond * static_cast<double>(film_.rays() - raysBefore);
-    if (wishes_.limits.relativeError > 0.0) {
-        relativeError_ = film_.relativeErrorEstimate(options_.threads);
+    Track& rendered = tracks_[static_cast<size_t>(passIntegrator_)];
+    prepareFilm(&rendered);
+    const uint64_t raysBefore = rendered.film.rays();
+    rendered.film.commit(samples_, rendered.film.passes(), options_.threads);
+    const int64_t paths = pixelCount(rendered.film.width(), rendered.film.height());
+    rendered.renderSeconds += seconds;
+    rendered.secondsPerPass =
+        rendered.secondsPerPass == 0.0 ? seconds : 0.8 * rendered.secondsPerPass + 0.2 * seconds;
+    if (passIntegrator_ == integrator()) {
+        pace_.measured(paths, seconds);
+        status_.passesPerSecond = 1.0 / std::max(1e-9, rendered.secondsPerPass);
+        status_.pathsPerSecond = status_.passesPerSecond * static_cast<double>(paths);
+        status_.raysPerSecond =
+            status_.passesPerSecond * static_cast<double>(rendered.film.rays() - raysBefore);
     }
+    if (wishes_.limits.relativeError > 0.0) {
+        rendered.relativeError = errorEstimate(rendered);
+    }
+    if (wishes_.compare && passIntegrator_ != integrator()) {
+        showTrack(passIntegrator_);
+    }
+}
+
+double SessionWorker::errorEstimate(const Track& of) const {
+    return of.sppm.passes > 0 ? of.sppm.relativeErrorEstimate(of.film)
+                              : of.film.relativeErrorEstimate(options_.threads);
 }
 
 void SessionWorker::refinePreview(double seconds) {
@@ -164,18 +219,18 @@ void SessionWorker::refinePreview(double seconds) {
     }
 }
 
-void SessionWorker::prepareFilm() {
-    if (!filmIsStale_) {
+void SessionWorker::prepareFilm(Track* of) {
+    if (!of->isStale) {
         return;
     }
     const Resolution& size = scene_->resolution;
-    if (film_.width() == size.width && film_.height() == size.height) {
-        film_.clear();
+    if (of->film.width() == size.width && of->film.height() == size.height) {
+        of->film.clear();
     } else {
-        film_ = Film(size.width, size.height);
+        of->film = Film(size.width, size.height);
         ++status_.counters.filmAllocations;
     }
-    filmIsStale_ = false;
+    of->isStale = false;
 }
 
 void SessionWorker::prepareAovFilm(AovFilm* film, int width, int height) {
@@ -188,7 +243,7 @@ void SessionWorker::showIfDue() {
     if (!shownIsOld_) {
         return;
     }
-    const bool firstOfGeneration = shownGeneration_ != status_.generation;
+    const bool firstOfGeneration = shownGeneration_ != status_.generation || shownIntegrator_ != integrator();
     const bool resting = nextPass(wishes_) == NextPass::None;
     const bool sharper = shownPreview_ && !previewing_;
     if (firstOfGeneration || resting || sharper || secondsSince(shownAt_) >= kSnapshotInterval) {
@@ -198,21 +253,24 @@ void SessionWorker::showIfDue() {
 
 void SessionWorker::show(bool preview) {
     shownIsOld_ = false;
+    Track& shown = track();
+    if (!preview && (options_.snapshots || wishes_.limits.relativeError == 0.0)) {
+        shown.relativeError = errorEstimate(shown);
+    }
     if (!options_.snapshots) {
-        relativeError_ = preview || wishes_.limits.relativeError > 0.0
-                             ? relativeError_
-                             : film_.relativeErrorEstimate(options_.threads);
         return;
     }
-    const Film& source = preview ? preview_ : film_;
-    if (!preview) {
-        relativeError_ = film_.relativeErrorEstimate(options_.threads);
-    }
-    auto snapshot = makeSnapshot(source, wishes_.standardError, options_.threads);
+    const SnapshotRequest request{wishes_.standardError, wishes_.photonStatistics};
+    auto snapshot =
+        preview ? makeSnapshot(preview_, integrator() == IntegratorKind::Sppm ? &previewSppm_ : nullptr,
+                               request, options_.threads)
+                : makeSnapshot(shown.film, shown.sppm.passes > 0 ? &shown.sppm : nullptr, request,
+                               options_.threads);
     snapshot->generation = status_.generation;
+    snapshot->integrator = integrator();
     snapshot->previewScale = preview ? previewScale_ : 1;
-    snapshot->renderSeconds = renderSeconds_;
-    snapshot->relativeError = preview ? std::numeric_limits<double>::infinity() : relativeError_;
+    snapshot->renderSeconds = shown.renderSeconds;
+    snapshot->relativeError = preview ? std::numeric_limits<double>::infinity() : shown.relativeError;
     const AovFilm& aovs = preview ? previewAovs_ : aovFilm_;
     if (wishes_.aovs != 0 && aovs.passes() > 0) {
         if (!shownAovs_) {
@@ -222,8 +280,10 @@ void SessionWorker::show(bool preview) {
     }
     bulletin_->show(std::move(snapshot));
     shownGeneration_ = status_.generation;
+    shownIntegrator_ = integrator();
     shownPreview_ = preview;
     shownStandardError_ = wishes_.standardError;
+    shownPhotonStatistics_ = wishes_.photonStatistics;
     shownAt_ = SessionClock::now();
     status_.previewScale = preview ? previewScale_ : 1;
     if (unansweredEdit_) {
@@ -231,6 +291,23 @@ void SessionWorker::show(bool preview) {
         unansweredEdit_.reset();
         ++status_.picturesAfterEdits;
     }
+}
+
+/// The other integrator's film, for comparing: kept beside the one that is shown.
+void SessionWorker::showTrack(IntegratorKind kind) {
+    if (!options_.snapshots || secondsSince(shownOtherAt_) < kSnapshotInterval) {
+        return;
+    }
+    Track& other = tracks_[static_cast<size_t>(kind)];
+    other.relativeError = errorEstimate(other);
+    auto snapshot =
+        makeSnapshot(other.film, other.sppm.passes > 0 ? &other.sppm : nullptr, {}, options_.threads);
+    snapshot->generation = status_.generation;
+    snapshot->integrator = kind;
+    snapshot->renderSeconds = other.renderSeconds;
+    snapshot->relativeError = other.relativeError;
+    bulletin_->showOther(std::move(snapshot));
+    shownOtherAt_ = SessionClock::now();
 }
 
 }  // namespace glint

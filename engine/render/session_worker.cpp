@@ -62,7 +62,7 @@ void SessionWorker::runOnce(Mail mail) {
     } else if (mail.restart && built_) {
         failed_ = false;
         ++status_.generation;
-        restartPicture();
+        restartPicture(EditKind::Everything);
     }
     takeRequests();
     const NextPass kind = nextPass(wishes_);
@@ -83,7 +83,9 @@ void SessionWorker::takeRequests() {
         shownAovs_.reset();
     }
     // A picture at rest has to be shown again with what it lacked.
-    if (wishes_.standardError && !shownStandardError_ && filmPasses() > 0) {
+    const bool lacksError = wishes_.standardError && !shownStandardError_;
+    const bool lacksStatistics = wishes_.photonStatistics && !shownPhotonStatistics_;
+    if ((lacksError || lacksStatistics) && filmPasses() > 0) {
         shownIsOld_ = true;
     }
 }
@@ -108,25 +110,23 @@ void SessionWorker::takeEdit(SceneEdit edit, std::optional<ResumePoint> resume) 
     if (!rebuild(edit)) {
         return;
     }
-    const bool pictureChanged = (edit.kinds & EditKind::SppmParameters) != edit.kinds;
+    const bool switched = scene_ && scene_->options.integrator != edit.scene->options.integrator;
     scene_ = std::move(edit.scene);
     refusedKinds_ = EditKind::None;
     failed_ = false;
     status_.error.clear();
-    if (has(edit.kinds, EditKind::Everything)) {
+    if (switched || has(edit.kinds, EditKind::Everything)) {
         pace_.forget();
     }
     if (resume) {
         continueFrom(std::move(*resume));
-    } else if (pictureChanged) {
-        restartPicture();
     } else {
-        unansweredEdit_.reset();
+        restartPicture(edit.kinds);
     }
 }
 
 bool SessionWorker::rebuild(const SceneEdit& edit) {
-    if ((edit.kinds & EditKind::SppmParameters) == edit.kinds) {
+    if ((edit.kinds & (EditKind::SppmParameters | EditKind::Integrator)) == edit.kinds) {
         return true;
     }
     const auto began = SessionClock::now();
@@ -159,13 +159,34 @@ void SessionWorker::refuse(EditKind kinds, const std::string& why) {
     logError("{}", why);
 }
 
-void SessionWorker::restartPicture() {
-    filmIsStale_ = true;
-    aovFilm_.clear();
-    shownAovs_.reset();
-    renderSeconds_ = 0.0;
-    relativeError_ = 0.0;
-    secondsPerPass_ = 0.0;
+IntegratorKind SessionWorker::integrator() const {
+    return scene_ ? scene_->options.integrator : IntegratorKind::PathTracing;
+}
+
+void SessionWorker::restartPicture(EditKind kinds) {
+    const bool sppmOnly = (kinds & (EditKind::SppmParameters | EditKind::Integrator)) == kinds;
+    for (size_t kind = 0; kind < kTracks; ++kind) {
+        const bool isSppm = static_cast<IntegratorKind>(kind) == IntegratorKind::Sppm;
+        if (!sppmOnly || (isSppm && has(kinds, EditKind::SppmParameters))) {
+            tracks_[kind].isStale = true;
+            tracks_[kind].renderSeconds = 0.0;
+            tracks_[kind].relativeError = 0.0;
+            tracks_[kind].secondsPerPass = 0.0;
+        }
+    }
+    if (!sppmOnly) {
+        aovFilm_.clear();
+        shownAovs_.reset();
+    }
+    if (filmPasses() > 0) {
+        previewing_ = false;
+        shownIsOld_ = true;
+        return;
+    }
+    startTrack();
+}
+
+void SessionWorker::startTrack() {
     ++status_.counters.filmRestarts;
     const Resolution& size = scene_->resolution;
     const int scale =
@@ -178,18 +199,19 @@ void SessionWorker::restartPicture() {
 
 void SessionWorker::continueFrom(ResumePoint resume) {
     const Resolution& size = scene_->resolution;
+    restartPicture(EditKind::Everything);
     if (resume.film.width() != size.width || resume.film.height() != size.height) {
-        restartPicture();
         fail(fmt::format("the checkpoint's film has {}x{} pixels, the scene {}x{}", resume.film.width(),
                          resume.film.height(), size.width, size.height));
         return;
     }
-    restartPicture();
-    film_ = std::move(resume.film);
-    filmIsStale_ = false;
+    Track& resumed = track();
+    resumed.film = std::move(resume.film);
+    resumed.sppm = std::move(resume.sppm);
+    resumed.isStale = false;
+    resumed.renderSeconds = resume.renderSeconds;
+    resumed.relativeError = errorEstimate(resumed);
     previewing_ = false;
-    renderSeconds_ = resume.renderSeconds;
-    relativeError_ = film_.relativeErrorEstimate(options_.threads);
     shownIsOld_ = true;
 }
 
@@ -202,6 +224,7 @@ void SessionWorker::startPreview(int scale) {
     } else {
         preview_ = Film(width, height);
     }
+    previewSppm_.passes = 0;
     previewAovs_ = AovFilm();
     previewScale_ = scale;
 }
@@ -216,7 +239,8 @@ void SessionWorker::serveCaptures() {
 void SessionWorker::answerCaptures() {
     for (CapturePromise& promise : captures_) {
         if (filmPasses() > 0) {
-            promise.set_value(SessionCapture{scene_, film_, aovFilm_, renderSeconds_});
+            const Track& shown = track();
+            promise.set_value(SessionCapture{scene_, shown.film, shown.sppm, aovFilm_, shown.renderSeconds});
         } else {
             promise.set_value(std::nullopt);
         }
@@ -240,11 +264,18 @@ SessionState SessionWorker::state() const {
 void SessionWorker::setStatus() {
     status_.state = state();
     status_.passes = filmPasses();
-    status_.renderSeconds = renderSeconds_;
-    status_.relativeError = relativeError_;
+    const Track& shown = track();
+    status_.integrator = integrator();
+    status_.renderSeconds = shown.renderSeconds;
+    status_.relativeError = shown.relativeError;
     status_.aovPasses = aovFilm_.passes();
-    status_.filmBytes = film_.bytes() + preview_.bytes() + aovFilm_.bytes() + previewAovs_.bytes();
-    status_.faultCounts = filmIsStale_ ? std::array<uint64_t, kSampleFaultCount>{} : film_.faultCounts();
+    status_.filmBytes = preview_.bytes() + previewSppm_.bytes() + aovFilm_.bytes() + previewAovs_.bytes();
+    for (const Track& kept : tracks_) {
+        status_.filmBytes += kept.film.bytes() + kept.sppm.bytes();
+    }
+    status_.faultCounts =
+        shown.isStale ? std::array<uint64_t, kSampleFaultCount>{} : shown.film.faultCounts();
+    status_.photonsPerPass = scene_ ? planSppmMemory(*scene_).photonsPerPass : 0;
     bulletin_->set(status_, ticket_);
 }
 

@@ -5,6 +5,7 @@
 // bulletin are the only ways in and out.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,6 +24,20 @@ class SessionWorker {
     void run();
 
   private:
+    /// One integrator's picture. Both are kept, so that switching loses nothing.
+    struct Track {
+        Film film;
+        SppmState sppm;  ///< empty for path tracing
+        bool isStale =
+            true;  ///< cleared only when a pass is ready to be added, to keep it out of the edit's way
+        double renderSeconds = 0.0;
+        double relativeError = 0.0;
+        double secondsPerPass = 0.0;
+
+        uint32_t passes() const { return isStale ? 0 : film.passes(); }
+    };
+    static constexpr size_t kTracks = 2;
+
     enum class NextPass { None, Preview, PreviewAov, Film, FilmAov };
 
     void runOnce(Mail mail);
@@ -31,7 +46,9 @@ class SessionWorker {
     void takeEdit(SceneEdit edit, std::optional<ResumePoint> resume);
     bool rebuild(const SceneEdit& edit);
     void refuse(EditKind kinds, const std::string& why);
-    void restartPicture();
+    /// Empties the films that an edit of these kinds makes wrong, and begins anew with the one that is shown.
+    void restartPicture(EditKind kinds);
+    void startTrack();
     void continueFrom(ResumePoint resume);
     void startPreview(int scale);
 
@@ -39,15 +56,25 @@ class SessionWorker {
     bool previewsOnly(const Wishes& wishes) const;
     bool wantsFilmPass(const Wishes& wishes) const;
     bool limitReached(const StopLimits& limits) const;
-    uint32_t filmPasses() const { return filmIsStale_ ? 0 : film_.passes(); }
+    uint32_t filmPasses() const { return track().passes(); }
+    /// The integrator that is shown, and the one that the next film pass is for: while comparing, whichever
+    /// had less time.
+    IntegratorKind integrator() const;
+    IntegratorKind nextIntegrator(const Wishes& wishes) const;
+    Track& track() { return tracks_[static_cast<size_t>(integrator())]; }
+    const Track& track() const { return tracks_[static_cast<size_t>(integrator())]; }
 
     void runPass(NextPass kind);
+    Result<bool> renderInto(NextPass kind);
     void commitPass(NextPass kind, double seconds);
     void commitFilmPass(double seconds);
     void refinePreview(double seconds);
-    void prepareFilm();
+    void prepareFilm(Track* track);
+    void prepareSppm(int width, int height, uint32_t passes, SppmState* state) const;
+    double errorEstimate(const Track& track) const;
     void prepareAovFilm(AovFilm* film, int width, int height);
     PassParams passParams(NextPass kind) const;
+    SppmParams sppmParams(NextPass kind) const;
     PassInFlight passInFlight(NextPass kind) const;
 
     void takeRequests();
@@ -55,6 +82,7 @@ class SessionWorker {
     void answerCaptures();
     void showIfDue();
     void show(bool preview);
+    void showTrack(IntegratorKind kind);
     void setStatus();
     SessionState state() const;
 
@@ -72,31 +100,31 @@ class SessionWorker {
         EditKind::None;  ///< of edits that were refused: the next one has to make up for them
     bool failed_ = false;
 
-    Film film_;
-    bool filmIsStale_ =
-        true;  ///< cleared only when a pass is ready to be added, to keep it out of the edit's way
+    std::array<Track, kTracks> tracks_;
     AovFilm aovFilm_;
-    double renderSeconds_ = 0.0;
-    double relativeError_ = 0.0;
     std::vector<PixelSample> samples_;
     std::vector<AovSample> aovSamples_;
 
+    IntegratorKind passIntegrator_ = IntegratorKind::PathTracing;  ///< of the pass in flight
     bool previewing_ = false;
     int previewScale_ = 1;
     Film preview_;
+    SppmState previewSppm_;
     AovFilm previewAovs_;
     PreviewScale pace_;
 
     bool shownIsOld_ = false;  ///< something was committed since the last snapshot
     bool shownPreview_ = false;
     bool shownStandardError_ = false;
+    bool shownPhotonStatistics_ = false;
+    SessionClock::time_point shownOtherAt_;
     uint64_t shownGeneration_ = 0;
+    IntegratorKind shownIntegrator_ = IntegratorKind::PathTracing;
     SessionClock::time_point shownAt_;
     std::shared_ptr<const AovFilm> shownAovs_;  ///< shared between snapshots until another AOV pass is made
     std::optional<SessionClock::time_point> unansweredEdit_;
 
     SessionStatus status_;
-    double secondsPerPass_ = 0.0;
 };
 
 }  // namespace glint

@@ -1,32 +1,62 @@
 // One pass over the film; every pixel on its own.
 #include "engine/render/snapshot.h"
 
+#include <cmath>
+
 #include "engine/base/parallel.h"
 
 namespace glint {
 
-std::shared_ptr<FilmSnapshot> makeSnapshot(const Film& film, bool standardError, int threads) {
+namespace {
+
+void copyPixel(const Film& film, const SppmState* sppm, size_t i, FilmSnapshot* snapshot) {
+    const FilmPixel& pixel = film.pixels()[i];
+    const Vec3 photons = sppm ? sppm->photonRadiance(i) : Vec3(0.0f);
+    for (int c = 0; c < 3; ++c) {
+        snapshot->radiance[i * 3 + static_cast<size_t>(c)] = static_cast<float>(pixel.mean[c]) + photons[c];
+    }
+    if (!snapshot->standardError.empty()) {
+        const double own = film.standardError(pixel);
+        snapshot->standardError[i] =
+            static_cast<float>(sppm ? std::hypot(own, sppm->photonStandardError(i)) : own);
+    }
+    if (!snapshot->radiusWorld.empty()) {
+        snapshot->radiusWorld[i] = static_cast<float>(std::sqrt(sppm->pixels[i].radiusSquared));
+        snapshot->photonCount[i] = static_cast<float>(sppm->pixels[i].photonCount);
+    }
+}
+
+}  // namespace
+
+std::shared_ptr<FilmSnapshot> makeSnapshot(const Film& film, const SppmState* sppm,
+                                           const SnapshotRequest& request, int threads) {
     constexpr int64_t kChunkPixels = 16384;
     auto snapshot = std::make_shared<FilmSnapshot>();
     snapshot->width = film.width();
     snapshot->height = film.height();
     snapshot->passes = film.passes();
-    const std::vector<FilmPixel>& pixels = film.pixels();
-    snapshot->radiance.resize(pixels.size() * 3);
-    if (standardError) {
-        snapshot->standardError.resize(pixels.size());
+    const size_t count = film.pixels().size();
+    snapshot->radiance.resize(count * 3);
+    if (request.standardError) {
+        snapshot->standardError.resize(count);
     }
-    parallelChunks(static_cast<int64_t>(pixels.size()), kChunkPixels, threads,
-                   [&](int64_t begin, int64_t end) {
-                       for (int64_t i = begin; i < end; ++i) {
-                           for (int c = 0; c < 3; ++c) {
-                               snapshot->radiance[i * 3 + c] = static_cast<float>(pixels[i].mean[c]);
-                           }
-                           if (standardError) {
-                               snapshot->standardError[i] = static_cast<float>(film.standardError(pixels[i]));
-                           }
-                       }
-                   });
+    if (sppm && request.photonStatistics) {
+        snapshot->radiusWorld.resize(count);
+        snapshot->photonCount.resize(count);
+    }
+    parallelChunks(static_cast<int64_t>(count), kChunkPixels, threads, [&](int64_t begin, int64_t end) {
+        for (int64_t i = begin; i < end; ++i) {
+            copyPixel(film, sppm, static_cast<size_t>(i), snapshot.get());
+        }
+    });
+    return snapshot;
+}
+
+std::shared_ptr<FilmSnapshot> makeSnapshot(const SessionCapture& capture, const SnapshotRequest& request,
+                                           int threads) {
+    auto snapshot =
+        makeSnapshot(capture.film, capture.sppm.passes > 0 ? &capture.sppm : nullptr, request, threads);
+    snapshot->integrator = capture.scene->options.integrator;
     return snapshot;
 }
 

@@ -7,8 +7,19 @@
 
 namespace glint {
 
-/// Everything of `film`, with standard errors where asked for; generation, scale, seconds and AOVs are the
-/// caller's. A pixel without samples is black; a standard error that is not known yet is infinite.
-std::shared_ptr<FilmSnapshot> makeSnapshot(const Film& film, bool standardError, int threads);
+struct SnapshotRequest {
+    bool standardError = false;
+    bool photonStatistics = false;  ///< radii and photon counts of SPPM
+};
+
+/// Everything of `film`, and of SPPM's statistics where there are any (may be null), with extras where asked
+/// for; generation, scale, seconds and AOVs are the caller's. A pixel without samples is black; a standard
+/// error that is not known yet is infinite.
+std::shared_ptr<FilmSnapshot> makeSnapshot(const Film& film, const SppmState* sppm,
+                                           const SnapshotRequest& request, int threads);
+
+/// The same of a capture.
+std::shared_ptr<FilmSnapshot> makeSnapshot(const SessionCapture& capture, const SnapshotRequest& request,
+                                           int threads);
 
 }  // namespace glint

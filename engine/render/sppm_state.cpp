@@ -14,6 +14,12 @@ namespace glint {
 SppmState::SppmState(int width_, int height_)
     : width(width_), height(height_), pixels(static_cast<size_t>(width_) * static_cast<size_t>(height_)) {}
 
+void SppmState::clear() {
+    passes = 0;
+    emittedPhotons = 0;
+    std::ranges::fill(pixels, SppmPixel{});
+}
+
 Vec3 SppmState::photonRadiance(size_t index) const {
     return glint::photonRadiance(pixels[index], static_cast<double>(emittedPhotons));
 }
@@ -48,8 +54,8 @@ double SppmState::relativeErrorEstimate(const Film& film) const {
 }
 
 SppmMemory planSppmMemory(const SceneDescription& scene) {
-    return planSppmMemory(scene.resolution.width, scene.resolution.height, scene.sppm.photonsPerPass, kExpectedStores,
-                          size_t{scene.sppm.memoryBudgetMiB} << 20);
+    return planSppmMemory(scene.resolution.width, scene.resolution.height, scene.sppm.photonsPerPass,
+                          kExpectedStores, size_t{scene.sppm.memoryBudgetMiB} << 20);
 }
 
 SppmMemory planSppmMemory(int width, int height, uint32_t photonsPerPass, double storedPerPhoton,

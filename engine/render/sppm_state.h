@@ -24,14 +24,16 @@ struct SppmState {
     SppmState() = default;
     SppmState(int width, int height);
 
+    void clear();
+
     /// Radiance that the photons brought to pixel `index`; added to the film's mean it makes the picture.
     Vec3 photonRadiance(size_t index) const;
     /// Standard error of the photons' part of the pixel's luminance, from the spread of the passes' own
     /// estimates. Infinite with fewer than two passes.
     double photonStandardError(size_t index) const;
 
-    /// Film::relativeErrorEstimate of both parts together: the film's own light and the photons'. Their errors are taken as
-    /// independent; the bias of the finite radius is not in it.
+    /// Film::relativeErrorEstimate of both parts together: the film's own light and the photons'. Their
+    /// errors are taken as independent; the bias of the finite radius is not in it.
     double relativeErrorEstimate(const Film& film) const;
 
     size_t bytes() const { return pixels.capacity() * sizeof(SppmPixel); }

@@ -9,8 +9,9 @@
 
 namespace glint {
 
-/// Builds the mesh a MeshSource with a generator names. Deterministic in (generator, triangles, seed); the count is met
-/// within a few percent. All have normals and uvs. Error: unknown generator (naming the nearest) or a count out of range.
+/// Builds the mesh a MeshSource with a generator names. Deterministic in (generator, triangles, seed); the
+/// count is met within a few percent. All have normals and uvs. Error: unknown generator (naming the nearest)
+/// or a count out of range.
 Result<std::shared_ptr<const MeshData>> generateMesh(const MeshSource& source);
 
 /// Known generators in alphabetical order.

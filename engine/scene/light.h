@@ -14,19 +14,19 @@ enum class LightKind : uint8_t { Point, Spot, Directional };
 struct Light {
     std::string name;
     LightKind kind = LightKind::Point;
-    Vec3 position{0.0f};             ///< point, spot; metres
+    Vec3 position{0.0f};                ///< point, spot; metres
     Vec3 direction{0.0f, -1.0f, 0.0f};  ///< spot, directional: where the light travels; any length but zero
-    Vec3 color{1.0f};                ///< point, spot: intensity W/sr; directional: irradiance W/m^2 facing it
-    float strength = 1.0f;           ///< multiplies `color`
-    float coneAngleDeg = 40.0f;      ///< spot: half angle where the light ends, (0, 90]
+    Vec3 color{1.0f};            ///< point, spot: intensity W/sr; directional: irradiance W/m^2 facing it
+    float strength = 1.0f;       ///< multiplies `color`
+    float coneAngleDeg = 40.0f;  ///< spot: half angle where the light ends, (0, 90]
     float coneFalloffStartDeg = 30.0f;  ///< spot: half angle where it begins to fall off, [0, coneAngleDeg]
 };
 
 /// Light from infinitely far away, and the background.
 struct Environment {
-    Vec3 color{0.0f};      ///< radiance; multiplies the image where there is one
+    Vec3 color{0.0f};  ///< radiance; multiplies the image where there is one
     float strength = 1.0f;
-    int image = -1;        ///< lat-long image: index into SceneDescription::environmentImages, or -1
+    int image = -1;            ///< lat-long image: index into SceneDescription::environmentImages, or -1
     float rotationDeg = 0.0f;  ///< about +y, counter-clockwise seen from above
 
     bool emissive() const { return strength > 0.0f && maxComponent(color) > 0.0f; }

@@ -14,9 +14,10 @@ namespace glint {
 /// positions.size(); every position is finite: loaders see to both.
 struct MeshData {
     std::vector<Vec3> positions;
-    std::vector<Vec3> normals;  ///< shading normals, not necessarily of unit length; zero: use the face normal
-    std::vector<Vec2> uvs;      ///< v runs upwards: (0, 0) is the image's bottom left corner
-    std::vector<Vec3> colors;   ///< linear vertex colours that multiply the material's colour
+    std::vector<Vec3>
+        normals;               ///< shading normals, not necessarily of unit length; zero: use the face normal
+    std::vector<Vec2> uvs;     ///< v runs upwards: (0, 0) is the image's bottom left corner
+    std::vector<Vec3> colors;  ///< linear vertex colours that multiply the material's colour
     std::vector<uint32_t> indices;  ///< three per triangle, counter-clockwise seen from the front
 
     uint32_t triangleCount() const { return static_cast<uint32_t>(indices.size() / 3); }

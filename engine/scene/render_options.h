@@ -9,30 +9,35 @@ enum class IntegratorKind : uint8_t { PathTracing, Sppm };
 enum class FilterKind : uint8_t { Box, Gaussian, BlackmanHarris };
 enum class SamplerKind : uint8_t { Sobol, Independent };
 
-/// All of these but the integrator change the picture's expectation or its noise: an edit of any restarts the films.
-/// The integrator chooses between the films, which are kept side by side.
+/// All of these but the integrator change the picture's expectation or its noise: an edit of any restarts the
+/// films. The integrator chooses between the films, which are kept side by side.
 struct RenderOptions {
     IntegratorKind integrator = IntegratorKind::PathTracing;
-    int maxDepth = 16;            ///< most scattering events along a path; 0: only directly visible emission
-    int rouletteStartDepth = 4;   ///< Russian roulette from this scattering event on
+    int maxDepth = 16;           ///< most scattering events along a path; 0: only directly visible emission
+    int rouletteStartDepth = 4;  ///< Russian roulette from this scattering event on
     FilterKind filter = FilterKind::BlackmanHarris;
-    float filterRadius = 1.5f;    ///< pixels, half the support; box: 0.5 is one pixel
+    float filterRadius = 1.5f;  ///< pixels, half the support; box: 0.5 is one pixel
     SamplerKind sampler = SamplerKind::Sobol;
     uint32_t seed = 0;
-    float fireflyClamp = 0.0f;    ///< 0: off. Otherwise the most radiance one sample may bring; biased, and reported
+    float fireflyClamp =
+        0.0f;  ///< 0: off. Otherwise the most radiance one sample may bring; biased, and reported
 
     bool operator==(const RenderOptions&) const = default;
 };
 
 enum class PhotonLookupKind : uint8_t { Grid, Tree };
 
-/// Stochastic progressive photon mapping (Hachisuka and Jensen 2009). An edit of any restarts its statistics only.
+/// Stochastic progressive photon mapping (Hachisuka and Jensen 2009). An edit of any restarts its statistics
+/// only.
 struct SppmOptions {
     uint32_t photonsPerPass = 262144;
-    float alpha = 2.0f / 3.0f;      ///< share of each pass's photons that is kept, in (0, 1): smaller shrinks radii faster
-    float radiusWorld = 0.0f;       ///< initial radius; 0: automatic, from each pixel's footprint
-    float radiusFootprints = 4.0f;  ///< automatic: initial radius in pixel footprints at the first visible point
-    float storeRoughness = 0.1f;    ///< metal and glass of at least this GGX alpha hold visible points; sharper ones reflect
+    float alpha =
+        2.0f / 3.0f;  ///< share of each pass's photons that is kept, in (0, 1): smaller shrinks radii faster
+    float radiusWorld = 0.0f;  ///< initial radius; 0: automatic, from each pixel's footprint
+    float radiusFootprints =
+        4.0f;  ///< automatic: initial radius in pixel footprints at the first visible point
+    float storeRoughness =
+        0.1f;  ///< metal and glass of at least this GGX alpha hold visible points; sharper ones reflect
     bool sampleDirectLight = true;  ///< direct light by light sampling; otherwise photons bring it, too
     PhotonLookupKind lookup = PhotonLookupKind::Grid;
     uint32_t memoryBudgetMiB = 1024;  ///< for statistics and photons; photons per pass are reduced to fit

@@ -29,12 +29,8 @@ constexpr EditKind operator|(EditKind a, EditKind b) {
 constexpr EditKind operator&(EditKind a, EditKind b) {
     return static_cast<EditKind>(static_cast<uint32_t>(a) & static_cast<uint32_t>(b));
 }
-constexpr EditKind& operator|=(EditKind& a, EditKind b) {
-    return a = a | b;
-}
-constexpr bool has(EditKind set, EditKind kind) {
-    return (set & kind) != EditKind::None;
-}
+constexpr EditKind& operator|=(EditKind& a, EditKind b) { return a = a | b; }
+constexpr bool has(EditKind set, EditKind kind) { return (set & kind) != EditKind::None; }
 
 /// The whole scene after an edit, and what differs from the one before.
 struct SceneEdit {

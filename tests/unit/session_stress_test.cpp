@@ -52,7 +52,8 @@ void act(RenderSession& session, FakeControl& control, std::mt19937& random, int
             control.secondsPerPass = pick(2) * 0.0005;
             break;
         case 10:
-            session.resume(fakeScene(*size, *size), {Film(*size, pick(8) == 0 ? *size + 1 : *size), 0.0});
+            session.resume(fakeScene(*size, *size),
+                           {.film = Film(*size, pick(8) == 0 ? *size + 1 : *size), .renderSeconds = 0.0});
             break;
         default:
             session.post({fakeScene(*size, *size), static_cast<EditKind>(1u << pick(8))});

@@ -355,7 +355,7 @@ TEST(Session, CaptureAndResumeGoOnBitForBit) {
 
     Bench second;
     second.session->setLimits({.passes = 9});
-    second.session->resume(half->scene, {std::move(half->film), secondsBefore});
+    second.session->resume(half->scene, {.film = std::move(half->film), .renderSeconds = secondsBefore});
     ASSERT_EQ(second.session->wait(kPatience), SessionState::Finished);
     const auto resumed = second.session->capture();
     ASSERT_TRUE(whole && resumed);
@@ -370,7 +370,7 @@ TEST(Session, CaptureAndResumeGoOnBitForBit) {
 
 TEST(Session, ResumingWithAnotherSizeFails) {
     Bench bench;
-    bench.session->resume(fakeScene(8, 8), {Film(9, 8), 1.0});
+    bench.session->resume(fakeScene(8, 8), {.film = Film(9, 8), .renderSeconds = 1.0});
     EXPECT_EQ(bench.session->wait(kPatience), SessionState::Failed);
     EXPECT_NE(bench.session->status().error.find("9x8"), std::string::npos);
 }

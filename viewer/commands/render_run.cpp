@@ -133,7 +133,7 @@ class BatchRender {
     }
 
     Status save(const SessionCapture& capture) const {
-        auto snapshot = makeSnapshot(capture.film, aovs_.standardError, options_.threads);
+        auto snapshot = makeSnapshot(capture, {.standardError = aovs_.standardError}, options_.threads);
         snapshot->renderSeconds = capture.renderSeconds;
         snapshot->relativeError = capture.film.relativeErrorEstimate(options_.threads);
         snapshot->aovs = std::make_shared<AovFilm>(capture.aovs);

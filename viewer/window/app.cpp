@@ -240,7 +240,7 @@ Status App::saveScreenshot(const std::string& path) const {
 Status App::savePictureFile() {
     const auto capture = model_.session().capture();
     if (!capture) return Error{"there is no picture to save", SourcePlace{options_.output, 0, 0, ""}};
-    auto picture = makeSnapshot(capture->film, true, 0);
+    auto picture = makeSnapshot(*capture, {.standardError = true}, 0);
     picture->renderSeconds = capture->renderSeconds;
     const PictureOptions look{.exposureStops = model_.display.exposureStops,
                               .toneMap = model_.display.toneMap};

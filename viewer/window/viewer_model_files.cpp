@@ -18,7 +18,7 @@ namespace glint {
 namespace {
 
 std::shared_ptr<FilmSnapshot> pictureOf(const RenderSession::Capture& capture) {
-    auto picture = makeSnapshot(capture.film, true, 0);
+    auto picture = makeSnapshot(capture, {.standardError = true}, 0);
     picture->renderSeconds = capture.renderSeconds;
     if (capture.aovs.passes() > 0) picture->aovs = std::make_shared<const AovFilm>(capture.aovs);
     return picture;
