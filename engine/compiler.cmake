@@ -30,8 +30,8 @@ else()
 endif()
 # Never -ffast-math: it deletes the checks for NaN and infinity. These two change no result.
 list(APPEND codegen_flags -fno-math-errno -fno-trapping-math)
-# No contraction: a*b - c*d must be antisymmetric in its two products (watertight edge functions), and kernels compiled
-# for different feature masks must compute the same bits. Where a fused operation pays, the code says std::fma.
+# No contraction: a*b - c*d must be antisymmetric in its two products (watertight edge functions), and the CPU and nvcc's
+# host pass must compute the same bits. Where a fused operation pays, the code says std::fma.
 list(APPEND codegen_flags -ffp-contract=off)
 
 if(GLINT_SANITIZE STREQUAL "address")
