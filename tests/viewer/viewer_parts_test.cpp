@@ -37,6 +37,15 @@ TEST(SceneDiff, EachChangeIsTheSmallestEdit) {
     EXPECT_EQ(kindOf([](S& s) { s.camera.bladeRotationDeg = 5.0f; }), EditKind::Camera);
     EXPECT_EQ(kindOf([](S& s) { s.resolution.width = 100; }), EditKind::Resolution);
     EXPECT_EQ(kindOf([](S& s) { s.options.maxDepth = 3; }), EditKind::Options);
+    EXPECT_EQ(kindOf([](S& s) { s.options.fireflyClamp = 3.0f; }), EditKind::Options);
+    EXPECT_EQ(kindOf([](S& s) { s.options.integrator = IntegratorKind::Sppm; }), EditKind::Integrator);
+    EXPECT_EQ(kindOf([](S& s) {
+                  s.options.integrator = IntegratorKind::Sppm;
+                  s.options.seed = 3;
+              }),
+              EditKind::Integrator | EditKind::Options);
+    EXPECT_EQ(kindOf([](S& s) { s.sppm.radiusWorld = 0.1f; }), EditKind::SppmParameters);
+    EXPECT_EQ(kindOf([](S& s) { s.sppm.lookup = PhotonLookupKind::Tree; }), EditKind::SppmParameters);
     EXPECT_EQ(kindOf([](S& s) { s.materials[1].color.value = Vec3(0.1f); }), EditKind::MaterialParameters);
     EXPECT_EQ(kindOf([](S& s) { s.materials[1].emission = Vec3(1.0f); }), EditKind::MaterialParameters);
     EXPECT_EQ(kindOf([](S& s) { s.materials[0].roughness = 0.3f; }), EditKind::MaterialParameters);

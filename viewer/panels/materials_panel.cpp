@@ -22,6 +22,19 @@ std::string nameOf(const Material& material, size_t index) {
     return material.name.empty() ? fmt::format("material {}", index) : material.name;
 }
 
+/// What the list's patch shows: a lamp's light, a metal's reflectance head on, or the colour.
+Vec3 patchColor(const Material& material) {
+    if (material.emissive()) return material.emission;
+    if (material.kind != MaterialKind::Conductor) return material.color.value;
+    const auto named = findMetal(material.metal);
+    const Vec3 eta = named ? named->eta : material.eta;
+    const Vec3 k = named ? named->k : material.k;
+    const Vec3 k2 = k * k;
+    const Vec3 less = eta - Vec3(1.0f);
+    const Vec3 more = eta + Vec3(1.0f);
+    return material.color.value * ((less * less + k2) / (more * more + k2));
+}
+
 void drawList(ViewerModel* model) {
     const std::vector<Material>& materials = model->draft().materials;
     const float rows = std::min(static_cast<float>(materials.size()), 6.0f);
@@ -29,7 +42,7 @@ void drawList(ViewerModel* model) {
     ImGui::BeginChild("list", {0.0f, height});
     for (size_t i = 0; i < materials.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
-        const Vec3& swatch = materials[i].emissive() ? materials[i].emission : materials[i].color.value;
+        const Vec3 swatch = patchColor(materials[i]);
         if (ui::selectable(nameOf(materials[i], i).c_str(), static_cast<int>(i) == model->selectedMaterial,
                            &swatch)) {
             model->selectedMaterial = static_cast<int>(i);

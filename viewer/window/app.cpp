@@ -55,11 +55,12 @@ class App {
     void drawFrame();
     bool worthDrawing(Clock::time_point now) const;
     double pause(Clock::time_point now) const;
+    std::string currentTitle() const;
     bool headlessDone();
     Status finish();
     Status saveScreenshot(const std::string& path) const;
     Status savePictureFile();
-    Status saveFrameStats() const;
+    Status saveFrameStats();
 
     ViewerOptions options_;
     std::unique_ptr<Surface> surface_;
@@ -180,7 +181,7 @@ double App::pause(Clock::time_point now) const {
 
 Status App::run(bool* scriptFailed) {
     auto planned = Clock::now();
-    while (!surface_->shouldClose()) {
+    while (!surface_->shouldClose() && !shell_.quitWanted()) {
         wakeMs_ = std::max(0.0, milliseconds(planned, Clock::now()));
         model_.refresh();
         if (player_) {
@@ -191,13 +192,7 @@ Status App::run(bool* scriptFailed) {
         }
         if (surface_->takeInputFlag()) lastInput_ = Clock::now();
         if (worthDrawing(Clock::now())) drawFrame();
-        if (const std::string title =
-                model_.hasScene()
-                    ? std::filesystem::path(model_.draft().path).filename().string() + " – Glint"
-                    : "Glint";
-            title != title_) {
-            surface_->setTitle(title_ = title);
-        }
+        if (const std::string title = currentTitle(); title != title_) surface_->setTitle(title_ = title);
         if (player_ ? player_->done() : headlessDone()) break;
         const auto now = Clock::now();
         const double wait = pause(now);
@@ -206,6 +201,13 @@ Status App::run(bool* scriptFailed) {
         if (surface_->hasDisplay() && Clock::now() < planned) planned = Clock::now();  // an event woke it
     }
     return finish();
+}
+
+std::string App::currentTitle() const {
+    if (!model_.hasScene()) return "Glint";
+    const std::string file = std::filesystem::path(model_.draft().path).filename().string();
+    const bool paused = model_.status().state == SessionState::Paused;
+    return fmt::format("{}{} – Glint", file, paused ? " (paused)" : "");
 }
 
 bool App::headlessDone() {
@@ -247,9 +249,10 @@ Status App::savePictureFile() {
     return savePicture(options_.output, *picture, *capture->scene, look);
 }
 
-Status App::saveFrameStats() const {
-    if (options_.frameStats != "-") return writeFileAtomically(options_.frameStats, stats_.json());
-    std::fputs(stats_.json().c_str(), stdout);
+Status App::saveFrameStats() {
+    const std::string report = stats_.json(model_.session().status(), model_.draft().camera);
+    if (options_.frameStats != "-") return writeFileAtomically(options_.frameStats, report);
+    std::fputs(report.c_str(), stdout);
     return {};
 }
 

@@ -16,9 +16,39 @@ nlohmann::ordered_json percentiles(std::vector<double> values) {
     return {{"p50", at(0.5)}, {"p95", at(0.95)}, {"p99", at(0.99)}, {"max", at(1.0)}};
 }
 
+nlohmann::ordered_json numbers(const Vec3& v) { return nlohmann::ordered_json::array({v.x, v.y, v.z}); }
+
+nlohmann::ordered_json sessionReport(const SessionStatus& session) {
+    return {{"state", stateName(session.state)},
+            {"integrator", session.integrator == IntegratorKind::Sppm ? "sppm" : "path"},
+            {"passes", session.passes},
+            {"restarts", session.counters.filmRestarts},
+            {"preview_passes", session.counters.previewPasses},
+            {"last_edit_ms", session.lastEditToPictureSeconds * 1000.0},
+            {"last_cancel_ms", session.lastCancelSeconds * 1000.0}};
+}
+
 }  // namespace
 
-std::string FrameStats::json() const {
+const char* stateName(SessionState state) {
+    switch (state) {
+        case SessionState::Empty:
+            return "empty";
+        case SessionState::Building:
+            return "building";
+        case SessionState::Rendering:
+            return "rendering";
+        case SessionState::Paused:
+            return "paused";
+        case SessionState::Finished:
+            return "finished";
+        case SessionState::Failed:
+            return "failed";
+    }
+    return "";
+}
+
+std::string FrameStats::json(const SessionStatus& session, const Camera& camera) const {
     const auto collect = [this](auto&& part) {
         std::vector<double> values;
         for (const FrameTimes& frame : frames_) values.push_back(part(frame));
@@ -35,6 +65,8 @@ std::string FrameStats::json() const {
     report["frame_ms_without_drawing"] = percentiles(own);
     report["over_60hz_without_drawing"] =
         std::count_if(own.begin(), own.end(), [](double ms) { return ms > 1000.0 / 60.0; });
+    report["session"] = sessionReport(session);
+    report["camera"] = {{"position", numbers(camera.position)}, {"target", numbers(camera.target)}};
     return report.dump(2) + "\n";
 }
 

@@ -72,6 +72,15 @@ bool sameTransforms(const SceneDescription& a, const SceneDescription& b) {
     return true;
 }
 
+/// The integrator chooses between films; the other options are in both of them.
+EditKind optionDifferences(const RenderOptions& before, const RenderOptions& after) {
+    RenderOptions switched = before;
+    switched.integrator = after.integrator;
+    EditKind kinds = switched == after ? EditKind::None : EditKind::Options;
+    if (before.integrator != after.integrator) kinds |= EditKind::Integrator;
+    return kinds;
+}
+
 }  // namespace
 
 EditKind differences(const SceneDescription& before, const SceneDescription& after) {
@@ -79,7 +88,8 @@ EditKind differences(const SceneDescription& before, const SceneDescription& aft
     EditKind kinds = materialDifferences(before.materials, after.materials);
     if (!sameCamera(before.camera, after.camera)) kinds |= EditKind::Camera;
     if (!(before.resolution == after.resolution)) kinds |= EditKind::Resolution;
-    if (!(before.options == after.options)) kinds |= EditKind::Options;
+    kinds |= optionDifferences(before.options, after.options);
+    if (!(before.sppm == after.sppm)) kinds |= EditKind::SppmParameters;
     if (!sameLights(before, after)) kinds |= EditKind::Lights;
     if (!sameTransforms(before, after)) kinds |= EditKind::ObjectTransform;
     return kinds;

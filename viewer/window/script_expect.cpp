@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "viewer/window/frame_stats.h"
 #include "viewer/window/script_player.h"
 
 namespace glint {
@@ -27,24 +28,6 @@ constexpr std::array<NamedCounter, 8> kCounters{{
     {"mesh-builds", &Counters::meshBuilds},
     {"top-level-builds", &Counters::topLevelBuilds},
 }};
-
-const char* stateName(SessionState state) {
-    switch (state) {
-        case SessionState::Empty:
-            return "empty";
-        case SessionState::Building:
-            return "building";
-        case SessionState::Rendering:
-            return "rendering";
-        case SessionState::Paused:
-            return "paused";
-        case SessionState::Finished:
-            return "finished";
-        case SessionState::Failed:
-            return "failed";
-    }
-    return "";
-}
 
 bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
@@ -122,7 +105,9 @@ void ScriptPlayer::print(const ScriptStatement& statement) const {
         fmt::print("\n");
     } else if (!statement.words[0].quoted && what == "widgets") {
         for (const WidgetRecord& widget : registry_->widgets()) {
-            fmt::print("\"{}\" {}\n", widget.fullName(), widget.value);
+            const Vec2 size = widget.max - widget.min;
+            fmt::print("\"{}\" {:.0f} {:.0f} {:.0f} {:.0f} {}\n", widget.fullName(), widget.min.x,
+                       widget.min.y, size.x, size.y, widget.value);
         }
     } else if (const auto widget = registry_->find(what)) {
         fmt::print("\"{}\" {}\n", widget->fullName(), widget->value);

@@ -11,6 +11,7 @@
 #include "viewer/panels/panels.h"
 #include "viewer/panels/units.h"
 #include "viewer/window/camera_controller.h"
+#include "viewer/window/pixel_readout.h"
 #include "viewer/window/theme.h"
 #include "viewer/window/widgets.h"
 
@@ -44,6 +45,7 @@ constexpr KeyHelp kKeyHelp[] = {
     {"R", "restart"},
     {"[ and ]", "exposure by a third of a stop"},
     {"Ctrl + S", "save the PNG"},
+    {"Ctrl + Q", "quit"},
     {"Tab", "show or hide the panels"},
     {"F1", "this help"},
 };
@@ -59,6 +61,7 @@ void Shell::handleKeys(ViewerModel* model) {
     if (io.WantTextInput) return;
     if (io.KeyCtrl) {
         if (isPressed(GLFW_KEY_S) && model->hasScene()) model->savePng();
+        if (isPressed(GLFW_KEY_Q)) quitWanted_ = true;
         return;
     }
     if (isPressed(GLFW_KEY_TAB)) panelsShown_ = !panelsShown_;
@@ -124,13 +127,8 @@ void Shell::drawStatusLine(const ViewerModel& model, float y) {
         const SessionStatus& status = model.status();
         const auto& snapshot = model.snapshot();
         if (const auto& pixel = view_.hoveredPixel(); pixel && snapshot && snapshot->width > 0) {
-            const Vec2i at =
-                glm::min(*pixel / snapshot->previewScale, Vec2i(snapshot->width - 1, snapshot->height - 1));
-            const float* rgb = snapshot->radiance.data() +
-                               3 * (static_cast<size_t>(at.y) * static_cast<size_t>(snapshot->width) +
-                                    static_cast<size_t>(at.x));
-            left += fmt::format("    ({}, {})  R {:.4g}  G {:.4g}  B {:.4g}", pixel->x, pixel->y, rgb[0],
-                                rgb[1], rgb[2]);
+            left += fmt::format("    ({}, {})  {}", pixel->x, pixel->y,
+                                pixelReadout(*snapshot, model.display.shown, *pixel));
         }
         right = fmt::format("{} passes    {}    error {}    F1: help", grouped(status.passes),
                             duration(status.renderSeconds),

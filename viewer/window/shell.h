@@ -10,6 +10,8 @@ class Shell {
   public:
     /// Draws the whole window. Returns true while the user holds the camera or a control.
     bool draw(ViewerModel* model, const ImageDisplay& display);
+    /// The keys asked for the end.
+    bool quitWanted() const { return quitWanted_; }
 
   private:
     void handleKeys(ViewerModel* model);
@@ -22,6 +24,7 @@ class Shell {
     float columnUnits_ = 372.0f;  // 96-dpi units
     bool panelsShown_ = true;
     bool helpShown_ = false;
+    bool quitWanted_ = false;
 };
 
 }  // namespace glint

@@ -1,0 +1,58 @@
+#include "viewer/window/pixel_readout.h"
+
+#include <fmt/format.h>
+
+namespace glint {
+namespace {
+
+size_t indexOf(const FilmSnapshot& snapshot, Vec2i filmPixel) {
+    const Vec2i last(snapshot.width - 1, snapshot.height - 1);
+    const Vec2i at = glm::clamp(filmPixel / snapshot.previewScale, Vec2i(0), last);
+    return static_cast<size_t>(at.y) * static_cast<size_t>(snapshot.width) + static_cast<size_t>(at.x);
+}
+
+std::string colorText(const Vec3& rgb) {
+    return fmt::format("R {:.4g}  G {:.4g}  B {:.4g}", rgb.x, rgb.y, rgb.z);
+}
+
+std::string normalText(const Vec3& n) { return fmt::format("x {:.3f}  y {:.3f}  z {:.3f}", n.x, n.y, n.z); }
+
+std::string aovText(const AovSample& sample, ShownPicture shown) {
+    switch (shown) {
+        case ShownPicture::Albedo:
+            return colorText(sample.albedo);
+        case ShownPicture::ShadingNormal:
+            return normalText(sample.shadingNormal);
+        case ShownPicture::GeometricNormal:
+            return normalText(sample.geometricNormal);
+        case ShownPicture::Depth:
+            return sample.depth > 0.0f ? fmt::format("{:.4g} m", sample.depth) : "nothing hit";
+        case ShownPicture::ObjectId:
+            return sample.objectId > 0 ? fmt::format("object {}", sample.objectId) : "nothing hit";
+        case ShownPicture::MaterialId:
+            return sample.materialId > 0 ? fmt::format("material {}", sample.materialId) : "nothing hit";
+        case ShownPicture::Radiance:
+        case ShownPicture::StandardError:
+            break;
+    }
+    return "";
+}
+
+}  // namespace
+
+std::string pixelReadout(const FilmSnapshot& snapshot, ShownPicture shown, Vec2i filmPixel) {
+    if (snapshot.width <= 0 || snapshot.height <= 0) return "";
+    const size_t index = indexOf(snapshot, filmPixel);
+    if (shown == ShownPicture::Radiance) {
+        const float* rgb = snapshot.radiance.data() + 3 * index;
+        return colorText({rgb[0], rgb[1], rgb[2]});
+    }
+    if (shown == ShownPicture::StandardError) {
+        if (index >= snapshot.standardError.size()) return "";
+        return fmt::format("± {:.3g} luminance", snapshot.standardError[index]);
+    }
+    if (!snapshot.aovs || snapshot.aovs->passes() == 0) return "";
+    return aovText(snapshot.aovs->pixels()[index], shown);
+}
+
+}  // namespace glint
