@@ -27,6 +27,27 @@ def commands(readme):
                 yield line, match.group(1) is None
 
 
+def table_commands(readme):
+    """The commands that the table names: each must explain itself."""
+    for row in re.findall(r"^\| (`glint .*?) \|", readme, re.MULTILINE):
+        first, *rest = re.findall(r"`([^`]+)`", row)
+        words = [word for word in first.split()[1:] if re.fullmatch(r"[a-z]+", word)]
+        yield words
+        for other in rest:  # `glint bench rays`, `paths`: the same but for the last word
+            if not other.startswith("glint "):
+                yield words[:-1] + [other]
+            else:
+                yield [word for word in other.split()[1:] if re.fullmatch(r"[a-z]+", word)]
+
+
+def unknown_commands(readme, program):
+    for words in table_commands(readme):
+        done = subprocess.run([program, *words, "--help"], stdin=subprocess.DEVNULL, capture_output=True)
+        print(f"{'FAIL' if done.returncode else 'ok'}: glint {' '.join([*words, '--help'])}", flush=True)
+        if done.returncode != 0:
+            yield f"the table names `glint {' '.join(words)}`, which the program does not know"
+
+
 def mirror(root, program, folder):
     for entry in root.iterdir():
         if entry.name not in {"build", ".git"}:
@@ -55,11 +76,12 @@ def failure(command, folder):
 
 def main():
     root, program = Path(sys.argv[1]).resolve(), sys.argv[2] if len(sys.argv) > 2 else ""
-    failures, count = [], 0
+    readme = (root / "README.md").read_text(encoding="utf-8")
+    failures, count = list(unknown_commands(readme, program)) if program else [], 0
     with tempfile.TemporaryDirectory() as scratch:
         folder = Path(scratch)
         mirror(root, program, folder)
-        for command, is_run in commands((root / "README.md").read_text(encoding="utf-8")):
+        for command, is_run in commands(readme):
             count += 1
             problems = list(missing_files(command, folder))
             if is_run and not problems:

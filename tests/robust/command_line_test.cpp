@@ -32,7 +32,7 @@ testing::AssertionResult says(const std::string& text, const std::string& part) 
 }
 
 TEST_F(CommandLine, HelpAndVersionSucceed) {
-    for (const char* command : {"render", "info", "bench"}) {
+    for (const char* command : {"view", "render", "info", "convert", "bench"}) {
         const ProgramRun help = runProgram({command, "--help"});
         EXPECT_EQ(help.exitCode, 0);
         EXPECT_TRUE(says(help.out, "--help"));
@@ -45,7 +45,9 @@ TEST_F(CommandLine, UnknownOptionsNameTheNearest) {
     const ProgramRun option = runProgram({"render", kCornell, "-o", folder.path("a.png"), "--pases", "3"});
     EXPECT_EQ(option.exitCode, 1);
     EXPECT_TRUE(says(option.err, "--passes"));
-    EXPECT_EQ(runProgram({"rendr", kCornell}).exitCode, 1);
+    const ProgramRun command = runProgram({"rendr", kCornell});
+    EXPECT_EQ(command.exitCode, 1);
+    EXPECT_TRUE(says(command.err, "'render'"));
     const ProgramRun aov = runProgram({"render", kCornell, "-o", folder.path("a.exr"), "--aov", "albedoo"});
     EXPECT_EQ(aov.exitCode, 1);
     EXPECT_TRUE(says(aov.err, "albedo'"));
@@ -62,6 +64,9 @@ TEST_F(CommandLine, BadValuesAreRefusedWithOneMessage) {
         {"--aov", "depth"},       {"--checkpoint-every", "5"},
         {"--fov", "180"},         {"--sampler", "halton"},
         {"--exposure", "bright"}, {"--resume", folder.path("none")},
+        {"--exposure", "nan"},    {"--time", "nan"},
+        {"--focus", "inf"},       {"--pass", "3"},
+        {"--checkpoint", out},
     };
     for (const auto& words : bad) {
         std::vector<std::string> arguments = {"render", kCornell, "-o", out};
@@ -105,6 +110,44 @@ TEST_F(CommandLine, WhatCannotBeWrittenIsRefusedBeforeRendering) {
     EXPECT_EQ(with({}).exitCode, 1);
     EXPECT_EQ(with({"-o", folder.path("a.png"), "--checkpoint", nowhere}).exitCode, 1);
     EXPECT_EQ(with({"-o", folder.path("a.png"), "--json", nowhere}).exitCode, 1);
+}
+
+TEST_F(CommandLine, AFullDiskIsAFailedRun) {
+    const std::vector<std::string> render = {"render", kCornell, "-o",    folder.path("a.png"),
+                                             "--size", "16x16",  "--passes", "1"};
+    for (const char* option : {"--json", "--checkpoint"}) {
+        std::vector<std::string> arguments = render;
+        arguments.insert(arguments.end(), {option, "/dev/full"});
+        const ProgramRun run = runProgram(arguments);
+        EXPECT_EQ(run.exitCode, 2) << option;
+        EXPECT_TRUE(says(run.err, "/dev/full"));
+    }
+    EXPECT_FALSE(TempFolder::read(folder.path("a.png")).empty()) << "the picture must be saved all the same";
+}
+
+TEST_F(CommandLine, ConvertedScenesGiveTheSamePicture) {
+    const std::string converted = folder.path("copy.json");
+    ASSERT_EQ(runProgram({"convert", kCornell, converted}).exitCode, 0);
+    const auto picture = [&](const std::string& scene, const char* name) {
+        const std::string out = folder.path(name);
+        const ProgramRun run = runProgram({"render", scene, "-o", out, "--size", "40x40", "--passes", "2"});
+        EXPECT_EQ(run.exitCode, 0) << run.err;
+        return TempFolder::read(out);
+    };
+    EXPECT_EQ(picture(kCornell, "a.hdr"), picture(converted, "b.hdr"));
+
+    const std::string object = folder.write("quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+    const std::string scene = folder.path("quad.json");
+    ASSERT_EQ(runProgram({"convert", object, scene}).exitCode, 0);
+    EXPECT_EQ(picture(object, "c.hdr"), picture(scene, "d.hdr"));
+}
+
+TEST_F(CommandLine, ConvertRefusesWhatItCannotReadOrWrite) {
+    EXPECT_EQ(runProgram({"convert", folder.path("none.obj"), folder.path("a.json")}).exitCode, 1);
+    EXPECT_EQ(runProgram({"convert", kCornell, folder.path("a.obj")}).exitCode, 1);
+    EXPECT_EQ(runProgram({"convert", kCornell, folder.path("no/folder/a.json")}).exitCode, 1);
+    EXPECT_EQ(runProgram({"convert", kCornell}).exitCode, 1);
+    EXPECT_EQ(folder.size(), 0u);
 }
 
 TEST_F(CommandLine, RenderWritesPicturesAndAReport) {

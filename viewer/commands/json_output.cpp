@@ -6,12 +6,14 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/io/atomic_file.h"
+#include "viewer/commands/option_checks.h"
 
 namespace glint {
 
 void addJsonOption(CLI::App& command, std::string* target) {
     command.add_option("--json", *target, "Write the report as JSON to FILE; - is standard output")
-        ->type_name("FILE");
+        ->type_name("FILE")
+        ->check(writableFile());
 }
 
 Status writeJson(const std::string& target, const nlohmann::ordered_json& report) {

@@ -1,6 +1,7 @@
 // Asks the system for permission instead of creating a file, so that a refused run leaves no trace.
 #include "viewer/commands/output_files.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -27,6 +28,26 @@ Status checkWritable(const std::string& path) {
     const std::string asked = device ? path : folder.string();
     if (access(asked.c_str(), W_OK) != 0) {
         return Error{fmt::format("cannot write '{}': {}: {}", path, asked, std::strerror(errno)), {}};
+    }
+    return {};
+}
+
+Status checkAllWritable(const std::vector<std::string>& paths) {
+    for (auto path = paths.begin(); path != paths.end(); ++path) {
+        if (path->empty()) {
+            continue;
+        }
+        if (Status writable = checkWritable(*path); !writable) {
+            return writable;
+        }
+        const auto isSameFile = [&](const std::string& other) {
+            std::error_code ignored;
+            return !other.empty() && std::filesystem::weakly_canonical(other, ignored) ==
+                                         std::filesystem::weakly_canonical(*path, ignored);
+        };
+        if (std::any_of(paths.begin(), path, isSameFile)) {
+            return Error{fmt::format("two outputs go to one file, '{}'; expected different names", *path), {}};
+        }
     }
     return {};
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "engine/base/result.h"
 
@@ -9,5 +10,8 @@ namespace glint {
 
 /// Error: the folder does not exist or cannot be written to, or `path` is a folder. Leaves nothing behind.
 Status checkWritable(const std::string& path);
+
+/// Of all that are not empty. Error also: two of them are one file.
+Status checkAllWritable(const std::vector<std::string>& paths);
 
 }  // namespace glint

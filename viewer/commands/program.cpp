@@ -2,6 +2,9 @@
 #include "viewer/commands/program.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -79,7 +82,8 @@ int answerParseError(const CLI::App& app, const CLI::ParseError& problem) {
     }
     std::string name;
     const CLI::App* chosen = chosenCommand(app, &name);
-    if (dynamic_cast<const CLI::ExtrasError*>(&problem) != nullptr) {
+    // A misspelt word often also makes something required missing; the word is what to name.
+    if (!app.remaining(true).empty()) {
         printUnknown(app, *chosen, name);
     } else {
         fmt::print(stderr, "{}: {}; see `{} --help`\n", name, problem.what(), name);
@@ -100,6 +104,15 @@ void addViewWhereItIsMeant(const CLI::App& app, std::vector<std::string>* argume
     if (canView && (arguments->empty() || namesAScene(app, arguments->front()))) {
         arguments->insert(arguments->begin(), "view");
     }
+}
+
+/// Text that went to a full disk or a closed pipe is a result that nobody got.
+int flushOutput(int exitCode) {
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) {
+        return exitCode;
+    }
+    fmt::print(stderr, "error: standard output cannot be written: {}\n", std::strerror(errno));
+    return exitCode == kExitDone ? kExitFailed : exitCode;
 }
 
 int parseAndRun(std::vector<std::string> arguments) {
@@ -130,7 +143,7 @@ int parseAndRun(std::vector<std::string> arguments) {
 
 int runProgram(std::vector<std::string> arguments) {
     try {
-        return parseAndRun(std::move(arguments));
+        return flushOutput(parseAndRun(std::move(arguments)));
     } catch (const std::exception& problem) {
         fmt::print(stderr, "glint: {}\n", problem.what());
         return kExitFailed;

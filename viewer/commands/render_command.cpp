@@ -42,12 +42,10 @@ Status checkOutputs(const RenderCommandOptions& o) {
     if (o.checkpointEvery > 0.0 && o.checkpoint.empty()) {
         return Error{"--checkpoint-every needs --checkpoint FILE", {}};
     }
-    for (const std::string& file : {o.output, o.checkpoint, o.json == "-" ? std::string() : o.json}) {
-        if (Status writable = file.empty() ? Status() : checkWritable(file); !writable) {
-            return writable;
-        }
+    if (o.replayPass) {
+        return Error{"--pass needs --pixel X,Y: the path to look into", {}};
     }
-    return {};
+    return checkAllWritable({o.output, o.checkpoint, o.json == "-" ? std::string() : o.json});
 }
 
 int runCommand(const RenderCommandOptions& options) {

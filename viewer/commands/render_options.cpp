@@ -10,6 +10,7 @@
 #include "engine/base/nearest_name.h"
 #include "engine/build/scene_validation.h"
 #include "viewer/commands/json_output.h"
+#include "viewer/commands/option_checks.h"
 
 namespace glint {
 namespace {
@@ -31,15 +32,15 @@ void addLimits(CLI::App& command, RenderCommandOptions* o) {
         .add_option(
             "--passes", o->limits.passes,
             fmt::format("Stop after N passes (samples per pixel); {} without any limit", kDefaultPasses))
-        ->check(CLI::PositiveNumber)
+        ->check(aboveZero())
         ->type_name("N")
         ->group("When to stop");
     command.add_option("--time", o->limits.renderSeconds, "Stop after SECONDS of rendering")
-        ->check(CLI::PositiveNumber)
+        ->check(aboveZero())
         ->type_name("SECONDS")
         ->group("When to stop");
     command.add_option("--error", o->limits.relativeError, "Stop at this relative error, such as 0.01")
-        ->check(CLI::PositiveNumber)
+        ->check(aboveZero())
         ->type_name("E")
         ->group("When to stop");
 }
@@ -55,7 +56,7 @@ void addSettings(CLI::App& command, RenderCommandOptions* o) {
         ->check(CLI::IsMember({"box", "gaussian", "blackman-harris"}))
         ->group(group);
     command.add_option("--filter-radius", o->filterRadius, "Half the filter's width in pixels")
-        ->check(CLI::Range(0.001, 16.0))
+        ->check(between(0.001, 16.0))
         ->group(group);
     command.add_option("--sampler", o->sampler, "Points: sobol (low discrepancy) or independent")
         ->check(CLI::IsMember({"sobol", "independent"}))
@@ -71,13 +72,13 @@ void addSettings(CLI::App& command, RenderCommandOptions* o) {
         ->expected(3)
         ->group(group);
     command.add_option("--fov", o->fov, "Vertical field of view, degrees")
-        ->check(CLI::Range(0.001, 179.9))
+        ->check(between(0.001, 179.9))
         ->group(group);
     command.add_option("--aperture", o->aperture, "Aperture diameter, metres; 0: a pinhole")
-        ->check(CLI::NonNegativeNumber)
+        ->check(between(0.0, 1e30))
         ->group(group);
     command.add_option("--focus", o->focus, "Focal distance, metres")
-        ->check(CLI::PositiveNumber)
+        ->check(aboveZero())
         ->group(group);
 }
 
@@ -86,7 +87,9 @@ void addPictureOptions(CLI::App& command, RenderCommandOptions* o) {
     command.add_option("-o,--output", o->output, "Picture to write: .png, .exr or .hdr")
         ->type_name("OUT")
         ->group(group);
-    command.add_option("--exposure", o->exposure, "PNG: exposure in stops")->group(group);
+    command.add_option("--exposure", o->exposure, "PNG: exposure in stops")
+        ->check(between(-100.0, 100.0))
+        ->group(group);
     command.add_option("--tone", o->tone, "PNG: tone map")
         ->check(CLI::IsMember({"clamp", "srgb", "filmic", "reinhard"}))
         ->group(group);
@@ -106,7 +109,7 @@ void addCheckpointOptions(CLI::App& command, RenderCommandOptions* o) {
         ->type_name("FILE")
         ->group(group);
     command.add_option("--checkpoint-every", o->checkpointEvery, "and also every SECONDS")
-        ->check(CLI::PositiveNumber)
+        ->check(aboveZero())
         ->type_name("SECONDS")
         ->group(group);
     command.add_option("--resume", o->resume, "Go on from this checkpoint, bit for bit")

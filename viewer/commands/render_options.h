@@ -39,7 +39,7 @@ struct RenderCommandOptions {
     std::string resume;
     bool allowMissing = false;
     std::string pixel;
-    uint32_t replayPass = 0;
+    std::optional<uint32_t> replayPass;  ///< 0 without one
     std::string json;
     std::string backend = "cpu";
 };

@@ -2,6 +2,7 @@
 #include "viewer/commands/render_run.h"
 
 #include <chrono>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -48,7 +49,7 @@ class BatchRender {
         const bool finished = waitUntilDone();
         const SessionStatus status = session_->status();
         if (status.state == SessionState::Failed && status.passes == 0) {
-            return complain(status.error, kExitBadInput);
+            return kExitBadInput;  // The session has logged why.
         }
         const auto capture = session_->capture();
         if (!capture) {
@@ -57,9 +58,12 @@ class BatchRender {
         if (const Status saved = save(*capture); !saved) {
             return complain(saved.error().format(), kExitFailed);
         }
-        report(*capture, session_->status());
+        const Status reported = report(*capture, session_->status());
         if (status.state == SessionState::Failed) {
-            return complain(status.error, kExitFailed);
+            return kExitFailed;
+        }
+        if (!reported) {
+            return complain(reported.error().format(), kExitFailed);
         }
         return finished ? kExitDone : kExitInterrupted;
     }
@@ -151,26 +155,23 @@ class BatchRender {
         return saved ? kept : saved;
     }
 
-    void report(const SessionCapture& capture, const SessionStatus& status) const {
+    Status report(const SessionCapture& capture, const SessionStatus& status) const {
         const double seconds = capture.renderSeconds;
         const double error = capture.film.relativeErrorEstimate(options_.threads);
         const double paths = static_cast<double>(capture.film.pixels().size()) * capture.film.passes();
         if (!jsonTakesOutput(options_.json)) {
             fmt::print(
-                "{}: {}x{}, {} passes in {:.2f} s ({:.2f} Mpaths/s, {}, kernel {}), relative error {:.2f} "
-                "%\n",
+                "{}: {}x{}, {} passes in {:.2f} s ({:.2f} Mpaths/s, {}, kernel {}), relative error {}\n",
                 options_.output, capture.film.width(), capture.film.height(), capture.film.passes(), seconds,
-                paths / seconds * 1e-6, status.backend, status.kernel, 100.0 * error);
+                paths / seconds * 1e-6, status.backend, status.kernel,
+                std::isfinite(error) ? fmt::format("{:.2f} %", 100.0 * error) : "unknown");
         }
         reportFaults(capture.film);
         if (scene_->options.fireflyClamp > 0.0f) {
             logWarning("samples were clamped to {} (firefly clamp): the picture is biased",
                        scene_->options.fireflyClamp);
         }
-        const Status written = writeJson(options_.json, jsonReport(capture, status, error));
-        if (!written) {
-            logError("{}", written.error().format());
-        }
+        return writeJson(options_.json, jsonReport(capture, status, error));
     }
 
     void reportFaults(const Film& film) const {
@@ -256,7 +257,7 @@ int runReplay(const SceneDescription& scene, const RenderCommandOptions& options
         return complain(built.error().format(), kExitBadInput);
     }
     PassParams params = passParamsOf(scene);
-    params.pass = options.replayPass;
+    params.pass = options.replayPass.value_or(0);
     const PathReplay replay = replayPath((*built)->view(), (*built)->features, params, pixel->x, pixel->y);
     fmt::print("{}", formatPathLog(replay, params, pixel->x, pixel->y));
     return kExitDone;

@@ -10,6 +10,7 @@
 
 #include "engine/io/scene_loader.h"
 #include "viewer/commands/commands.h"
+#include "viewer/commands/option_checks.h"
 #include "viewer/commands/output_files.h"
 #include "viewer/make_backend.h"
 #if GLINT_HAS_VIEWER
@@ -71,10 +72,12 @@ Result<ViewerOptions> viewerOptions(const ViewCommandOptions& o) {
     if (!o.headless && (!o.screenshot.empty() || !o.output.empty())) {
         return Error{"--screenshot and --output need --headless", {}};
     }
-    for (const std::string& file : {o.screenshot, o.output, o.json == "-" ? std::string() : o.json}) {
-        if (Status writable = file.empty() ? Status() : checkWritable(file); !writable)
-            return writable.error();
+    if (!o.screenshot.empty() && !o.screenshot.ends_with(".png")) {
+        return Error{fmt::format("--screenshot {}: expected a name that ends in .png", o.screenshot), {}};
     }
+    const Status writable =
+        checkAllWritable({o.screenshot, o.output, o.json == "-" ? std::string() : o.json});
+    if (!writable) return writable.error();
     if (!o.script.empty()) {
         auto script = loadScript(o.script);
         if (!script) return script.error();
@@ -100,13 +103,6 @@ bool hasDisplay() {
 int runCommand(const ViewCommandOptions& o) {
     auto options = viewerOptions(o);
     if (!options) return complain(options.error(), kExitBadInput);
-    if (!o.headless && !hasDisplay()) {
-        return complain(
-            Error{"there is no display (DISPLAY and WAYLAND_DISPLAY are not set); `glint view --headless` "
-                  "draws the same window without one, and `glint render` only renders",
-                  {}},
-            kExitFailed);
-    }
     auto backend = makeBackend(o.backend, o.threads);
     if (!backend) return complain(backend.error(), kExitBadInput);
     std::optional<SceneDescription> scene;
@@ -116,6 +112,13 @@ int runCommand(const ViewCommandOptions& o) {
         scene = std::move(*loaded);
     } else if (o.headless && o.script.empty()) {
         return complain(Error{"--headless needs a SCENE or a --script", {}}, kExitBadInput);
+    }
+    if (!o.headless && !hasDisplay()) {
+        return complain(
+            Error{"there is no display (DISPLAY and WAYLAND_DISPLAY are not set); `glint view --headless` "
+                  "draws the same window without one, and `glint render` only renders",
+                  {}},
+            kExitFailed);
     }
     bool scriptFailed = false;
     const Status done = runViewer(*options, std::move(*backend), std::move(scene), &scriptFailed);
@@ -145,6 +148,8 @@ int runCommand(const ViewCommandOptions&) {
 void addViewCommand(CLI::App& app, int* exitCode) {
     CLI::App* command = app.add_subcommand("view", "Open a scene in the window and watch it converge");
     auto options = std::make_shared<ViewCommandOptions>();
+    // The last one counts: `run` gives defaults before the user's own options.
+    command->option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     command->add_option("SCENE", options->scene, "Scene to open");
     command->add_flag("--headless", options->headless, "Draw the same window in memory, without a display");
     command->add_option("--size", options->size, "Size of the window in pixels, as 1280x720");
@@ -155,7 +160,8 @@ void addViewCommand(CLI::App& app, int* exitCode) {
     command->add_option("--screenshot", options->screenshot, "PNG of the whole window at the end (headless)");
     command->add_option("--output", options->output, "The picture at the end: .png, .exr or .hdr (headless)");
     command->add_option("--script", options->script, "Play input from a file");
-    command->add_option("--json", options->json, "Frame times to a file, or - for standard output");
+    command->add_option("--json", options->json, "Frame times to a file, or - for standard output")
+        ->check(writableFile());
     command->add_option("--backend", options->backend, "cpu or cuda");
     command->add_option("--threads", options->threads, "Threads that render; 0: all")
         ->check(CLI::Range(0, 1024));

@@ -16,6 +16,7 @@
 #include "engine/io/image_io.h"
 #include "engine/render/picture_file.h"
 #include "engine/render/snapshot.h"
+#include "viewer/commands/progress.h"
 #include "viewer/window/frame_stats.h"
 #include "viewer/window/picture_source.h"
 #include "viewer/window/script_player.h"
@@ -84,6 +85,7 @@ class App {
     Clock::time_point lastDrawn_{};
     std::shared_ptr<const FilmSnapshot> drawnSnapshot_;
     int settled_ = 0;
+    std::optional<ProgressLine> progress_;  // headless, when no script says what happens
 };
 
 App::~App() {
@@ -113,6 +115,7 @@ Status App::open(std::optional<SceneDescription> scene) {
     }
     model_.limits.passes = options_.passes;
     if (options_.headless && !options_.script && options_.passes == 0) model_.limits.passes = kHeadlessPasses;
+    if (options_.headless && !options_.script) progress_.emplace();
     if (scene) model_.adopt(std::move(*scene));
     return {};
 }
@@ -193,6 +196,7 @@ Status App::run(bool* scriptFailed) {
         if (surface_->takeInputFlag()) lastInput_ = Clock::now();
         if (worthDrawing(Clock::now())) drawFrame();
         if (const std::string title = currentTitle(); title != title_) surface_->setTitle(title_ = title);
+        if (progress_) progress_->update(model_.status(), model_.limits);
         if (player_ ? player_->done() : headlessDone()) break;
         const auto now = Clock::now();
         const double wait = pause(now);
@@ -222,14 +226,17 @@ bool App::headlessDone() {
 }
 
 Status App::finish() {
+    if (progress_) progress_->finish();
     if (model_.status().state == SessionState::Failed && options_.headless) {
         return Error{model_.status().error, {}};
     }
     if (!options_.screenshot.empty()) {
         if (Status saved = saveScreenshot(options_.screenshot); !saved) return saved;
+        logInfo("the window is in {}", options_.screenshot);
     }
     if (!options_.output.empty()) {
         if (Status saved = savePictureFile(); !saved) return saved;
+        logInfo("the picture is in {}", options_.output);
     }
     return options_.frameStats.empty() ? Status() : saveFrameStats();
 }

@@ -1,0 +1,87 @@
+// The keys of each benchmark's JSON report, which viewer/commands/README.md promises. Tiny runs: no figure is
+// judged here.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/run_program.h"
+
+namespace glint {
+namespace {
+
+using nlohmann::json;
+
+json reportOf(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "bench");
+    arguments.insert(arguments.end(), {"--json", "-"});
+    const test::ProgramRun run = test::runProgram(arguments);
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    json report = json::parse(run.out, nullptr, false);
+    EXPECT_FALSE(report.is_discarded()) << run.out;
+    return report;
+}
+
+void expectKeys(const json& object, const std::vector<std::string>& keys) {
+    for (const std::string& key : keys) {
+        EXPECT_TRUE(object.contains(key)) << key << " is missing in " << object.dump();
+    }
+}
+
+class BenchReport : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (!test::programExists()) {
+            GTEST_SKIP() << "the program was not built";
+        }
+    }
+};
+
+TEST_F(BenchReport, Rays) {
+    const json report = reportOf({"rays", "--triangles", "2000", "--size", "16", "--turns", "1"});
+    expectKeys(report, {"mesh", "triangles", "threads", "turns", "embree", "embree_robust", "rows", "build",
+                        "rays", "disagreements", "disagreements_by_kind"});
+    ASSERT_EQ(report["rows"].size(), 3u);
+    const char* const names[] = {"primary", "diffuse", "shadow"};
+    for (size_t i = 0; i < 3; ++i) {
+        expectKeys(report["rows"][i], {"name", "glint_mrays_per_s", "embree_mrays_per_s", "ratio"});
+        EXPECT_EQ(report["rows"][i]["name"], names[i]);
+        EXPECT_GT(report["rows"][i]["glint_mrays_per_s"].get<double>(), 0.0);
+    }
+    expectKeys(report["build"], {"glint_mtris_per_s", "embree_mtris_per_s", "ratio", "bytes_per_triangle"});
+    EXPECT_TRUE(report["disagreements"].is_number_unsigned());
+}
+
+TEST_F(BenchReport, Paths) {
+    const json report = reportOf({"paths", "--size", "16", "--passes", "1"});
+    expectKeys(report, {"scene", "kernel", "threads", "passes", "paths_per_pass", "mpaths_per_s",
+                        "mpaths_per_s_fastest", "mrays_per_s", "rays_per_path", "ns_per_ray_and_thread",
+                        "relative_error"});
+    EXPECT_EQ(report["paths_per_pass"], 256.0);
+}
+
+TEST_F(BenchReport, Latency) {
+    const json report = reportOf({"latency", "--edits", "1", "--size", "32", "--triangles", "500"});
+    expectKeys(report, {"size", "rows"});
+    ASSERT_FALSE(report["rows"].empty());
+    for (const json& row : report["rows"]) {
+        expectKeys(row, {"name", "cancel", "edit_to_picture"});
+        expectKeys(row["cancel"], {"count", "median_ms", "p95_ms", "max_ms"});
+        expectKeys(row["edit_to_picture"], {"count", "median_ms", "p95_ms", "max_ms"});
+    }
+}
+
+TEST_F(BenchReport, Load) {
+    const json report = reportOf({"load", "--triangles", "500"});
+    expectKeys(report, {"triangles", "file_bytes", "read_seconds", "build_seconds", "first_picture_seconds",
+                        "total_seconds"});
+    EXPECT_GE(report["triangles"].get<int>(), 400);
+}
+
+TEST_F(BenchReport, Threads) {
+    const json report = reportOf({"threads", "--size", "16", "--turns", "1"});
+    expectKeys(report, {"size", "threads", "turns", "one_passes_per_s", "many_passes_per_s", "ratio",
+                        "films_identical"});
+    EXPECT_EQ(report["films_identical"], true);
+}
+
+}  // namespace
+}  // namespace glint
