@@ -113,7 +113,7 @@ TEST_F(CommandLine, WhatCannotBeWrittenIsRefusedBeforeRendering) {
 }
 
 TEST_F(CommandLine, AFullDiskIsAFailedRun) {
-    const std::vector<std::string> render = {"render", kCornell, "-o",    folder.path("a.png"),
+    const std::vector<std::string> render = {"render", kCornell, "-o",       folder.path("a.png"),
                                              "--size", "16x16",  "--passes", "1"};
     for (const char* option : {"--json", "--checkpoint"}) {
         std::vector<std::string> arguments = render;

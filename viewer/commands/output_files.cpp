@@ -46,7 +46,8 @@ Status checkAllWritable(const std::vector<std::string>& paths) {
                                          std::filesystem::weakly_canonical(*path, ignored);
         };
         if (std::any_of(paths.begin(), path, isSameFile)) {
-            return Error{fmt::format("two outputs go to one file, '{}'; expected different names", *path), {}};
+            return Error{fmt::format("two outputs go to one file, '{}'; expected different names", *path),
+                         {}};
         }
     }
     return {};

@@ -77,9 +77,7 @@ void addSettings(CLI::App& command, RenderCommandOptions* o) {
     command.add_option("--aperture", o->aperture, "Aperture diameter, metres; 0: a pinhole")
         ->check(between(0.0, 1e30))
         ->group(group);
-    command.add_option("--focus", o->focus, "Focal distance, metres")
-        ->check(aboveZero())
-        ->group(group);
+    command.add_option("--focus", o->focus, "Focal distance, metres")->check(aboveZero())->group(group);
 }
 
 void addPictureOptions(CLI::App& command, RenderCommandOptions* o) {

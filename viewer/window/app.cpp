@@ -232,11 +232,11 @@ Status App::finish() {
     }
     if (!options_.screenshot.empty()) {
         if (Status saved = saveScreenshot(options_.screenshot); !saved) return saved;
-        logInfo("the window is in {}", options_.screenshot);
+        fmt::print(stderr, "the window is in {}\n", options_.screenshot);
     }
     if (!options_.output.empty()) {
         if (Status saved = savePictureFile(); !saved) return saved;
-        logInfo("the picture is in {}", options_.output);
+        fmt::print(stderr, "the picture is in {}\n", options_.output);
     }
     return options_.frameStats.empty() ? Status() : saveFrameStats();
 }
