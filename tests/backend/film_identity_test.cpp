@@ -67,7 +67,7 @@ TEST(FilmIdentity, TheSessionAddsNothingAndResumesExactly) {
 
     RenderSession second(makeCpuBackend(3));
     second.setLimits({.passes = kPasses});
-    second.resume(scene, {std::move(half->film), half->renderSeconds});
+    second.resume(scene, {.film = std::move(half->film), .renderSeconds = half->renderSeconds});
     ASSERT_EQ(second.wait(300.0), SessionState::Finished);
     const auto whole = second.capture();
     ASSERT_TRUE(whole.has_value());
