@@ -88,21 +88,31 @@ Error brokenImage(const std::string& path) {
     return imageError(path, fmt::format("the image is broken or cut off ({})", stbi_failure_reason()));
 }
 
-Result<std::shared_ptr<const Image8>> decode8(const std::string& bytes, const std::string& path) {
+/// Decodes with stb's `load`, for 8-bit or float components.
+template <typename Picture, typename Load>
+Result<std::shared_ptr<Picture>> decodeWith(Load load, const std::string& bytes, const std::string& path) {
     if (Status header = checkHeader(bytes, path); !header) {
         return header.error();
     }
-    auto image = std::make_shared<Image8>();
+    auto image = std::make_shared<Picture>();
     int channels = 0;
-    stbi_uc* pixels = stbi_load_from_memory(stbBytes(bytes), static_cast<int>(bytes.size()), &image->width,
-                                            &image->height, &channels, 3);
+    auto* pixels =
+        load(stbBytes(bytes), static_cast<int>(bytes.size()), &image->width, &image->height, &channels, 3);
     if (pixels == nullptr) {
         return brokenImage(path);
     }
     image->rgb.assign(
         pixels, pixels + size_t{3} * static_cast<size_t>(image->width) * static_cast<size_t>(image->height));
     stbi_image_free(pixels);
-    return std::shared_ptr<const Image8>(std::move(image));
+    return image;
+}
+
+Result<std::shared_ptr<const Image8>> decode8(const std::string& bytes, const std::string& path) {
+    const auto image = decodeWith<Image8>(stbi_load_from_memory, bytes, path);
+    if (!image) {
+        return image.error();
+    }
+    return std::shared_ptr<const Image8>(*image);
 }
 
 Status checkFinite(const ImageF& image, const std::string& path) {
@@ -119,23 +129,14 @@ Status checkFinite(const ImageF& image, const std::string& path) {
 }
 
 Result<std::shared_ptr<const ImageF>> decodeHdr(const std::string& bytes, const std::string& path) {
-    if (Status header = checkHeader(bytes, path); !header) {
-        return header.error();
+    const auto image = decodeWith<ImageF>(stbi_loadf_from_memory, bytes, path);
+    if (!image) {
+        return image.error();
     }
-    auto image = std::make_shared<ImageF>();
-    int channels = 0;
-    float* pixels = stbi_loadf_from_memory(stbBytes(bytes), static_cast<int>(bytes.size()), &image->width,
-                                           &image->height, &channels, 3);
-    if (pixels == nullptr) {
-        return brokenImage(path);
-    }
-    image->rgb.assign(
-        pixels, pixels + size_t{3} * static_cast<size_t>(image->width) * static_cast<size_t>(image->height));
-    stbi_image_free(pixels);
-    if (Status finite = checkFinite(*image, path); !finite) {
+    if (Status finite = checkFinite(**image, path); !finite) {
         return finite.error();
     }
-    return std::shared_ptr<const ImageF>(std::move(image));
+    return std::shared_ptr<const ImageF>(*image);
 }
 
 Result<std::shared_ptr<const ImageF>> decodeExrColor(const std::string& bytes, const std::string& path) {
