@@ -59,9 +59,6 @@ Status checkPicture(const Resolution& size, const RenderOptions& options) {
         return fault("resolution", fmt::format("{}x{} pixels; expected 1 to {} each way", size.width,
                                                size.height, kMaxResolution));
     }
-    if (options.integrator != IntegratorKind::PathTracing) {
-        return fault("options", "photon mapping is not part of this version; expected the path tracer");
-    }
     if (options.maxDepth < 0 || options.rouletteStartDepth < 0) {
         return fault("options", "depths must be 0 or more");
     }
@@ -71,6 +68,28 @@ Status checkPicture(const Resolution& size, const RenderOptions& options) {
     }
     if (!inRange(options.fireflyClamp, 0.0f, 3e38f)) {
         return fault("options", "the firefly clamp must be 0 (off) or more");
+    }
+    return {};
+}
+
+Status checkPhotons(const SppmOptions& sppm) {
+    if (sppm.photonsPerPass < 1) {
+        return fault("sppm", "there are 0 photons in a pass; expected 1 or more");
+    }
+    if (!(sppm.alpha > 0.0f && sppm.alpha < 1.0f)) {
+        return fault("sppm", fmt::format("alpha is {}; expected a number between 0 and 1", sppm.alpha));
+    }
+    if (!inRange(sppm.radiusWorld, 0.0f, 1e18f)) {
+        return fault("sppm",
+                     fmt::format("the radius is {} m; expected 0 (automatic) or more", sppm.radiusWorld));
+    }
+    if (!(sppm.radiusFootprints > 0.0f && sppm.radiusFootprints <= 1e6f)) {
+        return fault("sppm", fmt::format("the automatic radius is {} footprints; expected more than 0",
+                                         sppm.radiusFootprints));
+    }
+    if (!inRange(sppm.storeRoughness, 0.0f, 1.0f)) {
+        return fault("sppm",
+                     fmt::format("the roughness that stores is {}; expected 0 to 1", sppm.storeRoughness));
     }
     return {};
 }
@@ -191,6 +210,9 @@ Status validateScene(const SceneDescription& scene, EditKind kinds) {
         return status;
     }
     if (Status status = checkPicture(scene.resolution, scene.options); !status) {
+        return status;
+    }
+    if (Status status = checkPhotons(scene.sppm); !status) {
         return status;
     }
     const auto concerns = [kinds](EditKind some) { return has(kinds, some | EditKind::Everything); };

@@ -12,6 +12,14 @@ namespace {
 
 constexpr int64_t kMaxSide = 32768;
 constexpr int64_t kMaxPixels = int64_t{1} << 28;
+constexpr int64_t kMaxPhotonsPerPass = int64_t{1} << 30;
+constexpr int64_t kMaxMemoryBudgetMiB = int64_t{1} << 22;
+constexpr NumberRange kAlphaRange{
+    .lo = 0.0f, .hi = 1.0f, .openLo = true, .openHi = true, .expected = "a number between 0 and 1"};
+constexpr NumberRange kRadiusRange{
+    .lo = 0.0f, .hi = 1e18f, .expected = "a radius in metres, or 0 for an automatic one"};
+constexpr NumberRange kFootprintRange{
+    .lo = 0.0f, .hi = 1e6f, .openLo = true, .expected = "a number above 0 and up to 1e6"};
 
 }  // namespace
 
@@ -132,6 +140,26 @@ void SceneJsonReader::readRender(const JsonValue& value) {
     fields.choice("sampler", kSamplers, &options.sampler);
     fields.integer("seed", 0, 0xFFFFFFFFll, &options.seed);
     fields.number("fireflyClamp", kNotNegative, &options.fireflyClamp);
+    readSppm(fields.find("sppm"));
+}
+
+void SceneJsonReader::readSppm(const JsonValue& value) {
+    if (!value.present()) {
+        return;
+    }
+    const JsonFields fields = fieldsOf(value, "sppm", "sppm");
+    SppmOptions& sppm = scene_.sppm;
+    constexpr std::pair<std::string_view, bool> kDirectLights[] = {{"sampled", true}, {"photons", false}};
+    constexpr std::pair<std::string_view, PhotonLookupKind> kLookups[] = {{"grid", PhotonLookupKind::Grid},
+                                                                          {"tree", PhotonLookupKind::Tree}};
+    fields.integer("photonsPerPass", 1, kMaxPhotonsPerPass, &sppm.photonsPerPass);
+    fields.number("alpha", kAlphaRange, &sppm.alpha);
+    fields.number("radius", kRadiusRange, &sppm.radiusWorld);
+    fields.number("radiusFootprints", kFootprintRange, &sppm.radiusFootprints);
+    fields.number("storeRoughness", kUnitInterval, &sppm.storeRoughness);
+    fields.choice("directLight", kDirectLights, &sppm.sampleDirectLight);
+    fields.choice("lookup", kLookups, &sppm.lookup);
+    fields.integer("memoryBudgetMiB", 0, kMaxMemoryBudgetMiB, &sppm.memoryBudgetMiB);
 }
 
 JsonFields SceneJsonReader::fieldsOf(const JsonValue& value, std::string_view what, std::string_view kind) {

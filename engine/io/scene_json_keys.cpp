@@ -16,7 +16,9 @@ constexpr Keys kCamera = {"position",       "target",          "up",
                           "verticalFovDeg", "horizontalScale", "apertureDiameter",
                           "focalDistance",  "apertureBlades",  "bladeRotationDeg"};
 constexpr Keys kRender = {"integrator", "maxDepth", "rouletteStartDepth", "filter", "filterRadiusPixels",
-                          "sampler",    "seed",     "fireflyClamp"};
+                          "sampler",    "seed",     "fireflyClamp",       "sppm"};
+constexpr Keys kSppm = {"photonsPerPass", "alpha",       "radius", "radiusFootprints",
+                        "storeRoughness", "directLight", "lookup", "memoryBudgetMiB"};
 constexpr Keys kTexture = {"file", "encoding", "flipV", "scale"};
 constexpr Keys kTextureUse = {"texture", "fallback"};
 
@@ -59,6 +61,7 @@ constexpr JsonKind kKinds[] = {
     {"scene", kScene},
     {"camera", kCamera},
     {"render", kRender},
+    {"sppm", kSppm},
     {"texture", kTexture},
     {"textureUse", kTextureUse},
     {"diffuse", kDiffuse},

@@ -27,6 +27,7 @@ class SceneJsonReader {
     void readResolution(const JsonValue& value);
     void readCamera(const JsonValue& value);
     void readRender(const JsonValue& value);
+    void readSppm(const JsonValue& value);
 
     // scene_json_materials.cpp
     void readTextures(const JsonValue& value);

@@ -116,6 +116,21 @@ class SceneJsonWriter {
         json_.field("sampler", options.sampler == SamplerKind::Sobol ? "sobol" : "independent");
         json_.field("seed", static_cast<int64_t>(options.seed));
         json_.field("fireflyClamp", options.fireflyClamp);
+        writeSppm(scene_.sppm);
+        json_.endObject();
+    }
+
+    void writeSppm(const SppmOptions& sppm) {
+        json_.key("sppm");
+        json_.beginObject();
+        json_.field("photonsPerPass", static_cast<int64_t>(sppm.photonsPerPass));
+        json_.field("alpha", sppm.alpha);
+        json_.field("radius", sppm.radiusWorld);
+        json_.field("radiusFootprints", sppm.radiusFootprints);
+        json_.field("storeRoughness", sppm.storeRoughness);
+        json_.field("directLight", sppm.sampleDirectLight ? "sampled" : "photons");
+        json_.field("lookup", sppm.lookup == PhotonLookupKind::Grid ? "grid" : "tree");
+        json_.field("memoryBudgetMiB", static_cast<int64_t>(sppm.memoryBudgetMiB));
         json_.endObject();
     }
 

@@ -3,9 +3,8 @@
 //   sections until the checksum: 4 letters, u64 payload size, payload,
 //   16 bytes ContentHash of everything before.
 // Sections: INFO (text Glint version, f64 render seconds), SETT (u32 count, then name and value texts), HASH
-// (u32 count, then u64 low and high per scene part), FILM (see FilmCheckpoint). A section with other letters
-// is skipped, which is where an integrator with more state than a film puts it. Texts are u64 length and
-// characters.
+// (u32 count, then u64 low and high per scene part), FILM (see FilmCheckpoint), and of SPPM alone SPPM (see
+// sppm_checkpoint.h). A section with other letters is skipped. Texts are u64 length and characters.
 #include "engine/render/checkpoint.h"
 
 #include <map>
@@ -14,6 +13,7 @@
 
 #include "engine/io/atomic_file.h"
 #include "engine/io/byte_stream.h"
+#include "engine/render/sppm_checkpoint.h"
 
 namespace glint {
 
@@ -229,8 +229,8 @@ std::string differences(const CheckpointInfo& info, const SceneDescription& scen
 
 }  // namespace
 
-Status saveCheckpoint(const std::string& path, const SceneDescription& scene, const Film& film,
-                      double renderSeconds) {
+Status saveCheckpoint(const std::string& path, const SessionCapture& capture) {
+    const SceneDescription& scene = *capture.scene;
     ByteWriter file;
     file.writeRaw(kMagic);
     file.write(kFormatVersion);
@@ -238,7 +238,7 @@ Status saveCheckpoint(const std::string& path, const SceneDescription& scene, co
     file.write(uint64_t{0});
     writeSection("INFO", &file, [&] {
         file.writeText(GLINT_VERSION);
-        file.write(renderSeconds);
+        file.write(capture.renderSeconds);
     });
     writeSection("SETT", &file, [&] {
         const std::vector<Setting> settings = renderSettings(scene);
@@ -255,7 +255,10 @@ Status saveCheckpoint(const std::string& path, const SceneDescription& scene, co
             file.write(part.high);
         }
     });
-    writeSection("FILM", &file, [&] { FilmCheckpoint::write(film, &file); });
+    writeSection("FILM", &file, [&] { FilmCheckpoint::write(capture.film, &file); });
+    if (scene.options.integrator == IntegratorKind::Sppm) {
+        writeSection("SPPM", &file, [&] { writeSppmState(capture.sppm, &file); });
+    }
     file.overwrite(sizeAt, static_cast<uint64_t>(file.bytes().size() + kChecksumBytes));
     file.writeRaw(checksumOf(file.bytes()));
     return writeFileAtomically(path, file.bytes());
@@ -281,6 +284,13 @@ Result<ResumePoint> loadCheckpoint(const std::string& path, const SceneDescripti
     point.renderSeconds = info->renderSeconds;
     if (!FilmCheckpoint::read(ByteReader(sections->at("FILM")), &point.film)) {
         return checkpointError(path, "is damaged: its film cannot be read");
+    }
+    if (scene.options.integrator == IntegratorKind::Sppm) {
+        const auto photons = sections->find("SPPM");
+        if (photons == sections->end() ||
+            !readSppmState(ByteReader(photons->second), point.film, &point.sppm)) {
+            return checkpointError(path, "is damaged: its photon statistics cannot be read");
+        }
     }
     return point;
 }

@@ -1,4 +1,5 @@
-// A render on disk that can be gone on with: the film to the last bit, and what it is a film of.
+// A render on disk that can be gone on with: the film and SPPM's statistics to the last bit, and what they
+// are of.
 //
 // Used by the window, `glint render` and the tests. The file is described in checkpoint.cpp. It holds
 // fingerprints of the scene, not the scene: resuming needs the scene file, and says what differs when it is
@@ -24,14 +25,13 @@ struct CheckpointInfo {
     SceneHashes hashes;
 };
 
-/// Saves atomically: an interrupted save leaves the old checkpoint. `scene` is the description that made the
-/// film.
-Status saveCheckpoint(const std::string& path, const SceneDescription& scene, const Film& film,
-                      double renderSeconds);
+/// Saves atomically: an interrupted save leaves the old checkpoint. AOVs are not saved: they are made again
+/// in moments.
+Status saveCheckpoint(const std::string& path, const SessionCapture& capture);
 
-/// The film to go on with. Error: not a checkpoint, another format version, cut off or damaged, or the scene
-/// or a setting differs from the checkpoint's: each difference is named ("maxDepth is 8 in the checkpoint and
-/// 16 now").
+/// The film and statistics to go on with. Error: not a checkpoint, another format version, cut off or
+/// damaged, or the scene or a setting differs from the checkpoint's: each difference is named ("maxDepth is 8
+/// in the checkpoint and 16 now").
 Result<ResumePoint> loadCheckpoint(const std::string& path, const SceneDescription& scene);
 
 /// For `glint info`. Error: as above, but for differences.

@@ -110,9 +110,9 @@ struct ResumePoint {
 /// The film at one moment, exactly, with the description that made it.
 struct SessionCapture {
     std::shared_ptr<const SceneDescription> scene;
-    Film film;
+    Film film{};
     SppmState sppm{};  ///< empty for path tracing
-    AovFilm aovs;
+    AovFilm aovs{};
     double renderSeconds = 0.0;
 };
 

@@ -57,6 +57,9 @@ std::shared_ptr<FilmSnapshot> makeSnapshot(const SessionCapture& capture, const 
     auto snapshot =
         makeSnapshot(capture.film, capture.sppm.passes > 0 ? &capture.sppm : nullptr, request, threads);
     snapshot->integrator = capture.scene->options.integrator;
+    snapshot->renderSeconds = capture.renderSeconds;
+    snapshot->relativeError = capture.sppm.passes > 0 ? capture.sppm.relativeErrorEstimate(capture.film)
+                                                      : capture.film.relativeErrorEstimate(threads);
     return snapshot;
 }
 

@@ -18,7 +18,7 @@ struct SnapshotRequest {
 std::shared_ptr<FilmSnapshot> makeSnapshot(const Film& film, const SppmState* sppm,
                                            const SnapshotRequest& request, int threads);
 
-/// The same of a capture.
+/// The same of a capture, with its integrator, seconds and relative error.
 std::shared_ptr<FilmSnapshot> makeSnapshot(const SessionCapture& capture, const SnapshotRequest& request,
                                            int threads);
 

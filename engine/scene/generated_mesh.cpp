@@ -212,6 +212,36 @@ MeshData makeTorusKnot(const MeshSource& source) {
     });
 }
 
+/// A still pond over x and z in [-1, 1], facing +y: gentle waves, 0.08 high at the most. Open.
+MeshData makeWater(const MeshSource& source) {
+    const Waves waves(source.seed);
+    const uint32_t cells = atLeast(3, std::sqrt(source.triangles / 2.0));
+    const Grid grid{cells, atLeast(2, source.triangles / (2.0 * cells)), false, false, false};
+    return bendGrid(grid, [&](double u, double v) {
+        const Vec3d ground(2.0 * u - 1.0, 0.0, 1.0 - 2.0 * v);
+        return ground + Vec3d(0.0, 0.08 * waves.at(ground, 7.0, 2), 0.0);
+    });
+}
+
+/// A band around the y axis: upright walls, outer radius 1, 0.08 thick and 0.5 high, with rounded rims.
+/// Closed.
+MeshData makeRing(const MeshSource& source) {
+    constexpr double kRim = 0.04;
+    constexpr double kHalfWall = 0.21;
+    const uint32_t rows = 4 * atLeast(1, std::sqrt(source.triangles / 16.0) / 4.0);
+    const Grid grid{atLeast(3, source.triangles / (2.0 * rows)), rows, true, true, false};
+    return bendGrid(grid, [&](double u, double v) {
+        const double part = 4.0 * v;  // outer wall up, upper rim, inner wall down, lower rim
+        const double angle =
+            kPiD * (part < 2.0 ? std::clamp(part - 1.0, 0.0, 1.0) : 1.0 + std::clamp(part - 3.0, 0.0, 1.0));
+        const double wall = part < 2.0 ? std::min(part, 1.0) : 1.0 - std::min(part - 2.0, 1.0);
+        const double radius = 1.0 - kRim + kRim * std::cos(angle);
+        const double y = kHalfWall * (2.0 * wall - 1.0) + kRim * std::sin(angle);
+        const double longitude = 2.0 * kPiD * u;
+        return Vec3d(radius * std::sin(longitude), y, radius * std::cos(longitude));
+    });
+}
+
 /// The cube [-1, 1]^3 with flat normals; every side has the whole texture. Closed.
 MeshData makeCube(const MeshSource& source) {
     const uint32_t cells = atLeast(1, std::sqrt(source.triangles / 12.0));
@@ -246,11 +276,13 @@ struct Generator {
     std::string_view name;
     MeshData (*make)(const MeshSource&);
 };
-constexpr std::array<Generator, 5> kGenerators = {{{"blob", makeBlob},
+constexpr std::array<Generator, 7> kGenerators = {{{"blob", makeBlob},
                                                    {"cube", makeCube},
+                                                   {"ring", makeRing},
                                                    {"sphere", makeSphere},
                                                    {"terrain", makeTerrain},
-                                                   {"torus-knot", makeTorusKnot}}};
+                                                   {"torus-knot", makeTorusKnot},
+                                                   {"water", makeWater}}};
 
 }  // namespace
 

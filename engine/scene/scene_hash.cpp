@@ -159,6 +159,17 @@ const char* nameOf(FilterKind kind) {
     return "";
 }
 
+void addSettings(const SppmOptions& sppm, std::vector<Setting>* settings) {
+    settings->insert(settings->end(), {{"photonsPerPass", fmt::to_string(sppm.photonsPerPass)},
+                                       {"alpha", fmt::to_string(sppm.alpha)},
+                                       {"radius", fmt::to_string(sppm.radiusWorld)},
+                                       {"radiusFootprints", fmt::to_string(sppm.radiusFootprints)},
+                                       {"storeRoughness", fmt::to_string(sppm.storeRoughness)},
+                                       {"directLight", sppm.sampleDirectLight ? "sampled" : "photons"},
+                                       {"lookup", sppm.lookup == PhotonLookupKind::Tree ? "tree" : "grid"},
+                                       {"memoryBudgetMiB", fmt::to_string(sppm.memoryBudgetMiB)}});
+}
+
 const char* nameOf(SamplerKind kind) { return kind == SamplerKind::Independent ? "independent" : "sobol"; }
 
 }  // namespace
@@ -189,16 +200,20 @@ SceneHashes hashSceneParts(const SceneDescription& scene) {
 
 std::vector<Setting> renderSettings(const SceneDescription& scene) {
     const RenderOptions& options = scene.options;
-    return {{"width", fmt::to_string(scene.resolution.width)},
-            {"height", fmt::to_string(scene.resolution.height)},
-            {"integrator", nameOf(options.integrator)},
-            {"maxDepth", fmt::to_string(options.maxDepth)},
-            {"rouletteStartDepth", fmt::to_string(options.rouletteStartDepth)},
-            {"filter", nameOf(options.filter)},
-            {"filterRadius", fmt::to_string(options.filterRadius)},
-            {"sampler", nameOf(options.sampler)},
-            {"seed", fmt::to_string(options.seed)},
-            {"fireflyClamp", fmt::to_string(options.fireflyClamp)}};
+    std::vector<Setting> settings = {{"width", fmt::to_string(scene.resolution.width)},
+                                     {"height", fmt::to_string(scene.resolution.height)},
+                                     {"integrator", nameOf(options.integrator)},
+                                     {"maxDepth", fmt::to_string(options.maxDepth)},
+                                     {"rouletteStartDepth", fmt::to_string(options.rouletteStartDepth)},
+                                     {"filter", nameOf(options.filter)},
+                                     {"filterRadius", fmt::to_string(options.filterRadius)},
+                                     {"sampler", nameOf(options.sampler)},
+                                     {"seed", fmt::to_string(options.seed)},
+                                     {"fireflyClamp", fmt::to_string(options.fireflyClamp)}};
+    if (options.integrator == IntegratorKind::Sppm) {
+        addSettings(scene.sppm, &settings);
+    }
+    return settings;
 }
 
 Hash128 sceneHash(const SceneDescription& scene) {

@@ -36,7 +36,7 @@ struct Setting {
     bool operator==(const Setting&) const = default;
 };
 
-/// Resolution and render options, in a fixed order.
+/// Resolution and render options in a fixed order, and those of SPPM where it is the integrator.
 std::vector<Setting> renderSettings(const SceneDescription& scene);
 
 /// All parts and settings together.

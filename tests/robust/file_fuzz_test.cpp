@@ -11,11 +11,13 @@
 #include "engine/io/obj_loader.h"
 #include "engine/io/ply_loader.h"
 #include "engine/render/checkpoint.h"
+#include "tests/support/capture.h"
 #include "tests/support/temp_folder.h"
 
 namespace glint {
 namespace {
 
+using test::captureOf;
 using test::TempFolder;
 
 constexpr int kRounds = 400;
@@ -206,7 +208,7 @@ TEST(Fuzz, Checkpoint) {
     const TempFolder folder;
     SceneDescription scene;
     scene.resolution = {16, 9};
-    ASSERT_TRUE(saveCheckpoint(folder.path("a"), scene, Film(16, 9), 2.0));
+    ASSERT_TRUE(saveCheckpoint(folder.path("a"), captureOf(scene, Film(16, 9), 2.0)));
     const std::string good = TempFolder::read(folder.path("a"));
     const int loaded = fuzz("a", good, 8, [&](const std::string& path) -> std::optional<Error> {
         const Result<ResumePoint> point = loadCheckpoint(path, scene);

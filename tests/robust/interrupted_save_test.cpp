@@ -11,11 +11,13 @@
 
 #include "engine/io/atomic_file.h"
 #include "engine/render/checkpoint.h"
+#include "tests/support/capture.h"
 #include "tests/support/temp_folder.h"
 
 namespace glint {
 namespace {
 
+using test::captureOf;
 using test::TempFolder;
 
 /// Runs `save(n)` for n = 0, 1, … in a child until it is killed after `microseconds`; returns how many saves
@@ -78,12 +80,12 @@ TEST(InterruptedSave, CheckpointsStayWhole) {
     SceneDescription scene;
     scene.resolution = {100, 80};
     const Film film(100, 80);
-    ASSERT_TRUE(saveCheckpoint(path, scene, film, 0.0));
+    ASSERT_TRUE(saveCheckpoint(path, captureOf(scene, film, 0.0)));
     std::mt19937 random(12);
     for (int round = 0; round < 50; ++round) {
-        ASSERT_TRUE(saveCheckpoint(path, scene, film, 0.0));
+        ASSERT_TRUE(saveCheckpoint(path, captureOf(scene, film, 0.0)));
         const uint32_t finished = killWhileSaving(500 + random() % 6000, [&](uint32_t n) {
-            (void)saveCheckpoint(path, scene, film, 1.0 + static_cast<double>(n));
+            (void)saveCheckpoint(path, captureOf(scene, film, 1.0 + static_cast<double>(n)));
         });
         const Result<ResumePoint> loaded = loadCheckpoint(path, scene);
         ASSERT_TRUE(loaded) << loaded.error().format();

@@ -11,11 +11,13 @@
 #include "engine/io/obj_loader.h"
 #include "engine/io/ply_loader.h"
 #include "engine/render/checkpoint.h"
+#include "tests/support/capture.h"
 #include "tests/support/temp_folder.h"
 
 namespace glint {
 namespace {
 
+using test::captureOf;
 using test::TempFolder;
 using testing::HasSubstr;
 
@@ -245,7 +247,7 @@ TEST(Malformed, Checkpoints) {
     SceneDescription scene;
     scene.resolution = {8, 6};
     const std::string good = savedBytes("a.checkpoint", [&](const std::string& path) {
-        return saveCheckpoint(path, scene, Film(8, 6), 1.0);
+        return saveCheckpoint(path, captureOf(scene, Film(8, 6), 1.0));
     });
     const std::vector<BadFile> files = {
         {"", "is not a Glint checkpoint"},

@@ -11,11 +11,13 @@
 #include "engine/io/exr_io.h"
 #include "engine/io/image_io.h"
 #include "engine/render/picture_file.h"
+#include "tests/support/capture.h"
 #include "tests/support/temp_folder.h"
 
 namespace glint {
 namespace {
 
+using test::captureOf;
 using test::TempFolder;
 using testing::HasSubstr;
 
@@ -89,7 +91,7 @@ TEST(Checkpoint, BringsTheFilmBackExactlyAndGoesOnAsIfNothingHappened) {
     const SceneDescription scene = someScene();
     std::mt19937 random(1);
     const Film half = filmAfter(0, 5, Film(kWidth, kHeight), random);
-    ASSERT_TRUE(saveCheckpoint(path, scene, half, 12.5));
+    ASSERT_TRUE(saveCheckpoint(path, captureOf(scene, half, 12.5)));
     const std::mt19937 afterHalf = random;
     const Film whole = filmAfter(5, 5, half, random);
 
@@ -105,7 +107,8 @@ TEST(Checkpoint, TellsAboutItself) {
     const TempFolder folder;
     const std::string path = folder.path("a.checkpoint");
     std::mt19937 random(2);
-    ASSERT_TRUE(saveCheckpoint(path, someScene(), filmAfter(0, 3, Film(kWidth, kHeight), random), 1.0));
+    ASSERT_TRUE(
+        saveCheckpoint(path, captureOf(someScene(), filmAfter(0, 3, Film(kWidth, kHeight), random), 1.0)));
     const Result<CheckpointInfo> info = readCheckpointInfo(path);
     ASSERT_TRUE(info) << info.error().format();
     EXPECT_EQ(info->passes, 3u);
@@ -117,7 +120,7 @@ TEST(Checkpoint, TellsAboutItself) {
 TEST(Checkpoint, NamesWhatDiffers) {
     const TempFolder folder;
     const std::string path = folder.path("a.checkpoint");
-    ASSERT_TRUE(saveCheckpoint(path, someScene(), Film(kWidth, kHeight), 0.0));
+    ASSERT_TRUE(saveCheckpoint(path, captureOf(someScene(), Film(kWidth, kHeight), 0.0)));
     const auto refusal = [&](auto edit) {
         SceneDescription scene = someScene();
         edit(scene);

@@ -1,11 +1,11 @@
 // Procedural meshes: counts, orientation, watertightness, determinism, errors.
 #include "engine/scene/generated_mesh.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <array>
 #include <map>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 namespace glint {
 namespace {
@@ -82,14 +82,15 @@ TEST(GeneratedMesh, NormalsLieOnTheFrontOfTheirTriangles) {
             const glm::dvec3 a = mesh->positions[corner[0]];
             const glm::dvec3 n = glm::cross(glm::dvec3(mesh->positions[corner[1]]) - a,
                                             glm::dvec3(mesh->positions[corner[2]]) - a);
-            for (int k = 0; k < 3; ++k) behind += glm::dot(n, glm::dvec3(mesh->normals[corner[k]])) <= 0.0 ? 1 : 0;
+            for (int k = 0; k < 3; ++k)
+                behind += glm::dot(n, glm::dvec3(mesh->normals[corner[k]])) <= 0.0 ? 1 : 0;
         }
         EXPECT_EQ(behind, 0u) << name;
     }
 }
 
 TEST(GeneratedMesh, ClosedShapesAreWatertightAndFaceOutwards) {
-    for (std::string_view name : {"blob", "cube", "sphere", "torus-knot"}) {
+    for (std::string_view name : {"blob", "cube", "ring", "sphere", "torus-knot"}) {
         for (uint32_t wanted : {12u, 500u, 20'001u}) {
             const auto mesh = make(name, wanted, 3);
             EXPECT_EQ(openEdges(*mesh), 0u) << name << " " << wanted;

@@ -81,6 +81,7 @@ void expectSame(const SceneDescription& a, const SceneDescription& b) {
     EXPECT_TRUE(sameBits(a.camera, b.camera));
     EXPECT_EQ(a.resolution, b.resolution);
     EXPECT_EQ(a.options, b.options);
+    EXPECT_EQ(a.sppm, b.sppm);
     ASSERT_EQ(a.textures.size(), b.textures.size());
     ASSERT_EQ(a.materials.size(), b.materials.size());
     ASSERT_EQ(a.meshes.size(), b.meshes.size());
@@ -163,6 +164,14 @@ SceneDescription sceneWithEverything() {
                      .sampler = SamplerKind::Independent,
                      .seed = 0xFFFFFFFFu,
                      .fireflyClamp = 1e-30f};
+    scene.sppm = {.photonsPerPass = 1u << 30,
+                  .alpha = 0.7f,
+                  .radiusWorld = 1.0f / 3.0f,
+                  .radiusFootprints = 2.7f,
+                  .storeRoughness = 0.17f,
+                  .sampleDirectLight = false,
+                  .lookup = PhotonLookupKind::Tree,
+                  .memoryBudgetMiB = 77};
     for (int kind = 0; kind < 6; ++kind) {
         Material material;
         material.name = kind % 2 == 0 ? "twice" : "";

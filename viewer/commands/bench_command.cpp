@@ -6,11 +6,13 @@
 namespace glint {
 
 void addBenchCommand(CLI::App& app, int* exitCode) {
-    CLI::App* bench = app.add_subcommand("bench", "Measures speed: rays, paths, latency, loading, threads");
+    CLI::App* bench =
+        app.add_subcommand("bench", "Measures speed: rays, paths, photon passes, latency, loading, threads");
     bench->require_subcommand(1);
     bench->footer("Figures are only worth something on a machine that does nothing else.");
     addBenchRays(*bench, exitCode);
     addBenchPaths(*bench, exitCode);
+    addBenchPasses(*bench, exitCode);
     addBenchLatency(*bench, exitCode);
     addBenchLoad(*bench, exitCode);
     addBenchThreads(*bench, exitCode);

@@ -77,6 +77,19 @@ std::shared_ptr<SceneDescription> benchCornell(int width, int height) {
     return scene;
 }
 
+std::shared_ptr<SceneDescription> benchGlassAndMirror(int width, int height) {
+    auto scene = benchCornell(width, height);
+    scene->title = "Cornell box with a mirror and a glass sphere";
+    const int mirror = addMaterial(scene.get(), "mirror", Vec3(0.95f));
+    const int glass = addMaterial(scene.get(), "glass", Vec3(1.0f));
+    scene->materials[static_cast<size_t>(mirror)].kind = MaterialKind::Mirror;
+    scene->materials[static_cast<size_t>(glass)].kind = MaterialKind::Dielectric;
+    const size_t spheres = scene->objects.size() - 2;
+    scene->objects[spheres].material = mirror;
+    scene->objects[spheres + 1].material = glass;
+    return scene;
+}
+
 Result<std::shared_ptr<SceneDescription>> benchMesh(uint32_t triangles, int width, int height) {
     MeshSource source;
     source.generator = "blob";

@@ -31,5 +31,6 @@ void addBenchLoad(CLI::App& bench, int* exitCode);
 void addBenchThreads(CLI::App& bench, int* exitCode);
 void addBenchRays(CLI::App& bench, int* exitCode);
 void addBenchPaths(CLI::App& bench, int* exitCode);
+void addBenchPasses(CLI::App& bench, int* exitCode);
 
 }  // namespace glint

@@ -6,6 +6,8 @@
 
 #include "engine/build/scene_builder.h"
 #include "engine/io/scene_loader.h"
+#include "engine/render/photon_store.h"
+#include "engine/render/sppm_state.h"
 #include "viewer/commands/commands.h"
 #include "viewer/commands/json_output.h"
 #include "viewer/commands/scene_report.h"
@@ -38,6 +40,24 @@ std::string formatBytes(uint64_t bytes) {
                                 : fmt::format("{:.1f} MB", value * 1e-6);
 }
 
+void printPhotons(const SceneDescription& scene, const SceneReport& report) {
+    const SppmMemory& plan = report.sppm;
+    const uint32_t asked = scene.sppm.photonsPerPass;
+    fmt::print("photon map {} photons a pass, {} bytes a pixel, {} bytes a stored photon: {} in all{}\n",
+               plan.photonsPerPass, kSppmBytesPerPixel, PhotonStore::kBytesPerPhoton,
+               formatBytes(plan.total()),
+               scene.options.integrator == IntegratorKind::Sppm ? "" : " (with --integrator sppm)");
+    if (plan.photonsPerPass < asked) {
+        fmt::print("           fewer than the {} asked for, which do not fit into {} MiB\n", asked,
+                   scene.sppm.memoryBudgetMiB);
+    }
+    if (!report.hasCausticCaster) {
+        fmt::print(
+            "           gains nothing here: no mirror, glass, metal or coating gathers light into "
+            "caustics\n");
+    }
+}
+
 void printReport(const SceneDescription& scene, const SceneReport& report) {
     fmt::print("{}\n", scene.title.empty() ? scene.path : scene.title);
     fmt::print("picture    {}x{} pixels, depth {}\n", scene.resolution.width, scene.resolution.height,
@@ -51,6 +71,7 @@ void printReport(const SceneDescription& scene, const SceneReport& report) {
     fmt::print("needs      {}\n", listed(report.features));
     fmt::print("kernel     {}\n", report.kernel);
     fmt::print("left out   {}\n", listed(report.leftOut));
+    printPhotons(scene, report);
     fmt::print("memory     {}\n", formatBytes(report.memoryTotal));
     for (const NamedCount& part : report.memory) {
         fmt::print("  {:<36}{:>12}\n", part.name, formatBytes(part.count));
@@ -83,6 +104,14 @@ nlohmann::ordered_json jsonReport(const SceneDescription& scene, const SceneRepo
             {"features", report.features},
             {"kernel", report.kernel},
             {"left_out", report.leftOut},
+            {"integrator", scene.options.integrator == IntegratorKind::Sppm ? "sppm" : "path"},
+            {"sppm",
+             {{"photons_per_pass", report.sppm.photonsPerPass},
+              {"photons_asked", scene.sppm.photonsPerPass},
+              {"bytes_per_pixel", kSppmBytesPerPixel},
+              {"bytes_per_stored_photon", PhotonStore::kBytesPerPhoton},
+              {"total_bytes", report.sppm.total()},
+              {"has_caustic_caster", report.hasCausticCaster}}},
             {"memory_bytes", jsonOf(report.memory)},
             {"memory_total_bytes", report.memoryTotal},
             {"warnings", scene.warnings}};

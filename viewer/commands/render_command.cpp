@@ -18,6 +18,7 @@ constexpr const char* kFooter = R"(Examples:
   glint render scenes/cornell.json -o cornell.png --passes 256
   glint render scene.obj -o out.exr --time 60 --aov albedo,normal --checkpoint out.glintfilm
   glint render scene.obj -o out.exr --passes 4096 --resume out.glintfilm
+  glint render scenes/sppm_glass_mesh.json -o out.png --passes 400 --picture-every 50
 Ctrl-C saves the picture and the checkpoint.)";
 
 int complain(const Error& error) {

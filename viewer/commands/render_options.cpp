@@ -80,10 +80,43 @@ void addSettings(CLI::App& command, RenderCommandOptions* o) {
     command.add_option("--focus", o->focus, "Focal distance, metres")->check(aboveZero())->group(group);
 }
 
+void addPhotonOptions(CLI::App& command, RenderCommandOptions* o) {
+    const std::string group = "Photon mapping, instead of the scene's own settings";
+    command.add_option("--integrator", o->integrator, "path: path tracing; sppm: progressive photon mapping")
+        ->check(CLI::IsMember({"path", "sppm"}))
+        ->group(group);
+    command.add_option("--photons", o->photons, "Photons in a pass")
+        ->check(CLI::Range(1u, 1u << 30))
+        ->type_name("N")
+        ->group(group);
+    command.add_option("--radius", o->radius, "First radius: metres, or auto:K for K pixel footprints")
+        ->type_name("R|auto:K")
+        ->group(group);
+    command.add_option("--alpha", o->alpha, "Share of each pass's photons that is kept, between 0 and 1")
+        ->type_name("A")
+        ->group(group);
+    command.add_option("--direct", o->direct, "Direct light: sampled, or left to the photons")
+        ->check(CLI::IsMember({"sampled", "photons"}))
+        ->group(group);
+    command.add_option("--lookup", o->lookup, "How photons are found")
+        ->check(CLI::IsMember({"grid", "tree"}))
+        ->group(group);
+    command.add_option("--memory", o->memoryMiB, "Budget for photons and statistics; 0: no limit")
+        ->check(CLI::Range(0u, 1u << 22))
+        ->type_name("MiB")
+        ->group(group);
+}
+
 void addPictureOptions(CLI::App& command, RenderCommandOptions* o) {
     const std::string group = "The picture";
     command.add_option("-o,--output", o->output, "Picture to write: .png, .exr or .hdr")
         ->type_name("OUT")
+        ->group(group);
+    command
+        .add_option("--picture-every", o->pictureEvery,
+                    "Also write a numbered picture (OUT-000010.png) every PASSES passes")
+        ->check(CLI::PositiveNumber)
+        ->type_name("PASSES")
         ->group(group);
     command.add_option("--exposure", o->exposure, "PNG: exposure in stops")
         ->check(between(-100.0, 100.0))
@@ -115,6 +148,59 @@ void addCheckpointOptions(CLI::App& command, RenderCommandOptions* o) {
         ->group(group);
 }
 
+/// Metres, "auto", or "auto:K".
+Status applyRadius(const std::string& text, SppmOptions* sppm) {
+    const bool automatic = text.starts_with("auto");
+    const std::string_view rest = std::string_view(text).substr(automatic ? 4 : 0);
+    if (automatic) {
+        sppm->radiusWorld = 0.0f;
+    }
+    if (automatic && rest.empty()) {
+        return {};
+    }
+    const std::string_view digits = automatic && rest.starts_with(':') ? rest.substr(1) : rest;
+    float value = 0.0f;
+    const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (problem != std::errc() || end != digits.data() + digits.size() || !(value > 0.0f) ||
+        automatic == (digits.size() == rest.size())) {
+        return Error{fmt::format("--radius is '{}'; expected metres such as 0.05, auto, or auto:K such as "
+                                 "auto:4 for pixel footprints",
+                                 text),
+                     {}};
+    }
+    (automatic ? sppm->radiusFootprints : sppm->radiusWorld) = value;
+    return {};
+}
+
+Status applyPhotons(const RenderCommandOptions& o, SceneDescription* scene) {
+    if (!o.integrator.empty()) {
+        scene->options.integrator =
+            o.integrator == "sppm" ? IntegratorKind::Sppm : IntegratorKind::PathTracing;
+    }
+    const bool any =
+        o.photons || !o.radius.empty() || o.alpha || !o.direct.empty() || !o.lookup.empty() || o.memoryMiB;
+    if (any && scene->options.integrator != IntegratorKind::Sppm) {
+        return Error{
+            "--photons, --radius, --alpha, --direct, --lookup and --memory are for photon mapping; add "
+            "--integrator sppm",
+            {}};
+    }
+    SppmOptions& sppm = scene->sppm;
+    sppm.photonsPerPass = o.photons.value_or(sppm.photonsPerPass);
+    sppm.alpha = o.alpha.value_or(sppm.alpha);
+    sppm.memoryBudgetMiB = o.memoryMiB.value_or(sppm.memoryBudgetMiB);
+    if (!(sppm.alpha > 0.0f && sppm.alpha < 1.0f)) {
+        return Error{fmt::format("--alpha is {}; expected a number between 0 and 1", sppm.alpha), {}};
+    }
+    if (!o.direct.empty()) {
+        sppm.sampleDirectLight = o.direct == "sampled";
+    }
+    if (!o.lookup.empty()) {
+        sppm.lookup = o.lookup == "tree" ? PhotonLookupKind::Tree : PhotonLookupKind::Grid;
+    }
+    return o.radius.empty() ? Status() : applyRadius(o.radius, &sppm);
+}
+
 void setVec3(const std::vector<float>& values, Vec3* target) {
     if (values.size() == 3) {
         *target = Vec3(values[0], values[1], values[2]);
@@ -130,6 +216,7 @@ void addRenderOptions(CLI::App& command, RenderCommandOptions* o) {
     addPictureOptions(command, o);
     addLimits(command, o);
     addSettings(command, o);
+    addPhotonOptions(command, o);
     addCheckpointOptions(command, o);
     command.add_flag("--allow-missing", o->allowMissing,
                      "Render what can be rendered when parts of the scene are missing");
@@ -194,7 +281,7 @@ Status applyTo(const RenderCommandOptions& o, SceneDescription* scene) {
     camera.verticalFovDeg = o.fov.value_or(camera.verticalFovDeg);
     camera.apertureDiameter = o.aperture.value_or(camera.apertureDiameter);
     camera.focalDistance = o.focus.value_or(camera.focalDistance);
-    return {};
+    return applyPhotons(o, scene);
 }
 
 Result<AovChoice> chooseAovs(const std::vector<std::string>& names) {

@@ -28,6 +28,12 @@ struct RenderCommandOptions {
     std::string filter;
     std::optional<float> filterRadius;
     std::string sampler;
+    std::string integrator;
+    std::optional<uint32_t> photons;
+    std::string radius;
+    std::optional<float> alpha;
+    std::string direct, lookup;
+    std::optional<uint32_t> memoryMiB;
     std::vector<float> cameraPosition, cameraTarget;
     std::optional<float> fov, aperture, focus;
     std::vector<std::string> aovs;
@@ -36,6 +42,7 @@ struct RenderCommandOptions {
     std::string tone = "srgb";
     std::string checkpoint;
     double checkpointEvery = 0.0;
+    uint32_t pictureEvery = 0;  ///< passes; 0: one picture at the end
     std::string resume;
     bool allowMissing = false;
     std::string pixel;
@@ -49,7 +56,8 @@ void addRenderOptions(CLI::App& command, RenderCommandOptions* options);
 /// Passes that are rendered when no limit is given.
 constexpr uint32_t kDefaultPasses = 128;
 
-/// Size, seed, depth, filter, sampler and camera. Error: a value that makes no sense.
+/// Size, seed, depth, filter, sampler, camera, integrator and photons. Error: a value that makes no sense, or
+/// photon settings without photons.
 Status applyTo(const RenderCommandOptions& options, SceneDescription* scene);
 
 /// Bits of Aov, and whether the standard error is among the names. Error: an unknown name, naming the

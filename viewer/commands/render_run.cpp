@@ -14,6 +14,7 @@
 #include "engine/render/path_replay.h"
 #include "engine/render/picture_file.h"
 #include "engine/render/snapshot.h"
+#include "engine/render/sppm_state.h"
 #include "viewer/commands/commands.h"
 #include "viewer/commands/interrupt.h"
 #include "viewer/commands/json_output.h"
@@ -32,6 +33,12 @@ int complain(const std::string& message, int exitCode) {
     return exitCode;
 }
 
+/// "out.png" after 10 passes: "out-000010.png".
+std::string numberedPath(const std::string& path, uint32_t passes) {
+    const size_t dot = path.rfind('.');
+    return fmt::format("{}-{:06}{}", path.substr(0, dot), passes, path.substr(dot));
+}
+
 class BatchRender {
   public:
     BatchRender(std::shared_ptr<const SceneDescription> scene, const RenderCommandOptions& options,
@@ -39,6 +46,12 @@ class BatchRender {
         : scene_(std::move(scene)), options_(options), loadSeconds_(loadSeconds), limits_(options.limits) {
         if (limits_.passes == 0 && limits_.renderSeconds == 0.0 && limits_.relativeError == 0.0) {
             limits_.passes = kDefaultPasses;
+        }
+        const uint32_t asked = scene_->sppm.photonsPerPass;
+        photonsPerPass_ = isSppm() ? planSppmMemory(*scene_).photonsPerPass : 0;
+        if (isSppm() && photonsPerPass_ < asked) {
+            logWarning("{} photons a pass instead of {}: more would not fit into {} MiB (--memory)",
+                       photonsPerPass_, asked, scene_->sppm.memoryBudgetMiB);
         }
     }
 
@@ -69,6 +82,8 @@ class BatchRender {
     }
 
   private:
+    bool isSppm() const { return scene_->options.integrator == IntegratorKind::Sppm; }
+
     int start() {
         auto backend = makeBackend(options_.backend, options_.threads);
         if (!backend) {
@@ -86,6 +101,7 @@ class BatchRender {
                 return complain(loaded.error().format(), kExitBadInput);
             }
             from = std::move(*loaded);
+            startPasses_ = from->film.passes();
         }
         SessionOptions session;
         session.previews = false;
@@ -93,7 +109,7 @@ class BatchRender {
         session.lowPriority = false;
         session.threads = options_.threads;
         session_ = std::make_unique<RenderSession>(std::move(*backend), session);
-        session_->setLimits(limits_);
+        session_->setLimits(limitsUntilNextPicture(startPasses_));
         session_->request(aovs_.aovs, aovs_.standardError);
         if (from) {
             session_->resume(scene_, std::move(*from));
@@ -112,6 +128,9 @@ class BatchRender {
         while (!finished && !interrupt.interrupted()) {
             const SessionState state = session_->wait(kPollSeconds);
             finished = state == SessionState::Finished || state == SessionState::Failed;
+            if (state == SessionState::Finished && goesOnAfterPicture()) {
+                finished = false;
+            }
             progress.update(session_->status(), limits_);
             const double sinceSave = std::chrono::duration<double>(Clock::now() - savedAt).count();
             if (!finished && options_.checkpointEvery > 0.0 && sinceSave >= options_.checkpointEvery) {
@@ -123,23 +142,50 @@ class BatchRender {
         return finished;
     }
 
+    /// The limits, or fewer passes where a numbered picture comes before.
+    StopLimits limitsUntilNextPicture(uint32_t passes) {
+        StopLimits limits = limits_;
+        nextPicture_ = 0;
+        if (options_.pictureEvery > 0) {
+            const uint32_t next = (passes / options_.pictureEvery + 1) * options_.pictureEvery;
+            if (limits.passes == 0 || next < limits.passes) {
+                limits.passes = nextPicture_ = next;
+            }
+        }
+        return limits;
+    }
+
+    /// When the session stopped for a numbered picture: writes it and lets it go on. False: a limit that the
+    /// user set was reached.
+    bool goesOnAfterPicture() {
+        const uint32_t passes = session_->status().passes;
+        if (nextPicture_ == 0 || passes != nextPicture_) {
+            return false;
+        }
+        if (const auto capture = session_->capture()) {
+            const std::string path = numberedPath(options_.output, passes);
+            if (const Status saved = writePicture(*capture, path); !saved) {
+                logError("{}", saved.error().format());
+            }
+        }
+        session_->setLimits(limitsUntilNextPicture(passes));
+        return true;
+    }
+
     void saveOnTheWay() {
         const auto capture = session_->capture();
         if (!capture) {
             return;
         }
-        const Status saved =
-            saveCheckpoint(options_.checkpoint, *capture->scene, capture->film, capture->renderSeconds);
+        const Status saved = saveCheckpoint(options_.checkpoint, *capture);
         if (!saved) {
             // The render is worth more than this save: the one at the end may succeed.
             logError("{}", saved.error().format());
         }
     }
 
-    Status save(const SessionCapture& capture) const {
+    Status writePicture(const SessionCapture& capture, const std::string& path) const {
         auto snapshot = makeSnapshot(capture, {.standardError = aovs_.standardError}, options_.threads);
-        snapshot->renderSeconds = capture.renderSeconds;
-        snapshot->relativeError = capture.film.relativeErrorEstimate(options_.threads);
         snapshot->aovs = std::make_shared<AovFilm>(capture.aovs);
         PictureOptions picture;
         picture.exposureStops = options_.exposure;
@@ -147,17 +193,21 @@ class BatchRender {
         picture.exrColor = options_.exrFloat ? ExrPixelType::Float : ExrPixelType::Half;
         picture.aovs = aovs_.aovs;
         picture.threads = options_.threads;
-        const Status saved = savePicture(options_.output, *snapshot, *capture.scene, picture);
+        return savePicture(path, *snapshot, *capture.scene, picture);
+    }
+
+    Status save(const SessionCapture& capture) const {
+        const Status saved = writePicture(capture, options_.output);
         // A full disk must not cost the checkpoint too.
-        const Status kept = options_.checkpoint.empty() ? Status()
-                                                        : saveCheckpoint(options_.checkpoint, *capture.scene,
-                                                                         capture.film, capture.renderSeconds);
+        const Status kept =
+            options_.checkpoint.empty() ? Status() : saveCheckpoint(options_.checkpoint, capture);
         return saved ? kept : saved;
     }
 
     Status report(const SessionCapture& capture, const SessionStatus& status) const {
         const double seconds = capture.renderSeconds;
-        const double error = capture.film.relativeErrorEstimate(options_.threads);
+        const double error = isSppm() ? capture.sppm.relativeErrorEstimate(capture.film)
+                                      : capture.film.relativeErrorEstimate(options_.threads);
         const double paths = static_cast<double>(capture.film.pixels().size()) * capture.film.passes();
         if (!jsonTakesOutput(options_.json)) {
             fmt::print(
@@ -165,6 +215,11 @@ class BatchRender {
                 options_.output, capture.film.width(), capture.film.height(), capture.film.passes(), seconds,
                 paths / seconds * 1e-6, status.backend, status.kernel,
                 std::isfinite(error) ? fmt::format("{:.2f} %", 100.0 * error) : "unknown");
+        }
+        if (isSppm() && !jsonTakesOutput(options_.json)) {
+            fmt::print("photons: {} a pass, {:.4g} in all ({:.3f} M/s)\n", photonsPerPass_,
+                       static_cast<double>(capture.sppm.emittedPhotons),
+                       static_cast<double>(capture.sppm.emittedPhotons) / seconds * 1e-6);
         }
         reportFaults(capture.film);
         if (scene_->options.fireflyClamp > 0.0f) {
@@ -182,7 +237,7 @@ class BatchRender {
         }
         fmt::print(stderr, "{} samples were dropped: {} not a number, {} infinite, {} negative\n", dropped,
                    counts[1], counts[2], counts[3]);
-        if (!film.faults().empty()) {
+        if (!film.faults().empty() && !isSppm()) {
             const FaultRecord& first = film.faults().front();
             fmt::print(stderr,
                        "  look into the first with: glint render {} --pixel {},{} --pass {} --size {}x{} "
@@ -203,26 +258,34 @@ class BatchRender {
                               {"pass", fault.pass},
                               {"cause", static_cast<int>(fault.fault)}});
         }
-        return {{"scene", options_.scene},
-                {"output", options_.output},
-                {"width", film.width()},
-                {"height", film.height()},
-                {"passes", film.passes()},
-                {"load_seconds", loadSeconds_},
-                {"build_seconds", status.lastBuildSeconds},
-                {"render_seconds", capture.renderSeconds},
-                {"paths_per_second", paths / capture.renderSeconds},
-                {"rays", film.rays()},
-                {"relative_error", error},
-                {"backend", status.backend},
-                {"kernel", status.kernel},
-                {"seed", scene_->options.seed},
-                {"dropped",
-                 {{"not_a_number", film.faultCounts()[1]},
-                  {"infinite", film.faultCounts()[2]},
-                  {"negative", film.faultCounts()[3]}}},
-                {"dropped_samples", faults},
-                {"firefly_clamp", scene_->options.fireflyClamp}};
+        nlohmann::ordered_json report = {{"scene", options_.scene},
+                                         {"output", options_.output},
+                                         {"integrator", isSppm() ? "sppm" : "path"},
+                                         {"width", film.width()},
+                                         {"height", film.height()},
+                                         {"passes", film.passes()},
+                                         {"load_seconds", loadSeconds_},
+                                         {"build_seconds", status.lastBuildSeconds},
+                                         {"render_seconds", capture.renderSeconds},
+                                         {"paths_per_second", paths / capture.renderSeconds},
+                                         {"rays", film.rays()},
+                                         {"relative_error", error},
+                                         {"backend", status.backend},
+                                         {"kernel", status.kernel},
+                                         {"seed", scene_->options.seed},
+                                         {"dropped",
+                                          {{"not_a_number", film.faultCounts()[1]},
+                                           {"infinite", film.faultCounts()[2]},
+                                           {"negative", film.faultCounts()[3]}}},
+                                         {"dropped_samples", faults},
+                                         {"firefly_clamp", scene_->options.fireflyClamp}};
+        if (isSppm()) {
+            report["sppm"] = {{"photons_per_pass", photonsPerPass_},
+                              {"photons_asked", scene_->sppm.photonsPerPass},
+                              {"emitted_photons", capture.sppm.emittedPhotons},
+                              {"bytes", capture.sppm.bytes()}};
+        }
+        return report;
     }
 
     std::shared_ptr<const SceneDescription> scene_;
@@ -230,6 +293,9 @@ class BatchRender {
     double loadSeconds_;
     StopLimits limits_;
     AovChoice aovs_;
+    uint32_t photonsPerPass_ = 0;  ///< SPPM: what the budget allows
+    uint32_t startPasses_ = 0;     ///< that the checkpoint brought
+    uint32_t nextPicture_ = 0;     ///< pass count of the next numbered picture; 0: none before the end
     std::unique_ptr<RenderSession> session_;
 };
 
@@ -244,6 +310,9 @@ int runReplay(const SceneDescription& scene, const RenderCommandOptions& options
     const Result<Vec2i> pixel = parsePair(options.pixel, ',', "--pixel");
     if (!pixel) {
         return complain(pixel.error().format(), kExitBadInput);
+    }
+    if (scene.options.integrator == IntegratorKind::Sppm) {
+        return complain("--pixel follows the path tracer's paths; add --integrator path", kExitBadInput);
     }
     const Resolution& size = scene.resolution;
     if (pixel->x < 0 || pixel->y < 0 || pixel->x >= size.width || pixel->y >= size.height) {

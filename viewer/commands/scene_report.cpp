@@ -64,6 +64,10 @@ std::vector<NamedCount> countByKind(const std::array<const char*, kCount>& names
     return out;
 }
 
+/// Materials that gather light into caustics.
+constexpr FeatureMask kCasters =
+    kFeatureSpecular | kFeatureDielectric | kFeatureGlossy | kFeaturePlastic | kFeatureMixture;
+
 uint64_t vertexBytes(const MeshData& mesh) {
     return mesh.positions.size() * sizeof(Vec3) + mesh.normals.size() * sizeof(Vec3) +
            mesh.uvs.size() * sizeof(Vec2) + mesh.colors.size() * sizeof(Vec3) +
@@ -104,6 +108,10 @@ void countMemory(const SceneDescription& scene, const BuiltScene& built, SceneRe
                       {"lights", built.lights->bytes()},
                       {"film", pixels * sizeof(FilmPixel)},
                       {"pass buffer", pixels * sizeof(PixelSample)}};
+    if (scene.options.integrator == IntegratorKind::Sppm) {
+        report->memory.push_back({"photon statistics and visible points", report->sppm.pixelBytes});
+        report->memory.push_back({"photons of a pass, about", report->sppm.photonBytes});
+    }
     for (const NamedCount& part : report->memory) {
         report->memoryTotal += part.count;
     }
@@ -120,6 +128,9 @@ void listWhatIsLeftOut(FeatureMask compiled, const SceneDescription& scene, cons
         report->leftOut.push_back("textures that no object uses: " + std::to_string(unused));
     }
     report->leftOut.emplace_back("AOV buffers, until one is asked for");
+    if (scene.options.integrator == IntegratorKind::PathTracing) {
+        report->leftOut.emplace_back("photons and their statistics, until photon mapping is asked for");
+    }
 }
 
 }  // namespace
@@ -154,6 +165,8 @@ SceneReport reportOf(const SceneDescription& scene, const BuiltScene& built) {
     report.features = featureNames(built.features);
     const KernelVariant& variant = chooseVariant(built.features);
     report.kernel = variant.name;
+    report.sppm = planSppmMemory(scene);
+    report.hasCausticCaster = (built.features & kCasters) != 0;
     listWhatIsLeftOut(variant.mask, scene, built, &report);
     countMemory(scene, built, &report);
     return report;

@@ -7,6 +7,7 @@
 
 #include "engine/base/result.h"
 #include "engine/build/built_scene.h"
+#include "engine/render/sppm_state.h"
 #include "engine/scene/scene.h"
 
 namespace glint {
@@ -30,6 +31,8 @@ struct SceneReport {
     std::string kernel;
     std::vector<NamedCount> memory;  ///< bytes by part
     uint64_t memoryTotal = 0;
+    SppmMemory sppm;                ///< what photon mapping needs here, whether or not it is the integrator
+    bool hasCausticCaster = false;  ///< otherwise photon mapping gains nothing
 };
 
 SceneReport reportOf(const SceneDescription& scene, const BuiltScene& built);

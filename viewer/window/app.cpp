@@ -250,7 +250,6 @@ Status App::savePictureFile() {
     const auto capture = model_.session().capture();
     if (!capture) return Error{"there is no picture to save", SourcePlace{options_.output, 0, 0, ""}};
     auto picture = makeSnapshot(*capture, {.standardError = true}, 0);
-    picture->renderSeconds = capture->renderSeconds;
     const PictureOptions look{.exposureStops = model_.display.exposureStops,
                               .toneMap = model_.display.toneMap};
     return savePicture(options_.output, *picture, *capture->scene, look);

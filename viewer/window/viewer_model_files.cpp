@@ -19,7 +19,6 @@ namespace {
 
 std::shared_ptr<FilmSnapshot> pictureOf(const RenderSession::Capture& capture) {
     auto picture = makeSnapshot(capture, {.standardError = true}, 0);
-    picture->renderSeconds = capture.renderSeconds;
     if (capture.aovs.passes() > 0) picture->aovs = std::make_shared<const AovFilm>(capture.aovs);
     return picture;
 }
@@ -97,9 +96,7 @@ void ViewerModel::startExr() {
 void ViewerModel::saveCheckpointFile() {
     const std::string path = files.checkpoint;
     lastAutosave_ = secondsNow();
-    saveCaptured(path, [path](const Capture& capture) {
-        return saveCheckpoint(path, *capture.scene, capture.film, capture.renderSeconds);
-    });
+    saveCaptured(path, [path](const Capture& capture) { return saveCheckpoint(path, capture); });
 }
 
 void ViewerModel::resumeCheckpoint() {

@@ -1,0 +1,155 @@
+// SPPM goes on from a checkpoint as if nothing had happened, whatever the number of threads, and its settings
+// guard its checkpoints.
+#include <cstring>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/render/checkpoint.h"
+#include "engine/render/snapshot.h"
+#include "tests/support/temp_folder.h"
+#include "tests/support/test_scenes.h"
+
+namespace glint::test {
+namespace {
+
+using testing::HasSubstr;
+
+SceneDescription photonScene(PhotonLookupKind lookup = PhotonLookupKind::Grid) {
+    SceneDescription scene = cornellBox();
+    scene.resolution = {40, 30};
+    scene.options.maxDepth = 6;
+    scene.options.integrator = IntegratorKind::Sppm;
+    scene.sppm.photonsPerPass = 3000;
+    scene.sppm.lookup = lookup;
+    Material glass;
+    glass.name = "glass";
+    glass.kind = MaterialKind::Dielectric;
+    scene.materials.push_back(glass);
+    scene.objects.back().material = static_cast<int>(scene.materials.size()) - 1;
+    return scene;
+}
+
+/// The capture at `passes`, from the start or from a checkpoint.
+SessionCapture renderTo(uint32_t passes, const SceneDescription& scene, int threads,
+                        std::optional<ResumePoint> from = {}) {
+    RenderSession session(makeCpuBackend(threads),
+                          {.previews = false, .snapshots = false, .threads = threads});
+    session.setLimits({.passes = passes});
+    const auto shared = std::make_shared<SceneDescription>(scene);
+    if (from) {
+        session.resume(shared, std::move(*from));
+    } else {
+        session.post({shared, EditKind::Everything});
+    }
+    EXPECT_EQ(session.wait(300.0), SessionState::Finished) << session.status().error;
+    auto capture = session.capture();
+    EXPECT_TRUE(capture.has_value());
+    return capture ? std::move(*capture) : SessionCapture{.scene = shared};
+}
+
+bool sameBits(const SppmPixel& a, const SppmPixel& b) {
+    return std::memcmp(&a.radiusSquared, &b.radiusSquared, sizeof a.radiusSquared) == 0 &&
+           std::memcmp(&a.photonCount, &b.photonCount, sizeof a.photonCount) == 0 &&
+           std::memcmp(a.flux, b.flux, sizeof a.flux) == 0 &&
+           std::memcmp(&a.passMean, &b.passMean, sizeof a.passMean) == 0 &&
+           std::memcmp(&a.passM2, &b.passM2, sizeof a.passM2) == 0;
+}
+
+void expectSame(const SessionCapture& a, const SessionCapture& b) {
+    EXPECT_EQ(a.film.passes(), b.film.passes());
+    EXPECT_EQ(a.sppm.passes, b.sppm.passes);
+    EXPECT_EQ(a.sppm.emittedPhotons, b.sppm.emittedPhotons);
+    ASSERT_EQ(a.film.pixels().size(), b.film.pixels().size());
+    ASSERT_EQ(a.sppm.pixels.size(), b.sppm.pixels.size());
+    size_t different = 0;
+    for (size_t i = 0; i < a.sppm.pixels.size(); ++i) {
+        const FilmPixel& p = a.film.pixels()[i];
+        const FilmPixel& q = b.film.pixels()[i];
+        const bool same = std::memcmp(p.mean.data(), q.mean.data(), sizeof p.mean) == 0 &&
+                          std::memcmp(&p.luminanceM2, &q.luminanceM2, sizeof p.luminanceM2) == 0 &&
+                          p.count == q.count && sameBits(a.sppm.pixels[i], b.sppm.pixels[i]);
+        different += same ? 0 : 1;
+    }
+    EXPECT_EQ(different, 0u);
+}
+
+TEST(SppmResume, SixPassesAreThreeAndThreeMoreToTheLastBit) {
+    for (const PhotonLookupKind lookup : {PhotonLookupKind::Grid, PhotonLookupKind::Tree}) {
+        const SceneDescription scene = photonScene(lookup);
+        const SessionCapture whole = renderTo(6, scene, 2);
+        EXPECT_EQ(whole.sppm.passes, 6u);
+        for (const int threads : {1, 2}) {
+            const TempFolder folder;
+            const std::string path = folder.path("half.checkpoint");
+            const SessionCapture half = renderTo(3, scene, threads);
+            ASSERT_TRUE(saveCheckpoint(path, half));
+            Result<ResumePoint> loaded = loadCheckpoint(path, scene);
+            ASSERT_TRUE(loaded) << loaded.error().format();
+            expectSame(SessionCapture{.scene = half.scene, .film = loaded->film, .sppm = loaded->sppm}, half);
+            expectSame(renderTo(6, scene, threads, std::move(*loaded)), whole);
+        }
+    }
+}
+
+TEST(SppmResume, OtherSettingsAreNamedOnlyWhereTheyMatter) {
+    const TempFolder folder;
+    const std::string path = folder.path("a.checkpoint");
+    ASSERT_TRUE(saveCheckpoint(path, renderTo(1, photonScene(), 2)));
+    const auto refusal = [&](auto edit) {
+        SceneDescription scene = photonScene();
+        edit(scene);
+        const auto loaded = loadCheckpoint(path, scene);
+        return loaded ? std::string("accepted") : loaded.error().format();
+    };
+    using S = SceneDescription&;
+    EXPECT_EQ(refusal([](S) {}), "accepted");
+    EXPECT_THAT(refusal([](S s) { s.sppm.alpha = 0.5f; }),
+                HasSubstr("alpha is 0.6666667 in the checkpoint and 0.5 now"));
+    EXPECT_THAT(refusal([](S s) { s.sppm.photonsPerPass = 7; }),
+                HasSubstr("photonsPerPass is 3000 in the checkpoint and 7 now"));
+    EXPECT_THAT(refusal([](S s) { s.sppm.radiusWorld = 0.5f; }), HasSubstr("radius is 0"));
+    EXPECT_THAT(refusal([](S s) { s.sppm.radiusFootprints = 9.0f; }), HasSubstr("radiusFootprints is 4"));
+    EXPECT_THAT(refusal([](S s) { s.sppm.storeRoughness = 0.5f; }), HasSubstr("storeRoughness is 0.1"));
+    EXPECT_THAT(refusal([](S s) { s.sppm.sampleDirectLight = false; }),
+                HasSubstr("directLight is sampled in the checkpoint and photons now"));
+    EXPECT_THAT(refusal([](S s) { s.sppm.lookup = PhotonLookupKind::Tree; }), HasSubstr("lookup is grid"));
+    EXPECT_THAT(refusal([](S s) { s.sppm.memoryBudgetMiB = 3; }), HasSubstr("memoryBudgetMiB is 1024"));
+    EXPECT_THAT(refusal([](S s) { s.options.integrator = IntegratorKind::PathTracing; }),
+                HasSubstr("integrator is sppm in the checkpoint and path now"));
+
+    SceneDescription paths = photonScene();
+    paths.options.integrator = IntegratorKind::PathTracing;
+    ASSERT_TRUE(saveCheckpoint(path, renderTo(1, paths, 2)));
+    paths.sppm.alpha = 0.5f;  // means nothing to the path tracer
+    EXPECT_TRUE(loadCheckpoint(path, paths));
+}
+
+TEST(SppmResume, ACheckpointWithoutItsStatisticsIsRefused) {
+    const TempFolder folder;
+    const std::string path = folder.path("a.checkpoint");
+    SessionCapture capture = renderTo(2, photonScene(), 2);
+    capture.sppm.passes = 1;  // the film says 2
+    ASSERT_TRUE(saveCheckpoint(path, capture));
+    EXPECT_THAT(loadCheckpoint(path, photonScene()).error().format(),
+                HasSubstr("its photon statistics cannot be read"));
+    capture.sppm.passes = 2;
+    capture.sppm.pixels[5].radiusSquared = std::numeric_limits<double>::infinity();
+    ASSERT_TRUE(saveCheckpoint(path, capture));
+    EXPECT_FALSE(loadCheckpoint(path, photonScene()));
+    capture.sppm = {};
+    ASSERT_TRUE(saveCheckpoint(path, capture));
+    EXPECT_FALSE(loadCheckpoint(path, photonScene()));
+}
+
+TEST(SppmSnapshot, OfACaptureHasTheErrorOfBothParts) {
+    const SessionCapture capture = renderTo(3, photonScene(), 2);
+    const auto picture = makeSnapshot(capture, {}, 1);
+    EXPECT_EQ(picture->integrator, IntegratorKind::Sppm);
+    EXPECT_EQ(picture->relativeError, capture.sppm.relativeErrorEstimate(capture.film));
+    EXPECT_NE(picture->relativeError, capture.film.relativeErrorEstimate());
+    EXPECT_EQ(picture->renderSeconds, capture.renderSeconds);
+}
+
+}  // namespace
+}  // namespace glint::test
