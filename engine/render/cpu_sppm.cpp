@@ -91,12 +91,21 @@ GridSpace CpuSppm::findSpace(const Job& job, uint32_t* levelsInUse) const {
     space.finestCell =
         std::max(maxComponent(all.extent()) * kSlack / static_cast<float>(1 << kGridBitsPerAxis),
                  std::numeric_limits<float>::min());
-    for (size_t i = 0; i < pixels_.size(); ++i) {
-        const VisiblePoint& point = pixels_[i].visiblePoint;
-        if (!isZero(point.throughput)) {
-            const double radius = std::sqrt(radiusSquaredOf(job.params, job.state->pixels[i], point));
-            *levelsInUse |= 1u << space.levelFor(static_cast<float>(radius));
+    std::vector<uint32_t> levels(static_cast<size_t>(slices), 0);
+    parallelChunks(slices, 1, threads_, [&](int64_t slice, int64_t) {
+        uint32_t own = 0;
+        for (int64_t i = count * slice / slices; i < count * (slice + 1) / slices; ++i) {
+            const auto index = static_cast<size_t>(i);
+            const VisiblePoint& point = pixels_[index].visiblePoint;
+            if (!isZero(point.throughput)) {
+                const double radius = std::sqrt(radiusSquaredOf(job.params, job.state->pixels[index], point));
+                own |= 1u << space.levelFor(static_cast<float>(radius));
+            }
         }
+        levels[static_cast<size_t>(slice)] = own;
+    });
+    for (const uint32_t own : levels) {
+        *levelsInUse |= own;
     }
     return space;
 }

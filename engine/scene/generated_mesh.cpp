@@ -212,14 +212,14 @@ MeshData makeTorusKnot(const MeshSource& source) {
     });
 }
 
-/// A still pond over x and z in [-1, 1], facing +y: gentle waves, 0.08 high at the most. Open.
+/// A still pond over x and z in [-1, 1], facing +y: gentle waves, 0.1 high at the most. Open.
 MeshData makeWater(const MeshSource& source) {
     const Waves waves(source.seed);
     const uint32_t cells = atLeast(3, std::sqrt(source.triangles / 2.0));
     const Grid grid{cells, atLeast(2, source.triangles / (2.0 * cells)), false, false, false};
     return bendGrid(grid, [&](double u, double v) {
         const Vec3d ground(2.0 * u - 1.0, 0.0, 1.0 - 2.0 * v);
-        return ground + Vec3d(0.0, 0.08 * waves.at(ground, 7.0, 2), 0.0);
+        return ground + Vec3d(0.0, 0.1 * waves.at(ground, 9.0, 2), 0.0);
     });
 }
 

@@ -58,6 +58,21 @@ TEST_F(BenchReport, Paths) {
     EXPECT_EQ(report["paths_per_pass"], 256.0);
 }
 
+TEST_F(BenchReport, Passes) {
+    for (const char* lookup : {"grid", "tree"}) {
+        const json report =
+            reportOf({"passes", "--size", "16", "--passes", "1", "--photons", "500", "--lookup", lookup});
+        expectKeys(report, {"scene", "kernel", "lookup", "width", "height", "threads", "passes",
+                            "photons_per_pass", "passes_per_s", "pass", "stages_ms", "gather_share",
+                            "stored_photons", "photon_bytes", "pixel_bytes"});
+        expectKeys(report["pass"], {"count", "median_ms", "p95_ms", "max_ms"});
+        expectKeys(report["stages_ms"], {"camera", "photons", "sort", "gather", "commit"});
+        EXPECT_EQ(report["lookup"], lookup);
+        EXPECT_EQ(report["photons_per_pass"], 500);
+        EXPECT_GT(report["stored_photons"].get<int>(), 0);
+    }
+}
+
 TEST_F(BenchReport, Latency) {
     const json report = reportOf({"latency", "--edits", "1", "--size", "32", "--triangles", "500"});
     expectKeys(report, {"size", "rows"});
