@@ -1,15 +1,13 @@
 // OpenMP behind a function, so that callers need no pragmas.
 #include "engine/base/parallel.h"
 
-#include <omp.h>
-
 #include <algorithm>
+
+#include <omp.h>
 
 namespace glint {
 
-int defaultThreadCount() {
-    return std::max(1, omp_get_max_threads());
-}
+int defaultThreadCount() { return std::max(1, omp_get_max_threads()); }
 
 void parallelChunks(int64_t count, int64_t chunkSize, int threads,
                     const std::function<void(int64_t begin, int64_t end)>& body) {

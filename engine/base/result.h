@@ -1,4 +1,5 @@
-// What a user can get wrong comes back as an Error with its place; what only we can get wrong is a CHECK (check.h).
+// What a user can get wrong comes back as an Error with its place; what only we can get wrong is a CHECK
+// (check.h).
 //
 // Result<T> holds a value or an Error. Nothing here throws.
 #pragma once
@@ -23,14 +24,15 @@ struct Error {
     std::string message;
     SourcePlace place;
 
-    /// `file:line:column: message`, and below it the line with a caret where both are known. Long lines are cut around
-    /// the caret and control characters are replaced, so that binary input cannot garble a terminal.
+    /// `file:line:column: message`, and below it the line with a caret where both are known. Long lines are
+    /// cut around the caret and control characters are replaced, so that binary input cannot garble a
+    /// terminal.
     std::string format() const;
 };
 
 template <class T>
 class [[nodiscard]] Result {
-public:
+  public:
     Result(T value) : state_(std::in_place_index<0>, std::move(value)) {}
     Result(Error error) : state_(std::in_place_index<1>, std::move(error)) {}
 
@@ -48,13 +50,13 @@ public:
 
     const Error& error() const { return std::get<1>(state_); }
 
-private:
+  private:
     std::variant<T, Error> state_;
 };
 
 template <>
 class [[nodiscard]] Result<void> {
-public:
+  public:
     Result() = default;
     Result(Error error) : error_(std::move(error)) {}
 
@@ -62,7 +64,7 @@ public:
     explicit operator bool() const { return ok(); }
     const Error& error() const { return *error_; }
 
-private:
+  private:
     std::optional<Error> error_;
 };
 

@@ -1,7 +1,7 @@
 // A borrowed array: pointer and count, plain data, the same on host and device.
 //
-// Kernels see all scene data through views. A view never owns and is never null-checked by its reader: an empty one has
-// count 0. Index bounds are the caller's contract.
+// Kernels see all scene data through views. A view never owns and is never null-checked by its reader: an
+// empty one has count 0. Index bounds are the caller's contract.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// What a scene can need of a kernel, as bits. Kernels are templates on a mask and leave the rest out at compile time.
+// What a scene can need of a kernel, as bits. Kernels are templates on a mask and leave the rest out at
+// compile time.
 //
 // feature_scan sets the bits; a kernel compiled for a superset of them may run.
 #pragma once

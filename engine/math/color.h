@@ -5,7 +5,9 @@
 
 namespace glint {
 
-GLINT_HD inline float luminance(const Vec3& rgb) { return 0.2126f * rgb.x + 0.7152f * rgb.y + 0.0722f * rgb.z; }
+GLINT_HD inline float luminance(const Vec3& rgb) {
+    return 0.2126f * rgb.x + 0.7152f * rgb.y + 0.0722f * rgb.z;
+}
 
 /// IEC 61966-2-1 transfer functions for one channel in [0, 1].
 GLINT_HD inline float srgbToLinear(float encoded) {

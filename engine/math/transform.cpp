@@ -1,11 +1,11 @@
 // Host-side construction and inversion of affine maps.
 #include "engine/math/transform.h"
 
+#include <cmath>
+
 #include <glm/ext/matrix_double3x3.hpp>
 #include <glm/ext/vector_double3.hpp>
 #include <glm/matrix.hpp>
-
-#include <cmath>
 
 namespace glint {
 
@@ -30,9 +30,7 @@ bool isInvertible(const Affine& a) {
     return columnProduct > 0.0 && determinant > kFlatness * columnProduct;
 }
 
-Affine translate(const Vec3& t) {
-    return {Mat3(1.0f), t};
-}
+Affine translate(const Vec3& t) { return {Mat3(1.0f), t}; }
 
 Affine scale(const Vec3& s) {
     Affine out;
