@@ -69,6 +69,15 @@ GLINT_HD bool scatterPhoton(const Sampler& sampler, const SurfacePoint& surface,
     return true;
 }
 
+/// Whether the photon came to the back of a surface that is seen from its front only. Camera and shadow rays,
+/// which go the other way, meet its front there and end, so that no light may pass.
+template <FeatureMask kMask>
+GLINT_HD bool hitsHiddenBack(const SceneView& view, const SurfacePoint& surface, const Vec3& wo) {
+    return hasFeature<kMask>(kFeatureFrontOnly) &&
+           (view.geometry.instances[surface.instance].flags & kInstanceFrontOnly) != 0 &&
+           glm::dot(surface.ng, wo) < 0.0f;
+}
+
 /// Traces photon `photonNumber` and calls store(photon) for each place where it counts.
 template <FeatureMask kMask, class Store>
 GLINT_HD PhotonTally tracePhoton(const SceneView& view, const EmissionView& emission,
@@ -91,12 +100,14 @@ GLINT_HD PhotonTally tracePhoton(const SceneView& view, const EmissionView& emis
         }
         Hit hit;
         ++tally.rays;
-        if (!intersect<kMask>(view, ray, &hit)) {
+        // Without the feature, backs of one-sided surfaces are hit, too.
+        if (!intersect<kMask & ~kFeatureFrontOnly>(view, ray, &hit)) {
             tally.escaped = luminance(flux);
             return tally;
         }
         const SurfacePoint surface = surfaceAt<kMask>(view, ray, hit);
         const Vec3 wo = -ray.direction;
+        if (hitsHiddenBack<kMask>(view, surface, wo)) return tally;
         const Bsdf<kMask> bsdf = makeBsdf<kMask>(view, surface, wo, TransportMode::Importance);
         if (depth >= firstStored && storedLobes(bsdf, params.storeAlpha).probability() > 0.0f) {
             store(makePhoton(surface, wo, flux, depth));

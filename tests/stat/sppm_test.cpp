@@ -10,6 +10,7 @@
 #include "engine/build/emission_table.h"
 #include "engine/kernels/sppm_gather_kernel.h"
 #include "engine/math/color.h"
+#include "tests/support/render_scene.h"
 #include "tests/support/sppm_render.h"
 #include "tests/support/statistics.h"
 #include "tests/support/test_scenes.h"
@@ -384,6 +385,37 @@ TEST(Sppm, MemoryIsPlannedWithinItsBudget) {
     EXPECT_LT(tight.photonsPerPass, 10000000u);
     EXPECT_GT(tight.photonsPerPass, 1000000u);
     EXPECT_LE(tight.total(), size_t{512} << 20);
+}
+
+/// A lamp behind a wall that is seen from its front only, and a floor before it, further than a radius.
+SceneDescription lampBehindOneSidedWall(bool withWall) {
+    SceneDescription scene = emptyScene({0, 1, 4}, {0, -1, 1}, 16, 40.0f);
+    scene.options.maxDepth = 4;
+    addObject(&scene, ShapeKind::Rectangle, placeFlat({0, -1, 10.5}, {0, 1, 0}, 10, 10),
+              diffuseMaterial(0.8f));
+    if (withWall) {
+        const int wall = addObject(&scene, ShapeKind::Rectangle, placeFlat({0, 0, 0}, {0, 0, 1}, 500, 500),
+                                   diffuseMaterial(0.8f));
+        scene.objects[static_cast<size_t>(wall)].frontOnly = true;
+    }
+    Light lamp;
+    lamp.position = {0, 1, -2};
+    lamp.strength = 100.0f;
+    scene.lights.push_back(lamp);
+    return scene;
+}
+
+TEST(Sppm, NoPhotonComesThroughTheBackOfAOneSidedWall) {
+    SppmParams params;
+    params.photonsPerPass = 20000;
+    params.radiusWorld = 0.2f;
+    params.sampleDirectLight = false;
+    const auto mean = [&](bool withWall) {
+        return blockMean(renderSppm(lampBehindOneSidedWall(withWall), params, 2).picture, 16, 0, 0, 16);
+    };
+    EXPECT_GT(mean(false), 0.0);
+    EXPECT_EQ(mean(true), 0.0);
+    EXPECT_EQ(blockMean(renderPaths(lampBehindOneSidedWall(true), 1, 2), 16, 0, 0, 16), 0.0);
 }
 
 }  // namespace
