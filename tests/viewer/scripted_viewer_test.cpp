@@ -1,58 +1,18 @@
 // The whole viewer, headless through OSMesa, driven by scripts as a person would drive it: what restarts and
 // what does not, errors that leave the running scene alone, pictures and checkpoints out and in.
-#include <array>
-#include <cstdio>
-#include <fstream>
+#include <cstdlib>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include "engine/io/image_io.h"
+#include "tests/viewer/play_script.h"
 
 namespace glint {
 namespace {
 
-// Small enough that a pass is quick on a busy machine.
-constexpr const char* kScene = R"({
-  "glint": 1,
-  "resolution": [64, 48],
-  "camera": { "position": [0, 1, 4], "target": [0, 1, 0] },
-  "materials": { "grey": { "type": "diffuse", "color": 0.5 } },
-  "objects": [{ "type": "sphere", "material": "grey", "center": [0, 1, 0], "radius": 1 }],
-  "environment": { "color": 1 }
-})";
-
-struct Ran {
-    int exitCode = -1;
-    std::string output;
-};
-
-Ran run(const std::string& arguments) {
-    Ran ran;
-    const std::string command = std::string(GLINT_PROGRAM) + " " + arguments + " 2>&1 < /dev/null";
-    std::FILE* pipe = popen(command.c_str(), "r");
-    std::array<char, 4096> buffer{};
-    for (size_t got; (got = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
-        ran.output.append(buffer.data(), got);
-    const int status = pclose(pipe);
-    ran.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    return ran;
-}
-
-void write(const std::string& path, const std::string& text) {
-    std::ofstream(path, std::ios::binary) << text;
-}
-
-/// Plays `script` on the small scene in a window of 1280 x 720.
-Ran play(const std::string& script, const std::string& more = "") {
-    write("scene.json", kScene);
-    write("script.txt", script);
-    return run("view scene.json --headless --threads 1 --script script.txt " + more);
-}
-
-void expectPlayed(const Ran& ran) { EXPECT_EQ(ran.exitCode, 0) << ran.output; }
+using namespace test;
 
 TEST(ScriptedViewer, ApertureDragRestartsTheFilmOnceAndNothingElse) {
     const Ran ran = play(R"(
@@ -125,6 +85,69 @@ wait picture
 expect restarts 1
 expect material-tables 0
 expect allocations 0
+)"));
+}
+
+TEST(ScriptedViewer, EveryMaterialParameterIsLive) {
+    expectPlayed(play(R"(
+wait picture
+open "Materials"
+wait frames 2
+mark
+set "Materials/Kind" Conductor
+wait picture
+expect restarts 1
+expect feature-scans 1
+mark
+set "Metal" copper
+wait picture
+expect restarts 1
+expect material-tables 1
+expect feature-scans 0
+mark
+set "Roughness" 0.4
+wait picture
+expect restarts 1
+expect material-tables 1
+set "Metal" "own constants"
+wait picture
+mark
+set "Eta" 1 2 3
+wait picture
+expect restarts 1
+set "Materials/Kind" Dielectric
+wait picture
+mark
+set "Materials/IOR" 1.7
+wait picture
+expect restarts 1
+mark
+set "Thin" on
+wait picture
+expect restarts 1
+set "Materials/Kind" Plastic
+wait picture
+mark
+set "Materials/Emission" 1 2 3
+wait picture
+expect restarts 1
+expect light-tables 1
+expect mesh-builds 0
+)"));
+}
+
+TEST(ScriptedViewer, TheEnvironmentTurns) {
+    expectPlayed(play(R"(
+wait picture
+open "Lights"
+wait frames 2
+mark
+set "Lights/Rotation" 45
+wait picture
+expect restarts 1
+expect light-tables 1
+expect material-tables 0
+expect mesh-builds 0
 )"));
 }
 

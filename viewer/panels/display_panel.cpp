@@ -12,9 +12,9 @@ namespace glint {
 namespace {
 
 constexpr std::array<std::string_view, 4> kToneMaps{"Clamp (linear)", "sRGB", "Filmic", "Reinhard"};
-constexpr std::array<std::string_view, 8> kPictures{"Radiance",         "Albedo",        "Shading normal",
-                                                    "Geometric normal", "Depth",         "Object id",
-                                                    "Material id",      "Standard error"};
+constexpr std::array<std::string_view, 11> kPictures{
+    "Radiance",    "Albedo",         "Shading normal", "Geometric normal", "Depth",         "Object id",
+    "Material id", "Standard error", "SPPM radius",    "Photon count",     "Visible points"};
 constexpr std::array<std::string_view, 2> kSizes{"Fit the window", "1:1 pixels"};
 
 }  // namespace
@@ -37,6 +37,11 @@ void drawDisplayPanel(ViewerModel* model) {
     if (ui::choice("Shown", &shown, kPictures, "The render, or what the camera's first hit tells")) {
         display.shown = static_cast<ShownPicture>(shown);
     }
+    const bool hasPhotons = display.split || model->draft().options.integrator == IntegratorKind::Sppm;
+    if (isOfPhotons(display.shown) && !hasPhotons)
+        ui::hint("Path tracing has no photons: choose SPPM as the integrator.");
+    ui::toggle("Compare", &display.split,
+               "Path tracing left of the divider, SPPM right of it, at equal render time (C)");
     int size = display.pixelScale ? 1 : 0;
     if (ui::choice("Size", &size, kSizes)) display.pixelScale = size == 1;
     ImGui::PopID();

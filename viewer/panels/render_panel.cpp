@@ -58,10 +58,16 @@ void drawActions(ViewerModel* model) {
     if (ui::button("Restart", width, "Throws the picture away and begins again (R)")) model->restart();
 }
 
-void drawIntegrator() {
-    static constexpr std::array<std::string_view, 1> kIntegrators{"Path tracing"};
-    int integrator = 0;
-    ui::choice("Integrator", &integrator, kIntegrators, "How light is followed");
+void drawIntegrator(ViewerModel* model) {
+    static constexpr std::array<std::string_view, 2> kIntegrators{"Path tracing", "SPPM"};
+    RenderOptions& options = model->draft().options;
+    int integrator = static_cast<int>(options.integrator);
+    if (ui::choice(
+            "Integrator", &integrator, kIntegrators,
+            "Light followed from the camera, or photons from the lights too: for caustics. Each keeps its "
+            "picture")) {
+        options.integrator = static_cast<IntegratorKind>(integrator);
+    }
 }
 
 void drawNumbers(const ViewerModel& model) {
@@ -132,7 +138,7 @@ void drawRenderPanel(ViewerModel* model) {
     if (!ui::section("Render", true)) return;
     ImGui::PushID("render");
     drawActions(model);
-    drawIntegrator();
+    drawIntegrator(model);
     drawNumbers(*model);
     drawFaults(model);
     drawLimits(model);

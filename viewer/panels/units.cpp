@@ -44,4 +44,10 @@ std::string latency(double seconds) {
     return seconds < 1.0 ? fmt::format("{:.1f} ms", seconds * 1000.0) : fmt::format("{:.2f} s", seconds);
 }
 
+std::string length(double metres) {
+    if (metres < 0.9995e-3) return fmt::format("{:.3g} µm", metres * 1e6);
+    if (metres < 0.9995) return fmt::format("{:.3g} mm", metres * 1e3);
+    return metres < 999.5 ? fmt::format("{:.3g} m", metres) : fmt::format("{:.3g} km", metres / 1e3);
+}
+
 }  // namespace glint

@@ -17,4 +17,7 @@ std::string grouped(uint64_t value);
 /// "3.2 ms", "1.40 s".
 std::string latency(double seconds);
 
+/// 0.0123 → "12.3 mm".
+std::string length(double metres);
+
 }  // namespace glint

@@ -68,7 +68,9 @@ class App {
     ImGuiContext* imgui_ = nullptr;
     bool rendererStarted_ = false;
     std::unique_ptr<ImageDisplay> display_;
+    std::unique_ptr<ImageDisplay> otherDisplay_;  // the second picture of a comparison
     PictureSource source_;
+    PictureSource otherSource_;
     WidgetRegistry registry_;
     Fonts fonts_;
     float loadedScale_ = 0.0f;
@@ -84,12 +86,14 @@ class App {
     Clock::time_point lastEdit_ = Clock::now();
     Clock::time_point lastDrawn_{};
     std::shared_ptr<const FilmSnapshot> drawnSnapshot_;
+    std::shared_ptr<const FilmSnapshot> drawnOther_;
     int settled_ = 0;
     std::optional<ProgressLine> progress_;  // headless, when no script says what happens
 };
 
 App::~App() {
     display_.reset();
+    otherDisplay_.reset();
     if (rendererStarted_) ImGui_ImplOpenGL3_Shutdown();
     // The surface ends ImGui's platform back end, which lives in ImGui's context.
     surface_.reset();
@@ -108,6 +112,9 @@ Status App::open(std::optional<SceneDescription> scene) {
     auto display = ImageDisplay::create(surface_->gl());
     if (!display) return display.error();
     display_ = std::move(*display);
+    auto other = ImageDisplay::create(surface_->gl());
+    if (!other) return other.error();
+    otherDisplay_ = std::move(*other);
     if (options_.script) {
         player_ =
             std::make_unique<ScriptPlayer>(*options_.script, &registry_, &model_,
@@ -140,14 +147,16 @@ void App::drawFrame() {
     if (player_) player_->feed(&ImGui::GetIO());
     ImGui::NewFrame();
     ui::beginFrame(&registry_, &fonts_, loadedScale_ / loadedFramebufferScale_);
-    const bool held = shell_.draw(&model_, *display_);
+    const bool held = shell_.draw(&model_, {display_.get(), otherDisplay_.get(), &source_, &otherSource_});
     const auto now = Clock::now();
     if (model_.commitEdits(held) != EditKind::None) lastEdit_ = now;
     if (!held || seconds(now - lastEdit_) > kMotionEndSeconds) model_.finishMotion();
     ImGui::Render();
     const auto built = Clock::now();
-    source_.show(model_, display_.get());
+    source_.show(model_.snapshot(), model_.display, display_.get());
+    if (model_.display.split) otherSource_.show(model_.otherSnapshot(), model_.display, otherDisplay_.get());
     drawnSnapshot_ = model_.snapshot();
+    drawnOther_ = model_.otherSnapshot();
     if (!options_.frameStats.empty()) surface_->gl().Finish();
     const auto uploaded = Clock::now();
     const GlApi& gl = surface_->gl();
@@ -164,7 +173,9 @@ void App::drawFrame() {
 
 bool App::worthDrawing(Clock::time_point now) const {
     if (player_ || !options_.frameStats.empty()) return true;
-    if (seconds(now - lastInput_) < kLivelySeconds || model_.snapshot() != drawnSnapshot_) return true;
+    if (seconds(now - lastInput_) < kLivelySeconds || model_.snapshot() != drawnSnapshot_ ||
+        model_.otherSnapshot() != drawnOther_)
+        return true;
     const bool active = model_.status().state == SessionState::Rendering ||
                         model_.status().state == SessionState::Building || model_.busy() ||
                         model_.awaitsEdit();

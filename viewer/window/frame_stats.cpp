@@ -20,7 +20,7 @@ nlohmann::ordered_json numbers(const Vec3& v) { return nlohmann::ordered_json::a
 
 nlohmann::ordered_json sessionReport(const SessionStatus& session) {
     return {{"state", stateName(session.state)},
-            {"integrator", session.integrator == IntegratorKind::Sppm ? "sppm" : "path"},
+            {"integrator", integratorName(session.integrator)},
             {"passes", session.passes},
             {"restarts", session.counters.filmRestarts},
             {"preview_passes", session.counters.previewPasses},
@@ -29,6 +29,10 @@ nlohmann::ordered_json sessionReport(const SessionStatus& session) {
 }
 
 }  // namespace
+
+const char* integratorName(IntegratorKind integrator) {
+    return integrator == IntegratorKind::Sppm ? "sppm" : "path";
+}
 
 const char* stateName(SessionState state) {
     switch (state) {

@@ -35,5 +35,7 @@ class FrameStats {
 
 /// "rendering", "paused", …: as scripts and reports write it.
 const char* stateName(SessionState state);
+/// "path" or "sppm".
+const char* integratorName(IntegratorKind integrator);
 
 }  // namespace glint

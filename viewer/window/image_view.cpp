@@ -78,7 +78,7 @@ bool ImageView::navigate(Camera* camera, bool hovered, bool held) {
     return held || flying || (lastWheel_ >= 0.0 && ImGui::GetTime() - lastWheel_ < kWheelHoldSeconds);
 }
 
-bool ImageView::draw(ViewerModel* model, const ImageDisplay& display, Vec2 min, Vec2 max) {
+bool ImageView::draw(ViewerModel* model, const Pictures& pictures, Vec2 min, Vec2 max) {
     ImGui::SetNextWindowPos({min.x, min.y});
     ImGui::SetNextWindowSize({max.x - min.x, max.y - min.y});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
@@ -86,6 +86,9 @@ bool ImageView::draw(ViewerModel* model, const ImageDisplay& display, Vec2 min, 
     ImGui::Begin("##image", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
+    if (model->hasScene()) placePicture(*model, min, max);
+    if (model->hasScene() && model->display.split) dragDivider(&model->display, pictureMin_, pictureMax_);
+    ImGui::SetCursorScreenPos({min.x, min.y});
     ImGui::InvisibleButton("##area", {max.x - min.x, max.y - min.y},
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
@@ -95,12 +98,9 @@ bool ImageView::draw(ViewerModel* model, const ImageDisplay& display, Vec2 min, 
     hoveredPixel_.reset();
     bool moving = false;
     if (model->hasScene()) {
-        placePicture(*model, min, max);
         moving = navigate(&model->draft().camera, hovered, held);
-        if (display.texture() != 0) {
-            ImGui::GetWindowDrawList()->AddImage(
-                reinterpret_cast<ImTextureID>(static_cast<intptr_t>(display.texture())),
-                {pictureMin_.x, pictureMin_.y}, {pictureMax_.x, pictureMax_.y});
+        if (pictures.main->texture() != 0) {
+            drawPictures(*model, pictures, pictureMin_, pictureMax_);
         } else {
             drawHint(min, max, "Building…");
         }
@@ -108,6 +108,10 @@ bool ImageView::draw(ViewerModel* model, const ImageDisplay& display, Vec2 min, 
         if (hovered && mouse.x >= pictureMin_.x && mouse.y >= pictureMin_.y && mouse.x < pictureMax_.x &&
             mouse.y < pictureMax_.y) {
             hoveredPixel_ = Vec2i((Vec2(mouse.x, mouse.y) - pictureMin_) / zoom_);
+            const bool onRight =
+                mouse.x > pictureMin_.x + (pictureMax_.x - pictureMin_.x) * model->display.splitAt;
+            const auto& other = model->otherSnapshot();
+            hoversOther_ = other && onRight == (other->integrator == IntegratorKind::Sppm);
         }
     } else {
         drawHint(min, max, model->opening() ? "Opening…" : "No scene is open. Enter a file on the right.");

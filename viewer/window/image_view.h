@@ -1,11 +1,11 @@
 // The picture's area: draws it, and turns the mouse and the keyboard into camera moves.
 //
-// Room for picking, click-to-focus and comparison: they belong here too, as further meanings of a click.
+// Room for picking and click-to-focus: they belong here too, as further meanings of a click.
 #pragma once
 
 #include <optional>
 
-#include "viewer/window/image_display.h"
+#include "viewer/window/split_view.h"
 #include "viewer/window/viewer_model.h"
 
 namespace glint {
@@ -13,10 +13,12 @@ namespace glint {
 class ImageView {
   public:
     /// Draws into the given rectangle (ImGui units). Returns true while the user holds the camera.
-    bool draw(ViewerModel* model, const ImageDisplay& display, Vec2 min, Vec2 max);
+    bool draw(ViewerModel* model, const Pictures& pictures, Vec2 min, Vec2 max);
 
     /// The film's pixel under the mouse.
     const std::optional<Vec2i>& hoveredPixel() const { return hoveredPixel_; }
+    /// While the picture is split: the mouse is on the side of the integrator that snapshot() does not show.
+    bool hoversOther() const { return hoversOther_; }
     /// Screen units per film pixel.
     float zoom() const { return zoom_; }
 
@@ -29,6 +31,7 @@ class ImageView {
     float zoom_ = 1.0f;
     double lastWheel_ = -1.0;
     std::optional<Vec2i> hoveredPixel_;
+    bool hoversOther_ = false;
 };
 
 }  // namespace glint

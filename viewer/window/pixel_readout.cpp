@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "viewer/panels/units.h"
+#include "viewer/window/picture_source.h"
+
 namespace glint {
 namespace {
 
@@ -33,16 +36,30 @@ std::string aovText(const AovSample& sample, ShownPicture shown) {
             return sample.materialId > 0 ? fmt::format("material {}", sample.materialId) : "nothing hit";
         case ShownPicture::Radiance:
         case ShownPicture::StandardError:
+        case ShownPicture::Radius:
+        case ShownPicture::PhotonCount:
+        case ShownPicture::VisiblePoints:
             break;
     }
     return "";
 }
 
+std::string photonText(const FilmSnapshot& snapshot, size_t index, ShownPicture shown) {
+    const bool counts = shown == ShownPicture::PhotonCount;
+    const std::vector<float>& values = counts ? snapshot.photonCount : snapshot.radiusWorld;
+    if (index >= values.size()) return "";
+    const float value = values[index];
+    if (counts) return fmt::format("{:.1f} photons", value);
+    if (!(value > 0.0f)) return "no visible point";
+    return shown == ShownPicture::Radius ? "radius " + length(static_cast<double>(value)) : "visible point";
+}
+
 }  // namespace
 
-std::string pixelReadout(const FilmSnapshot& snapshot, ShownPicture shown, Vec2i filmPixel) {
+std::string pixelReadout(const FilmSnapshot& snapshot, ShownPicture wanted, Vec2i filmPixel) {
     if (snapshot.width <= 0 || snapshot.height <= 0) return "";
     const size_t index = indexOf(snapshot, filmPixel);
+    const ShownPicture shown = pictureOf(snapshot, wanted);
     if (shown == ShownPicture::Radiance) {
         const float* rgb = snapshot.radiance.data() + 3 * index;
         return colorText({rgb[0], rgb[1], rgb[2]});
@@ -51,6 +68,7 @@ std::string pixelReadout(const FilmSnapshot& snapshot, ShownPicture shown, Vec2i
         if (index >= snapshot.standardError.size()) return "";
         return fmt::format("± {:.3g} luminance", snapshot.standardError[index]);
     }
+    if (isOfPhotons(shown)) return photonText(snapshot, index, shown);
     if (!snapshot.aovs || snapshot.aovs->passes() == 0) return "";
     return aovText(snapshot.aovs->pixels()[index], shown);
 }

@@ -9,6 +9,6 @@ namespace glint {
 
 /// `filmPixel` counts in full resolution and is clamped to the picture. "" where the snapshot does not carry
 /// that picture (yet).
-std::string pixelReadout(const FilmSnapshot& snapshot, ShownPicture shown, Vec2i filmPixel);
+std::string pixelReadout(const FilmSnapshot& snapshot, ShownPicture wanted, Vec2i filmPixel);
 
 }  // namespace glint

@@ -97,8 +97,8 @@ void ScriptPlayer::print(const ScriptStatement& statement) const {
     const std::string& what = statement.words[0].text;
     if (!statement.words[0].quoted && what == "status") {
         const SessionStatus status = model_->session().status();
-        fmt::print("state={} passes={} seconds={:.3f}", stateName(status.state), status.passes,
-                   status.renderSeconds);
+        fmt::print("state={} integrator={} passes={} seconds={:.3f}", stateName(status.state),
+                   integratorName(status.integrator), status.passes, status.renderSeconds);
         for (const NamedCounter& counter : kCounters) {
             fmt::print(" {}={}", counter.name, status.counters.*counter.member - mark_.*counter.member);
         }

@@ -180,7 +180,10 @@ Result<ScriptPlayer::Progress> ScriptPlayer::runWait(const ScriptStatement& stat
     if (what == "seconds") met = waited >= static_cast<double>(statement.number(1));
     if (what == "passes")
         met = !model_->awaitsEdit() && status.passes >= static_cast<uint32_t>(statement.number(1));
-    if (what == "picture") met = attempts_ > 1 && !model_->awaitsEdit() && model_->pictureIsCurrent();
+    if (what == "picture") {
+        met = attempts_ > 1 && !model_->awaitsEdit() && model_->pictureIsCurrent() &&
+              model_->carriesShownPicture();
+    }
     if (what == "jobs") met = attempts_ > 1 && !model_->busy() && !model_->opening();
     if (what == "finished") met = !model_->awaitsEdit() && status.state == SessionState::Finished;
     if (what == "paused") met = status.state == SessionState::Paused;

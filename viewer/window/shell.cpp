@@ -43,6 +43,7 @@ constexpr KeyHelp kKeyHelp[] = {
     {"Home", "the scene file's camera"},
     {"Space", "pause and go on"},
     {"R", "restart"},
+    {"C", "compare path tracing and SPPM"},
     {"[ and ]", "exposure by a third of a stop"},
     {"Ctrl + S", "save the PNG"},
     {"Ctrl + Q", "quit"},
@@ -70,6 +71,7 @@ void Shell::handleKeys(ViewerModel* model) {
     if (!model->hasScene()) return;
     if (isPressed(GLFW_KEY_SPACE)) model->paused = !model->paused;
     if (isPressed(GLFW_KEY_R)) model->restart();
+    if (isPressed(GLFW_KEY_C)) model->display.split = !model->display.split;
     if (isPressed(GLFW_KEY_HOME)) model->draft().camera = model->cameraOfFile();
     if (isPressed(GLFW_KEY_F)) {
         const Resolution& size = model->draft().resolution;
@@ -125,7 +127,7 @@ void Shell::drawStatusLine(const ViewerModel& model, float y) {
                            std::filesystem::path(model.draft().path).filename().string(), size.width,
                            size.height, view_.zoom() * 100.0f);
         const SessionStatus& status = model.status();
-        const auto& snapshot = model.snapshot();
+        const auto& snapshot = view_.hoversOther() ? model.otherSnapshot() : model.snapshot();
         if (const auto& pixel = view_.hoveredPixel(); pixel && snapshot && snapshot->width > 0) {
             left += fmt::format("    ({}, {})  {}", pixel->x, pixel->y,
                                 pixelReadout(*snapshot, model.display.shown, *pixel));
@@ -166,7 +168,7 @@ void Shell::drawHelp() {
     ImGui::PopStyleVar(2);
 }
 
-bool Shell::draw(ViewerModel* model, const ImageDisplay& display) {
+bool Shell::draw(ViewerModel* model, const Pictures& pictures) {
     handleKeys(model);
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const float scale = ui::scale();
@@ -176,7 +178,7 @@ bool Shell::draw(ViewerModel* model, const ImageDisplay& display) {
     const float column = panelsShown_ ? columnUnits_ * scale : 0.0f;
     const float splitter = panelsShown_ ? kSplitterUnits * scale : 0.0f;
     const float pictureRight = std::max(1.0f, size.x - column - splitter);
-    const bool moving = view_.draw(model, display, {0.0f, 0.0f}, {pictureRight, statusTop});
+    const bool moving = view_.draw(model, pictures, {0.0f, 0.0f}, {pictureRight, statusTop});
     if (panelsShown_) {
         drawSplitter(pictureRight, statusTop);
         drawColumn(model, pictureRight + splitter, statusTop);

@@ -9,7 +9,7 @@ namespace glint {
 class Shell {
   public:
     /// Draws the whole window. Returns true while the user holds the camera or a control.
-    bool draw(ViewerModel* model, const ImageDisplay& display);
+    bool draw(ViewerModel* model, const Pictures& pictures);
     /// The keys asked for the end.
     bool quitWanted() const { return quitWanted_; }
 

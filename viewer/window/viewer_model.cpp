@@ -31,9 +31,20 @@ uint32_t aovOf(ShownPicture shown) {
             return kAovMaterialId;
         case ShownPicture::Radiance:
         case ShownPicture::StandardError:
+        case ShownPicture::Radius:
+        case ShownPicture::PhotonCount:
+        case ShownPicture::VisiblePoints:
             break;
     }
     return 0;
+}
+
+bool carries(const FilmSnapshot& snapshot, ShownPicture shown) {
+    if (shown == ShownPicture::Radiance) return true;
+    if (shown == ShownPicture::StandardError) return !snapshot.standardError.empty();
+    if (isOfPhotons(shown))
+        return snapshot.integrator != IntegratorKind::Sppm || !snapshot.radiusWorld.empty();
+    return snapshot.aovs && snapshot.aovs->passes() > 0;
 }
 
 bool sameLimits(const StopLimits& a, const StopLimits& b) {
@@ -102,8 +113,10 @@ void ViewerModel::refresh() {
     jobs_.runCompletions();
     status_ = session_.status();
     snapshot_ = session_.snapshot();
+    otherSnapshot_ = display.split ? session_.otherSnapshot() : nullptr;
     if (awaitsEdit_ && status_.generation > generationBeforeEdit_ && pictureIsCurrent()) awaitsEdit_ = false;
-    if (status_.state == SessionState::Failed) awaitsEdit_ = false;
+    const bool refused = status_.counters.editsRefused > refusedBeforeEdit_;
+    if (status_.state == SessionState::Failed || refused) awaitsEdit_ = false;
     if (pendingExr_ && status_.aovPasses > 0) startExr();
     autosave();
 }
@@ -112,7 +125,9 @@ void ViewerModel::finishMotion() { setInteracting(false); }
 
 void ViewerModel::expectPicture() {
     awaitsEdit_ = true;
-    generationBeforeEdit_ = session_.status().generation;
+    const SessionStatus before = session_.status();
+    generationBeforeEdit_ = before.generation;
+    refusedBeforeEdit_ = before.counters.editsRefused;
 }
 
 EditKind ViewerModel::commitEdits(bool held) {
@@ -150,6 +165,15 @@ void ViewerModel::postWishes() {
         requestedError_ = error;
         session_.request(aovs, error);
     }
+    if (const bool photons = isOfPhotons(display.shown); photons != requestedPhotons_) {
+        session_.requestPhotonStatistics(requestedPhotons_ = photons);
+    }
+    if (display.split != comparing_) session_.setComparing(comparing_ = display.split);
+}
+
+bool ViewerModel::carriesShownPicture() const {
+    if (!snapshot_ || !carries(*snapshot_, display.shown)) return false;
+    return !display.split || (otherSnapshot_ && carries(*otherSnapshot_, display.shown));
 }
 
 bool ViewerModel::pictureIsCurrent() const {

@@ -26,14 +26,21 @@ enum class ShownPicture {
     Depth,
     ObjectId,
     MaterialId,
-    StandardError
+    StandardError,
+    Radius,         ///< SPPM: present radius, metres
+    PhotonCount,    ///< SPPM: photons kept so far
+    VisiblePoints,  ///< SPPM: which pixels hold one
 };
+/// Pictures that path tracing does not have.
+constexpr bool isOfPhotons(ShownPicture shown) { return shown >= ShownPicture::Radius; }
 
 struct DisplaySettings {
     float exposureStops = 0.0f;
     ToneMap toneMap = ToneMap::Srgb;
     ShownPicture shown = ShownPicture::Radiance;
     bool pixelScale = false;  ///< one screen pixel a picture pixel, instead of fitting the window
+    bool split = false;       ///< path tracing left of the divider, SPPM right of it, at equal render time
+    float splitAt = 0.5f;     ///< the divider, as a share of the picture's width
 };
 
 struct FileSettings {
@@ -95,8 +102,12 @@ class ViewerModel {
     void finishMotion();
     const SessionStatus& status() const { return status_; }
     const std::shared_ptr<const FilmSnapshot>& snapshot() const { return snapshot_; }
+    /// While the picture is split: the integrator that snapshot() does not show; null before its first pass.
+    const std::shared_ptr<const FilmSnapshot>& otherSnapshot() const { return otherSnapshot_; }
     /// The film is at full resolution and belongs to the scene as it is now.
     bool pictureIsCurrent() const;
+    /// The snapshots carry what DisplaySettings::shown asks for.
+    bool carriesShownPicture() const;
     /// An edit was posted, and no picture of it has come back.
     bool awaitsEdit() const { return awaitsEdit_; }
 
@@ -129,13 +140,17 @@ class ViewerModel {
     RenderSession session_;
     SessionStatus status_;
     std::shared_ptr<const FilmSnapshot> snapshot_;
+    std::shared_ptr<const FilmSnapshot> otherSnapshot_;
     StopLimits postedLimits_;
     bool postedPaused_ = false;
     bool postedInteracting_ = false;
     uint32_t requestedAovs_ = 0;
     bool requestedError_ = false;
+    bool requestedPhotons_ = false;
+    bool comparing_ = false;
     bool awaitsEdit_ = false;
     uint64_t generationBeforeEdit_ = 0;
+    uint64_t refusedBeforeEdit_ = 0;
 
     bool pendingExr_ = false;
     std::string fileMessage_;
