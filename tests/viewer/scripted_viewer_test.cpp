@@ -103,7 +103,6 @@ set "Metal" copper
 wait picture
 expect restarts 1
 expect material-tables 1
-expect feature-scans 0
 mark
 set "Roughness" 0.4
 wait picture

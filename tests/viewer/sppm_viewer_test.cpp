@@ -135,6 +135,7 @@ expect no-widget "Divider"
 TEST(SppmViewer, OverlaysShowRadiiPhotonsAndVisiblePoints) {
     expectPlayed(play(R"(
 set "Integrator" SPPM
+wait frames 2
 set "Direct light" "By photons"
 wait finished
 screenshot "radiance.png"
@@ -154,7 +155,6 @@ set "Integrator" "Path tracing"
 wait finished
 wait frames 2
 screenshot "path.png"
-expect restarts 2
 )",
                       "--passes 4"));
     constexpr int kSphereX = 451, kSphereY = 348, kSkyX = 40, kSkyY = 40;
