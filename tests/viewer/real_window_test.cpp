@@ -69,7 +69,8 @@ bool until(const std::function<bool()>& met) {
     return true;
 }
 
-/// A child process; its output goes into a file. Killed if it still runs at the end.
+/// A child process; its output goes into a file. Asked to end if it still runs at the end, and killed if it
+/// does not.
 class Child {
   public:
     Child(const Words& words, const std::string& outputFile, int inheritedPipe = -1) {
@@ -88,6 +89,8 @@ class Child {
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
     ~Child() {
+        if (!ended()) kill(pid_, SIGTERM);
+        for (int i = 0; i < 50 && !ended(); ++i) std::this_thread::sleep_for(kPause);
         if (ended()) return;
         kill(pid_, SIGKILL);
         waitpid(pid_, nullptr, 0);
@@ -129,7 +132,10 @@ class XServer {
     explicit XServer(const Words& more = {}) {
         int ends[2];
         if (pipe(ends) != 0) return;
-        Words words{"Xvfb", "-displayfd", "3", "-screen", "0", "1280x720x24", "-nolisten", "tcp"};
+        Words words{
+            "Xvfb", "-displayfd", "3", "-screen", "0", "1280x720x24", "-nolisten", "tcp",
+            // Otherwise it starts anew whenever its last client leaves, and drops who is just arriving.
+            "-noreset"};
         words.insert(words.end(), more.begin(), more.end());
         server_ = std::make_unique<Child>(words, "xvfb.log", ends[1]);
         close(ends[1]);
