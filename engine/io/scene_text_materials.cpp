@@ -36,6 +36,7 @@ void SceneTextReader::readMaterial() {
             tokens_.vec3("specularColor");  // Phong's, which path tracing does not use.
         } else if (tokens_.accept("emission")) {
             material.emission = tokens_.color("emission");
+            material.emitsBothSides = true;  // The original adds it whichever side a ray meets.
         } else if (tokens_.accept("type")) {
             weightsAt = tokens_.peek();
             weights = tokens_.color("type");

@@ -1,15 +1,22 @@
-// The same film to the last bit: for 1, 2 and 3 threads, over capture and resume, and through the session.
+// The same film to the last bit: for 1, 2 and 3 threads, over capture and resume, through the session, and
+// from a scene that was saved and loaded again.
 #include <cstring>
+#include <filesystem>
 
 #include <gtest/gtest.h>
 
 #include "engine/build/scene_builder.h"
+#include "engine/io/scene_json.h"
+#include "engine/io/scene_loader.h"
 #include "engine/render/pass_params.h"
 #include "engine/render/render_session.h"
+#include "tests/support/temp_folder.h"
 #include "tests/support/test_scenes.h"
 
 namespace glint {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr uint32_t kPasses = 3;
 const std::atomic<bool> kNever{false};
@@ -72,6 +79,42 @@ TEST(FilmIdentity, TheSessionAddsNothingAndResumesExactly) {
     const auto whole = second.capture();
     ASSERT_TRUE(whole.has_value());
     expectSameBits(direct, whole->film);
+}
+
+/// Saves into another folder, loads that, and compares the pictures.
+void expectSamePictureFromSavedScene(const fs::path& path) {
+    SCOPED_TRACE(path);
+    auto original = loadScene(path.string(), {.allowMissing = true});
+    ASSERT_TRUE(original.ok()) << original.error().format();
+    original->resolution = {40, 30};
+    const test::TempFolder folder;
+    const std::string saved = folder.path("saved.json");
+    const Status status = saveSceneJson(*original, saved);
+    ASSERT_TRUE(status.ok()) << status.error().format();
+    const auto loaded = loadScene(saved);
+    ASSERT_TRUE(loaded.ok()) << loaded.error().format();
+    expectSameBits(render(*original, 2), render(*loaded, 2));
+}
+
+TEST(FilmIdentity, OurScenesSavedAndLoadedAgain) {
+    for (const auto& entry : fs::directory_iterator(GLINT_SOURCE_DIR "/scenes")) {
+        const fs::path& path = entry.path();
+        if (path.extension() == ".json" && path.stem().extension() != ".schema") {
+            expectSamePictureFromSavedScene(path);
+        }
+    }
+}
+
+TEST(FilmIdentity, TextScenesAndObjFilesSavedAndLoadedAgain) {
+    const fs::path seeds = fs::path(GLINT_SHARED_DIR) / "seed-scenes";
+    if (!fs::exists(seeds)) {
+        GTEST_SKIP() << seeds << " is not here";
+    }
+    for (const char* name : {"scene03_sphere", "scene04_axes", "scene06_bunny_1k", "scene11_smallpt",
+                             "scene18_dof", "scene21_livingroom"}) {
+        expectSamePictureFromSavedScene(seeds / "testcases" / (std::string(name) + ".txt"));
+    }
+    expectSamePictureFromSavedScene(seeds / "mesh" / "bunny_1k_vn.obj");
 }
 
 TEST(FilmIdentity, AStoppedPassLeavesNoTrace) {

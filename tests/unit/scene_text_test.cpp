@@ -46,6 +46,13 @@ TEST(SceneText, ApertureIsTheHalfSideOfASquareLens) {
     EXPECT_FLOAT_EQ(scene.camera.bladeRotationDeg, 45.0f);
 }
 
+TEST(SceneText, EmissionLeavesBothSides) {
+    const SceneDescription scene = mustRead(kTwoMaterials);
+    EXPECT_FALSE(scene.materials[0].emissive());
+    ASSERT_TRUE(scene.materials[1].emissive());
+    EXPECT_TRUE(scene.materials[1].emitsBothSides);
+}
+
 TEST(SceneText, MaterialIndexStaysInForceAcrossGroups) {
     const SceneDescription scene =
         mustRead(std::string(kTwoMaterials) +
