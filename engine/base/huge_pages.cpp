@@ -26,7 +26,8 @@ void* allocateHugePages(size_t bytes) {
 }
 
 void freeHugePages(void* memory, size_t bytes) noexcept {
-    ::operator delete(memory, bytes, alignmentFor(bytes));
+    // Without the size: clang knows that form only with an option of its own.
+    ::operator delete(memory, alignmentFor(bytes));
 }
 
 }  // namespace glint

@@ -21,8 +21,8 @@ GLINT_HD inline uint32_t packUnitVector(const Vec3& unit) {
         v = (1.0f - std::fabs(u)) * std::copysign(1.0f, v);
         u = foldedU;
     }
-    const uint32_t ui = static_cast<uint32_t>((clampf(u, -1.0f, 1.0f) * 0.5f + 0.5f) * kSteps + 0.5f);
-    const uint32_t vi = static_cast<uint32_t>((clampf(v, -1.0f, 1.0f) * 0.5f + 0.5f) * kSteps + 0.5f);
+    const auto ui = static_cast<uint32_t>(std::floor((clampf(u, -1.0f, 1.0f) * 0.5f + 0.5f) * kSteps + 0.5f));
+    const auto vi = static_cast<uint32_t>(std::floor((clampf(v, -1.0f, 1.0f) * 0.5f + 0.5f) * kSteps + 0.5f));
     return ui | (vi << kBits);
 }
 

@@ -23,7 +23,7 @@ size_t chunkCount(size_t pixels) { return (pixels + kChunkPixels - 1) / kChunkPi
 /// Welford 1962: mean_n = mean_(n-1) + (x - mean_(n-1)) / n, M_n = M_(n-1) + (x - mean_(n-1)) (x - mean_n).
 void addSample(const Vec3& radiance, FilmPixel* pixel) {
     const double before = luminanceOf(pixel->mean);
-    const double value[3] = {radiance.x, radiance.y, radiance.z};
+    const glm::dvec3 value(radiance);
     ++pixel->count;
     for (int c = 0; c < 3; ++c) {
         pixel->mean[c] += (value[c] - pixel->mean[c]) / pixel->count;

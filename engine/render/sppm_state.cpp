@@ -11,8 +11,8 @@
 
 namespace glint {
 
-SppmState::SppmState(int width_, int height_)
-    : width(width_), height(height_), pixels(static_cast<size_t>(width_) * static_cast<size_t>(height_)) {}
+SppmState::SppmState(int columns, int rows)
+    : width(columns), height(rows), pixels(static_cast<size_t>(columns) * static_cast<size_t>(rows)) {}
 
 void SppmState::clear() {
     passes = 0;
@@ -64,8 +64,8 @@ SppmMemory planSppmMemory(int width, int height, uint32_t photonsPerPass, double
     plan.pixelBytes = static_cast<size_t>(width) * static_cast<size_t>(height) * kSppmBytesPerPixel;
     plan.photonsPerPass = photonsPerPass;
     const double bytesPerPhoton = storedPerPhoton * static_cast<double>(PhotonStore::kBytesPerPhoton);
-    double room =
-        static_cast<double>(PhotonStore::kMaxPhotons / 2) * static_cast<double>(PhotonStore::kBytesPerPhoton);
+    double room = 0.5 * static_cast<double>(PhotonStore::kMaxPhotons) *
+                  static_cast<double>(PhotonStore::kBytesPerPhoton);
     if (budgetBytes > 0) {
         const double left =
             budgetBytes > plan.pixelBytes ? static_cast<double>(budgetBytes - plan.pixelBytes) : 0.0;
