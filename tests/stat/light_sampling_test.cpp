@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <numbers>
-#include <random>
 
 #include <gtest/gtest.h>
 
@@ -14,6 +13,7 @@
 #include "engine/math/color.h"
 #include "tests/support/light_scene.h"
 #include "tests/support/statistics.h"
+#include "tests/support/uniform_numbers.h"
 
 namespace glint {
 namespace {
@@ -21,24 +21,12 @@ namespace {
 using test::chiSquare;
 using test::ChiSquare;
 using test::LightScene;
+using test::UniformNumbers;
 
 constexpr int kBinsCos = 20;
 constexpr int kBinsPhi = 20;
 constexpr int kSubdivisions = 40;
 constexpr int kSamples = 200000;
-
-class UniformNumbers {
-  public:
-    explicit UniformNumbers(uint32_t seed) : random_(seed) {}
-    float next() { return static_cast<float>(random_() >> 8) * 0x1p-24f; }
-    Vec2 next2() {
-        const float x = next();
-        return {x, next()};
-    }
-
-  private:
-    std::mt19937 random_;
-};
 
 struct Case {
     const char* name;

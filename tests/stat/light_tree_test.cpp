@@ -1,33 +1,20 @@
 // Choosing among lights: probabilities sum to 1, are met by the frequencies, never miss a light that shines,
 // and with thousands of lights give less variance than a uniform choice. Chi-square at significance 1e-6.
 
-#include <random>
-
 #include <gtest/gtest.h>
 
 #include "engine/kernels/light_sampling.h"
 #include "engine/math/color.h"
 #include "tests/support/light_scene.h"
 #include "tests/support/statistics.h"
+#include "tests/support/uniform_numbers.h"
 
 namespace glint {
 namespace {
 
 using test::LightScene;
 using test::RunningMean;
-
-class UniformNumbers {
-  public:
-    explicit UniformNumbers(uint32_t seed) : random_(seed) {}
-    float next() { return static_cast<float>(random_() >> 8) * 0x1p-24f; }
-    Vec2 next2() {
-        const float x = next();
-        return {x, next()};
-    }
-
-  private:
-    std::mt19937 random_;
-};
+using test::UniformNumbers;
 
 /// A soup of emissive triangles, and one light of every other kind.
 SceneDescription mixedLights(uint32_t triangles, bool bothSides) {

@@ -144,11 +144,6 @@ Status report(const PassesOptions& options, const SppmParams& params, const Pass
                       {"pixel_bytes", r.pixelBytes}});
 }
 
-int complain(const Error& error, int exitCode) {
-    fmt::print(stderr, "error: {}\n", error.format());
-    return exitCode;
-}
-
 int runPasses(const PassesOptions& options) {
     const auto scene = sceneOf(options);
     if (!scene) return complain(scene.error(), kExitBadInput);

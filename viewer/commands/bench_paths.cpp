@@ -94,11 +94,6 @@ Status report(const PathsOptions& options, const PathsResult& r, int threads, co
                                     {"relative_error", r.relativeError}});
 }
 
-int complain(const Error& error, int exitCode) {
-    fmt::print(stderr, "error: {}\n", error.format());
-    return exitCode;
-}
-
 int runPaths(const PathsOptions& options) {
     const auto scene = sceneOf(options);
     if (!scene) return complain(scene.error(), kExitBadInput);

@@ -5,6 +5,8 @@
 // error, and answers with an exit code; nothing here calls exit().
 #pragma once
 
+#include "engine/base/result.h"
+
 namespace CLI {
 class App;
 }
@@ -17,6 +19,9 @@ enum ExitCode : int {
     kExitFailed = 2,         ///< the run failed: disk full, no context, device lost
     kExitInterrupted = 130,  ///< by Ctrl-C, after saving
 };
+
+/// Prints the command's one error message to standard error and gives back the exit code.
+int complain(const Error& error, int exitCode);
 
 /// Each adds a subcommand to `app`; when the user chose it, *exitCode is set by running it.
 void addViewCommand(CLI::App& app, int* exitCode);

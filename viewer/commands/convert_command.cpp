@@ -16,11 +16,6 @@ struct ConvertOptions {
     bool allowMissing = false;
 };
 
-int complain(const Error& error, int exitCode) {
-    fmt::print(stderr, "error: {}\n", error.format());
-    return exitCode;
-}
-
 int runConvert(const ConvertOptions& options) {
     if (!options.out.ends_with(".json")) {
         return complain({fmt::format("'{}': expected a name that ends in .json", options.out), {}},

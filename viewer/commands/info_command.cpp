@@ -117,11 +117,6 @@ nlohmann::ordered_json jsonReport(const SceneDescription& scene, const SceneRepo
             {"warnings", scene.warnings}};
 }
 
-int complain(const Error& error, int exitCode) {
-    fmt::print(stderr, "error: {}\n", error.format());
-    return exitCode;
-}
-
 int runInfo(const InfoOptions& options) {
     auto loaded = loadScene(options.scene, {.allowMissing = options.allowMissing});
     if (!loaded) {

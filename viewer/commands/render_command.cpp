@@ -21,11 +21,6 @@ constexpr const char* kFooter = R"(Examples:
   glint render scenes/sppm_glass_mesh.json -o out.png --passes 400 --picture-every 50
 Ctrl-C saves the picture and the checkpoint.)";
 
-int complain(const Error& error) {
-    fmt::print(stderr, "error: {}\n", error.format());
-    return kExitBadInput;
-}
-
 Status checkOutputs(const RenderCommandOptions& o) {
     if (o.output.empty()) {
         return Error{"no picture is named; expected -o OUT.png, OUT.exr or OUT.hdr", {}};
@@ -52,13 +47,13 @@ Status checkOutputs(const RenderCommandOptions& o) {
 int runCommand(const RenderCommandOptions& options) {
     if (options.pixel.empty()) {
         if (Status outputs = checkOutputs(options); !outputs) {
-            return complain(outputs.error());
+            return complain(outputs.error(), kExitBadInput);
         }
     }
     const auto began = std::chrono::steady_clock::now();
     Result<SceneDescription> loaded = loadScene(options.scene, {.allowMissing = options.allowMissing});
     if (!loaded) {
-        return complain(loaded.error());
+        return complain(loaded.error(), kExitBadInput);
     }
     const double loadSeconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
@@ -66,7 +61,7 @@ int runCommand(const RenderCommandOptions& options) {
         logWarning("{}", warning);
     }
     if (Status applied = applyTo(options, &*loaded); !applied) {
-        return complain(applied.error());
+        return complain(applied.error(), kExitBadInput);
     }
     if (!options.pixel.empty()) {
         return runReplay(*loaded, options);

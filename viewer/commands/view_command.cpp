@@ -42,11 +42,6 @@ struct ViewCommandOptions {
     bool allowMissing = false;
 };
 
-int complain(const Error& error, int exitCode) {
-    fmt::print(stderr, "error: {}\n", error.format());
-    return exitCode;
-}
-
 #if GLINT_HAS_VIEWER
 
 constexpr int kSmallestSide = 64;
