@@ -56,17 +56,31 @@ TEST_F(CommandLine, UnknownOptionsNameTheNearest) {
 TEST_F(CommandLine, BadValuesAreRefusedWithOneMessage) {
     const std::string out = folder.path("a.png");
     const std::vector<std::vector<std::string>> bad = {
-        {"--passes", "0"},        {"--passes", "many"},
-        {"--size", "12"},         {"--size", "0x5"},
-        {"--time", "-1"},         {"--filter", "sinc"},
-        {"--tone", "loud"},       {"--threads", "0"},
-        {"--backend", "gpu"},     {"--camera-target", "1,2"},
-        {"--aov", "depth"},       {"--checkpoint-every", "5"},
-        {"--fov", "180"},         {"--sampler", "halton"},
-        {"--exposure", "bright"}, {"--resume", folder.path("none")},
-        {"--exposure", "nan"},    {"--time", "nan"},
-        {"--focus", "inf"},       {"--pass", "3"},
+        {"--passes", "0"},
+        {"--passes", "many"},
+        {"--size", "12"},
+        {"--size", "0x5"},
+        {"--time", "-1"},
+        {"--filter", "sinc"},
+        {"--tone", "loud"},
+        {"--threads", "0"},
+        {"--backend", "gpu"},
+        {"--camera-target", "1,2"},
+        {"--aov", "depth"},
+        {"--checkpoint-every", "5s"},
+        {"--fov", "180"},
+        {"--sampler", "halton"},
+        {"--exposure", "bright"},
+        {"--resume", folder.path("none")},
+        {"--exposure", "nan"},
+        {"--time", "nan"},
+        {"--focus", "inf"},
+        {"--pass", "3"},
         {"--checkpoint", out},
+        {"--checkpoint-every", "0"},
+        {"--checkpoint-every", "often"},
+        {"--checkpoint-every", "-3"},
+        {"--checkpoint-every", "2m"},
     };
     for (const auto& words : bad) {
         std::vector<std::string> arguments = {"render", kCornell, "-o", out};
@@ -240,9 +254,10 @@ const std::string kCaustic = GLINT_SOURCE_DIR "/scenes/cornell_glass_mirror.json
 TEST_F(CommandLine, PhotonMappingTakesItsOptionsAndReports) {
     const std::string out = folder.path("a.exr");
     const ProgramRun run = runProgram(
-        {"render",       kCaustic,  "-o",        out,    "--size",          "24x24",  "--passes", "5",
-         "--integrator", "sppm",    "--photons", "2000", "--radius",        "auto:6", "--alpha",  "0.5",
-         "--direct",     "photons", "--lookup",  "tree", "--picture-every", "2",      "--json",   "-"});
+        {"render",  kCaustic,       "-o",       out,         "--size",   "24x24",    "--passes",
+         "5",       "--integrator", "sppm",     "--photons", "2000",     "--radius", "auto:6",
+         "--alpha", "0.5",          "--direct", "photons",   "--lookup", "tree",     "--checkpoint-every",
+         "2",       "--json",       "-"});
     ASSERT_EQ(run.exitCode, 0) << run.err;
     const auto report = nlohmann::json::parse(run.out, nullptr, false);
     ASSERT_FALSE(report.is_discarded());
@@ -267,10 +282,10 @@ TEST_F(CommandLine, NumberedPicturesChangeNothingAndGoOnAfterResuming) {
         return TempFolder::read(folder.path(out));
     };
     const std::string plain = render("plain.png", {"--passes", "6"});
-    EXPECT_EQ(render("often.png", {"--passes", "6", "--picture-every", "1"}), plain);
+    EXPECT_EQ(render("often.png", {"--passes", "6", "--checkpoint-every", "1"}), plain);
     const std::string half = render("half.png", {"--passes", "3", "--checkpoint", folder.path("c")});
     EXPECT_EQ(TempFolder::read(folder.path("often-000003.png")), half);
-    EXPECT_EQ(render("whole.png", {"--passes", "6", "--resume", folder.path("c"), "--picture-every", "2"}),
+    EXPECT_EQ(render("whole.png", {"--passes", "6", "--resume", folder.path("c"), "--checkpoint-every", "2"}),
               plain);
     EXPECT_EQ(TempFolder::read(folder.path("whole-000004.png")),
               TempFolder::read(folder.path("often-000004.png")));

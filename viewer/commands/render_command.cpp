@@ -18,7 +18,7 @@ constexpr const char* kFooter = R"(Examples:
   glint render scenes/cornell.json -o cornell.png --passes 256
   glint render scene.obj -o out.exr --time 60 --aov albedo,normal --checkpoint out.glintfilm
   glint render scene.obj -o out.exr --passes 4096 --resume out.glintfilm
-  glint render scenes/sppm_glass_mesh.json -o out.png --passes 400 --picture-every 50
+  glint render scenes/sppm_glass_mesh.json -o out.png --passes 400 --checkpoint-every 50
 Ctrl-C saves the picture and the checkpoint.)";
 
 Status checkOutputs(const RenderCommandOptions& o) {
@@ -35,8 +35,12 @@ Status checkOutputs(const RenderCommandOptions& o) {
             fmt::format("--aov needs a picture with layers; expected -o OUT.exr instead of {}", o.output),
             {}};
     }
-    if (o.checkpointEvery > 0.0 && o.checkpoint.empty()) {
-        return Error{"--checkpoint-every needs --checkpoint FILE", {}};
+    const Result<SaveInterval> interval = parseSaveInterval(o.checkpointEvery);
+    if (!interval) {
+        return interval.error();
+    }
+    if (interval->seconds > 0.0 && o.checkpoint.empty()) {
+        return Error{"--checkpoint-every with seconds needs --checkpoint FILE", {}};
     }
     if (o.replayPass) {
         return Error{"--pass needs --pixel X,Y: the path to look into", {}};

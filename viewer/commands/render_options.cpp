@@ -112,12 +112,6 @@ void addPictureOptions(CLI::App& command, RenderCommandOptions* o) {
     command.add_option("-o,--output", o->output, "Picture to write: .png, .exr or .hdr")
         ->type_name("OUT")
         ->group(group);
-    command
-        .add_option("--picture-every", o->pictureEvery,
-                    "Also write a numbered picture (OUT-000010.png) every PASSES passes")
-        ->check(CLI::PositiveNumber)
-        ->type_name("PASSES")
-        ->group(group);
     command.add_option("--exposure", o->exposure, "PNG: exposure in stops")
         ->check(between(-100.0, 100.0))
         ->group(group);
@@ -139,9 +133,12 @@ void addCheckpointOptions(CLI::App& command, RenderCommandOptions* o) {
     command.add_option("--checkpoint", o->checkpoint, "Save the film here, at the end and when interrupted")
         ->type_name("FILE")
         ->group(group);
-    command.add_option("--checkpoint-every", o->checkpointEvery, "and also every SECONDS")
-        ->check(aboveZero())
-        ->type_name("SECONDS")
+    command
+        .add_option(
+            "--checkpoint-every", o->checkpointEvery,
+            "N: every N passes write a numbered picture (OUT-000050.png), and the checkpoint where one "
+            "is named; Ts: the checkpoint every T seconds")
+        ->type_name("N|Ts")
         ->group(group);
     command.add_option("--resume", o->resume, "Go on from this checkpoint, bit for bit")
         ->type_name("FILE")
@@ -231,6 +228,25 @@ void addRenderOptions(CLI::App& command, RenderCommandOptions* o) {
         ->type_name("N")
         ->group("Looking into one path");
     addJsonOption(command, &o->json);
+}
+
+Result<SaveInterval> parseSaveInterval(const std::string& text) {
+    if (text.empty()) {
+        return SaveInterval{};
+    }
+    const bool bySeconds = text.back() == 's';
+    const char* end = text.data() + text.size() - (bySeconds ? 1 : 0);
+    SaveInterval interval;
+    const auto [last, problem] = bySeconds ? std::from_chars(text.data(), end, interval.seconds)
+                                           : std::from_chars(text.data(), end, interval.passes);
+    const bool positive = interval.passes > 0 || (interval.seconds > 0.0 && interval.seconds <= 1e9);
+    if (problem != std::errc() || last != end || !positive) {
+        return Error{
+            fmt::format("--checkpoint-every is '{}'; expected passes such as 50, or seconds such as 60s",
+                        text),
+            {}};
+    }
+    return interval;
 }
 
 Result<Vec2i> parsePair(const std::string& text, char separator, const char* what) {

@@ -41,8 +41,7 @@ struct RenderCommandOptions {
     float exposure = 0.0f;
     std::string tone = "srgb";
     std::string checkpoint;
-    double checkpointEvery = 0.0;
-    uint32_t pictureEvery = 0;  ///< passes; 0: one picture at the end
+    std::string checkpointEvery;
     std::string resume;
     bool allowMissing = false;
     std::string pixel;
@@ -67,6 +66,14 @@ struct AovChoice {
     bool standardError = false;
 };
 Result<AovChoice> chooseAovs(const std::vector<std::string>& names);
+
+/// How often a render saves what it has: by passes, by seconds, or (both 0) only at the end.
+struct SaveInterval {
+    uint32_t passes = 0;
+    double seconds = 0.0;
+};
+/// "50" (passes), "60s" (seconds) or nothing. Error: anything else, or not above zero.
+Result<SaveInterval> parseSaveInterval(const std::string& text);
 
 /// "WxH" or "x,y" with the given separator. Error: anything else.
 Result<Vec2i> parsePair(const std::string& text, char separator, const char* what);

@@ -3,8 +3,6 @@
 
 #include <memory>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "viewer/commands/render_options.h"
 
 namespace glint {
