@@ -44,7 +44,14 @@ class Backend {
                                         SppmState* state, std::vector<PixelSample>* direct);
 };
 
+/// Which of the kernels compiled ahead of time run. Both give the same bits; the full one is for measuring
+/// what the others gain.
+enum class KernelChoice : uint8_t {
+    Specialised,  ///< the smallest that does what the scene needs
+    Full,         ///< the one that does everything
+};
+
 /// The OpenMP loop over tiles. threads 0: all.
-std::unique_ptr<Backend> makeCpuBackend(int threads);
+std::unique_ptr<Backend> makeCpuBackend(int threads, KernelChoice choice = KernelChoice::Specialised);
 
 }  // namespace glint

@@ -23,7 +23,8 @@ constexpr int kTileSize = 8;
 
 class CpuBackend final : public Backend {
   public:
-    explicit CpuBackend(int threads) : threads_(threads > 0 ? threads : defaultThreadCount()) {}
+    CpuBackend(int threads, KernelChoice choice)
+        : threads_(threads > 0 ? threads : defaultThreadCount()), choice_(choice) {}
 
     std::string name() const override {
         return fmt::format("CPU, {} thread{}", threads_, threads_ == 1 ? "" : "s");
@@ -35,7 +36,7 @@ class CpuBackend final : public Backend {
         return {};
     }
 
-    std::string kernelName() const override { return scene_ ? chooseVariant(scene_->features).name : ""; }
+    std::string kernelName() const override { return scene_ ? chooseVariant(features()).name : ""; }
 
     Result<bool> renderPass(const PassParams& params, const std::atomic<bool>& stop,
                             std::vector<PixelSample>* out) override {
@@ -59,10 +60,13 @@ class CpuBackend final : public Backend {
         if (!sppm_) {
             sppm_.emplace(threads_);
         }
-        return sppm_->renderPass(view, scene_->features, emission_->view(), params, stop, state, direct);
+        return sppm_->renderPass(view, features(), emission_->view(), params, stop, state, direct);
     }
 
   private:
+    /// What the kernels have to do.
+    FeatureMask features() const { return choice_ == KernelChoice::Full ? kAllFeatures : scene_->features; }
+
     template <class Sample, class Tile>
     Result<bool> run(const PassParams& params, const std::atomic<bool>& stop, std::vector<Sample>* out,
                      Tile KernelVariant::*tileOf) const {
@@ -76,7 +80,7 @@ class CpuBackend final : public Backend {
                 fmt::format("not enough memory for a picture of {}x{} pixels", params.width, params.height),
                 {}};
         }
-        FeatureMask needed = scene_->features;
+        FeatureMask needed = features();
         if (params.sampler == SamplerTag::Independent) {
             needed |= kFeatureIndependentSampler;
         }
@@ -103,6 +107,7 @@ class CpuBackend final : public Backend {
     }
 
     int threads_;
+    KernelChoice choice_;
     std::shared_ptr<const BuiltScene> scene_;
     std::optional<EmissionTable> emission_;  ///< made by the first SPPM pass of a scene
     std::optional<CpuSppm> sppm_;            ///< made by the first SPPM pass
@@ -115,6 +120,8 @@ Result<bool> Backend::renderSppmPass(const SppmParams&, const std::atomic<bool>&
     return Error{name() + " does not render photon maps; use path tracing or the CPU", {}};
 }
 
-std::unique_ptr<Backend> makeCpuBackend(int threads) { return std::make_unique<CpuBackend>(threads); }
+std::unique_ptr<Backend> makeCpuBackend(int threads, KernelChoice choice) {
+    return std::make_unique<CpuBackend>(threads, choice);
+}
 
 }  // namespace glint
