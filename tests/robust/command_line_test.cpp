@@ -237,6 +237,22 @@ TEST_F(CommandLine, InterruptedRendersSaveAndGoOnBitForBit) {
     EXPECT_EQ(TempFolder::read(picture), TempFolder::read(whole));
 }
 
+TEST_F(CommandLine, ADroppedSampleNamesTheCommandThatRepeatsIt) {
+    const std::string scene = folder.write("it's bright.json", R"({ "glint": 1,
+        "camera": { "position": [0, 0, 3], "target": [0, 0, 0], "verticalFovDeg": 40 },
+        "materials": { "lamp": { "type": "diffuse", "emission": 3e38, "emissionStrength": 10 } },
+        "objects": [{ "type": "sphere", "material": "lamp", "center": [0, 0, 0], "radius": 0.9 }] })");
+    const ProgramRun run = runProgram({"render", scene, "-o", folder.path("a.png"), "--passes", "1", "--size",
+                                       "8x8", "--camera-position", "0,0,4", "--fov", "20"});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_TRUE(says(run.err, "it'\\''s bright.json' --size 8x8 --camera-position 0,0,4 --fov 20 --pixel "))
+        << run.err;
+    const ProgramRun replay = runProgram({"render", scene, "--size", "8x8", "--camera-position", "0,0,4",
+                                          "--fov", "20", "--pixel", "4,4", "--pass", "0"});
+    EXPECT_EQ(replay.exitCode, 0) << replay.err;
+    EXPECT_TRUE(says(replay.out, "dropped: infinite")) << replay.out;
+}
+
 TEST_F(CommandLine, ResumingWithOtherSettingsNamesTheDifference) {
     const std::string film = folder.path("a.film"), picture = folder.path("a.png");
     ASSERT_EQ(runProgram({"render", kCornell, "-o", picture, "--size", "16x16", "--passes", "2",

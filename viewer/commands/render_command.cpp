@@ -80,7 +80,10 @@ void addRenderCommand(CLI::App& app, int* exitCode) {
     const auto options = std::make_shared<RenderCommandOptions>();
     addRenderOptions(*command, options.get());
     command->footer(kFooter);
-    command->callback([options, exitCode] { *exitCode = runCommand(*options); });
+    command->callback([command, options, exitCode] {
+        options->sceneOptions = sceneOptionsAsWritten(*command);
+        *exitCode = runCommand(*options);
+    });
 }
 
 }  // namespace glint

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "engine/base/nearest_name.h"
 #include "engine/build/scene_validation.h"
@@ -14,6 +15,8 @@
 
 namespace glint {
 namespace {
+
+constexpr const char* kSettingsGroup = "Instead of the scene's own settings";
 
 struct NamedAov {
     std::string_view name;
@@ -46,7 +49,7 @@ void addLimits(CLI::App& command, RenderCommandOptions* o) {
 }
 
 void addSettings(CLI::App& command, RenderCommandOptions* o) {
-    const std::string group = "Instead of the scene's own settings";
+    const std::string group = kSettingsGroup;
     command.add_option("--size", o->size, "Picture size in pixels")->type_name("WxH")->group(group);
     command.add_option("--seed", o->seed, "Seed of the random numbers")->group(group);
     command.add_option("--depth", o->depth, "Most scattering events along a path")
@@ -205,6 +208,30 @@ void setVec3(const std::vector<float>& values, Vec3* target) {
 }
 
 }  // namespace
+
+std::string quotedForShell(const std::string& word) {
+    constexpr std::string_view kPlain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.,:/+=@%";
+    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) {
+        return word;
+    }
+    std::string quoted = "'";
+    for (const char c : word) {
+        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    }
+    return quoted + "'";
+}
+
+std::string sceneOptionsAsWritten(const CLI::App& command) {
+    std::string all;
+    for (const CLI::Option* option : command.get_options()) {
+        if (option->get_group() == kSettingsGroup && option->count() > 0) {
+            all += fmt::format(" {} {}", option->get_name(),
+                               quotedForShell(fmt::format("{}", fmt::join(option->results(), ","))));
+        }
+    }
+    return all;
+}
 
 void addRenderOptions(CLI::App& command, RenderCommandOptions* o) {
     command.add_option("scene", o->scene, "The scene: Glint JSON, 6.837 text, OBJ or PLY")

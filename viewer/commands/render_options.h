@@ -48,9 +48,16 @@ struct RenderCommandOptions {
     std::optional<uint32_t> replayPass;  ///< 0 without one
     std::string json;
     std::string backend = "cpu";
+    std::string sceneOptions;  ///< all that change the scene, as written, quoted for a shell
 };
 
 void addRenderOptions(CLI::App& command, RenderCommandOptions* options);
+
+/// A word that a POSIX shell reads back as it is.
+std::string quotedForShell(const std::string& word);
+
+/// What the user gave of the options that change size, seed, sampling and camera: " --size 64x64 --fov 30".
+std::string sceneOptionsAsWritten(const CLI::App& command);
 
 /// Passes that are rendered when no limit is given.
 constexpr uint32_t kDefaultPasses = 128;

@@ -40,11 +40,8 @@ void reportFaults(const RenderReport& r) {
                counts[1], counts[2], counts[3]);
     if (!film.faults().empty() && !isSppm(r)) {
         const FaultRecord& first = film.faults().front();
-        fmt::print(stderr,
-                   "  look into the first with: glint render {} --pixel {},{} --pass {} --size {}x{} "
-                   "--seed {}\n",
-                   r.options.scene, first.x, first.y, first.pass, film.width(), film.height(),
-                   r.capture.scene->options.seed);
+        fmt::print(stderr, "  look into the first with: glint render {}{} --pixel {},{} --pass {}\n",
+                   quotedForShell(r.options.scene), r.options.sceneOptions, first.x, first.y, first.pass);
     }
 }
 
