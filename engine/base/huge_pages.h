@@ -16,7 +16,7 @@ void freeHugePages(void* memory, size_t bytes) noexcept;
 
 template <class T>
 struct HugePageAllocator {
-    using value_type = T;
+    using value_type = T;  // NOLINT(readability-identifier-naming): the allocator requirements' name
     static_assert(alignof(T) <= 64);
 
     HugePageAllocator() = default;

@@ -31,8 +31,8 @@ float roughCoatAlbedo(float ior, float alpha, float mu) {
     const Vec3 wo(safeSqrt((1.0f - mu) * (1.0f + mu)), 0.0f, mu);
     float sum = 0.0f;
     for (int i = 0; i < kSteps * kSteps; ++i) {
-        const Vec2 u((static_cast<float>(i % kSteps) + 0.5f) / kSteps,
-                     (static_cast<float>(i / kSteps) + 0.5f) / kSteps);
+        const int column = i % kSteps, row = i / kSteps;
+        const Vec2 u((static_cast<float>(column) + 0.5f) / kSteps, (static_cast<float>(row) + 0.5f) / kSteps);
         const Vec3 h = sampleVisibleNormal(wo, alpha, u);
         const Vec3 wi = reflect(wo, h);
         if (wi.z > 0.0f) {

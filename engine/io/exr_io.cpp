@@ -86,7 +86,7 @@ Imf::PixelType imfType(ExrPixelType type) {
 
 /// A slice over one channel's values. `first` is where the data window's first pixel lies.
 Imf::Slice sliceOver(void* values, Imf::PixelType type, const Imath::Box2i& window) {
-    const size_t width = static_cast<size_t>(window.max.x - window.min.x + 1);
+    const size_t width = static_cast<size_t>(window.max.x - window.min.x) + 1;
     const size_t size = type == Imf::HALF ? 2 : 4;
     return Imf::Slice::Make(type, values, window.min, static_cast<int64_t>(width),
                             window.max.y - window.min.y + 1, size, size * width);
@@ -155,7 +155,7 @@ void addChannel(const ExrChannel& channel, const Imath::Box2i& window, OutputBuf
         std::vector<half>& halves = buffers->halves.emplace_back();
         halves.reserve(channel.floats.size());
         for (const float value : channel.floats) {
-            halves.push_back(half(std::isinf(value) ? value : clampf(value, -kLargestHalf, kLargestHalf)));
+            halves.emplace_back(std::isinf(value) ? value : clampf(value, -kLargestHalf, kLargestHalf));
         }
         values = buffers->halves.back().data();
     } else if (channel.type == ExrPixelType::Float) {

@@ -17,7 +17,7 @@ void JsonWriter::separate() {
     }
     if (depth_ > 0) {
         text_ += isFirst_ ? "\n" : ",\n";
-        text_.append(static_cast<size_t>(2 * depth_), ' ');
+        text_.append(2 * static_cast<size_t>(depth_), ' ');
     }
     isFirst_ = false;
 }
@@ -33,7 +33,7 @@ void JsonWriter::close(char bracket) {
     --depth_;
     if (!isFirst_) {
         text_ += '\n';
-        text_.append(static_cast<size_t>(2 * depth_), ' ');
+        text_.append(2 * static_cast<size_t>(depth_), ' ');
     }
     text_ += bracket;
     isFirst_ = false;

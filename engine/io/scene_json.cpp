@@ -219,6 +219,7 @@ int SceneJsonReader::findName(const std::map<std::string, int>& names, const Jso
         return found->second;
     }
     std::vector<std::string_view> known;
+    known.reserve(names.size());
     for (const auto& entry : names) {
         known.push_back(entry.first);
     }

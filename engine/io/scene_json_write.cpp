@@ -1,6 +1,8 @@
 // Writes a scene as Glint JSON. Whatever the reader knows and affects the picture is written out, so that a
 // saved scene does not depend on defaults.
-#include <cstring>
+#include <array>
+#include <bit>
+#include <cstdint>
 #include <set>
 
 #include <fmt/format.h>
@@ -13,7 +15,11 @@
 namespace glint {
 namespace {
 
-bool sameBits(const Mat3& a, const Mat3& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+/// Unlike ==, tells -0 from 0, which a file keeps apart too.
+bool sameBits(const Mat3& a, const Mat3& b) {
+    using Bits = std::array<uint32_t, 9>;
+    return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
+}
 
 /// The items' names, made different from each other and never empty.
 template <class Item>
