@@ -45,13 +45,17 @@ bool SessionWorker::previewsOnly(const Wishes& wishes) const {
 }
 
 bool SessionWorker::wantsFilmPass(const Wishes& wishes) const {
-    return filmPasses() == 0 || (!wishes.paused && !limitReached(wishes.limits));
+    return filmPasses() == 0 || (!wishes.paused && !limitReached(wishes));
 }
 
-bool SessionWorker::limitReached(const StopLimits& limits) const {
-    return (limits.passes > 0 && filmPasses() >= limits.passes) ||
-           (limits.renderSeconds > 0.0 && track().renderSeconds >= limits.renderSeconds) ||
-           (limits.relativeError > 0.0 && filmPasses() > 1 && track().relativeError <= limits.relativeError);
+bool SessionWorker::limitReached(const Wishes& wishes) const {
+    const StopLimits& limits = wishes.limits;
+    const Track& shown = track();
+    const bool reached =
+        (limits.passes > 0 && filmPasses() >= limits.passes) ||
+        (limits.renderSeconds > 0.0 && shown.renderSeconds >= limits.renderSeconds) ||
+        (limits.relativeError > 0.0 && filmPasses() > 1 && shown.relativeError <= limits.relativeError);
+    return reached && (!wishes.compare || trackOf(otherIntegrator()).renderSeconds >= shown.renderSeconds);
 }
 
 PassParams SessionWorker::passParams(NextPass kind) const {
@@ -181,18 +185,12 @@ void SessionWorker::commitFilmPass(double seconds) {
     rendered.renderSeconds += seconds;
     rendered.secondsPerPass =
         rendered.secondsPerPass == 0.0 ? seconds : 0.8 * rendered.secondsPerPass + 0.2 * seconds;
+    rendered.raysOfPass = rendered.film.rays() - raysBefore;
     if (passIntegrator_ == integrator()) {
         pace_.measured(paths, seconds);
-        status_.passesPerSecond = 1.0 / std::max(1e-9, rendered.secondsPerPass);
-        status_.pathsPerSecond = status_.passesPerSecond * static_cast<double>(paths);
-        status_.raysPerSecond =
-            status_.passesPerSecond * static_cast<double>(rendered.film.rays() - raysBefore);
     }
     if (wishes_.limits.relativeError > 0.0) {
         rendered.relativeError = errorEstimate(rendered);
-    }
-    if (wishes_.compare && passIntegrator_ != integrator()) {
-        showTrack(passIntegrator_);
     }
 }
 
@@ -240,7 +238,9 @@ void SessionWorker::prepareAovFilm(AovFilm* film, int width, int height) {
 }
 
 void SessionWorker::showIfDue() {
-    if (!shownIsOld_) {
+    const bool nothingYet = (previewing_ ? preview_.passes() : filmPasses()) == 0;
+    if (!shownIsOld_ || nothingYet) {
+        showOtherIfDue();
         return;
     }
     const bool firstOfGeneration = shownGeneration_ != status_.generation || shownIntegrator_ != integrator();
@@ -249,6 +249,7 @@ void SessionWorker::showIfDue() {
     if (firstOfGeneration || resting || sharper || secondsSince(shownAt_) >= kSnapshotInterval) {
         show(previewing_);
     }
+    showOtherIfDue();
 }
 
 void SessionWorker::show(bool preview) {
@@ -260,25 +261,7 @@ void SessionWorker::show(bool preview) {
     if (!options_.snapshots) {
         return;
     }
-    const SnapshotRequest request{wishes_.standardError, wishes_.photonStatistics};
-    auto snapshot =
-        preview ? makeSnapshot(preview_, integrator() == IntegratorKind::Sppm ? &previewSppm_ : nullptr,
-                               request, options_.threads)
-                : makeSnapshot(shown.film, shown.sppm.passes > 0 ? &shown.sppm : nullptr, request,
-                               options_.threads);
-    snapshot->generation = status_.generation;
-    snapshot->integrator = integrator();
-    snapshot->previewScale = preview ? previewScale_ : 1;
-    snapshot->renderSeconds = shown.renderSeconds;
-    snapshot->relativeError = preview ? std::numeric_limits<double>::infinity() : shown.relativeError;
-    const AovFilm& aovs = preview ? previewAovs_ : aovFilm_;
-    if (wishes_.aovs != 0 && aovs.passes() > 0) {
-        if (!shownAovs_) {
-            shownAovs_ = std::make_shared<AovFilm>(aovs);
-        }
-        snapshot->aovs = shownAovs_;
-    }
-    bulletin_->show(std::move(snapshot));
+    bulletin_->show(snapshotOf(integrator(), preview));
     shownGeneration_ = status_.generation;
     shownIntegrator_ = integrator();
     shownPreview_ = preview;
@@ -293,20 +276,49 @@ void SessionWorker::show(bool preview) {
     }
 }
 
-/// The other integrator's film, for comparing: kept beside the one that is shown.
-void SessionWorker::showTrack(IntegratorKind kind) {
-    if (!options_.snapshots || secondsSince(shownOtherAt_) < kSnapshotInterval) {
-        return;
-    }
-    Track& other = tracks_[static_cast<size_t>(kind)];
-    other.relativeError = errorEstimate(other);
-    auto snapshot =
-        makeSnapshot(other.film, other.sppm.passes > 0 ? &other.sppm : nullptr, {}, options_.threads);
+std::shared_ptr<FilmSnapshot> SessionWorker::snapshotOf(IntegratorKind kind, bool preview) {
+    const Track& of = trackOf(kind);
+    const Film& film = preview ? preview_ : of.film;
+    const SppmState& sppm = preview ? previewSppm_ : of.sppm;
+    const bool hasPhotons = kind == IntegratorKind::Sppm && sppm.passes > 0;
+    auto snapshot = makeSnapshot(film, hasPhotons ? &sppm : nullptr,
+                                 {wishes_.standardError, wishes_.photonStatistics}, options_.threads);
     snapshot->generation = status_.generation;
     snapshot->integrator = kind;
-    snapshot->renderSeconds = other.renderSeconds;
-    snapshot->relativeError = other.relativeError;
-    bulletin_->showOther(std::move(snapshot));
+    snapshot->previewScale = preview ? previewScale_ : 1;
+    snapshot->renderSeconds = of.renderSeconds;
+    snapshot->relativeError = preview ? std::numeric_limits<double>::infinity() : of.relativeError;
+    const AovFilm& aovs = preview ? previewAovs_ : aovFilm_;
+    if (wishes_.aovs != 0 && aovs.passes() > 0) {
+        if (!shownAovs_) {
+            shownAovs_ = std::make_shared<AovFilm>(aovs);
+        }
+        snapshot->aovs = shownAovs_;
+    }
+    return snapshot;
+}
+
+/// While comparing: the film of the integrator that is not shown, kept beside the one that is.
+void SessionWorker::showOtherIfDue() {
+    Track& other = trackOf(otherIntegrator());
+    if (!options_.snapshots || !wishes_.compare || previewing_ || other.passes() == 0) {
+        return;
+    }
+    const ShownOther now{status_.generation, otherIntegrator(),     other.passes(),
+                         aovFilm_.passes(),  wishes_.standardError, wishes_.photonStatistics};
+    ShownOther before = shownOther_;
+    if (now == before) {
+        return;
+    }
+    before.passes = now.passes;
+    before.aovPasses = now.aovPasses;
+    const bool onlyMorePasses = now == before && nextPass(wishes_) != NextPass::None;
+    if (onlyMorePasses && secondsSince(shownOtherAt_) < kSnapshotInterval) {
+        return;
+    }
+    other.relativeError = errorEstimate(other);
+    bulletin_->showOther(snapshotOf(otherIntegrator(), false));
+    shownOther_ = now;
     shownOtherAt_ = SessionClock::now();
 }
 

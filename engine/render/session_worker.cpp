@@ -65,6 +65,7 @@ void SessionWorker::runOnce(Mail mail) {
         restartPicture(EditKind::Everything);
     }
     takeRequests();
+    showIfDue();  // what is there already, before a pass that may take long
     const NextPass kind = nextPass(wishes_);
     if (kind != NextPass::None) {
         status_.state = SessionState::Rendering;
@@ -163,6 +164,10 @@ IntegratorKind SessionWorker::integrator() const {
     return scene_ ? scene_->options.integrator : IntegratorKind::PathTracing;
 }
 
+IntegratorKind SessionWorker::otherIntegrator() const {
+    return integrator() == IntegratorKind::Sppm ? IntegratorKind::PathTracing : IntegratorKind::Sppm;
+}
+
 void SessionWorker::restartPicture(EditKind kinds) {
     const bool sppmOnly = (kinds & (EditKind::SppmParameters | EditKind::Integrator)) == kinds;
     for (size_t kind = 0; kind < kTracks; ++kind) {
@@ -258,7 +263,7 @@ SessionState SessionWorker::state() const {
     if (nextPass(wishes_) != NextPass::None) {
         return SessionState::Rendering;
     }
-    return limitReached(wishes_.limits) ? SessionState::Finished : SessionState::Paused;
+    return limitReached(wishes_) ? SessionState::Finished : SessionState::Paused;
 }
 
 void SessionWorker::setStatus() {
@@ -268,6 +273,10 @@ void SessionWorker::setStatus() {
     status_.integrator = integrator();
     status_.renderSeconds = shown.renderSeconds;
     status_.relativeError = shown.relativeError;
+    const double passesPerSecond = shown.secondsPerPass > 0.0 ? 1.0 / shown.secondsPerPass : 0.0;
+    status_.passesPerSecond = passesPerSecond;
+    status_.pathsPerSecond = passesPerSecond * static_cast<double>(shown.film.pixels().size());
+    status_.raysPerSecond = passesPerSecond * static_cast<double>(shown.raysOfPass);
     status_.aovPasses = aovFilm_.passes();
     status_.filmBytes = preview_.bytes() + previewSppm_.bytes() + aovFilm_.bytes() + previewAovs_.bytes();
     for (const Track& kept : tracks_) {

@@ -33,6 +33,7 @@ class SessionWorker {
         double renderSeconds = 0.0;
         double relativeError = 0.0;
         double secondsPerPass = 0.0;
+        uint64_t raysOfPass = 0;
 
         uint32_t passes() const { return isStale ? 0 : film.passes(); }
     };
@@ -55,14 +56,18 @@ class SessionWorker {
     NextPass nextPass(const Wishes& wishes) const;
     bool previewsOnly(const Wishes& wishes) const;
     bool wantsFilmPass(const Wishes& wishes) const;
-    bool limitReached(const StopLimits& limits) const;
+    /// Of the film that is shown; while comparing, the other one must have had as much time too.
+    bool limitReached(const Wishes& wishes) const;
     uint32_t filmPasses() const { return track().passes(); }
     /// The integrator that is shown, and the one that the next film pass is for: while comparing, whichever
     /// had less time.
     IntegratorKind integrator() const;
     IntegratorKind nextIntegrator(const Wishes& wishes) const;
-    Track& track() { return tracks_[static_cast<size_t>(integrator())]; }
-    const Track& track() const { return tracks_[static_cast<size_t>(integrator())]; }
+    IntegratorKind otherIntegrator() const;
+    Track& trackOf(IntegratorKind kind) { return tracks_[static_cast<size_t>(kind)]; }
+    const Track& trackOf(IntegratorKind kind) const { return tracks_[static_cast<size_t>(kind)]; }
+    Track& track() { return trackOf(integrator()); }
+    const Track& track() const { return trackOf(integrator()); }
 
     void runPass(NextPass kind);
     Result<bool> renderInto(NextPass kind);
@@ -82,7 +87,8 @@ class SessionWorker {
     void answerCaptures();
     void showIfDue();
     void show(bool preview);
-    void showTrack(IntegratorKind kind);
+    void showOtherIfDue();
+    std::shared_ptr<FilmSnapshot> snapshotOf(IntegratorKind kind, bool preview);
     void setStatus();
     SessionState state() const;
 
@@ -117,12 +123,24 @@ class SessionWorker {
     bool shownPreview_ = false;
     bool shownStandardError_ = false;
     bool shownPhotonStatistics_ = false;
-    SessionClock::time_point shownOtherAt_;
     uint64_t shownGeneration_ = 0;
     IntegratorKind shownIntegrator_ = IntegratorKind::PathTracing;
     SessionClock::time_point shownAt_;
     std::shared_ptr<const AovFilm> shownAovs_;  ///< shared between snapshots until another AOV pass is made
     std::optional<SessionClock::time_point> unansweredEdit_;
+
+    /// What the newest picture of the other integrator is of: a new one is due when any of it changed.
+    struct ShownOther {
+        uint64_t generation = 0;
+        IntegratorKind integrator = IntegratorKind::PathTracing;
+        uint32_t passes = 0;
+        uint32_t aovPasses = 0;
+        bool standardError = false;
+        bool photonStatistics = false;
+        bool operator==(const ShownOther&) const = default;
+    };
+    ShownOther shownOther_;
+    SessionClock::time_point shownOtherAt_;
 
     SessionStatus status_;
 };

@@ -49,6 +49,21 @@ class FakeBackend final : public Backend {
         return true;
     }
 
+    /// The film's part is the path tracer's picture; every pixel has a visible point of radius 1.
+    Result<bool> renderSppmPass(const SppmParams& params, const std::atomic<bool>& stop, SppmState* state,
+                                std::vector<PixelSample>* direct) override {
+        Result<bool> done = renderPass(params.pass, stop, direct);
+        if (!done || !*done) {
+            return done;
+        }
+        for (SppmPixel& pixel : state->pixels) {
+            pixel.radiusSquared = 1.0;
+        }
+        ++state->passes;
+        state->emittedPhotons += params.photonsPerPass;
+        return true;
+    }
+
     Result<bool> renderAovPass(const PassParams& params, const std::atomic<bool>& stop,
                                std::vector<AovSample>* out) override {
         if (stop) {

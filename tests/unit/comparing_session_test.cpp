@@ -1,0 +1,124 @@
+// A session that renders both integrators in turn: what is shown of each, when, and when it stops. With a
+// fake backend whose passes take as long as a test says.
+#include <chrono>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/fake_backend.h"
+
+namespace glint {
+namespace {
+
+using namespace test;
+
+constexpr double kPatience = 60.0;
+
+struct Bench {
+    std::shared_ptr<FakeControl> control = std::make_shared<FakeControl>();
+    std::shared_ptr<SceneDescription> scene = fakeScene(8, 8);
+    RenderSession session{makeFakeBackend(control), withoutPreviews(fakeOptions(control))};
+
+    static SessionOptions withoutPreviews(SessionOptions options) {
+        options.previews = false;
+        return options;
+    }
+    void post(EditKind kinds) { session.post({std::make_shared<SceneDescription>(*scene), kinds}); }
+    void choose(IntegratorKind kind) {
+        scene->options.integrator = kind;
+        post(EditKind::Integrator);
+    }
+    static bool waitFor(const std::function<bool()>& condition) {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(kPatience);
+        while (!condition()) {
+            if (std::chrono::steady_clock::now() > end) return false;
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        return true;
+    }
+    /// Both have pictures, and a pass is in flight that never ends by itself.
+    bool reachEndlessPass() {
+        session.setComparing(true);
+        post(EditKind::Everything);
+        if (!waitFor([&] { return session.otherSnapshot() != nullptr; })) return false;
+        const int begun = static_cast<int>(control->begunPasses().size());
+        control->secondsPerPass = 1e6;
+        return waitFor([&] {
+            const int now = static_cast<int>(control->begunPasses().size());
+            return now > begun && now > control->passes + control->stopped;
+        });
+    }
+};
+
+TEST(ComparingSession, ASwitchShowsBothKeptPicturesBeforeAnyFurtherPass) {
+    Bench bench;
+    ASSERT_TRUE(bench.reachEndlessPass());
+    const int passes = bench.control->passes;
+    bench.choose(IntegratorKind::Sppm);
+    EXPECT_TRUE(Bench::waitFor([&] {
+        const auto main = bench.session.snapshot();
+        const auto other = bench.session.otherSnapshot();
+        return main && other && main->integrator == IntegratorKind::Sppm &&
+               other->integrator == IntegratorKind::PathTracing && other->generation == main->generation;
+    }));
+    EXPECT_EQ(bench.control->passes, passes);
+}
+
+TEST(ComparingSession, TheOtherPictureCarriesWhatIsAskedForToo) {
+    Bench bench;
+    bench.session.setComparing(true);
+    bench.session.setLimits({.passes = 3});
+    bench.post(EditKind::Everything);
+    ASSERT_EQ(bench.session.wait(kPatience), SessionState::Finished);
+    ASSERT_NE(bench.session.otherSnapshot(), nullptr);
+    EXPECT_TRUE(bench.session.otherSnapshot()->radiusWorld.empty());
+    bench.session.requestPhotonStatistics(true);
+    bench.session.request(kAovDepth, true);
+    ASSERT_EQ(bench.session.wait(kPatience), SessionState::Finished);
+    const auto other = bench.session.otherSnapshot();
+    ASSERT_NE(other, nullptr);
+    EXPECT_EQ(other->integrator, IntegratorKind::Sppm);
+    EXPECT_EQ(other->radiusWorld, std::vector<float>(64, 1.0f));
+    EXPECT_EQ(other->photonCount.size(), 64u);
+    EXPECT_EQ(other->standardError.size(), 64u);
+    ASSERT_NE(other->aovs, nullptr);
+    EXPECT_EQ(other->aovs->passes(), RenderSession::kAovPasses);
+    EXPECT_TRUE(bench.session.snapshot()->radiusWorld.empty()) << "path tracing has no photons";
+}
+
+TEST(ComparingSession, AFinishedPictureIsComparedWithOneOfAsMuchTime) {
+    Bench bench;
+    bench.session.setLimits({.passes = 4});
+    bench.control->secondsPerPass = 0.002;
+    bench.post(EditKind::Everything);
+    ASSERT_EQ(bench.session.wait(kPatience), SessionState::Finished);
+    EXPECT_EQ(bench.session.otherSnapshot(), nullptr);
+    bench.session.setComparing(true);
+    ASSERT_EQ(bench.session.wait(kPatience), SessionState::Finished);
+    const auto main = bench.session.snapshot();
+    const auto other = bench.session.otherSnapshot();
+    ASSERT_NE(other, nullptr);
+    EXPECT_EQ(main->passes, 4u) << "the limit holds for the one that is shown";
+    EXPECT_GE(other->renderSeconds, main->renderSeconds);
+}
+
+TEST(ComparingSession, SpeedIsThatOfTheIntegratorThatIsShown) {
+    Bench bench;
+    bench.session.setComparing(true);
+    bench.session.setLimits({.passes = 3});
+    bench.post(EditKind::Everything);
+    ASSERT_EQ(bench.session.wait(kPatience), SessionState::Finished);
+    const double path = bench.session.status().passesPerSecond;
+    EXPECT_GT(path, 0.0);
+    EXPECT_DOUBLE_EQ(bench.session.status().pathsPerSecond, path * 64.0);
+    EXPECT_DOUBLE_EQ(bench.session.status().raysPerSecond, path * 64.0 * 3.0);
+    bench.control->secondsPerPass = 0.05;
+    bench.choose(IntegratorKind::Sppm);
+    bench.session.restart();
+    ASSERT_EQ(bench.session.wait(kPatience), SessionState::Finished);
+    EXPECT_GT(bench.session.status().passesPerSecond, 0.0);
+    EXPECT_LE(bench.session.status().passesPerSecond, 20.0) << "no pass took less than 0.05 s";
+}
+
+}  // namespace
+}  // namespace glint
