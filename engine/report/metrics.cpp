@@ -1,0 +1,256 @@
+// Sums are formed per block of rows and added in the order of the blocks, so that threads change nothing.
+#include "engine/report/metrics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "engine/base/parallel.h"
+#include "engine/report/flip.h"
+#include "engine/report/ssim.h"
+
+namespace glint {
+namespace {
+
+constexpr int64_t kRowsPerBlock = 16;
+
+bool isFinitePixel(const ImageF& image, size_t pixel) {
+    const float* rgb = image.rgb.data() + 3 * pixel;
+    return std::isfinite(rgb[0]) && std::isfinite(rgb[1]) && std::isfinite(rgb[2]);
+}
+
+/// What one block of rows adds.
+struct Sums {
+    double squared = 0.0, relative = 0.0, absoluteRelative = 0.0, signedError = 0.0, reference = 0.0;
+    uint64_t pixels = 0, testNonFinite = 0, referenceNonFinite = 0;
+    double largest = -1.0;
+    size_t largestAt = 0;
+
+    void add(const Sums& other) {
+        squared += other.squared;
+        relative += other.relative;
+        absoluteRelative += other.absoluteRelative;
+        signedError += other.signedError;
+        reference += other.reference;
+        pixels += other.pixels;
+        testNonFinite += other.testNonFinite;
+        referenceNonFinite += other.referenceNonFinite;
+        if (other.largest > largest) {
+            largest = other.largest;
+            largestAt = other.largestAt;
+        }
+    }
+};
+
+/// The pictures, and what is found of each pixel on the way.
+struct Comparison {
+    const ImageF& test;
+    const ImageF& reference;
+    double epsilon;
+    std::vector<uint8_t> finite;        ///< in both
+    std::vector<double> relativeError;  ///< mean over the channels
+
+    Sums sumPixels(size_t begin, size_t end);
+};
+
+Sums Comparison::sumPixels(size_t begin, size_t end) {
+    Sums sums;
+    for (size_t i = begin; i < end; ++i) {
+        const bool testFinite = isFinitePixel(test, i);
+        const bool referenceFinite = isFinitePixel(reference, i);
+        sums.testNonFinite += testFinite ? 0 : 1;
+        sums.referenceNonFinite += referenceFinite ? 0 : 1;
+        finite[i] = testFinite && referenceFinite ? 1 : 0;
+        if (finite[i] == 0) {
+            continue;
+        }
+        ++sums.pixels;
+        double relative = 0.0;
+        for (size_t c = 3 * i; c < 3 * i + 3; ++c) {
+            const double r = static_cast<double>(reference.rgb[c]);
+            const double error = static_cast<double>(test.rgb[c]) - r;
+            sums.squared += error * error;
+            relative += error * error / (r * r + epsilon);
+            sums.absoluteRelative += std::abs(error) / (std::abs(r) + epsilon);
+            sums.signedError += error;
+            sums.reference += r;
+            if (std::abs(error) > sums.largest) {
+                sums.largest = std::abs(error);
+                sums.largestAt = i;
+            }
+        }
+        relativeError[i] = relative / 3.0;
+        sums.relative += relativeError[i];
+    }
+    return sums;
+}
+
+Sums sumAll(Comparison* comparison, int threads) {
+    const auto width = static_cast<size_t>(comparison->test.width);
+    const int64_t height = comparison->test.height;
+    std::vector<Sums> blocks(static_cast<size_t>((height + kRowsPerBlock - 1) / kRowsPerBlock));
+    parallelChunks(height, kRowsPerBlock, threads, [&](int64_t begin, int64_t end) {
+        blocks[static_cast<size_t>(begin / kRowsPerBlock)] =
+            comparison->sumPixels(static_cast<size_t>(begin) * width, static_cast<size_t>(end) * width);
+    });
+    Sums total;
+    for (const Sums& block : blocks) {
+        total.add(block);
+    }
+    return total;
+}
+
+/// Sum of the `kept` smallest values of the finite pixels. Ties at the limit count as often as they are kept.
+double sumOfSmallest(const Comparison& comparison, uint64_t kept) {
+    std::vector<double> values;
+    for (size_t i = 0; i < comparison.finite.size(); ++i) {
+        if (comparison.finite[i] != 0) {
+            values.push_back(comparison.relativeError[i]);
+        }
+    }
+    const auto last = values.begin() + static_cast<std::ptrdiff_t>(kept - 1);
+    std::nth_element(values.begin(), last, values.end());
+    const double limit = *last;
+    double sum = 0.0;
+    uint64_t below = 0;
+    for (size_t i = 0; i < comparison.finite.size(); ++i) {
+        if (comparison.finite[i] != 0 && comparison.relativeError[i] < limit) {
+            sum += comparison.relativeError[i];
+            ++below;
+        }
+    }
+    return sum + static_cast<double>(kept - below) * limit;
+}
+
+ImageF withBlackWhere(const ImageF& image, const std::vector<uint8_t>& finite) {
+    ImageF out = image;
+    for (size_t i = 0; i < finite.size(); ++i) {
+        if (finite[i] == 0) {
+            std::fill_n(out.rgb.begin() + static_cast<std::ptrdiff_t>(3 * i), 3, 0.0f);
+        }
+    }
+    return out;
+}
+
+/// Mean over the finite pixels of rows and columns from `border` to as far from the other side.
+double meanInside(const std::vector<float>& map, const Comparison& comparison, int border) {
+    double sum = 0.0;
+    uint64_t count = 0;
+    for (int y = border; y < comparison.test.height - border; ++y) {
+        for (int x = border; x < comparison.test.width - border; ++x) {
+            const size_t i =
+                static_cast<size_t>(y) * static_cast<size_t>(comparison.test.width) + static_cast<size_t>(x);
+            if (comparison.finite[i] != 0) {
+                sum += static_cast<double>(map[i]);
+                ++count;
+            }
+        }
+    }
+    return count > 0 ? sum / static_cast<double>(count) : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// The mean over the windows that fit into the picture, as Wang et al.; over all of them where none fits.
+double meanSsim(const ImageF& test, const ImageF& reference, const Comparison& comparison,
+                const MetricOptions& options) {
+    const std::vector<float> map = ssimMap(test, reference, options.exposureStops, options.threads);
+    const double inside = meanInside(map, comparison, kSsimRadius);
+    return std::isnan(inside) ? meanInside(map, comparison, 0) : inside;
+}
+
+void addViewerMetrics(const Comparison& comparison, const MetricOptions& options, PictureMetrics* metrics) {
+    const bool allFinite = metrics->testNonFinite == 0 && metrics->referenceNonFinite == 0;
+    const ImageF cleanTest = allFinite ? ImageF{} : withBlackWhere(comparison.test, comparison.finite);
+    const ImageF cleanReference =
+        allFinite ? ImageF{} : withBlackWhere(comparison.reference, comparison.finite);
+    const ImageF& test = allFinite ? comparison.test : cleanTest;
+    const ImageF& reference = allFinite ? comparison.reference : cleanReference;
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    metrics->ssim = options.ssim ? meanSsim(test, reference, comparison, options) : kNone;
+    metrics->flip = kNone;
+    if (options.flip) {
+        const std::vector<float> map =
+            flipMap(test, reference, options.exposureStops, options.pixelsPerDegree, options.threads);
+        metrics->flip = meanInside(map, comparison, 0);
+    }
+}
+
+Error problem(std::string message) { return {.message = std::move(message), .place = {}}; }
+
+Status checkInputs(const ImageF& test, const ImageF& reference, const MetricOptions& options) {
+    if (test.width <= 0 || test.height <= 0 || reference.width <= 0 || reference.height <= 0) {
+        return problem("cannot compare an empty picture");
+    }
+    if (test.width != reference.width || test.height != reference.height) {
+        return problem(fmt::format("the pictures differ in size: {}x{} pixels against the reference's {}x{}",
+                                   test.width, test.height, reference.width, reference.height));
+    }
+    if (!(options.relativeEpsilon > 0.0) || !std::isfinite(options.relativeEpsilon)) {
+        return problem(
+            fmt::format("relative epsilon {}: expected a number above 0", options.relativeEpsilon));
+    }
+    if (!(options.trimmedShare >= 0.0 && options.trimmedShare < 1.0)) {
+        return problem(
+            fmt::format("trimmed share {}: expected 0 or more, and below 1", options.trimmedShare));
+    }
+    if (!(std::abs(options.exposureStops) <= 60.0)) {
+        return problem(fmt::format("exposure {}: expected -60 to 60 stops", options.exposureStops));
+    }
+    if (!(options.pixelsPerDegree >= 1.0 && options.pixelsPerDegree <= 1000.0)) {
+        return problem(fmt::format("{} pixels per degree: expected 1 to 1000", options.pixelsPerDegree));
+    }
+    return {};
+}
+
+double relativeTo(double bias, double reference) {
+    if (bias == 0.0) {
+        return 0.0;
+    }
+    return reference != 0.0 ? bias / reference : std::copysign(std::numeric_limits<double>::infinity(), bias);
+}
+
+}  // namespace
+
+double PictureMetrics::relativeRmse() const { return std::sqrt(relMse); }
+
+Result<PictureMetrics> comparePictures(const ImageF& test, const ImageF& reference,
+                                       const MetricOptions& options) {
+    if (const Status valid = checkInputs(test, reference, options); !valid) {
+        return valid.error();
+    }
+    const size_t count = static_cast<size_t>(test.width) * static_cast<size_t>(test.height);
+    Comparison comparison{.test = test,
+                          .reference = reference,
+                          .epsilon = options.relativeEpsilon,
+                          .finite = std::vector<uint8_t>(count),
+                          .relativeError = std::vector<double>(count)};
+    const Sums sums = sumAll(&comparison, options.threads);
+    if (sums.pixels == 0) {
+        return problem(
+            fmt::format("no pixel is finite in both pictures: {} are not in the first, {} in the reference",
+                        sums.testNonFinite, sums.referenceNonFinite));
+    }
+    const double pixels = static_cast<double>(sums.pixels);
+    const double values = 3.0 * pixels;
+    PictureMetrics metrics{.mse = sums.squared / values,
+                           .relMse = sums.relative / pixels,
+                           .mape = sums.absoluteRelative / values,
+                           .bias = sums.signedError / values,
+                           .maxError = sums.largest,
+                           .comparedPixels = sums.pixels,
+                           .testNonFinite = sums.testNonFinite,
+                           .referenceNonFinite = sums.referenceNonFinite};
+    metrics.rmse = std::sqrt(metrics.mse);
+    metrics.relativeBias = relativeTo(metrics.bias, sums.reference / values);
+    metrics.maxErrorX = static_cast<int>(sums.largestAt % static_cast<size_t>(test.width));
+    metrics.maxErrorY = static_cast<int>(sums.largestAt / static_cast<size_t>(test.width));
+    metrics.trimmedPixels = static_cast<uint64_t>(options.trimmedShare * pixels);
+    const uint64_t kept = sums.pixels - metrics.trimmedPixels;
+    metrics.relMseTrimmed = sumOfSmallest(comparison, kept) / static_cast<double>(kept);
+    addViewerMetrics(comparison, options, &metrics);
+    return metrics;
+}
+
+}  // namespace glint

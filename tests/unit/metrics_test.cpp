@@ -1,0 +1,186 @@
+// The picture metrics on cases whose values follow from the definitions: equal, tiny, unequal, broken and
+// extreme pictures, symmetries, and independence of threads.
+#include "engine/report/metrics.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/formula_pictures.h"
+
+namespace glint {
+namespace {
+
+using test::flatPicture;
+using test::formulaReference;
+using test::formulaTest;
+
+constexpr float kInf = std::numeric_limits<float>::infinity();
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+PictureMetrics compare(const ImageF& test, const ImageF& reference, const MetricOptions& options = {}) {
+    const auto metrics = comparePictures(test, reference, options);
+    EXPECT_TRUE(metrics) << metrics.error().format();
+    return metrics ? *metrics : PictureMetrics{};
+}
+
+TEST(Metrics, EqualPicturesDifferByNothing) {
+    const ImageF picture = formulaReference(37, 23);
+    const PictureMetrics m = compare(picture, picture);
+    for (const double zero :
+         {m.mse, m.rmse, m.relMse, m.relMseTrimmed, m.mape, m.bias, m.relativeBias, m.maxError, m.flip}) {
+        EXPECT_EQ(zero, 0.0);
+    }
+    EXPECT_EQ(m.ssim, 1.0);
+    EXPECT_EQ(m.comparedPixels, 37u * 23u);
+}
+
+TEST(Metrics, OnePixel) {
+    const PictureMetrics m = compare(flatPicture(1, 1, 0.3f), flatPicture(1, 1, 0.2f));
+    const double error = static_cast<double>(0.3f) - static_cast<double>(0.2f);
+    EXPECT_DOUBLE_EQ(m.mse, error * error);
+    EXPECT_NEAR(m.relMse, error * error / (0.04 + 0.01), 1e-8);
+    EXPECT_NEAR(m.mape, error / 0.21, 1e-7);
+    EXPECT_NEAR(m.relativeBias, 0.5, 1e-6);
+    EXPECT_EQ(m.trimmedPixels, 0u);
+    // Equation 6 of Wang et al. with no variance, at the display values of 0.3 and 0.2.
+    const double a = 1.055 * std::pow(0.3, 1.0 / 2.4) - 0.055;
+    const double b = 1.055 * std::pow(0.2, 1.0 / 2.4) - 0.055;
+    EXPECT_NEAR(m.ssim, (2.0 * a * b + 1e-4) / (a * a + b * b + 1e-4), 1e-6);
+    EXPECT_GT(m.flip, 0.0);
+    EXPECT_LT(m.flip, 1.0);
+}
+
+TEST(Metrics, BiasHasTheSignOfTheTestPicture) {
+    EXPECT_NEAR(compare(flatPicture(8, 8, 1.1f), flatPicture(8, 8, 1.0f)).relativeBias, 0.1, 1e-6);
+    EXPECT_NEAR(compare(flatPicture(8, 8, 0.9f), flatPicture(8, 8, 1.0f)).relativeBias, -0.1, 1e-6);
+}
+
+TEST(Metrics, BlackReferenceGivesFiniteRelativeErrors) {
+    const PictureMetrics m = compare(flatPicture(16, 16, 0.1f), flatPicture(16, 16, 0.0f));
+    EXPECT_NEAR(m.relMse, 0.01 / 0.01, 1e-6);
+    EXPECT_NEAR(m.mape, 0.1 / 0.01, 1e-5);
+    EXPECT_EQ(m.relativeBias, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(compare(flatPicture(16, 16, 0.0f), flatPicture(16, 16, 0.0f)).relativeBias, 0.0);
+}
+
+TEST(Metrics, TrimmingDropsTheOutlierAndNothingElse) {
+    ImageF test = flatPicture(40, 50, 1.1f);
+    const ImageF reference = flatPicture(40, 50, 1.0f);
+    test.rgb[3 * (7 * 40 + 5)] = 1e6f;
+    const PictureMetrics m = compare(test, reference);
+    EXPECT_EQ(m.trimmedPixels, 2u);  // 0.1 % of 2000
+    EXPECT_NEAR(m.relMseTrimmed, 0.01 / 1.01, 1e-7);
+    EXPECT_GT(m.relMse, 1e8);
+    EXPECT_EQ(m.maxErrorX, 5);
+    EXPECT_EQ(m.maxErrorY, 7);
+    EXPECT_NEAR(m.maxError, 1e6, 2.0);
+    EXPECT_NEAR(compare(test, reference, {.trimmedShare = 0.0}).relMseTrimmed, m.relMse, 1e-6 * m.relMse);
+}
+
+TEST(Metrics, MetricsThatHaveNoReferenceAreSymmetric) {
+    const ImageF a = formulaTest(33, 29);
+    const ImageF b = formulaReference(33, 29);
+    const PictureMetrics ab = compare(a, b);
+    const PictureMetrics ba = compare(b, a);
+    EXPECT_DOUBLE_EQ(ab.mse, ba.mse);
+    EXPECT_DOUBLE_EQ(ab.bias, -ba.bias);
+    EXPECT_DOUBLE_EQ(ab.ssim, ba.ssim);
+    EXPECT_DOUBLE_EQ(ab.flip, ba.flip);
+    EXPECT_NE(ab.relMse, ba.relMse);
+}
+
+TEST(Metrics, SizesMustMatch) {
+    const auto result = comparePictures(flatPicture(4, 3, 0.0f), flatPicture(3, 4, 0.0f));
+    ASSERT_FALSE(result);
+    EXPECT_THAT(result.error().message, testing::AllOf(testing::HasSubstr("4x3"), testing::HasSubstr("3x4")));
+    EXPECT_FALSE(comparePictures(ImageF{}, ImageF{}));
+}
+
+TEST(Metrics, OptionsOutOfRangeAreErrors) {
+    const ImageF picture = flatPicture(2, 2, 0.5f);
+    for (const MetricOptions& options :
+         {MetricOptions{.relativeEpsilon = 0.0}, MetricOptions{.relativeEpsilon = std::nan("")},
+          MetricOptions{.trimmedShare = 1.0}, MetricOptions{.trimmedShare = -0.1},
+          MetricOptions{.exposureStops = std::nan("")}, MetricOptions{.pixelsPerDegree = 0.0}}) {
+        EXPECT_FALSE(comparePictures(picture, picture, options));
+    }
+}
+
+TEST(Metrics, NonFinitePixelsAreCountedAndLeftOut) {
+    const ImageF reference = formulaReference(24, 20);
+    ImageF test = formulaTest(24, 20);
+    ImageF clean = test;
+    ImageF cleanReference = reference;
+    for (const size_t pixel : {size_t{3}, size_t{100}}) {
+        test.rgb[3 * pixel + 1] = pixel == 3 ? kNan : kInf;
+    }
+    ImageF broken = reference;
+    broken.rgb[3 * 100] = -kInf;
+    broken.rgb[3 * 101] = kNan;
+    const PictureMetrics m = compare(test, broken);
+    EXPECT_EQ(m.testNonFinite, 2u);
+    EXPECT_EQ(m.referenceNonFinite, 2u);
+    EXPECT_EQ(m.comparedPixels, 24u * 20u - 3u);
+    for (const double value :
+         {m.mse, m.relMse, m.relMseTrimmed, m.mape, m.bias, m.maxError, m.ssim, m.flip}) {
+        EXPECT_TRUE(std::isfinite(value));
+    }
+    // The sums are those of pictures that agree in the broken pixels, over fewer pixels.
+    for (const size_t pixel : {size_t{3}, size_t{100}, size_t{101}}) {
+        for (size_t c = 3 * pixel; c < 3 * pixel + 3; ++c) {
+            clean.rgb[c] = cleanReference.rgb[c] = 0.0f;
+        }
+    }
+    const PictureMetrics expected = compare(clean, cleanReference);
+    const double share = 480.0 / 477.0;
+    EXPECT_NEAR(m.mse, expected.mse * share, 1e-12);
+    EXPECT_NEAR(m.mape, expected.mape * share, 1e-12);
+    EXPECT_NEAR(m.flip, expected.flip, 0.01 * expected.flip);
+}
+
+TEST(Metrics, NothingFiniteIsAnError) {
+    const auto result = comparePictures(flatPicture(2, 2, kNan), flatPicture(2, 2, 1.0f));
+    ASSERT_FALSE(result);
+    EXPECT_THAT(result.error().message, testing::HasSubstr("4 are not in the first"));
+}
+
+TEST(Metrics, WhatIsNotAskedForIsNotANumber) {
+    const ImageF a = formulaTest(9, 9);
+    const PictureMetrics m = compare(a, formulaReference(9, 9), {.ssim = false, .flip = false});
+    EXPECT_TRUE(std::isnan(m.ssim));
+    EXPECT_TRUE(std::isnan(m.flip));
+    EXPECT_GT(m.mse, 0.0);
+}
+
+TEST(Metrics, HugeAndNegativeValuesStayFinite) {
+    ImageF test = flatPicture(16, 16, -3.0f);
+    test.rgb[0] = 3e38f;
+    test.rgb[1] = -3e38f;
+    const PictureMetrics m = compare(test, flatPicture(16, 16, 0.5f));
+    for (const double value :
+         {m.mse, m.relMse, m.relMseTrimmed, m.mape, m.bias, m.maxError, m.ssim, m.flip}) {
+        EXPECT_TRUE(std::isfinite(value));
+    }
+}
+
+TEST(Metrics, ThreadsChangeNothing) {
+    const ImageF test = formulaTest(67, 131);
+    const ImageF reference = formulaReference(67, 131);
+    const PictureMetrics one = compare(test, reference, {.threads = 1});
+    for (const int threads : {2, 3, 8}) {
+        const PictureMetrics many = compare(test, reference, {.threads = threads});
+        EXPECT_EQ(one.mse, many.mse);
+        EXPECT_EQ(one.relMse, many.relMse);
+        EXPECT_EQ(one.relMseTrimmed, many.relMseTrimmed);
+        EXPECT_EQ(one.mape, many.mape);
+        EXPECT_EQ(one.bias, many.bias);
+        EXPECT_EQ(one.ssim, many.ssim);
+        EXPECT_EQ(one.flip, many.flip);
+    }
+}
+
+}  // namespace
+}  // namespace glint
