@@ -58,6 +58,9 @@ void SessionWorker::runOnce(Mail mail) {
         unansweredEdit_ = mail.firstPosted;
     }
     if (mail.edit) {
+        if (mail.restart) {
+            mail.edit->kinds |= EditKind::Camera;  // empties the films of both integrators
+        }
         takeEdit(std::move(*mail.edit), std::move(mail.resume));
     } else if (mail.restart && built_) {
         failed_ = false;
