@@ -61,6 +61,24 @@ GLINT_HD inline uint64_t zOrder(uint32_t x, uint32_t y, uint32_t z) {
     return spreadBits(x) | (spreadBits(y) << 1) | (spreadBits(z) << 2);
 }
 
+/// What photons are sorted by: their finest cell's Z-order index above the 25 bits of their slot. A stable
+/// sort from bit kPhotonSlotBits on leaves the photons of a cell in the order in which they came.
+constexpr int kPhotonSlotBits = 25;
+constexpr uint32_t kMaxStoredPhotons = 1u << kPhotonSlotBits;
+constexpr int kPhotonKeyBits = kPhotonSlotBits + 3 * kGridBitsPerAxis;
+
+/// Photons outside the grid must not have been stored: their cell is that of the origin.
+GLINT_HD inline uint64_t photonSortKey(const GridSpace& space, const Photon& photon, uint32_t slot) {
+    uint32_t cell[3] = {0, 0, 0};
+    space.locate(photon.p, cell);
+    return zOrder(cell[0], cell[1], cell[2]) << kPhotonSlotBits | slot;
+}
+GLINT_HD inline uint32_t slotOfKey(uint64_t key) {
+    return static_cast<uint32_t>(key) & (kMaxStoredPhotons - 1);
+}
+/// Z-order index of the cell of `level` in which a photon lies.
+GLINT_HD inline uint64_t cellOfKey(uint64_t key, int level) { return key >> kPhotonSlotBits >> (3 * level); }
+
 /// A cell's photons are photons[begin, end). end 0: an empty slot of the table.
 struct GridSlot {
     uint64_t cell = 0;  ///< Z-order index at the table's level
@@ -77,6 +95,23 @@ struct GridTable {
 GLINT_HD inline uint32_t gridHash(uint64_t cell) {
     cell *= 0x9e3779b97f4a7c15ULL;  // Fibonacci hashing: the high bits mix best
     return static_cast<uint32_t>(cell >> 32);
+}
+
+/// Slots of a table for so many cells: less than half of them will be in use.
+GLINT_HD inline uint32_t gridTableCapacity(uint32_t cells) {
+    uint32_t capacity = 1;
+    while (capacity < 2 * cells + 1) capacity *= 2;
+    return capacity;
+}
+
+/// Tries one slot after the other, from the cell's own on, until accept(slot) is true: to find a cell and to
+/// enter one.
+template <class Accept>
+GLINT_HD uint32_t probeGridTable(uint32_t capacity, uint64_t cell, Accept&& accept) {
+    const uint32_t mask = capacity - 1;
+    uint32_t slot = gridHash(cell) & mask;
+    while (!accept(slot)) slot = (slot + 1) & mask;
+    return slot;
 }
 
 struct PhotonGridView {
@@ -112,15 +147,10 @@ struct PhotonGridView {
   private:
     template <class Visit>
     GLINT_HD void visitCell(const GridTable& table, uint64_t cell, Visit&& visit) const {
-        const uint32_t mask = table.capacity - 1;
-        for (uint32_t slot = gridHash(cell) & mask; table.slots[slot].end != 0; slot = (slot + 1) & mask) {
-            if (table.slots[slot].cell == cell) {
-                for (uint32_t i = table.slots[slot].begin; i < table.slots[slot].end; ++i) {
-                    visit(photons[i]);
-                }
-                return;
-            }
-        }
+        const GridSlot found = table.slots[probeGridTable(table.capacity, cell, [&](uint32_t slot) {
+            return table.slots[slot].end == 0 || table.slots[slot].cell == cell;
+        })];
+        for (uint32_t i = found.begin; i < found.end; ++i) visit(photons[i]);
     }
 };
 

@@ -6,7 +6,7 @@
 #include <new>
 
 #include "engine/base/parallel.h"
-#include "engine/kernels/sppm_gather_kernel.h"
+#include "engine/kernels/sppm_pass_steps.h"
 
 namespace glint {
 namespace {
@@ -17,10 +17,6 @@ constexpr int64_t kGatherPixels = 512;
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-double radiusSquaredOf(const SppmParams& params, const SppmPixel& pixel, const VisiblePoint& point) {
-    return pixel.radiusSquared > 0.0 ? pixel.radiusSquared : initialRadiusSquared(params, point.footprint);
 }
 
 }  // namespace
@@ -59,65 +55,52 @@ bool CpuSppm::traceCamera(const Job& job, std::vector<PixelSample>* direct) {
     return !job.stop.load();
 }
 
-/// The box around all visible points and their radii, and the cell sizes that gathering will ask for.
+/// The grid around all visible points and their radii, and the cell sizes that gathering will ask for.
 GridSpace CpuSppm::findSpace(const Job& job, uint32_t* levelsInUse) const {
-    const auto count = static_cast<int64_t>(job.pixelCount());
-    const auto slices = static_cast<int64_t>(threads_);
-    std::vector<Bounds> bounds(static_cast<size_t>(slices));
-    parallelChunks(slices, 1, threads_, [&](int64_t slice, int64_t) {
-        Bounds own;
-        for (int64_t i = count * slice / slices; i < count * (slice + 1) / slices; ++i) {
-            const VisiblePoint& point = pixels_[static_cast<size_t>(i)].visiblePoint;
-            if (!isZero(point.throughput)) {
-                const Vec3 radius(static_cast<float>(std::sqrt(
-                    radiusSquaredOf(job.params, job.state->pixels[static_cast<size_t>(i)], point))));
-                own.grow(point.p - radius);
-                own.grow(point.p + radius);
-            }
-        }
-        bounds[static_cast<size_t>(slice)] = own;
+    const auto slices = static_cast<size_t>(threads_);
+    const SppmPixel* statistics = job.state->pixels.data();
+    const auto forEachSlice = [&](auto&& visit) {
+        parallelChunks(static_cast<int64_t>(slices), 1, threads_, [&](int64_t begin, int64_t) {
+            const auto slice = static_cast<size_t>(begin);
+            visit(slice,
+                  PixelSlice{job.pixelCount() * slice / slices, job.pixelCount() * (slice + 1) / slices, 1});
+        });
+    };
+    std::vector<Bounds> bounds(slices);
+    forEachSlice([&](size_t slice, const PixelSlice& pixels) {
+        bounds[slice] = searchBounds(job.params, statistics, pixels_.data(), pixels);
     });
     Bounds all;
     for (const Bounds& slice : bounds) {
         all.grow(slice);
     }
-    GridSpace space;
-    *levelsInUse = 0;
-    if (all.empty()) {
-        return space;
-    }
-    constexpr float kSlack = 1.0001f;  // rounding must not push a point out of its own box
-    space.origin = all.lo;
-    space.finestCell =
-        std::max(maxComponent(all.extent()) * kSlack / static_cast<float>(1 << kGridBitsPerAxis),
-                 std::numeric_limits<float>::min());
-    std::vector<uint32_t> levels(static_cast<size_t>(slices), 0);
-    parallelChunks(slices, 1, threads_, [&](int64_t slice, int64_t) {
-        uint32_t own = 0;
-        for (int64_t i = count * slice / slices; i < count * (slice + 1) / slices; ++i) {
-            const auto index = static_cast<size_t>(i);
-            const VisiblePoint& point = pixels_[index].visiblePoint;
-            if (!isZero(point.throughput)) {
-                const double radius = std::sqrt(radiusSquaredOf(job.params, job.state->pixels[index], point));
-                own |= 1u << space.levelFor(static_cast<float>(radius));
-            }
-        }
-        levels[static_cast<size_t>(slice)] = own;
+    const GridSpace space = gridSpaceFor(all);
+    std::vector<uint32_t> levels(slices, 0);
+    forEachSlice([&](size_t slice, const PixelSlice& pixels) {
+        levels[slice] = searchLevels(job.params, space, statistics, pixels_.data(), pixels);
     });
+    *levelsInUse = 0;
     for (const uint32_t own : levels) {
         *levelsInUse |= own;
     }
     return space;
 }
 
-bool CpuSppm::tracePhotons(const Job& job, const GridSpace& space) {
+Result<bool> CpuSppm::tracePhotons(const Job& job, const GridSpace& space) {
     const uint64_t first = uint64_t{job.params.pass.pass} * job.params.photonsPerPass;
     const uint64_t chunks = job.chunkCount();
     std::vector<PhotonTotals> totals(chunks);
     photonRoom_ = std::max<size_t>(photonRoom_, job.params.photonsPerPass);
     do {
         if (photons_.overflowed()) {
-            photonRoom_ = photons_.wanted() + photons_.wanted() / 8;
+            const size_t wanted = photons_.wanted();
+            const size_t most = PhotonStore::kMaxPhotons - chunks * PhotonStore::kBlockPhotons;
+            photonRoom_ = std::max(wanted, std::min(wanted + wanted / 8, most));
+        }
+        if (Status s = PhotonStore::checkRoom(PhotonStore::roomFor(photonRoom_, chunks)); !s) {
+            // The next pass may want less.
+            photonRoom_ = 0;
+            return s.error();
         }
         photons_.reset(photonRoom_, chunks);
         parallelChunks(static_cast<int64_t>(chunks), 1, threads_, [&](int64_t chunk, int64_t) {
@@ -160,15 +143,9 @@ bool CpuSppm::gather(const Job& job) {
 }
 
 void CpuSppm::update(const Job& job) {
-    const double emitted = job.params.photonsPerPass;
     parallelChunks(static_cast<int64_t>(job.pixelCount()), 16384, threads_, [&](int64_t begin, int64_t end) {
         for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
-            SppmPixel& pixel = job.state->pixels[i];
-            const Gathered& gathered = pixels_[i].gathered;
-            if (!(pixel.radiusSquared > 0.0)) {
-                pixel.radiusSquared = static_cast<double>(gathered.initialRadiusSquared);
-            }
-            updatePixel(gathered, job.params.alpha, job.params.pass.pass, emitted, &pixel);
+            commitPixel(job.params, pixels_[i].gathered, &job.state->pixels[i]);
         }
     });
     job.state->passes = job.params.pass.pass + 1;
@@ -193,8 +170,8 @@ Result<bool> CpuSppm::renderPass(const SceneView& view, FeatureMask features, co
         start = Clock::now();
         uint32_t levelsInUse = 0;
         const GridSpace space = findSpace(job, &levelsInUse);
-        if (!tracePhotons(job, space)) {
-            return false;
+        if (const Result<bool> traced = tracePhotons(job, space); !traced || !*traced) {
+            return traced;
         }
         stats_.photonSeconds = secondsSince(start);
 

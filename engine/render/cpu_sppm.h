@@ -31,7 +31,7 @@ class CpuSppm {
 
     /// Renders params.pass.pass. `direct` gets what camera paths found by themselves, one sample a pixel;
     /// `state` must have the pass's resolution and params.pass.pass passes. False: stopped, and nothing but
-    /// `direct` has changed. Error: not enough memory.
+    /// `direct` has changed. Error: not enough memory, or more photons than a store holds.
     Result<bool> renderPass(const SceneView& view, FeatureMask features, const EmissionView& emission,
                             const SppmParams& params, const std::atomic<bool>& stop, SppmState* state,
                             std::vector<PixelSample>* direct);
@@ -45,7 +45,7 @@ class CpuSppm {
 
     bool traceCamera(const Job& job, std::vector<PixelSample>* direct);
     GridSpace findSpace(const Job& job, uint32_t* levelsInUse) const;
-    bool tracePhotons(const Job& job, const GridSpace& space);
+    Result<bool> tracePhotons(const Job& job, const GridSpace& space);
     bool gather(const Job& job);
     void update(const Job& job);
 

@@ -4,18 +4,16 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "engine/base/check.h"
 #include "engine/base/parallel.h"
 
 namespace glint {
 namespace {
 
-constexpr int kSlotBits = 25;
-constexpr uint64_t kSlotMask = (1ULL << kSlotBits) - 1;
 constexpr int kDigitBits = 10;
 constexpr int kDigits = 1 << kDigitBits;
-
-uint32_t slotOf(uint64_t key) { return static_cast<uint32_t>(key & kSlotMask); }
 
 /// One stable counting sort by the digit above `shift`, in `parts` parts: the result does not depend on their
 /// number.
@@ -50,14 +48,6 @@ void sortByDigit(const std::vector<uint64_t>& from, std::vector<uint64_t>* to, i
     });
 }
 
-uint32_t powerOfTwoAtLeast(size_t n) {
-    uint32_t power = 1;
-    while (power < n) {
-        power *= 2;
-    }
-    return power;
-}
-
 }  // namespace
 
 void PhotonStore::Writer::add(const Photon& photon) {
@@ -72,9 +62,19 @@ void PhotonStore::Writer::add(const Photon& photon) {
     ++usedInLast_;
 }
 
+Status PhotonStore::checkRoom(uint64_t photons) {
+    if (photons <= kMaxPhotons) return {};
+    return Error{
+        fmt::format("the photons of one pass are kept at {} places, but there is room for no more than {}; "
+                    "trace fewer photons a pass",
+                    photons, kMaxPhotons),
+        {}};
+}
+
 void PhotonStore::reset(size_t photons, size_t chunks) {
-    const size_t blocks = (photons + kBlockPhotons - 1) / kBlockPhotons + chunks;
-    GLINT_CHECK_OP(blocks * kBlockPhotons, <=, size_t{kMaxPhotons});
+    const uint64_t room = roomFor(photons, chunks);
+    GLINT_CHECK_OP(room, <=, uint64_t{kMaxPhotons});
+    const size_t blocks = room / kBlockPhotons;
     blockCapacity_ = static_cast<uint32_t>(blocks);
     photons_.resize(blocks * kBlockPhotons);
     writers_.resize(chunks);
@@ -106,10 +106,8 @@ void PhotonStore::addCellsToKeys(int threads) {
     constexpr int64_t kChunk = 65536;
     parallelChunks(count_, kChunk, threads, [&](int64_t begin, int64_t end) {
         for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
-            uint32_t cell[3] = {0, 0, 0};
-            const bool inside = space_.locate(photons_[keys_[i]].p, cell);
-            GLINT_CHECK(inside);
-            keys_[i] |= zOrder(cell[0], cell[1], cell[2]) << kSlotBits;
+            const uint32_t slot = slotOfKey(keys_[i]);
+            keys_[i] = photonSortKey(space_, photons_[slot], slot);
         }
     });
 }
@@ -117,8 +115,7 @@ void PhotonStore::addCellsToKeys(int threads) {
 void PhotonStore::sortKeys(int threads) {
     keyScratch_.resize(keys_.size());
     const int parts = threads > 0 ? threads : defaultThreadCount();
-    constexpr int kKeyBits = kSlotBits + 3 * kGridBitsPerAxis;
-    for (int shift = kSlotBits; shift < kKeyBits; shift += kDigitBits) {
+    for (int shift = kPhotonSlotBits; shift < kPhotonKeyBits; shift += kDigitBits) {
         sortByDigit(keys_, &keyScratch_, shift, parts);
         keys_.swap(keyScratch_);
     }
@@ -129,13 +126,15 @@ void PhotonStore::sortKeys(int threads) {
 void PhotonStore::permutePhotons() {
     std::vector<bool> occupied(photons_.size(), false);
     for (const uint64_t key : keys_) {
-        occupied[slotOf(key)] = true;
+        occupied[slotOfKey(key)] = true;
     }
-    const auto settle = [&](uint32_t place) { keys_[place] = (keys_[place] & ~kSlotMask) | place; };
+    const auto settle = [&](uint32_t place) {
+        keys_[place] = keys_[place] - slotOfKey(keys_[place]) + place;
+    };
     for (uint32_t start = 0; start < count_; ++start) {
         uint32_t hole = start;
         while (hole < count_ && !occupied[hole]) {
-            const uint32_t source = slotOf(keys_[hole]);
+            const uint32_t source = slotOfKey(keys_[hole]);
             photons_[hole] = photons_[source];
             occupied[hole] = true;
             occupied[source] = false;
@@ -144,13 +143,13 @@ void PhotonStore::permutePhotons() {
         }
     }
     for (uint32_t start = 0; start < count_; ++start) {
-        if (slotOf(keys_[start]) == start) {
+        if (slotOfKey(keys_[start]) == start) {
             continue;
         }
         const Photon displaced = photons_[start];
         uint32_t place = start;
         while (true) {
-            const uint32_t source = slotOf(keys_[place]);
+            const uint32_t source = slotOfKey(keys_[place]);
             settle(place);
             if (source == start) {
                 photons_[place] = displaced;
@@ -163,24 +162,22 @@ void PhotonStore::permutePhotons() {
 }
 
 void PhotonStore::buildTable(int level) {
-    const auto cellOf = [&](uint32_t i) { return keys_[i] >> kSlotBits >> (3 * level); };
-    size_t cells = 0;
+    const auto cellOf = [&](uint32_t i) { return cellOfKey(keys_[i], level); };
+    uint32_t cells = 0;
     for (uint32_t i = 0; i < count_; ++i) {
         cells += i == 0 || cellOf(i) != cellOf(i - 1) ? 1 : 0;
     }
     std::vector<GridSlot>& table = tables_[static_cast<size_t>(level)];
-    table.assign(powerOfTwoAtLeast(2 * cells + 1), GridSlot{});
-    const uint32_t mask = static_cast<uint32_t>(table.size()) - 1;
+    table.assign(gridTableCapacity(cells), GridSlot{});
+    const auto capacity = static_cast<uint32_t>(table.size());
     for (uint32_t begin = 0; begin < count_;) {
         const uint64_t cell = cellOf(begin);
         uint32_t end = begin + 1;
         while (end < count_ && cellOf(end) == cell) {
             ++end;
         }
-        uint32_t slot = gridHash(cell) & mask;
-        while (table[slot].end != 0) {
-            slot = (slot + 1) & mask;
-        }
+        const uint32_t slot =
+            probeGridTable(capacity, cell, [&](uint32_t candidate) { return table[candidate].end == 0; });
         table[slot] = {cell, begin, end};
         begin = end;
     }

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/base/result.h"
 #include "engine/kernels/photon_grid.h"
 #include "engine/kernels/photon_tree.h"
 
@@ -19,7 +20,7 @@ namespace glint {
 class PhotonStore {
   public:
     static constexpr uint32_t kBlockPhotons = 64;
-    static constexpr uint32_t kMaxPhotons = 1u << 25;
+    static constexpr uint32_t kMaxPhotons = kMaxStoredPhotons;
     static constexpr size_t kBytesPerPhoton = sizeof(Photon) + 2 * sizeof(uint64_t);
 
     /// Writes the photons of one chunk of traced ones; used by one thread. Photons beyond the store's room
@@ -35,7 +36,15 @@ class PhotonStore {
         uint32_t usedInLast_ = kBlockPhotons;
     };
 
-    /// Makes room for `photons` (whole blocks for each of `chunks` added) and forgets the last pass.
+    /// Error: more photons than any store holds.
+    static Status checkRoom(uint64_t photons);
+    /// Places for so many photons, the blocks that `chunks` writers begin included.
+    static uint64_t roomFor(size_t photons, size_t chunks) {
+        return (photons + kBlockPhotons - 1) / kBlockPhotons * kBlockPhotons + chunks * kBlockPhotons;
+    }
+
+    /// Makes room for `photons` (whole blocks for each of `chunks` added) and forgets the last pass. All of
+    /// it must pass checkRoom().
     void reset(size_t photons, size_t chunks);
     Writer& writer(size_t chunk) { return writers_[chunk]; }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/kernels/sppm_camera_kernel.h"
-#include "engine/kernels/sppm_gather_kernel.h"
+#include "engine/kernels/sppm_pass_steps.h"
 #include "engine/kernels/sppm_photon_kernel.h"
 #include "engine/render/sppm_kernel.h"
 
@@ -45,16 +45,7 @@ template <FeatureMask kMask, class PhotonMap>
 void gatherPixels(const SceneView& view, const PhotonMap& photons, const SppmParams& params,
                   const SppmPixel* statistics, size_t begin, size_t end, PassPixel* pixels) {
     for (size_t i = begin; i < end; ++i) {
-        const VisiblePoint point = pixels[i].visiblePoint;
-        Gathered gathered;
-        if (!isZero(point.throughput)) {
-            const double radiusSquared = statistics[i].radiusSquared > 0.0
-                                             ? statistics[i].radiusSquared
-                                             : initialRadiusSquared(params, point.footprint);
-            gathered = gatherPhotons<kMask>(view, photons, params, point, static_cast<float>(radiusSquared));
-            gathered.initialRadiusSquared = static_cast<float>(radiusSquared);
-        }
-        pixels[i].gathered = gathered;
+        gatherPixel<kMask>(view, photons, params, statistics[i], &pixels[i]);
     }
 }
 
