@@ -1,0 +1,56 @@
+// The metrics against numbers that metrics_expected.py computed by another route, in another language, on
+// pictures that both programs make from the same integer formulas. 23 x 17 and 7 x 5 have no room for
+// trimming, and the last none for a whole SSIM window.
+#include <gtest/gtest.h>
+
+#include "engine/report/metrics.h"
+#include "tests/support/formula_pictures.h"
+
+namespace glint {
+namespace {
+
+constexpr double kTolerance = 1e-5;
+
+struct Expected {
+    int width, height;
+    double mse, rmse, relMse, relMseTrimmed, mape, bias, relativeBias, maxError, ssim, flip;
+};
+
+constexpr Expected kExpected[] = {
+    {64, 48, 0.162663035923, 0.403315057892, 3.39471687312, 2.3597938072, 0.468741492728, 0.0478032430013,
+     0.107203555772, 4.05078125, 0.904551061894, 0.101916329624},
+    {23, 17, 0.164743655986, 0.405886259913, 3.0615476778, 3.0615476778, 0.33163665855, 0.0486566229753,
+     0.107696730253, 4.046875, 0.834672476118, 0.105943712574},
+    {7, 5, 0.000706263950893, 0.0265756270085, 0.0293694430911, 0.0293694430911, 0.52671742755,
+     0.00513392857143, 0.0221012171685, 0.05078125, 0.953796098979, 0.11357288767},
+};
+
+TEST(MetricsExpected, AgreeWithAnIndependentProgram) {
+    for (const Expected& e : kExpected) {
+        SCOPED_TRACE(testing::Message() << e.width << " x " << e.height);
+        const auto metrics =
+            comparePictures(test::formulaTest(e.width, e.height), test::formulaReference(e.width, e.height));
+        ASSERT_TRUE(metrics) << metrics.error().format();
+        EXPECT_NEAR(metrics->mse, e.mse, kTolerance);
+        EXPECT_NEAR(metrics->rmse, e.rmse, kTolerance);
+        EXPECT_NEAR(metrics->relMse, e.relMse, kTolerance);
+        EXPECT_NEAR(metrics->relMseTrimmed, e.relMseTrimmed, kTolerance);
+        EXPECT_NEAR(metrics->mape, e.mape, kTolerance);
+        EXPECT_NEAR(metrics->bias, e.bias, kTolerance);
+        EXPECT_NEAR(metrics->relativeBias, e.relativeBias, kTolerance);
+        EXPECT_NEAR(metrics->maxError, e.maxError, kTolerance);
+        EXPECT_NEAR(metrics->ssim, e.ssim, kTolerance);
+        EXPECT_NEAR(metrics->flip, e.flip, kTolerance);
+    }
+}
+
+TEST(MetricsExpected, AtAnotherExposureAndViewingDistance) {
+    const MetricOptions options{.exposureStops = 1.0, .pixelsPerDegree = 20.0};
+    const auto metrics = comparePictures(test::formulaTest(64, 48), test::formulaReference(64, 48), options);
+    ASSERT_TRUE(metrics) << metrics.error().format();
+    EXPECT_NEAR(metrics->flip, 0.191855525786, kTolerance);
+    EXPECT_NEAR(metrics->ssim, 0.962474647109, kTolerance);
+}
+
+}  // namespace
+}  // namespace glint
