@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "engine/base/parallel.h"
+#include "engine/report/finite_pixels.h"
 #include "engine/report/flip.h"
 #include "engine/report/ssim.h"
 
@@ -16,11 +17,6 @@ namespace glint {
 namespace {
 
 constexpr int64_t kRowsPerBlock = 16;
-
-bool isFinitePixel(const ImageF& image, size_t pixel) {
-    const float* rgb = image.rgb.data() + 3 * pixel;
-    return std::isfinite(rgb[0]) && std::isfinite(rgb[1]) && std::isfinite(rgb[2]);
-}
 
 /// What one block of rows adds.
 struct Sums {
@@ -123,16 +119,6 @@ double sumOfSmallest(const Comparison& comparison, uint64_t kept) {
         }
     }
     return sum + static_cast<double>(kept - below) * limit;
-}
-
-ImageF withBlackWhere(const ImageF& image, const std::vector<uint8_t>& finite) {
-    ImageF out = image;
-    for (size_t i = 0; i < finite.size(); ++i) {
-        if (finite[i] == 0) {
-            std::fill_n(out.rgb.begin() + static_cast<std::ptrdiff_t>(3 * i), 3, 0.0f);
-        }
-    }
-    return out;
 }
 
 /// Mean over the finite pixels of rows and columns from `border` to as far from the other side.

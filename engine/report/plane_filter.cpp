@@ -9,16 +9,18 @@
 namespace glint {
 namespace {
 
-constexpr int64_t kRowsPerChunk = 8;
+/// Enough work for a thread to be worth waking.
+constexpr int64_t kPixelsPerChunk = 8192;
 
 /// Calls body(y) for every row.
 template <class Body>
-void forRows(int height, int threads, const Body& body) {
-    parallelChunks(height, kRowsPerChunk, threads, [&](int64_t begin, int64_t end) {
-        for (int64_t y = begin; y < end; ++y) {
-            body(static_cast<int>(y));
-        }
-    });
+void forRows(int width, int height, int threads, const Body& body) {
+    parallelChunks(height, std::max<int64_t>(1, kPixelsPerChunk / width), threads,
+                   [&](int64_t begin, int64_t end) {
+                       for (int64_t y = begin; y < end; ++y) {
+                           body(static_cast<int>(y));
+                       }
+                   });
 }
 
 void filterRow(const float* in, int width, std::span<const double> weights, float* out) {
@@ -58,11 +60,11 @@ Plane filterSeparable(const Plane& in, std::span<const double> row, std::span<co
     Plane across{.width = in.width, .height = in.height, .values = std::vector<float>(in.values.size())};
     Plane out = across;
     const auto width = static_cast<size_t>(in.width);
-    forRows(in.height, threads, [&](int y) {
+    forRows(in.width, in.height, threads, [&](int y) {
         const size_t first = static_cast<size_t>(y) * width;
         filterRow(in.values.data() + first, in.width, row, across.values.data() + first);
     });
-    forRows(in.height, threads, [&](int y) {
+    forRows(in.width, in.height, threads, [&](int y) {
         filterColumns(across, y, column, out.values.data() + static_cast<size_t>(y) * width);
     });
     return out;

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "viewer/window/heat_map.h"
+#include "engine/report/heat_map.h"
 #include "viewer/window/image_display.h"
 #include "viewer/window/viewer_model.h"
 
