@@ -304,6 +304,7 @@ Result<std::shared_ptr<const MeshData>> generateMesh(const MeshSource& source) {
 
 std::vector<std::string_view> meshGeneratorNames() {
     std::vector<std::string_view> names;
+    names.reserve(std::size(kGenerators));
     for (const Generator& generator : kGenerators) names.push_back(generator.name);
     return names;
 }

@@ -51,6 +51,7 @@ std::optional<MetalConstants> findMetal(std::string_view name) {
 
 std::vector<std::string_view> metalNames() {
     std::vector<std::string_view> names;
+    names.reserve(std::size(kMetals));
     for (const NamedMetal& metal : kMetals) {
         names.push_back(metal.name);
     }

@@ -78,7 +78,7 @@ TEST(Malformed, ObjFiles) {
         {triangle + "f 1 2 3\nf 1 \\\n 2 \\\n 7\n", ":7:2: there is no vertex 7"},
         {triangle + "mtllib\nf 1 2 3\n", ":4:7: expected a file name after mtllib"},
         {"\x89PNG\r\n\x1a\n", ":1:1: expected an OBJ statement"},
-        {std::string("v 0 0 0\0v", 10), ":1:7: expected z, a number"},
+        {std::string("v 0 0 0\0v", 9), ":1:7: expected z, a number"},
         {"<html><body>not found</body></html>\n", ":1:1: expected an OBJ statement"},
     };
     expectErrors("bad.obj", files, [](const std::string& path) { return errorOf(loadObj(path)); });

@@ -1,5 +1,7 @@
 #include "tests/support/statistics.h"
 
+#include <limits>
+
 namespace glint::test {
 
 ChiSquare chiSquare(const std::vector<double>& counts, const std::vector<double>& expected, double strays) {
@@ -25,7 +27,7 @@ ChiSquare chiSquare(const std::vector<double>& counts, const std::vector<double>
     } else if (pooledCount > 5.0 * (pooledExpected + 5.0)) {
         strayCount += pooledCount;
     }
-    if (strayCount > strays) result.statistic = INFINITY;
+    if (strayCount > strays) result.statistic = std::numeric_limits<double>::infinity();
     result.degrees = cells - 1;
     return result;
 }

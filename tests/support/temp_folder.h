@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include <stdlib.h>
+#include <stdlib.h>  // NOLINT(modernize-deprecated-headers): mkdtemp is POSIX
 
 namespace glint::test {
 
