@@ -94,8 +94,32 @@ TEST_F(BenchReport, Load) {
 TEST_F(BenchReport, Threads) {
     const json report = reportOf({"threads", "--size", "16", "--turns", "1"});
     expectKeys(report, {"size", "threads", "turns", "one_passes_per_s", "many_passes_per_s", "ratio",
-                        "films_identical"});
+                        "ratio_low", "ratio_high", "films_identical"});
     EXPECT_EQ(report["films_identical"], true);
+}
+
+TEST_F(BenchReport, Variants) {
+    const json report = reportOf({"variants", "--size", "16", "--turns", "2"});
+    expectKeys(report, {"scene", "width", "height", "threads", "turns", "rows"});
+    ASSERT_EQ(report["rows"].size(), 2u);
+    for (const json& row : report["rows"]) {
+        expectKeys(row, {"integrator", "kernel", "passes_per_s", "full_passes_per_s", "ratio", "wall_ratio",
+                         "pixels", "pixels_different", "largest_difference", "identical"});
+        expectKeys(row["ratio"], {"median", "low", "high", "confidence"});
+        EXPECT_LE(row["ratio"]["low"].get<double>(), row["ratio"]["high"].get<double>());
+        EXPECT_EQ(row["pixels"], 256);
+    }
+    EXPECT_EQ(report["rows"][0]["integrator"], "path");
+    EXPECT_EQ(report["rows"][1]["integrator"], "sppm");
+    EXPECT_NE(report["rows"][0]["kernel"], "full");
+}
+
+TEST_F(BenchReport, VariantsOfAFile) {
+    const json report = reportOf({"variants", GLINT_SOURCE_DIR "/scenes/furnace.json", "--size", "48",
+                                  "--turns", "1", "--integrator", "path"});
+    ASSERT_EQ(report["rows"].size(), 1u);
+    EXPECT_EQ(report["width"], 48);
+    EXPECT_EQ(report["height"], 32);
 }
 
 }  // namespace

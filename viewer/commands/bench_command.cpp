@@ -7,7 +7,7 @@ namespace glint {
 
 void addBenchCommand(CLI::App& app, int* exitCode) {
     CLI::App* bench =
-        app.add_subcommand("bench", "Measures speed: rays, paths, photon passes, latency, loading, threads");
+        app.add_subcommand("bench", "Measures speed: rays, paths, photon passes, latency, loading, threads, kernels");
     bench->require_subcommand(1);
     bench->footer("Figures are only worth something on a machine that does nothing else.");
     addBenchRays(*bench, exitCode);
@@ -16,6 +16,7 @@ void addBenchCommand(CLI::App& app, int* exitCode) {
     addBenchLatency(*bench, exitCode);
     addBenchLoad(*bench, exitCode);
     addBenchThreads(*bench, exitCode);
+    addBenchVariants(*bench, exitCode);
 }
 
 }  // namespace glint

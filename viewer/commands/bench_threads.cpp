@@ -1,6 +1,5 @@
 // `glint bench threads`: passes per second with one thread beside more, by turns in one run, so that a
 // machine that slows down slows both. Medians over the turns.
-#include <algorithm>
 #include <chrono>
 
 #include <CLI/CLI.hpp>
@@ -11,6 +10,7 @@
 #include "engine/build/scene_builder.h"
 #include "engine/render/backend.h"
 #include "engine/render/pass_params.h"
+#include "viewer/commands/bench_pairs.h"
 #include "viewer/commands/bench_scenes.h"
 #include "viewer/commands/bench_statistics.h"
 #include "viewer/commands/commands.h"
@@ -48,34 +48,32 @@ int runThreads(const ThreadsOptions& options) {
     (void)single->setScene(*built);
     (void)parallel->setScene(*built);
     Film filmOne(options.size, options.size), filmMany(options.size, options.size);
-    std::vector<double> one, more;
     PassParams params = passParamsOf(*scene);
-    for (int turn = 0; turn <= options.turns; ++turn) {
-        params.pass = static_cast<uint32_t>(turn);
-        const double a = passSeconds(*single, params, &filmOne, 1);
-        const double b = passSeconds(*parallel, params, &filmMany, many);
-        if (turn > 0) {  // The first warms the caches and starts the threads.
-            one.push_back(a);
-            more.push_back(b);
-        }
-    }
-    const double oneSeconds = percentilesOf(one).median, manySeconds = percentilesOf(more).median;
-    const bool same =
-        std::ranges::equal(filmOne.pixels(), filmMany.pixels(), [](const FilmPixel& a, const FilmPixel& b) {
-            return a.mean == b.mean && a.luminanceM2 == b.luminanceM2 && a.count == b.count;
-        });
-    const double ratio = oneSeconds / manySeconds;
+    const auto passOf = [&](Backend& backend, Film* film, int threads) {
+        return [&, film, threads](uint32_t turn) {
+            params.pass = turn;
+            return passSeconds(backend, params, film, threads);
+        };
+    };
+    const PairTimes times =
+        measureByTurns(options.turns, passOf(*single, &filmOne, 1), passOf(*parallel, &filmMany, many));
+    const double oneSeconds = percentilesOf(times.first).median;
+    const double manySeconds = percentilesOf(times.second).median;
+    const RatioInterval ratio = ratioOf(times.first, times.second);
+    const bool same = comparePictures(filmOne, filmMany).identical();
     if (!jsonTakesOutput(options.json)) {
-        fmt::print(
-            "1 thread   {:.2f} passes/s\n{} threads  {:.2f} passes/s\nratio      {:.3f}\nfilms are {}\n",
-            1.0 / oneSeconds, many, 1.0 / manySeconds, ratio, same ? "identical" : "DIFFERENT");
+        fmt::print("1 thread   {:.2f} passes/s\n{} threads  {:.2f} passes/s\nratio      {}\nfilms are {}\n",
+                   1.0 / oneSeconds, many, 1.0 / manySeconds, ratioText(ratio),
+                   same ? "identical" : "DIFFERENT");
     }
     const Status written = writeJson(options.json, {{"size", options.size},
                                                     {"threads", many},
                                                     {"turns", options.turns},
                                                     {"one_passes_per_s", 1.0 / oneSeconds},
                                                     {"many_passes_per_s", 1.0 / manySeconds},
-                                                    {"ratio", ratio},
+                                                    {"ratio", ratio.median},
+                                                    {"ratio_low", ratio.low},
+                                                    {"ratio_high", ratio.high},
                                                     {"films_identical", same}});
     if (!written) {
         fmt::print(stderr, "error: {}\n", written.error().format());

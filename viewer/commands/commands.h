@@ -37,5 +37,6 @@ void addBenchThreads(CLI::App& bench, int* exitCode);
 void addBenchRays(CLI::App& bench, int* exitCode);
 void addBenchPaths(CLI::App& bench, int* exitCode);
 void addBenchPasses(CLI::App& bench, int* exitCode);
+void addBenchVariants(CLI::App& bench, int* exitCode);
 
 }  // namespace glint
