@@ -33,6 +33,17 @@ std::shared_ptr<const FilmSnapshot> Bulletin::otherSnapshot() const {
     return other_;
 }
 
+void Bulletin::setCurve(IntegratorKind integrator, std::shared_ptr<const ConvergenceCurve> curve) {
+    const std::lock_guard lock(mutex_);
+    // The old curve's memory is freed after the lock.
+    curves_[static_cast<size_t>(integrator)].swap(curve);
+}
+
+std::shared_ptr<const ConvergenceCurve> Bulletin::curve(IntegratorKind integrator) const {
+    const std::lock_guard lock(mutex_);
+    return curves_[static_cast<size_t>(integrator)];
+}
+
 void Bulletin::set(const SessionStatus& status, uint64_t ticket) {
     const std::lock_guard lock(mutex_);
     status_ = status;

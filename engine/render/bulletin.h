@@ -1,6 +1,7 @@
 // What the render thread shows to the controlling thread: the newest picture and the status. Thread-safe.
 #pragma once
 
+#include <array>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -19,6 +20,10 @@ class Bulletin {
     void showOther(std::shared_ptr<const FilmSnapshot> snapshot);
     std::shared_ptr<const FilmSnapshot> otherSnapshot() const;
 
+    void setCurve(IntegratorKind integrator, std::shared_ptr<const ConvergenceCurve> curve);
+    /// Never null.
+    std::shared_ptr<const ConvergenceCurve> curve(IntegratorKind integrator) const;
+
     std::shared_ptr<const FilmSnapshot> snapshot() const;
     SessionStatus status() const;
     /// Blocks until the state is a resting one with at least `ticket` taken into account, or `seconds` have
@@ -30,6 +35,8 @@ class Bulletin {
     mutable std::condition_variable changed_;
     std::shared_ptr<const FilmSnapshot> snapshot_;
     std::shared_ptr<const FilmSnapshot> other_;
+    std::array<std::shared_ptr<const ConvergenceCurve>, 2> curves_{
+        std::make_shared<const ConvergenceCurve>(), std::make_shared<const ConvergenceCurve>()};
     SessionStatus status_;
     uint64_t ticket_ = 0;
 };

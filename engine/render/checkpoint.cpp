@@ -3,8 +3,9 @@
 //   sections until the checksum: 4 letters, u64 payload size, payload,
 //   16 bytes ContentHash of everything before.
 // Sections: INFO (text Glint version, f64 render seconds), SETT (u32 count, then name and value texts), HASH
-// (u32 count, then u64 low and high per scene part), FILM (see FilmCheckpoint), and of SPPM alone SPPM (see
-// sppm_checkpoint.h). A section with other letters is skipped. Texts are u64 length and characters.
+// (u32 count, then u64 low and high per scene part), FILM (see FilmCheckpoint), CURV (u32 count, then u32
+// passes and 5 f64 per point of the convergence curve), and of SPPM alone SPPM (see sppm_checkpoint.h). A
+// section with other letters is skipped. Texts are u64 length and characters.
 #include "engine/render/checkpoint.h"
 
 #include <map>
@@ -198,6 +199,42 @@ Result<CheckpointInfo> readInfo(const Sections& sections, const std::string& pat
     return info;
 }
 
+void writeCurve(const ConvergenceCurve& curve, ByteWriter* out) {
+    out->write(static_cast<uint32_t>(curve.points().size()));
+    for (const ConvergencePoint& point : curve.points()) {
+        out->write(point.passes);
+        for (const double value : {point.renderSeconds, point.relativeError, point.relativeErrorLow,
+                                   point.relativeErrorHigh, point.relativeBias}) {
+            out->write(value);
+        }
+    }
+}
+
+/// False when the payload is not a curve. Of a checkpoint without one: empty.
+bool readCurve(const Sections& sections, ConvergenceCurve* curve) {
+    const auto section = sections.find("CURV");
+    if (section == sections.end()) {
+        return true;
+    }
+    ByteReader in(section->second);
+    const auto count = in.read<uint32_t>();
+    uint32_t passes = 0;
+    for (uint32_t i = 0; i < count && !in.failed(); ++i) {
+        ConvergencePoint point;
+        point.passes = in.read<uint32_t>();
+        for (double* value : {&point.renderSeconds, &point.relativeError, &point.relativeErrorLow,
+                              &point.relativeErrorHigh, &point.relativeBias}) {
+            *value = in.read<double>();
+        }
+        if (i >= ConvergenceCurve::kMaxPoints || point.passes <= passes) {
+            return false;
+        }
+        passes = point.passes;
+        curve->add(point);
+    }
+    return !in.failed() && in.left() == 0;
+}
+
 /// Every difference between the checkpoint and the scene as it is now, separated by semicolons.
 std::string differences(const CheckpointInfo& info, const SceneDescription& scene) {
     std::string out;
@@ -256,6 +293,7 @@ Status saveCheckpoint(const std::string& path, const SessionCapture& capture) {
         }
     });
     writeSection("FILM", &file, [&] { FilmCheckpoint::write(capture.film, &file); });
+    writeSection("CURV", &file, [&] { writeCurve(capture.curve, &file); });
     if (scene.options.integrator == IntegratorKind::Sppm) {
         writeSection("SPPM", &file, [&] { writeSppmState(capture.sppm, &file); });
     }
@@ -284,6 +322,9 @@ Result<ResumePoint> loadCheckpoint(const std::string& path, const SceneDescripti
     point.renderSeconds = info->renderSeconds;
     if (!FilmCheckpoint::read(ByteReader(sections->at("FILM")), &point.film)) {
         return checkpointError(path, "is damaged: its film cannot be read");
+    }
+    if (!readCurve(*sections, &point.curve)) {
+        return checkpointError(path, "is damaged: its convergence curve cannot be read");
     }
     if (scene.options.integrator == IntegratorKind::Sppm) {
         const auto photons = sections->find("SPPM");

@@ -50,6 +50,7 @@ struct Wishes {
     uint32_t aovs = 0;
     bool standardError = false;
     bool photonStatistics = false;
+    bool errorMaps = false;
     bool compare = false;
 };
 

@@ -62,6 +62,10 @@ void RenderSession::request(uint32_t aovs, bool standardError) {
     });
 }
 
+void RenderSession::requestErrorMaps(bool wanted) {
+    impl_->mailbox.change([&](Wishes& wishes) { wishes.errorMaps = wanted; });
+}
+
 void RenderSession::requestPhotonStatistics(bool wanted) {
     impl_->mailbox.change([&](Wishes& wishes) { wishes.photonStatistics = wanted; });
 }
@@ -77,6 +81,10 @@ std::shared_ptr<const FilmSnapshot> RenderSession::otherSnapshot() const {
 std::shared_ptr<const FilmSnapshot> RenderSession::snapshot() const { return impl_->bulletin.snapshot(); }
 
 SessionStatus RenderSession::status() const { return impl_->bulletin.status(); }
+
+std::shared_ptr<const ConvergenceCurve> RenderSession::convergenceCurve(IntegratorKind integrator) const {
+    return impl_->bulletin.curve(integrator);
+}
 
 SessionState RenderSession::wait(double seconds) {
     return impl_->bulletin.wait(impl_->mailbox.ticket(), seconds);

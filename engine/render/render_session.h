@@ -18,6 +18,7 @@
 
 #include "engine/build/scene_builder.h"
 #include "engine/render/backend.h"
+#include "engine/render/convergence_curve.h"
 #include "engine/render/film.h"
 #include "engine/scene/scene_edit.h"
 
@@ -38,13 +39,18 @@ struct FilmSnapshot {
     int previewScale = 1;  ///< film pixels per snapshot pixel in each direction; 1: full resolution
     IntegratorKind integrator = IntegratorKind::PathTracing;
     uint32_t passes = 0;
-    double renderSeconds = 0.0;        ///< time spent in passes since the last restart, resumed time included
-    double relativeError = 0.0;        ///< Film::relativeErrorEstimate
+    double renderSeconds = 0.0;     ///< time spent in passes since the last restart, resumed time included
+    double relativeError = 0.0;     ///< of the whole picture, noise and bias (error_estimate.h)
+    double relativeErrorLow = 0.0;  ///< 90 % band of relativeError
+    double relativeErrorHigh = 0.0;
     std::vector<float> radiance;       ///< linear RGB, 3 per pixel
     std::vector<float> standardError;  ///< of the mean luminance, 1 per pixel; empty unless asked for
     std::vector<float>
         radiusWorld;  ///< SPPM: present radius; 0: no visible point yet. Empty unless asked for
     std::vector<float> photonCount;  ///< SPPM: photons kept so far (N). Empty unless asked for
+    std::vector<float> bias;  ///< SPPM: estimate of the luminance's bias, signed. Empty unless asked for
+    std::vector<float>
+        errorBound;  ///< with 90 %, the true luminance is within +- this. Empty unless asked for
     std::shared_ptr<const AovFilm>
         aovs;  ///< of the snapshot's size; null unless asked for, and until the first is made
 };
@@ -68,7 +74,9 @@ struct SessionStatus {
     double passesPerSecond = 0.0;
     double pathsPerSecond = 0.0;
     double raysPerSecond = 0.0;
-    double relativeError = 0.0;
+    double relativeError = 0.0;     ///< of the newest snapshot or point of the convergence curve
+    double relativeErrorLow = 0.0;  ///< 90 % band of relativeError
+    double relativeErrorHigh = 0.0;
     std::array<uint64_t, kSampleFaultCount> faultCounts{};
     std::string backend;
     std::string
@@ -105,6 +113,7 @@ struct ResumePoint {
     Film film;
     SppmState sppm{};  ///< empty for path tracing
     double renderSeconds = 0.0;
+    ConvergenceCurve curve{};
 };
 
 /// The film at one moment, exactly, with the description that made it.
@@ -114,6 +123,7 @@ struct SessionCapture {
     SppmState sppm{};  ///< empty for path tracing
     AovFilm aovs{};
     double renderSeconds = 0.0;
+    ConvergenceCurve curve{};
 };
 
 using SceneBuildFunction = std::function<Result<std::shared_ptr<const BuiltScene>>(
@@ -150,6 +160,8 @@ class RenderSession {
     /// Bits of Aov, plus whether snapshots carry standard errors. Never restarts the film.
     void request(uint32_t aovs, bool standardError);
 
+    /// Whether snapshots carry `bias` (SPPM only) and `errorBound`. Never restarts anything.
+    void requestErrorMaps(bool wanted);
     /// Whether SPPM's snapshots carry radii and photon counts. Never restarts anything.
     void requestPhotonStatistics(bool wanted);
     /// While true both integrators render in turn, so that each had the same time. Never restarts anything.
@@ -162,6 +174,9 @@ class RenderSession {
     /// the first.
     std::shared_ptr<const FilmSnapshot> snapshot() const;
     SessionStatus status() const;
+    /// The error so far of the film that the integrator has, shown or not. Never null; empty until its second
+    /// pass and after whatever restarts that film. Immutable: a longer one replaces it.
+    std::shared_ptr<const ConvergenceCurve> convergenceCurve(IntegratorKind integrator) const;
 
     /// Blocks until the state is Finished, Failed or Paused with everything asked for so far taken into
     /// account, or `seconds` have passed; returns the state then.

@@ -1,6 +1,5 @@
 // Which pass is next, running it, committing it, and showing what came of it.
 #include <algorithm>
-#include <limits>
 
 #include "engine/render/pass_params.h"
 #include "engine/render/session_worker.h"
@@ -51,10 +50,9 @@ bool SessionWorker::wantsFilmPass(const Wishes& wishes) const {
 bool SessionWorker::limitReached(const Wishes& wishes) const {
     const StopLimits& limits = wishes.limits;
     const Track& shown = track();
-    const bool reached =
-        (limits.passes > 0 && filmPasses() >= limits.passes) ||
-        (limits.renderSeconds > 0.0 && shown.renderSeconds >= limits.renderSeconds) ||
-        (limits.relativeError > 0.0 && filmPasses() > 1 && shown.relativeError <= limits.relativeError);
+    const bool reached = (limits.passes > 0 && filmPasses() >= limits.passes) ||
+                         (limits.renderSeconds > 0.0 && shown.renderSeconds >= limits.renderSeconds) ||
+                         (limits.relativeError > 0.0 && hasReached(shown.curve, limits.relativeError));
     return reached && (!wishes.compare || trackOf(otherIntegrator()).renderSeconds >= shown.renderSeconds);
 }
 
@@ -189,14 +187,31 @@ void SessionWorker::commitFilmPass(double seconds) {
     if (passIntegrator_ == integrator()) {
         pace_.measured(paths, seconds);
     }
-    if (wishes_.limits.relativeError > 0.0) {
-        rendered.relativeError = errorEstimate(rendered);
-    }
+    recordError(passIntegrator_);
 }
 
-double SessionWorker::errorEstimate(const Track& of) const {
-    return of.sppm.passes > 0 ? of.sppm.relativeErrorEstimate(of.film)
-                              : of.film.relativeErrorEstimate(options_.threads);
+ErrorEstimate SessionWorker::errorEstimate(const Track& of) const {
+    return estimateError(of.film, &of.sppm, options_.threads);
+}
+
+/// A point of the convergence curve where one is due: rarely, so that no pass becomes noticeably slower.
+void SessionWorker::recordError(IntegratorKind kind) {
+    Track& rendered = trackOf(kind);
+    if (!rendered.curve.isDue(rendered.film.passes())) {
+        return;
+    }
+    rendered.error = errorEstimate(rendered);
+    rendered.curve.add({.passes = rendered.film.passes(),
+                        .renderSeconds = rendered.renderSeconds,
+                        .relativeError = rendered.error.relative,
+                        .relativeErrorLow = rendered.error.low,
+                        .relativeErrorHigh = rendered.error.high,
+                        .relativeBias = rendered.error.bias});
+    publishCurve(kind);
+}
+
+void SessionWorker::publishCurve(IntegratorKind kind) {
+    bulletin_->setCurve(kind, std::make_shared<const ConvergenceCurve>(trackOf(kind).curve));
 }
 
 void SessionWorker::refinePreview(double seconds) {
@@ -255,11 +270,11 @@ void SessionWorker::showIfDue() {
 void SessionWorker::show(bool preview) {
     shownIsOld_ = false;
     Track& shown = track();
-    if (!preview && (options_.snapshots || wishes_.limits.relativeError == 0.0)) {
-        shown.relativeError = errorEstimate(shown);
-    }
     if (!options_.snapshots) {
         return;
+    }
+    if (!preview) {
+        shown.error = errorEstimate(shown);
     }
     bulletin_->show(snapshotOf(integrator(), preview));
     shownGeneration_ = status_.generation;
@@ -267,6 +282,7 @@ void SessionWorker::show(bool preview) {
     shownPreview_ = preview;
     shownStandardError_ = wishes_.standardError;
     shownPhotonStatistics_ = wishes_.photonStatistics;
+    shownErrorMaps_ = wishes_.errorMaps;
     shownAt_ = SessionClock::now();
     status_.previewScale = preview ? previewScale_ : 1;
     if (unansweredEdit_) {
@@ -281,13 +297,14 @@ std::shared_ptr<FilmSnapshot> SessionWorker::snapshotOf(IntegratorKind kind, boo
     const Film& film = preview ? preview_ : of.film;
     const SppmState& sppm = preview ? previewSppm_ : of.sppm;
     const bool hasPhotons = kind == IntegratorKind::Sppm && sppm.passes > 0;
-    auto snapshot = makeSnapshot(film, hasPhotons ? &sppm : nullptr,
-                                 {wishes_.standardError, wishes_.photonStatistics}, options_.threads);
+    auto snapshot =
+        makeSnapshot(film, hasPhotons ? &sppm : nullptr,
+                     {wishes_.standardError, wishes_.photonStatistics, wishes_.errorMaps}, options_.threads);
     snapshot->generation = status_.generation;
     snapshot->integrator = kind;
     snapshot->previewScale = preview ? previewScale_ : 1;
     snapshot->renderSeconds = of.renderSeconds;
-    snapshot->relativeError = preview ? std::numeric_limits<double>::infinity() : of.relativeError;
+    setError(preview ? ErrorEstimate{} : of.error, snapshot.get());
     const AovFilm& aovs = preview ? previewAovs_ : aovFilm_;
     if (wishes_.aovs != 0 && aovs.passes() > 0) {
         if (!shownAovs_) {
@@ -304,8 +321,8 @@ void SessionWorker::showOtherIfDue() {
     if (!options_.snapshots || !wishes_.compare || previewing_ || other.passes() == 0) {
         return;
     }
-    const ShownOther now{status_.generation, otherIntegrator(),     other.passes(),
-                         aovFilm_.passes(),  wishes_.standardError, wishes_.photonStatistics};
+    const ShownOther now{status_.generation,    otherIntegrator(),        other.passes(),   aovFilm_.passes(),
+                         wishes_.standardError, wishes_.photonStatistics, wishes_.errorMaps};
     ShownOther before = shownOther_;
     if (now == before) {
         return;
@@ -316,7 +333,7 @@ void SessionWorker::showOtherIfDue() {
     if (onlyMorePasses && secondsSince(shownOtherAt_) < kSnapshotInterval) {
         return;
     }
-    other.relativeError = errorEstimate(other);
+    other.error = errorEstimate(other);
     bulletin_->showOther(snapshotOf(otherIntegrator(), false));
     shownOther_ = now;
     shownOtherAt_ = SessionClock::now();

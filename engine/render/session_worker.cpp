@@ -89,7 +89,8 @@ void SessionWorker::takeRequests() {
     // A picture at rest has to be shown again with what it lacked.
     const bool lacksError = wishes_.standardError && !shownStandardError_;
     const bool lacksStatistics = wishes_.photonStatistics && !shownPhotonStatistics_;
-    if ((lacksError || lacksStatistics) && filmPasses() > 0) {
+    const bool lacksMaps = wishes_.errorMaps && !shownErrorMaps_;
+    if ((lacksError || lacksStatistics || lacksMaps) && filmPasses() > 0) {
         shownIsOld_ = true;
     }
 }
@@ -178,8 +179,10 @@ void SessionWorker::restartPicture(EditKind kinds) {
         if (!sppmOnly || (isSppm && has(kinds, EditKind::SppmParameters))) {
             tracks_[kind].isStale = true;
             tracks_[kind].renderSeconds = 0.0;
-            tracks_[kind].relativeError = 0.0;
+            tracks_[kind].error = {};
             tracks_[kind].secondsPerPass = 0.0;
+            tracks_[kind].curve.clear();
+            publishCurve(static_cast<IntegratorKind>(kind));
         }
     }
     if (!sppmOnly) {
@@ -218,7 +221,9 @@ void SessionWorker::continueFrom(ResumePoint resume) {
     resumed.sppm = std::move(resume.sppm);
     resumed.isStale = false;
     resumed.renderSeconds = resume.renderSeconds;
-    resumed.relativeError = errorEstimate(resumed);
+    resumed.error = errorEstimate(resumed);
+    resumed.curve = std::move(resume.curve);
+    publishCurve(integrator());
     previewing_ = false;
     shownIsOld_ = true;
 }
@@ -248,7 +253,8 @@ void SessionWorker::answerCaptures() {
     for (CapturePromise& promise : captures_) {
         if (filmPasses() > 0) {
             const Track& shown = track();
-            promise.set_value(SessionCapture{scene_, shown.film, shown.sppm, aovFilm_, shown.renderSeconds});
+            promise.set_value(
+                SessionCapture{scene_, shown.film, shown.sppm, aovFilm_, shown.renderSeconds, shown.curve});
         } else {
             promise.set_value(std::nullopt);
         }
@@ -275,11 +281,13 @@ void SessionWorker::setStatus() {
     const Track& shown = track();
     status_.integrator = integrator();
     status_.renderSeconds = shown.renderSeconds;
-    status_.relativeError = shown.relativeError;
     const double passesPerSecond = shown.secondsPerPass > 0.0 ? 1.0 / shown.secondsPerPass : 0.0;
     status_.passesPerSecond = passesPerSecond;
     status_.pathsPerSecond = passesPerSecond * static_cast<double>(shown.film.pixels().size());
     status_.raysPerSecond = passesPerSecond * static_cast<double>(shown.raysOfPass);
+    status_.relativeError = shown.error.relative;
+    status_.relativeErrorLow = shown.error.low;
+    status_.relativeErrorHigh = shown.error.high;
     status_.aovPasses = aovFilm_.passes();
     status_.filmBytes = preview_.bytes() + previewSppm_.bytes() + aovFilm_.bytes() + previewAovs_.bytes();
     for (const Track& kept : tracks_) {

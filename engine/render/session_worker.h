@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/render/bulletin.h"
+#include "engine/render/error_estimate.h"
 #include "engine/render/mailbox.h"
 #include "engine/render/preview_scale.h"
 
@@ -31,9 +32,10 @@ class SessionWorker {
         bool isStale =
             true;  ///< cleared only when a pass is ready to be added, to keep it out of the edit's way
         double renderSeconds = 0.0;
-        double relativeError = 0.0;
+        ErrorEstimate error;
         double secondsPerPass = 0.0;
         uint64_t raysOfPass = 0;
+        ConvergenceCurve curve;
 
         uint32_t passes() const { return isStale ? 0 : film.passes(); }
     };
@@ -76,7 +78,9 @@ class SessionWorker {
     void refinePreview(double seconds);
     void prepareFilm(Track* track);
     void prepareSppm(int width, int height, uint32_t passes, SppmState* state) const;
-    double errorEstimate(const Track& track) const;
+    ErrorEstimate errorEstimate(const Track& track) const;
+    void recordError(IntegratorKind kind);
+    void publishCurve(IntegratorKind kind);
     void prepareAovFilm(AovFilm* film, int width, int height);
     PassParams passParams(NextPass kind) const;
     SppmParams sppmParams(NextPass kind) const;
@@ -123,6 +127,7 @@ class SessionWorker {
     bool shownPreview_ = false;
     bool shownStandardError_ = false;
     bool shownPhotonStatistics_ = false;
+    bool shownErrorMaps_ = false;
     uint64_t shownGeneration_ = 0;
     IntegratorKind shownIntegrator_ = IntegratorKind::PathTracing;
     SessionClock::time_point shownAt_;
@@ -137,6 +142,7 @@ class SessionWorker {
         uint32_t aovPasses = 0;
         bool standardError = false;
         bool photonStatistics = false;
+        bool errorMaps = false;
         bool operator==(const ShownOther&) const = default;
     };
     ShownOther shownOther_;

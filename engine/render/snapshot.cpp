@@ -58,9 +58,14 @@ std::shared_ptr<FilmSnapshot> makeSnapshot(const SessionCapture& capture, const 
         makeSnapshot(capture.film, capture.sppm.passes > 0 ? &capture.sppm : nullptr, request, threads);
     snapshot->integrator = capture.scene->options.integrator;
     snapshot->renderSeconds = capture.renderSeconds;
-    snapshot->relativeError = capture.sppm.passes > 0 ? capture.sppm.relativeErrorEstimate(capture.film)
-                                                      : capture.film.relativeErrorEstimate(threads);
+    setError(estimateError(capture.film, &capture.sppm, threads), snapshot.get());
     return snapshot;
+}
+
+void setError(const ErrorEstimate& error, FilmSnapshot* snapshot) {
+    snapshot->relativeError = error.relative;
+    snapshot->relativeErrorLow = error.low;
+    snapshot->relativeErrorHigh = error.high;
 }
 
 }  // namespace glint

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "engine/render/error_estimate.h"
 #include "engine/render/render_session.h"
 
 namespace glint {
@@ -10,6 +11,7 @@ namespace glint {
 struct SnapshotRequest {
     bool standardError = false;
     bool photonStatistics = false;  ///< radii and photon counts of SPPM
+    bool errorMaps = false;         ///< the bound of 90 %, and the bias of SPPM
 };
 
 /// Everything of `film`, and of SPPM's statistics where there are any (may be null), with extras where asked
@@ -21,5 +23,8 @@ std::shared_ptr<FilmSnapshot> makeSnapshot(const Film& film, const SppmState* sp
 /// The same of a capture, with its integrator, seconds and relative error.
 std::shared_ptr<FilmSnapshot> makeSnapshot(const SessionCapture& capture, const SnapshotRequest& request,
                                            int threads);
+
+/// Its figures for the whole picture.
+void setError(const ErrorEstimate& error, FilmSnapshot* snapshot);
 
 }  // namespace glint
