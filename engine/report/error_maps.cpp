@@ -17,6 +17,7 @@ namespace {
 
 constexpr int64_t kPixelsPerChunk = 8192;
 constexpr double kShareBeyondRange = 0.001;
+constexpr double kShareBeyondSignedRange = 0.01;  ///< its linear scale would show nothing but the outliers
 constexpr double kDecades = 4.0;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
@@ -46,8 +47,8 @@ double roundedUp(double value) {
     return 10.0 * decade;
 }
 
-/// The largest magnitude but for kShareBeyondRange of the pixels; 0 when there is no error.
-double robustMaximum(const ErrorMap& map) {
+/// The largest magnitude but for that share of the pixels; 0 when there is no error.
+double robustMaximum(const ErrorMap& map, double shareBeyond) {
     std::vector<float> magnitudes;
     for (const float value : map.values) {
         if (std::isfinite(value)) {
@@ -57,8 +58,7 @@ double robustMaximum(const ErrorMap& map) {
     if (magnitudes.empty()) {
         return 0.0;
     }
-    const auto beyond =
-        static_cast<std::ptrdiff_t>(kShareBeyondRange * static_cast<double>(magnitudes.size()));
+    const auto beyond = static_cast<std::ptrdiff_t>(shareBeyond * static_cast<double>(magnitudes.size()));
     const auto place = magnitudes.begin() + beyond;
     std::nth_element(magnitudes.begin(), place, magnitudes.end(), std::greater<>());
     return static_cast<double>(*place);
@@ -122,8 +122,9 @@ MapRange readableRange(const ErrorMap& map) {
     if (map.kind == ErrorMapKind::Flip) {
         return {};
     }
-    const double largest = robustMaximum(map);
-    if (map.kind == ErrorMapKind::Signed) {
+    const bool isSigned = map.kind == ErrorMapKind::Signed;
+    const double largest = robustMaximum(map, isSigned ? kShareBeyondSignedRange : kShareBeyondRange);
+    if (isSigned) {
         const double limit = largest > 0.0 ? roundedUp(largest) : 1.0;
         return {.low = -limit, .high = limit, .logarithmic = false};
     }

@@ -44,9 +44,9 @@ struct MapRange {
     bool logarithmic = false;  ///< by the logarithm's place between low and high, both above 0
 };
 
-/// A readable range that holds all but the largest 0.1 % of the pixels: four decades below a power of ten for
-/// RelativeSquared and Absolute, -v ... v with v of 1, 2 or 5 times a power of ten for Signed, 0 ... 1 for
-/// Flip.
+/// A readable range that holds all but the largest 0.1 % of the pixels (1 % for Signed): four decades below a
+/// power of ten for RelativeSquared and Absolute, -v ... v with v of 1, 2 or 5 times a power of ten for
+/// Signed, 0 ... 1 for Flip.
 MapRange readableRange(const ErrorMap& map);
 
 /// heat_map.h's ramp, and signedColor() for Signed. No error at all is black in both, what lies outside the

@@ -32,7 +32,7 @@ testing::AssertionResult says(const std::string& text, const std::string& part) 
 }
 
 TEST_F(CommandLine, HelpAndVersionSucceed) {
-    for (const char* command : {"view", "render", "info", "convert", "bench"}) {
+    for (const char* command : {"view", "render", "info", "diff", "convert", "bench"}) {
         const ProgramRun help = runProgram({command, "--help"});
         EXPECT_EQ(help.exitCode, 0);
         EXPECT_TRUE(says(help.out, "--help"));

@@ -17,6 +17,7 @@ enum ExitCode : int {
     kExitDone = 0,
     kExitBadInput = 1,       ///< the input or the options are wrong
     kExitFailed = 2,         ///< the run failed: disk full, no context, device lost
+    kExitBeyondLimit = 3,    ///< done, and what was measured is beyond a limit that was asked for
     kExitInterrupted = 130,  ///< by Ctrl-C, after saving
 };
 
@@ -28,6 +29,7 @@ void addViewCommand(CLI::App& app, int* exitCode);
 void addRenderCommand(CLI::App& app, int* exitCode);
 void addInfoCommand(CLI::App& app, int* exitCode);
 void addConvertCommand(CLI::App& app, int* exitCode);
+void addDiffCommand(CLI::App& app, int* exitCode);
 void addBenchCommand(CLI::App& app, int* exitCode);
 
 /// Of `glint bench`.

@@ -19,7 +19,8 @@ namespace {
 constexpr const char* kFooter = R"(A SCENE is Glint JSON, a 6.837-style text scene, OBJ (with its MTL) or PLY.
 Without a command, `glint [SCENE]` opens the window, as `glint view` does.
 
-Exit codes: 0 done, 1 the input or the options are wrong, 2 the run failed, 130 interrupted after saving.
+Exit codes: 0 done, 1 the input or the options are wrong, 2 the run failed, 3 a limit that was asked for is exceeded,
+130 interrupted after saving.
 `glint COMMAND --help` explains a command.)";
 
 void addCommands(CLI::App& app, int* exitCode) {
@@ -27,6 +28,7 @@ void addCommands(CLI::App& app, int* exitCode) {
     addRenderCommand(app, exitCode);
     addInfoCommand(app, exitCode);
     addConvertCommand(app, exitCode);
+    addDiffCommand(app, exitCode);
     addBenchCommand(app, exitCode);
 }
 

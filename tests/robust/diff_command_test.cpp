@@ -1,0 +1,178 @@
+// `glint diff` as its users meet it: exit codes, limits, maps, pictures of different kinds, and what cannot
+// be compared.
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "engine/io/exr_io.h"
+#include "engine/io/image_io.h"
+#include "tests/support/formula_pictures.h"
+#include "tests/support/run_program.h"
+#include "tests/support/temp_folder.h"
+
+namespace glint {
+namespace {
+
+using test::ProgramRun;
+using test::runProgram;
+using test::TempFolder;
+
+class DiffCommand : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (!test::programExists()) {
+            GTEST_SKIP() << "the program was not built";
+        }
+    }
+    std::string exr(const std::string& name, const ImageF& image) {
+        ExrPicture picture{.width = image.width, .height = image.height, .channels = {}, .attributes = {}};
+        for (const char* channel : {"R", "G", "B"}) {
+            picture.channels.push_back(
+                {.name = channel, .type = ExrPixelType::Float, .floats = {}, .ids = {}});
+        }
+        for (size_t i = 0; i < image.rgb.size(); ++i) {
+            picture.channels[i % 3].floats.push_back(image.rgb[i]);
+        }
+        EXPECT_TRUE(saveExr(folder.path(name), picture));
+        return folder.path(name);
+    }
+    TempFolder folder;
+};
+
+testing::AssertionResult says(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos
+               ? testing::AssertionSuccess()
+               : testing::AssertionFailure() << "'" << part << "' is not in: " << text;
+}
+
+TEST_F(DiffCommand, PrintsEveryMetric) {
+    const ProgramRun run = runProgram(
+        {"diff", exr("a.exr", test::formulaTest(64, 48)), exr("b.exr", test::formulaReference(64, 48))});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    for (const char* line :
+         {"  MSE             0.162663", "  RMSE            0.403315", "  relMSE          3.39472",
+          "  relMSE trimmed  2.35979", "  MAPE            0.468741", "  bias            0.0478032",
+          "  relative bias   0.107204", "  largest error   4.05078", "  SSIM            0.904551",
+          "  FLIP            0.101916"}) {
+        EXPECT_TRUE(says(run.out, line));
+    }
+}
+
+TEST_F(DiffCommand, LimitsSetTheExitCode) {
+    const std::string a = exr("a.exr", test::formulaTest(64, 48));
+    const std::string b = exr("b.exr", test::formulaReference(64, 48));
+    const auto code = [&](const std::string& option, const std::string& limit) {
+        return runProgram({"diff", a, b, option, limit}).exitCode;
+    };
+    EXPECT_EQ(code("--max-relmse", "3.5"), 0);
+    EXPECT_EQ(code("--max-relmse", "3.3"), 3);
+    EXPECT_EQ(code("--max-flip", "0.11"), 0);
+    EXPECT_EQ(code("--max-flip", "0.1"), 3);
+    EXPECT_EQ(code("--min-ssim", "0.9"), 0);
+    EXPECT_EQ(code("--min-ssim", "0.91"), 3);
+    EXPECT_EQ(code("--max-bias", "0.05"), 0);
+    EXPECT_EQ(code("--max-bias", "0.04"), 3);
+    // A bias has two directions: with the pictures exchanged it is negative.
+    EXPECT_EQ(runProgram({"diff", b, a, "--max-bias", "0.04"}).exitCode, 3);
+    EXPECT_EQ(runProgram({"diff", b, a, "--max-bias", "0.05"}).exitCode, 0);
+    // One limit of several is enough.
+    const ProgramRun run = runProgram({"diff", a, b, "--max-mse", "1", "--max-mape", "0.1"});
+    EXPECT_EQ(run.exitCode, 3);
+    EXPECT_TRUE(says(run.out, "--max-mse 1: within"));
+    EXPECT_TRUE(says(run.out, "--max-mape 0.1: BEYOND"));
+    // Equal pictures pass the sharpest limits.
+    EXPECT_EQ(runProgram({"diff", a, a, "--max-error", "0", "--max-flip", "0", "--min-ssim", "1"}).exitCode,
+              0);
+}
+
+TEST_F(DiffCommand, JsonHoldsTheSame) {
+    const ProgramRun run =
+        runProgram({"diff", exr("a.exr", test::formulaTest(64, 48)),
+                    exr("b.exr", test::formulaReference(64, 48)), "--json", "-", "--max-rmse", "0.1"});
+    EXPECT_EQ(run.exitCode, 3);
+    const auto report = nlohmann::json::parse(run.out);
+    EXPECT_NEAR(report["metrics"]["rel_mse"].get<double>(), 3.39471687312, 1e-5);
+    EXPECT_NEAR(report["metrics"]["relative_rmse"].get<double>(), std::sqrt(3.39471687312), 1e-5);
+    EXPECT_EQ(report["metrics"].size(), 11u);
+    EXPECT_EQ(report["limits"][0]["metric"], "rmse");
+    EXPECT_FALSE(report["within_limits"].get<bool>());
+}
+
+TEST_F(DiffCommand, WritesMapsWithALegend) {
+    const std::string maps = folder.path("new/maps");
+    const ProgramRun run = runProgram({"diff", exr("a.exr", test::formulaTest(400, 30)),
+                                       exr("b.exr", test::formulaReference(400, 30)), "--maps", maps});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    for (const char* name : {"relative-squared", "absolute", "signed", "flip"}) {
+        const auto map = loadImage8(maps + "/" + name + ".png");
+        ASSERT_TRUE(map) << map.error().format();
+        EXPECT_EQ((*map)->width, 400);
+        EXPECT_GT((*map)->height, 30 + 40);
+    }
+}
+
+TEST_F(DiffCommand, ComparesKindsAsLinearColours) {
+    // 188 / 255 in sRGB is 0.5029 linear.
+    Image8 bytes{.width = 16, .height = 16, .rgb = std::vector<uint8_t>(3 * 256, 188)};
+    ASSERT_TRUE(savePng(folder.path("a.png"), bytes));
+    ASSERT_TRUE(saveHdr(folder.path("c.hdr"), test::flatPicture(16, 16, 0.5f)));
+    const std::string half = exr("b.exr", test::flatPicture(16, 16, 0.5f));
+    EXPECT_EQ(runProgram({"diff", folder.path("a.png"), half, "--max-error", "0.004"}).exitCode, 0);
+    EXPECT_EQ(runProgram({"diff", folder.path("c.hdr"), half, "--max-error", "0.002"}).exitCode, 0);
+}
+
+TEST_F(DiffCommand, WhatCannotBeComparedIsRefusedWithOneMessage) {
+    const std::string good = exr("good.exr", test::flatPicture(8, 8, 0.5f));
+    const std::string small = exr("small.exr", test::flatPicture(8, 7, 0.5f));
+    ImageF infinite = test::flatPicture(8, 8, 0.5f);
+    infinite.rgb[3 * 10 + 1] = std::numeric_limits<float>::infinity();
+    const std::string bytes = TempFolder::read(good);
+    const std::vector<std::pair<std::string, std::string>> cases = {
+        {small, "8x7 pixels against the reference's 8x8"},
+        {folder.path("none.exr"), "none.exr"},
+        {folder.path(), "folder"},
+        {folder.write("empty.png", ""), "empty.png"},
+        {folder.write("text.exr", "not a picture"), "text.exr"},
+        {folder.write("cut.exr", bytes.substr(0, bytes.size() / 2)), "cut.exr"},
+        {exr("infinite.exr", infinite), "column 2, row 1 is inf"},
+    };
+    for (const auto& [bad, message] : cases) {
+        const ProgramRun run = runProgram({"diff", bad, good, "--max-relmse", "1"});
+        EXPECT_EQ(run.exitCode, 1) << bad;
+        EXPECT_TRUE(says(run.err, message)) << bad;
+        EXPECT_EQ(run.out, "") << bad;
+    }
+    EXPECT_EQ(runProgram({"diff", good, small}).exitCode, 1);
+    EXPECT_EQ(runProgram({"diff", good}).exitCode, 1);
+}
+
+TEST_F(DiffCommand, BadOptionsAreRefused) {
+    const std::string good = exr("good.exr", test::flatPicture(8, 8, 0.5f));
+    const std::string file = folder.write("file", "x");
+    const std::vector<std::vector<std::string>> bad = {
+        {"--max-relmse", "-1"},
+        {"--max-relmse", "nan"},
+        {"--max-relmse", "little"},
+        {"--min-ssim", "2"},
+        {"--epsilon", "0"},
+        {"--trim", "1"},
+        {"--exposure", "nan"},
+        {"--pixels-per-degree", "0"},
+        {"--maps", file},
+        {"--json", "/none/a.json"},
+        {"--maps", "/proc/maps-of-glint"},
+    };
+    for (const auto& options : bad) {
+        std::vector<std::string> arguments = {"diff", good, good};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const ProgramRun run = runProgram(arguments);
+        EXPECT_EQ(run.exitCode, 1) << options[0] << " " << options[1];
+        EXPECT_NE(run.err, "") << options[0];
+    }
+    EXPECT_TRUE(says(runProgram({"diff", good, good, "--max-relms", "1"}).err, "--max-relmse"));
+}
+
+}  // namespace
+}  // namespace glint
