@@ -2,21 +2,20 @@
 
 #include "cuda/cuda_backend.h"
 
-#include <chrono>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "cuda/chunk_pacer.h"
+#include "cuda/cuda_sppm.h"
+#include "cuda/cuda_variant.h"
 #include "cuda/device_buffer.h"
+#include "cuda/device_memory.h"
 #include "cuda/device_scene.h"
+#include "cuda/paced_launches.h"
 
 namespace glint {
 namespace {
-
-double secondsNow() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 FeatureMask featuresOfPass(const PassParams& params) {
     return params.sampler == SamplerTag::Independent ? FeatureMask{kFeatureIndependentSampler} : 0;
@@ -34,89 +33,83 @@ class CudaBackend final : public Backend {
 
     Status setScene(std::shared_ptr<const BuiltScene> scene) override {
         features_ = scene->features;
+        host_ = scene;
+        if (sppm_) sppm_->sceneChanged();
+        Status taken = scene_.update(scene);
+        if (taken || !sppm_) return taken;
+        // Photons are kept from pass to pass only to be faster.
+        sppm_.reset();
         return scene_.update(std::move(scene));
     }
 
     Result<bool> renderPass(const PassParams& params, const std::atomic<bool>& stop,
                             std::vector<PixelSample>* out) override {
-        const auto launch = [this](const CudaVariant& v, const PathLaunch& l) {
-            return device_->launchPath(v, l);
-        };
-        return render(params, stop, launch, &pathPacer_, out);
+        return render(params, stop, &CudaVariant::path, &pathPacer_, out);
     }
 
     Result<bool> renderAovPass(const PassParams& params, const std::atomic<bool>& stop,
                                std::vector<AovSample>* out) override {
-        const auto launch = [this](const CudaVariant& v, const AovLaunch& l) {
-            return device_->launchAov(v, l);
-        };
-        return render(params, stop, launch, &aovPacer_, out);
+        return render(params, stop, &CudaVariant::aov, &aovPacer_, out);
     }
 
+    Result<bool> renderSppmPass(const SppmParams& params, const std::atomic<bool>& stop, SppmState* state,
+                                std::vector<PixelSample>* direct) override;
+
   private:
-    template <class Sample, class StartLaunch>
+    template <class Sample>
     Result<bool> render(const PassParams& params, const std::atomic<bool>& stop,
-                        const StartLaunch& startLaunch, ChunkPacer* pacer, std::vector<Sample>* out);
+                        Kernel<PictureLaunch<Sample>> CudaVariant::*kernel, ChunkPacer* pacer,
+                        std::vector<Sample>* out);
+    Status prepare(const PassParams& params, size_t sampleBytes);
     Status reserveImage(size_t bytes);
 
     std::unique_ptr<Device> device_;
     DeviceScene scene_;
+    std::shared_ptr<const BuiltScene> host_;
     DeviceBuffer image_;  ///< the samples of a pass, of either kind; grows as needed
     FeatureMask features_ = 0;
     ChunkPacer pathPacer_;
     ChunkPacer aovPacer_;
+    std::optional<CudaSppm> sppm_;  ///< made by the first SPPM pass
 };
 
-template <class Sample, class StartLaunch>
+template <class Sample>
 Result<bool> CudaBackend::render(const PassParams& params, const std::atomic<bool>& stop,
-                                 const StartLaunch& startLaunch, ChunkPacer* pacer,
+                                 Kernel<PictureLaunch<Sample>> CudaVariant::*kernel, ChunkPacer* pacer,
                                  std::vector<Sample>* out) {
-    if (scene_.empty()) return Error{"CUDA: there is no scene on the device to render.", {}};
-    const size_t pixels = static_cast<size_t>(params.width) * static_cast<size_t>(params.height);
-    if (pixels == 0) return Error{"CUDA: the picture has no pixels.", {}};
-    if (Status s = reserveImage(pixels * sizeof(Sample)); !s) return s.error();
-
+    if (Status s = prepare(params, sizeof(Sample)); !s) return s.error();
     const CudaVariant& variant = chooseCudaVariant(features_ | featuresOfPass(params));
-    Launch<Sample> launch{scene_.view(), params, reinterpret_cast<Sample*>(image_.data()), 0, 0};
+    const PictureLaunch<Sample> launch{scene_.view(), params, image_.as<Sample>()};
     const uint32_t threads = threadsOfPass(params.width, params.height);
-    double lastEnd = secondsNow();
-    uint32_t running = 0;
-    // The launch before is waited for while the next one already runs.
-    const auto waitForRunning = [&](int pending) -> Status {
-        if (Status s = device_->waitForLaunches(pending); !s) return s;
-        const double end = secondsNow();
-        if (running != 0) pacer->measured(running, end - std::exchange(lastEnd, end));
-        return {};
-    };
-    while (launch.first < threads && !stop.load(std::memory_order_relaxed)) {
-        launch.count = std::min(pacer->threads(), threads - launch.first);
-        if (Status s = startLaunch(variant, launch); !s) return s.error();
-        if (Status s = waitForRunning(1); !s) return s.error();
-        running = launch.count;
-        launch.first += launch.count;
-    }
-    if (Status s = waitForRunning(0); !s) return s.error();
-    if (launch.first < threads) return false;
-    out->resize(pixels);
-    if (Status s = device_->download(out->data(), image_.data(), pixels * sizeof(Sample)); !s)
+    const Result<bool> done = runPaced(*device_, variant.*kernel, launch, threads, stop, pacer);
+    if (!done || !*done) return done;
+    out->resize(static_cast<size_t>(params.width) * static_cast<size_t>(params.height));
+    if (Status s = device_->download(out->data(), image_.data(), out->size() * sizeof(Sample)); !s)
         return s.error();
     return true;
 }
 
+Result<bool> CudaBackend::renderSppmPass(const SppmParams& params, const std::atomic<bool>& stop,
+                                         SppmState* state, std::vector<PixelSample>* direct) {
+    if (Status s = prepare(params.pass, sizeof(PixelSample)); !s) return s.error();
+    if (!sppm_) sppm_.emplace(*device_);
+    const SceneView host = host_->view();
+    return sppm_->renderPass({scene_.view(), host, features_}, params, stop, image_.as<PixelSample>(), state,
+                             direct);
+}
+
+/// Whether there is something to render, and memory for its samples.
+Status CudaBackend::prepare(const PassParams& params, size_t sampleBytes) {
+    if (scene_.empty()) return Error{"CUDA: there is no scene on the device to render.", {}};
+    const size_t pixels = static_cast<size_t>(params.width) * static_cast<size_t>(params.height);
+    if (pixels == 0) return Error{"CUDA: the picture has no pixels.", {}};
+    return reserveImage(pixels * sampleBytes);
+}
+
 Status CudaBackend::reserveImage(size_t bytes) {
     if (image_.bytes() >= bytes) return {};
-    image_ = {};
-    Result<size_t> free = device_->freeBytes();
-    if (!free) return free.error();
-    if (bytes > *free) {
-        return Error{fmt::format("The picture needs {} bytes on {}, but only {} are free there.", bytes,
-                                 device_->name(), *free),
-                     {}};
-    }
-    Result<DeviceBuffer> buffer = DeviceBuffer::allocate(*device_, bytes);
-    if (!buffer) return buffer.error();
-    image_ = std::move(*buffer);
-    return {};
+    if (Status s = checkFits(*device_, "The picture needs", bytes, image_.bytes()); !s) return s;
+    return image_.reserve(*device_, bytes);
 }
 
 }  // namespace

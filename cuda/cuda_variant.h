@@ -6,23 +6,17 @@
 
 #include <span>
 
+#include "cuda/kernel.h"
 #include "cuda/launch.h"
 #include "engine/kernels/features.h"
 
 namespace glint {
 
-/// The runtime's cudaStream_t.
-using GpuStream = void*;
-
-/// Launches answer the runtime's cudaError_t, 0 when started. The host functions run the very bodies of the
-/// kernels, compiled in the same translation unit, in a loop over a launch whose pointers are the host's.
 struct CudaVariant {
     const char* name;
     FeatureMask mask;
-    int (*launchPath)(const PathLaunch& launch, GpuStream stream);
-    int (*launchAov)(const AovLaunch& launch, GpuStream stream);
-    void (*runPathOnHost)(const PathLaunch& launch);
-    void (*runAovOnHost)(const AovLaunch& launch);
+    Kernel<PathLaunch> path;
+    Kernel<AovLaunch> aov;
 };
 
 /// All variants from the smallest to the full one.

@@ -32,6 +32,21 @@ class DeviceBuffer {
         return buffer;
     }
 
+    /// Makes it at least so large; keeps what is large enough, and frees the rest before it takes more.
+    Status reserve(Device& device, size_t bytes) {
+        if (bytes <= bytes_) return {};
+        *this = DeviceBuffer();
+        Result<DeviceBuffer> larger = allocate(device, bytes);
+        if (!larger) return larger.error();
+        *this = std::move(*larger);
+        return {};
+    }
+
+    /// The block as an array.
+    template <class T>
+    T* as() const {
+        return reinterpret_cast<T*>(data_);
+    }
     std::byte* data() const { return data_; }
     size_t bytes() const { return bytes_; }
 

@@ -5,8 +5,7 @@
 #include <cstring>
 #include <set>
 
-#include <fmt/format.h>
-
+#include "cuda/device_memory.h"
 #include "cuda/scene_arrays.h"
 
 namespace glint {
@@ -19,8 +18,6 @@ constexpr size_t kOwnBlockBytes = 256 * 1024;
 size_t aligned(size_t bytes) {
     return (bytes + Device::kArrayAlignment - 1) / Device::kArrayAlignment * Device::kArrayAlignment;
 }
-
-double mebibytes(size_t bytes) { return static_cast<double>(bytes) / (1024.0 * 1024.0); }
 
 size_t meshTableBytes(const SceneView& host) {
     return aligned(host.geometry.meshes.count * sizeof(MeshView));
@@ -68,7 +65,7 @@ Status DeviceScene::updateFrom(const SceneView& host) {
     const std::vector<BlockPlan> plans = planBlocks(fresh);
     size_t needed = tablesKept ? 0 : tableBytes(host);
     for (const BlockPlan& plan : plans) needed += plan.bytes;
-    if (Status s = checkMemory(needed); !s) return s;
+    if (Status s = checkFits(device_, "The scene needs", needed); !s) return s;
     for (const BlockPlan& plan : plans) {
         if (Status s = copyBlock(plan); !s) return s;
     }
@@ -115,15 +112,6 @@ std::vector<DeviceScene::BlockPlan> DeviceScene::planBlocks(const std::vector<Ar
     }
     if (!shared.arrays.empty()) plans.push_back(std::move(shared));
     return plans;
-}
-
-Status DeviceScene::checkMemory(size_t bytes) const {
-    Result<size_t> free = device_.freeBytes();
-    if (!free) return free.error();
-    if (bytes <= *free) return {};
-    return Error{fmt::format("The scene needs {:.1f} MiB more on {}, but only {:.1f} MiB are free there.",
-                             mebibytes(bytes), device_.name(), mebibytes(*free)),
-                 {}};
 }
 
 Status DeviceScene::copyBlock(const BlockPlan& plan) {

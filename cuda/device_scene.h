@@ -61,7 +61,6 @@ class DeviceScene {
     Status updateFrom(const SceneView& host);
     std::vector<ArrayKey> keepShared(const SceneView& host);
     static std::vector<BlockPlan> planBlocks(const std::vector<ArrayKey>& arrays);
-    Status checkMemory(size_t bytes) const;
     Status copyBlock(const BlockPlan& plan);
     Status copyTables(const SceneView& host);
     template <class T>

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "cuda/device.h"
+#include "cuda/gpu_algorithms.h"
 
 namespace glint {
 namespace {
@@ -30,14 +31,20 @@ class GpuDevice final : public Device {
     void release(std::byte* block) override { cudaFree(block); }
     Status upload(std::byte* to, const void* from, size_t bytes) override;
     Status download(void* to, const std::byte* from, size_t bytes) override;
-    Status launchPath(const CudaVariant& variant, const PathLaunch& launch) override;
-    Status launchAov(const CudaVariant& variant, const AovLaunch& launch) override;
+    Status clear(std::byte* block, size_t bytes) override;
     Status waitForLaunches(int pending) override;
+    Result<size_t> scratchBytes(uint32_t sumCount, const KeySort& sort) const override;
+    Status sumBefore(uint32_t* values, uint32_t count, std::byte* scratch, size_t scratchBytes) override;
+    Result<uint64_t*> sortKeys(const KeySort& sort, std::byte* scratch, size_t scratchBytes) override;
+
+  protected:
+    Status start(const AnyKernel& kernel, const void* launch, uint32_t count) override;
 
   private:
     /// The current device belongs to the calling thread, which need not be the one that opened it.
     Status makeCurrent() const { return checked(cudaSetDevice(index_), "selecting the device"); }
-    Status finishLaunch(int code, const CudaVariant& variant);
+    /// Marks the end of what was just started, or says why it was not.
+    Status finishLaunch(int code, std::string_view what);
 
     std::string name_;
     int index_ = 0;
@@ -96,24 +103,44 @@ Status GpuDevice::download(void* to, const std::byte* from, size_t bytes) {
                    fmt::format("downloading {} bytes", bytes));
 }
 
-Status GpuDevice::finishLaunch(int code, const CudaVariant& variant) {
-    if (Status s =
-            checked(static_cast<cudaError_t>(code), fmt::format("launching the kernel \"{}\"", variant.name));
-        !s) {
-        return s;
-    }
+Status GpuDevice::finishLaunch(int code, std::string_view what) {
+    if (Status s = checked(static_cast<cudaError_t>(code), what); !s) return s;
     return checked(cudaEventRecord(finished_[launches_++ % finished_.size()], stream_),
                    "marking a launch's end");
 }
 
-Status GpuDevice::launchPath(const CudaVariant& variant, const PathLaunch& launch) {
+Status GpuDevice::start(const AnyKernel& kernel, const void* launch, uint32_t count) {
+    if (count == 0) return {};
     if (Status s = makeCurrent(); !s) return s;
-    return finishLaunch(variant.launchPath(launch, stream_), variant);
+    return finishLaunch(kernel.start(launch, stream_),
+                        fmt::format("launching the kernel \"{}\" ({})", kernel.step, kernel.variant));
 }
 
-Status GpuDevice::launchAov(const CudaVariant& variant, const AovLaunch& launch) {
+Status GpuDevice::clear(std::byte* block, size_t bytes) {
     if (Status s = makeCurrent(); !s) return s;
-    return finishLaunch(variant.launchAov(launch, stream_), variant);
+    return finishLaunch(cudaMemsetAsync(block, 0, bytes, stream_), fmt::format("clearing {} bytes", bytes));
+}
+
+Result<size_t> GpuDevice::scratchBytes(uint32_t sumCount, const KeySort& sort) const {
+    size_t bytes = 0;
+    if (Status s = makeCurrent(); !s) return s.error();
+    const auto code = static_cast<cudaError_t>(scratchBytesOnGpu(sumCount, sort, &bytes));
+    if (Status s = checked(code, "asking for the working memory of sorting"); !s) return s.error();
+    return bytes;
+}
+
+Status GpuDevice::sumBefore(uint32_t* values, uint32_t count, std::byte* scratch, size_t scratchBytes) {
+    if (Status s = makeCurrent(); !s) return s;
+    return finishLaunch(sumBeforeOnGpu(values, count, scratch, scratchBytes, stream_),
+                        fmt::format("summing {} values", count));
+}
+
+Result<uint64_t*> GpuDevice::sortKeys(const KeySort& sort, std::byte* scratch, size_t scratchBytes) {
+    uint64_t* sorted = nullptr;
+    if (Status s = makeCurrent(); !s) return s.error();
+    const int code = sortKeysOnGpu(sort, scratch, scratchBytes, stream_, &sorted);
+    if (Status s = finishLaunch(code, fmt::format("sorting {} keys", sort.count)); !s) return s.error();
+    return sorted;
 }
 
 Status GpuDevice::waitForLaunches(int pending) {

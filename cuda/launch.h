@@ -15,15 +15,15 @@ constexpr int kTileHeight = 4;
 
 /// Threads [first, first + count) of a pass. All pointers are the device's; `image` is the whole picture.
 template <class Sample>
-struct Launch {
+struct PictureLaunch {
     SceneView view;
     PassParams params;
     Sample* image = nullptr;
     uint32_t first = 0;
     uint32_t count = 0;
 };
-using PathLaunch = Launch<PixelSample>;
-using AovLaunch = Launch<AovSample>;
+using PathLaunch = PictureLaunch<PixelSample>;
+using AovLaunch = PictureLaunch<AovSample>;
 
 struct PixelPlace {
     int x, y;

@@ -8,6 +8,7 @@
 #include <bit>
 
 #include "cuda/cuda_backend.h"
+#include "cuda/cuda_variant.h"
 #include "engine/build/scene_builder.h"
 #include "engine/render/cpu_variants.h"
 #include "engine/render/pass_params.h"

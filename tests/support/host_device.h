@@ -5,10 +5,12 @@
 // Header only, since it exists only where glint_cuda does.
 #pragma once
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <functional>
 #include <map>
+#include <numeric>
 
 #include "cuda/device.h"
 
@@ -22,8 +24,13 @@ struct HostDeviceControl {
     int uploads = 0;
     size_t uploadedBytes = 0;
     int launches = 0;
+    std::map<std::string, uint64_t> threadsOf{};  ///< launched so far, by step
+    std::string lastStep{};
     std::string lastVariant{};
     int failLaunch = -1;                  ///< the n-th launch from now on fails
+    int failAllocation = -1;              ///< the same, although there is enough memory
+    bool backwards = false;               ///< a launch's threads run from the last to the first
+    bool sortIntoOther = false;           ///< sorting leaves its result in the other array
     std::function<void()> onLaunch = {};  ///< called after each launch
 
     size_t taken() const {
@@ -46,9 +53,12 @@ class HostDevice final : public Device {
     explicit HostDevice(std::shared_ptr<HostDeviceControl> control) : control_(std::move(control)) {}
 
     std::string name() const override { return "host memory"; }
-    Result<size_t> freeBytes() const override { return control_->memoryBytes - control_->taken(); }
+    Result<size_t> freeBytes() const override {
+        return control_->memoryBytes - std::min(control_->memoryBytes, control_->taken());
+    }
 
     Result<std::byte*> allocate(size_t bytes) override {
+        if (control_->failAllocation-- == 0) return Error{"the test device is in pieces", {}};
         if (bytes > *freeBytes()) return Error{"the test device is full", {}};
         const size_t rounded = (bytes + kArrayAlignment - 1) / kArrayAlignment * kArrayAlignment;
         auto* block = static_cast<std::byte*>(std::aligned_alloc(kArrayAlignment, rounded));
@@ -77,25 +87,65 @@ class HostDevice final : public Device {
         return {};
     }
 
-    Status launchPath(const CudaVariant& variant, const PathLaunch& launch) override {
-        return run(variant, launch, variant.runPathOnHost);
-    }
-    Status launchAov(const CudaVariant& variant, const AovLaunch& launch) override {
-        return run(variant, launch, variant.runAovOnHost);
+    Status clear(std::byte* block, size_t bytes) override {
+        if (!control_->holds(block, bytes)) return Error{"clearing outside the blocks", {}};
+        std::memset(block, 0, bytes);
+        return {};
     }
     Status waitForLaunches(int) override { return {}; }
+
+    Result<size_t> scratchBytes(uint32_t sumCount, const KeySort& sort) const override {
+        return size_t{sumCount} / 8 + sort.count / 8 + 1;
+    }
+    Status sumBefore(uint32_t* values, uint32_t count, std::byte* scratch, size_t bytes) override {
+        if (!useScratch(scratch, bytes, *scratchBytes(count, {}))) return Error{"too little to work in", {}};
+        std::exclusive_scan(values, values + count, values, uint32_t{0});
+        return {};
+    }
+    Result<uint64_t*> sortKeys(const KeySort& sort, std::byte* scratch, size_t bytes) override {
+        if (!useScratch(scratch, bytes, *scratchBytes(0, sort))) return Error{"too little to work in", {}};
+        if (!control_->holds(sort.keys, sort.count * sizeof(uint64_t)) ||
+            !control_->holds(sort.other, sort.count * sizeof(uint64_t))) {
+            return Error{"sorting outside the blocks", {}};
+        }
+        const int bits = sort.endBit - sort.firstBit;
+        const uint64_t mask = bits < 64 ? (uint64_t{1} << bits) - 1 : ~uint64_t{0};
+        const auto digits = [&](uint64_t key) { return key >> sort.firstBit & mask; };
+        std::stable_sort(sort.keys, sort.keys + sort.count,
+                         [&](uint64_t a, uint64_t b) { return digits(a) < digits(b); });
+        // A GPU's result lies in either array, and the other holds nothing of use.
+        if (!control_->sortIntoOther) {
+            std::memset(sort.other, kPoison, sort.count * sizeof(uint64_t));
+            return sort.keys;
+        }
+        std::copy_n(sort.keys, sort.count, sort.other);
+        std::memset(sort.keys, kPoison, sort.count * sizeof(uint64_t));
+        return sort.other;
+    }
+
+  protected:
+    Status start(const AnyKernel& kernel, const void* launch, uint32_t count) override {
+        if (control_->failLaunch-- == 0) return Error{"the test device failed", {}};
+        control_->lastStep = kernel.step;
+        control_->lastVariant = kernel.variant;
+        ++control_->launches;
+        control_->threadsOf[kernel.step] += count;
+        if (control_->backwards) {
+            for (uint32_t i = count; i-- > 0;) kernel.runOnHost(launch, i, i + 1);
+        } else {
+            kernel.runOnHost(launch, 0, count);
+        }
+        if (control_->onLaunch) control_->onLaunch();
+        return {};
+    }
 
   private:
     static constexpr int kPoison = 0xcd;
 
-    template <class AnyLaunch>
-    Status run(const CudaVariant& variant, const AnyLaunch& launch, void (*body)(const AnyLaunch&)) {
-        if (control_->failLaunch-- == 0) return Error{"the test device failed", {}};
-        control_->lastVariant = variant.name;
-        ++control_->launches;
-        body(launch);
-        if (control_->onLaunch) control_->onLaunch();
-        return {};
+    bool useScratch(std::byte* scratch, size_t bytes, size_t needed) {
+        if (bytes < needed || !control_->holds(scratch, bytes)) return false;
+        std::memset(scratch, kPoison, bytes);
+        return true;
     }
 
     std::shared_ptr<HostDeviceControl> control_;

@@ -1,0 +1,541 @@
+// SPPM on the CUDA back end without a GPU: the kernels that nvcc compiled, run on the host over device-like
+// memory, must leave the CPU's statistics and direct light bit for bit, whatever the launches, and a pass
+// that fails or stops must leave the statistics alone.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#if GLINT_HAS_CUDA
+
+#include <cstring>
+
+#include "cuda/cuda_backend.h"
+#include "cuda/sppm_variant.h"
+#include "engine/build/scene_builder.h"
+#include "engine/render/checkpoint.h"
+#include "engine/render/pass_params.h"
+#include "engine/render/photon_store.h"
+#include "engine/render/render_session.h"
+#include "tests/support/host_device.h"
+#include "tests/support/temp_folder.h"
+#include "tests/support/test_scenes.h"
+
+namespace glint {
+namespace {
+
+using test::HostDevice;
+using test::HostDeviceControl;
+using testing::HasSubstr;
+
+std::shared_ptr<const BuiltScene> build(const SceneDescription& description) {
+    const SceneEdit edit{std::make_shared<SceneDescription>(description), EditKind::Everything};
+    auto scene = buildScene(edit, nullptr, 0, nullptr, nullptr);
+    EXPECT_TRUE(scene) << scene.error().message;
+    return *scene;
+}
+
+struct TestBackend {
+    std::shared_ptr<HostDeviceControl> control = std::make_shared<HostDeviceControl>();
+    std::unique_ptr<Backend> backend = makeCudaBackend(std::make_unique<HostDevice>(control));
+};
+
+/// A Cornell box with a glass sphere, so that photons do what paths cannot.
+SceneDescription glassBox() {
+    SceneDescription scene = test::cornellBox();
+    scene.resolution = {37, 29};  // no multiple of the launch's tiles
+    scene.options.maxDepth = 6;
+    scene.sppm.photonsPerPass = 3000;
+    Material glass;
+    glass.name = "glass";
+    glass.kind = MaterialKind::Dielectric;
+    scene.materials.push_back(glass);
+    scene.objects.back().material = static_cast<int>(scene.materials.size()) - 1;
+    return scene;
+}
+
+/// Every surface of a closed room white and many scatterings: photons are kept at many more places than there
+/// are photons.
+SceneDescription whiteRoom() {
+    SceneDescription scene = test::cornellBox();
+    scene.resolution = {16, 16};
+    scene.options.maxDepth = 16;
+    scene.sppm.photonsPerPass = 2000;
+    scene.sppm.radiusWorld = 0.3f;
+    for (Material& material : scene.materials) {
+        if (!material.emissive()) material.color.value = Vec3(0.95f);
+    }
+    return scene;
+}
+
+/// The statistics after some passes, and the direct light of the last one.
+struct Photons {
+    SppmState state;
+    std::vector<PixelSample> direct{};
+};
+
+void renderPasses(Backend& backend, SppmParams params, uint32_t passes, Photons* photons) {
+    const std::atomic<bool> stop{false};
+    for (uint32_t i = 0; i < passes; ++i) {
+        params.pass.pass = photons->state.passes;
+        const auto done = backend.renderSppmPass(params, stop, &photons->state, &photons->direct);
+        ASSERT_TRUE(done) << done.error().message;
+        ASSERT_TRUE(*done);
+    }
+}
+
+Photons render(Backend& backend, const SppmParams& params, uint32_t passes) {
+    Photons photons{SppmState(params.pass.width, params.pass.height)};
+    renderPasses(backend, params, passes, &photons);
+    return photons;
+}
+
+Photons renderOnCpu(const std::shared_ptr<const BuiltScene>& scene, const SppmParams& params,
+                    uint32_t passes) {
+    const auto cpu = makeCpuBackend(2);
+    EXPECT_TRUE(cpu->setScene(scene));
+    return render(*cpu, params, passes);
+}
+
+/// SppmPixel has no padding, so its bytes are its value.
+static_assert(sizeof(SppmPixel) == 5 * sizeof(double) + 2 * sizeof(float));
+size_t differingPixels(const SppmState& a, const SppmState& b) {
+    EXPECT_EQ(a.pixels.size(), b.pixels.size());
+    size_t differing = 0;
+    for (size_t i = 0; i < std::min(a.pixels.size(), b.pixels.size()); ++i)
+        differing += std::memcmp(&a.pixels[i], &b.pixels[i], sizeof(SppmPixel)) != 0;
+    return differing;
+}
+
+void expectSame(const Photons& a, const Photons& b) {
+    EXPECT_EQ(a.state.passes, b.state.passes);
+    EXPECT_EQ(a.state.emittedPhotons, b.state.emittedPhotons);
+    EXPECT_EQ(differingPixels(a.state, b.state), 0u);
+    ASSERT_EQ(a.direct.size(), b.direct.size());
+    size_t differing = 0;
+    for (size_t i = 0; i < a.direct.size(); ++i) {
+        differing += std::memcmp(&a.direct[i].radiance, &b.direct[i].radiance, sizeof(Vec3)) != 0 ||
+                     a.direct[i].fault != b.direct[i].fault || a.direct[i].rays != b.direct[i].rays;
+    }
+    EXPECT_EQ(differing, 0u);
+}
+
+double photonCountOf(const SppmState& state) {
+    double sum = 0.0;
+    for (const SppmPixel& pixel : state.pixels) sum += pixel.photonCount;
+    return sum;
+}
+
+class CudaSppmScenes : public testing::TestWithParam<test::NamedScene> {};
+
+TEST_P(CudaSppmScenes, StatisticsEqualTheCpusBitForBit) {
+    SceneDescription description = GetParam().scene;
+    description.resolution = {37, 29};
+    description.sppm.photonsPerPass = 2500;
+    const auto scene = build(description);
+    for (const bool sampleDirectLight : {true, false}) {
+        description.sppm.sampleDirectLight = sampleDirectLight;
+        const SppmParams params = sppmParamsOf(description);
+        TestBackend cuda;
+        ASSERT_TRUE(cuda.backend->setScene(scene));
+        const Photons photons = render(*cuda.backend, params, 2);
+        expectSame(photons, renderOnCpu(scene, params, 2));
+        // Light that a convex white sphere scatters meets nothing any more.
+        const bool lit =
+            GetParam().name != "darkness" && !(GetParam().name == "whiteFurnace" && sampleDirectLight);
+        if (lit) {
+            EXPECT_GT(photonCountOf(photons.state), 0.0);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, CudaSppmScenes, testing::ValuesIn(test::allTestScenes()),
+                         [](const auto& scene) { return scene.param.name; });
+
+struct Settings {
+    const char* name;
+    int width = 37;
+    int height = 29;
+    uint32_t photonsPerPass = 3000;
+    float radiusWorld = 0.0f;
+    float radiusFootprints = 4.0f;
+    double alpha = 2.0 / 3.0;
+    int maxDepth = 6;
+};
+
+class CudaSppmSettings : public testing::TestWithParam<Settings> {};
+
+TEST_P(CudaSppmSettings, StatisticsEqualTheCpusBitForBit) {
+    const Settings& settings = GetParam();
+    SceneDescription description = glassBox();
+    description.resolution = {settings.width, settings.height};
+    const auto scene = build(description);
+    SppmParams params = sppmParamsOf(description);
+    params.photonsPerPass = settings.photonsPerPass;
+    params.radiusWorld = settings.radiusWorld;
+    params.radiusFootprints = settings.radiusFootprints;
+    params.alpha = settings.alpha;
+    params.pass.maxDepth = settings.maxDepth;
+    TestBackend cuda;
+    ASSERT_TRUE(cuda.backend->setScene(scene));
+    expectSame(render(*cuda.backend, params, 3), renderOnCpu(scene, params, 3));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, CudaSppmSettings,
+    testing::Values(Settings{.name = "onePixel", .width = 1, .height = 1},
+                    Settings{.name = "oneTile", .width = 8, .height = 4},
+                    Settings{.name = "wide", .width = 200, .height = 3},
+                    Settings{.name = "tall", .width = 3, .height = 200},
+                    Settings{.name = "morePixelsThanSlices", .width = 128, .height = 96},
+                    Settings{.name = "onePhoton", .photonsPerPass = 1},
+                    Settings{.name = "manyLaunches", .photonsPerPass = 60001},
+                    Settings{.name = "radiusLargerThanTheScene", .photonsPerPass = 200, .radiusWorld = 50.0f},
+                    Settings{.name = "tinyRadius", .radiusWorld = 1e-4f},
+                    Settings{.name = "wideFootprints", .radiusFootprints = 40.0f},
+                    Settings{.name = "smallAlpha", .alpha = 0.1},
+                    Settings{.name = "noScattering", .maxDepth = 1},
+                    Settings{.name = "deep", .maxDepth = 30}),
+    [](const auto& settings) { return std::string(settings.param.name); });
+
+TEST(CudaSppm, TheOrderOfThreadsDoesNotMatter) {
+    SceneDescription description = glassBox();
+    description.resolution = {16, 12};
+    const auto scene = build(description);
+    SppmParams params = sppmParamsOf(description);
+    // The box around all radii is so large that the scene's photons share a few of its finest cells, where
+    // only their numbers decide their order.
+    for (const float radiusWorld : {0.0f, 5000.0f}) {
+        params.radiusWorld = radiusWorld;
+        const Photons expected = renderOnCpu(scene, params, 2);
+        for (const bool backwards : {false, true}) {
+            for (const bool sortIntoOther : {false, true}) {
+                TestBackend cuda;
+                cuda.control->backwards = backwards;
+                cuda.control->sortIntoOther = sortIntoOther;
+                ASSERT_TRUE(cuda.backend->setScene(scene));
+                expectSame(render(*cuda.backend, params, 2), expected);
+            }
+        }
+    }
+}
+
+TEST(CudaSppm, APassWithMorePhotonsThanRoomIsTracedAgain) {
+    const SceneDescription description = whiteRoom();
+    const auto scene = build(description);
+    const SppmParams params = sppmParamsOf(description);
+    TestBackend cuda;
+    ASSERT_TRUE(cuda.backend->setScene(scene));
+    const Photons first = render(*cuda.backend, params, 1);
+    EXPECT_EQ(cuda.control->threadsOf["photons"], 2u * params.photonsPerPass) << "the scene needs more room";
+    expectSame(first, renderOnCpu(scene, params, 1));
+    const Photons three = render(*cuda.backend, params, 3);
+    EXPECT_EQ(cuda.control->threadsOf["photons"], 5u * params.photonsPerPass) << "the room is kept";
+    expectSame(three, renderOnCpu(scene, params, 3));
+}
+
+TEST(CudaSppm, AStopAtAnyStageLeavesTheStatisticsAlone) {
+    const SceneDescription description = glassBox();
+    const auto scene = build(description);
+    const SppmParams params = sppmParamsOf(description);
+    const Photons expected = renderOnCpu(scene, params, 3);
+    for (const char* const step : {"camera", "photons", "gather"}) {
+        TestBackend cuda;
+        ASSERT_TRUE(cuda.backend->setScene(scene));
+        Photons photons = render(*cuda.backend, params, 2);
+        const SppmState before = photons.state;
+        // More threads than one launch takes, so that there is something to stop.
+        SppmParams large = params;
+        large.pass.pass = 2;
+        large.photonsPerPass = 200000;
+        SppmState state = before;
+        std::atomic<bool> stop{false};
+        cuda.control->onLaunch = [&] { stop = stop || cuda.control->lastStep == step; };
+        if (std::string_view(step) != "photons") {
+            large.photonsPerPass = params.photonsPerPass;
+            large.pass.width = 400;
+            large.pass.height = 300;
+            state = SppmState(400, 300);
+            state.passes = 2;
+        }
+        const SppmState untouched = state;
+        const auto done = cuda.backend->renderSppmPass(large, stop, &state, &photons.direct);
+        ASSERT_TRUE(done) << done.error().message;
+        EXPECT_FALSE(*done) << step;
+        EXPECT_EQ(differingPixels(state, untouched), 0u) << step;
+        EXPECT_EQ(state.passes, untouched.passes);
+        EXPECT_EQ(state.emittedPhotons, untouched.emittedPhotons);
+        cuda.control->onLaunch = {};
+        renderPasses(*cuda.backend, params, 1, &photons);
+        expectSame(photons, expected);
+    }
+}
+
+TEST(CudaSppm, AFailureOfAnyLaunchLeavesTheStatisticsAlone) {
+    const SceneDescription description = glassBox();
+    const auto scene = build(description);
+    SppmParams params = sppmParamsOf(description);
+    TestBackend cuda;
+    ASSERT_TRUE(cuda.backend->setScene(scene));
+    Photons photons = render(*cuda.backend, params, 1);
+    const SppmState before = photons.state;
+    const int launches = cuda.control->launches;
+    ASSERT_GE(launches, 13);
+    params.pass.pass = 1;
+    const std::atomic<bool> stop{false};
+    for (int launch = 0; launch < launches; ++launch) {
+        cuda.control->failLaunch = launch;
+        const auto done = cuda.backend->renderSppmPass(params, stop, &photons.state, &photons.direct);
+        ASSERT_FALSE(done) << launch;
+        EXPECT_EQ(done.error().message, "the test device failed");
+        EXPECT_EQ(differingPixels(photons.state, before), 0u) << launch;
+        EXPECT_EQ(photons.state.passes, 1u);
+    }
+    cuda.control->failLaunch = -1;
+    renderPasses(*cuda.backend, params, 1, &photons);
+    expectSame(photons, renderOnCpu(scene, params, 2));
+}
+
+TEST(CudaSppm, GoesOnFromTheCpusStatisticsAndBack) {
+    const SceneDescription description = glassBox();
+    const auto scene = build(description);
+    const SppmParams params = sppmParamsOf(description);
+    const auto cpu = makeCpuBackend(2);
+    ASSERT_TRUE(cpu->setScene(scene));
+    TestBackend cuda;
+    ASSERT_TRUE(cuda.backend->setScene(scene));
+    Photons photons = render(*cpu, params, 2);
+    renderPasses(*cuda.backend, params, 2, &photons);
+    renderPasses(*cpu, params, 1, &photons);
+    expectSame(photons, render(*cpu, params, 5));
+    // The host may clear its statistics between passes.
+    photons.state.clear();
+    renderPasses(*cuda.backend, params, 2, &photons);
+    expectSame(photons, render(*cpu, params, 2));
+}
+
+SessionCapture renderSession(std::unique_ptr<Backend> backend, const SceneDescription& scene, uint32_t passes,
+                             std::optional<ResumePoint> from = {}) {
+    RenderSession session(std::move(backend), {.previews = false, .snapshots = false, .threads = 2});
+    session.setLimits({.passes = passes});
+    const auto shared = std::make_shared<SceneDescription>(scene);
+    if (from) {
+        session.resume(shared, std::move(*from));
+    } else {
+        session.post({shared, EditKind::Everything});
+    }
+    EXPECT_EQ(session.wait(300.0), SessionState::Finished) << session.status().error;
+    auto capture = session.capture();
+    EXPECT_TRUE(capture.has_value());
+    return capture ? std::move(*capture) : SessionCapture{.scene = shared};
+}
+
+TEST(CudaSppm, ASessionResumedFromACheckpointEqualsTheCpusWithoutABreak) {
+    SceneDescription scene = glassBox();
+    scene.options.integrator = IntegratorKind::Sppm;
+    const SessionCapture whole = renderSession(makeCpuBackend(2), scene, 4);
+    const test::TempFolder folder;
+    const std::string path = folder.path("half.checkpoint");
+    TestBackend first;
+    ASSERT_TRUE(saveCheckpoint(path, renderSession(std::move(first.backend), scene, 2)));
+    Result<ResumePoint> loaded = loadCheckpoint(path, scene);
+    ASSERT_TRUE(loaded) << loaded.error().format();
+    TestBackend second;
+    const SessionCapture resumed = renderSession(std::move(second.backend), scene, 4, std::move(*loaded));
+    EXPECT_EQ(resumed.sppm.passes, 4u);
+    EXPECT_EQ(differingPixels(resumed.sppm, whole.sppm), 0u);
+    for (size_t i = 0; i < whole.film.pixels().size(); ++i)
+        ASSERT_EQ(resumed.film.pixels()[i].mean, whole.film.pixels()[i].mean) << i;
+}
+
+TEST(CudaSppm, TheSmallestVariantRuns) {
+    TestBackend cuda;
+    const SceneDescription box = glassBox();
+    ASSERT_TRUE(cuda.backend->setScene(build(box)));
+    SppmParams params = sppmParamsOf(box);
+    std::string variant;
+    cuda.control->onLaunch = [&] {
+        if (cuda.control->lastStep == "gather") variant = cuda.control->lastVariant;
+    };
+    render(*cuda.backend, params, 1);
+    EXPECT_EQ(variant, "smooth shapes");
+    params.pass.sampler = SamplerTag::Independent;
+    render(*cuda.backend, params, 1);
+    EXPECT_EQ(variant, "full");
+}
+
+TEST(CudaSppm, EveryVariantHoldsTheOneBefore) {
+    FeatureMask before = 0;
+    for (const CudaSppmVariant& variant : cudaSppmVariants()) {
+        EXPECT_EQ(before & ~variant.mask, 0u) << variant.name;
+        EXPECT_STREQ(chooseCudaSppmVariant(variant.mask).name, variant.name);
+        before = variant.mask;
+    }
+    EXPECT_EQ(before, kAllFeatures);
+}
+
+TEST(CudaSppm, TheTreeIsRefusedByName) {
+    TestBackend cuda;
+    SceneDescription description = glassBox();
+    description.sppm.lookup = PhotonLookupKind::Tree;
+    ASSERT_TRUE(cuda.backend->setScene(build(description)));
+    Photons photons{SppmState(37, 29)};
+    const std::atomic<bool> stop{false};
+    const auto done =
+        cuda.backend->renderSppmPass(sppmParamsOf(description), stop, &photons.state, &photons.direct);
+    ASSERT_FALSE(done);
+    EXPECT_THAT(done.error().message, HasSubstr("choose \"grid\""));
+}
+
+// ---- memory
+
+struct MemoryTest : testing::Test {
+    SceneDescription description = glassBox();
+    TestBackend cuda;
+    std::atomic<bool> stop{false};
+    Photons photons{SppmState(200, 150)};
+    SppmParams params;
+
+    void SetUp() override {
+        description.resolution = {200, 150};
+        params = sppmParamsOf(description);
+        ASSERT_TRUE(cuda.backend->setScene(build(description)));
+        // The picture's own samples are the path tracer's business.
+        std::vector<PixelSample> out;
+        ASSERT_TRUE(cuda.backend->renderPass(params.pass, stop, &out));
+    }
+    Result<bool> renderPass() {
+        params.pass.pass = photons.state.passes;
+        return cuda.backend->renderSppmPass(params, stop, &photons.state, &photons.direct);
+    }
+};
+
+TEST_F(MemoryTest, PathTracingAloneTakesNothingForPhotons) {
+    const size_t pixels = photons.state.pixels.size();
+    TestBackend paths;
+    ASSERT_TRUE(paths.backend->setScene(build(description)));
+    const size_t scene = paths.control->taken();
+    std::vector<PixelSample> out;
+    ASSERT_TRUE(paths.backend->renderPass(params.pass, stop, &out));
+    EXPECT_EQ(paths.control->taken(), scene + pixels * sizeof(PixelSample));
+}
+
+TEST_F(MemoryTest, HoldsWhatThePlanSays) {
+    const size_t before = cuda.control->taken();
+    ASSERT_TRUE(renderPass());
+    const double room = 1.0;  // places a photon in the first pass, as on the CPU
+    const SppmMemory plan = planSppmMemory(200, 150, params.photonsPerPass, room, 0);
+    const size_t held = cuda.control->taken() - before;
+    EXPECT_GE(held, plan.total());
+    // The counters of emitted photons, the slices, working memory and the grid's tables.
+    const size_t tables = size_t{4} * 2 * sizeof(GridSlot) * params.photonsPerPass;
+    EXPECT_LE(held, plan.total() + 4 * params.photonsPerPass + 256 * 1024 + tables);
+}
+
+TEST_F(MemoryTest, TooLittleIsAnErrorBeforeAnyIsTaken) {
+    const size_t before = cuda.control->taken();
+    const int allocations = cuda.control->allocations;
+    cuda.control->memoryBytes = before + size_t{2} * 1024 * 1024;
+    const auto done = renderPass();
+    ASSERT_FALSE(done);
+    EXPECT_THAT(done.error().message,
+                HasSubstr("Photon mapping with 200x150 pixels and 3000 photons a pass needs"));
+    EXPECT_THAT(done.error().message, HasSubstr("on host memory, but only 2.0 MiB are free there."));
+    EXPECT_EQ(cuda.control->allocations, allocations);
+    EXPECT_EQ(photons.state.passes, 0u);
+    cuda.control->memoryBytes = size_t{1} << 30;
+    ASSERT_TRUE(renderPass());
+    expectSame(photons, renderOnCpu(build(description), params, 1));
+}
+
+/// Every allocation of a first pass, one after the other.
+TEST_F(MemoryTest, AFailedAllocationIsAnErrorAndTheNextPassMayWork) {
+    int failures = 0;
+    for (int failing = 0;; ++failing) {
+        ASSERT_LT(failing, 100);
+        TestBackend fresh;
+        ASSERT_TRUE(fresh.backend->setScene(build(description)));
+        Photons own{SppmState(200, 150)};
+        params.pass.pass = 0;
+        fresh.control->failAllocation = failing;
+        const auto done = fresh.backend->renderSppmPass(params, stop, &own.state, &own.direct);
+        fresh.control->failAllocation = -1;
+        if (done) break;
+        ++failures;
+        EXPECT_THAT(done.error().message, HasSubstr("the test device is in pieces"));
+        EXPECT_EQ(own.state.passes, 0u);
+        renderPasses(*fresh.backend, params, 1, &own);
+        expectSame(own, renderOnCpu(build(description), params, 1));
+    }
+    EXPECT_GE(failures, 10);
+}
+
+TEST_F(MemoryTest, ARetraceThatDoesNotFitIsAnErrorAndLessPhotonsWork) {
+    const SceneDescription room = whiteRoom();
+    const auto scene = build(room);
+    params = sppmParamsOf(room);
+    params.photonsPerPass = 100000;
+    photons.state = SppmState(16, 16);
+    ASSERT_TRUE(cuda.backend->setScene(scene));
+    // Room for one place a photon, and not for the several that it is kept at.
+    cuda.control->memoryBytes = cuda.control->taken() + size_t{8} * 1024 * 1024;
+    const auto done = renderPass();
+    ASSERT_FALSE(done);
+    EXPECT_THAT(done.error().message, HasSubstr("100000 photons a pass needs"));
+    EXPECT_EQ(photons.state.passes, 0u);
+    params.photonsPerPass = 2000;
+    ASSERT_TRUE(renderPass());
+    expectSame(photons, renderOnCpu(scene, params, 1));
+}
+
+TEST_F(MemoryTest, AGridThatDoesNotFitIsAnError) {
+    // The first pass takes all but the tables.
+    TestBackend probe;
+    ASSERT_TRUE(probe.backend->setScene(build(description)));
+    std::optional<size_t> beforeTables;
+    probe.control->onLaunch = [&] {
+        if (probe.control->lastStep == "count cells") beforeTables = probe.control->taken();
+    };
+    Photons own{SppmState(200, 150)};
+    renderPasses(*probe.backend, params, 1, &own);
+    ASSERT_TRUE(beforeTables);
+    ASSERT_GT(probe.control->taken(), *beforeTables + 100);
+    cuda.control->memoryBytes = *beforeTables + 100;
+    const auto done = renderPass();
+    ASSERT_FALSE(done);
+    EXPECT_THAT(done.error().message, HasSubstr("The photon grid needs"));
+}
+
+TEST_F(MemoryTest, MorePhotonsThanAnyStoreHoldsIsAnErrorOnBoth) {
+    params.photonsPerPass = PhotonStore::kMaxPhotons + 1;
+    const auto cpu = makeCpuBackend(2);
+    ASSERT_TRUE(cpu->setScene(build(description)));
+    for (Backend* const backend : {cpu.get(), cuda.backend.get()}) {
+        const auto done = backend->renderSppmPass(params, stop, &photons.state, &photons.direct);
+        ASSERT_FALSE(done) << backend->name();
+        EXPECT_THAT(done.error().message, HasSubstr("fewer photons a pass"));
+        EXPECT_EQ(photons.state.passes, 0u);
+    }
+}
+
+TEST_F(MemoryTest, ASceneThatNeedsTheMemoryGetsIt) {
+    ASSERT_TRUE(renderPass());
+    const auto meshes = build(test::meshInstances());
+    TestBackend alone;
+    ASSERT_TRUE(alone.backend->setScene(meshes));
+    const size_t pictureBytes = photons.state.pixels.size() * sizeof(PixelSample);
+    cuda.control->memoryBytes = alone.control->taken() + pictureBytes;
+    EXPECT_TRUE(cuda.backend->setScene(meshes));
+}
+
+TEST_F(MemoryTest, GivesAllMemoryBack) {
+    ASSERT_TRUE(renderPass());
+    EXPECT_GT(cuda.control->taken(), 0u);
+    cuda.backend.reset();
+    EXPECT_EQ(cuda.control->taken(), 0u);
+}
+
+}  // namespace
+}  // namespace glint
+
+#else
+TEST(CudaSppm, NotBuilt) { GTEST_SKIP() << "this build has no CUDA back end (GLINT_CUDA)"; }
+#endif
