@@ -3,6 +3,11 @@
 // Hachisuka, Ogaki and Jensen 2008, "Progressive Photon Mapping", equations 7 to 13, with the shared
 // statistics of Hachisuka and Jensen 2009. The photons come from any structure with visitNear(); its order is
 // the order of the sum.
+//
+// The bias' estimate follows Hachisuka, Jakob and Jensen 2010, "A Progressive Error Estimation Framework for
+// Photon Density Estimation": it is the kernel's second moment times half the Laplacian of the radiance, and
+// the same photons under a smooth kernel give the Laplacian. Ours is the one with the least variance on a
+// disc, a polynomial: see biasWeight().
 #pragma once
 
 #include "engine/kernels/bsdf.h"
@@ -35,6 +40,12 @@ GLINT_HD inline bool liesOnSurface(const Photon& photon, const VisiblePoint& poi
            glm::dot(unpackUnitVector<12>(photon.ngAndDepth), ng) > kLeastNormalCosine;
 }
 
+/// Weight of a photon at a distance of sqrt(t) radii in the estimate of the bias of the mean over the disc.
+/// Radiance L + a r^2 has a mean of L + a R^2 / 2 there, and a mean of a R^2 / 6 when weighted by 2t - 1, in
+/// which constant and linear radiance cancel. The estimate has three times the mean's variance and is
+/// uncorrelated with it where the radiance is about even.
+GLINT_HD inline float biasWeight(float t) { return 3.0f * (2.0f * t - 1.0f); }
+
 }  // namespace detail
 
 /// Sums the photons within `radiusSquared` (world units squared) of the point. A photon that the BSDF sends
@@ -43,6 +54,7 @@ template <FeatureMask kMask, class PhotonMap>
 GLINT_HD Gathered gatherPhotons(const SceneView& view, const PhotonMap& photons, const SppmParams& params,
                                 const VisiblePoint& point, float radiusSquared) {
     Gathered gathered;
+    Vec3 bias(0.0f);
     const Vec3 ng = unpackUnitVector<16>(point.ngPacked);
     const detail::GatherSurface surface{ng, unpackUnitVector<16>(point.nsPacked), point.vertexColor, point.uv,
                                         point.material};
@@ -57,10 +69,13 @@ GLINT_HD Gathered gatherPhotons(const SceneView& view, const PhotonMap& photons,
         const Vec3 reflected =
             evaluate(bsdf, wi) * (1.0f / cosine);  // evaluate() has |cos| to ns, flux is per area of ng
         if (isZero(reflected)) return;
-        gathered.flux += reflected * photon.flux;
+        const Vec3 flux = reflected * photon.flux;
+        gathered.flux += flux;
+        bias += flux * detail::biasWeight(lengthSquared(photon.p - point.p) / radiusSquared);
         ++gathered.count;
     });
     gathered.flux *= point.throughput;
+    gathered.bias = luminance(bias * point.throughput);
     return gathered;
 }
 
@@ -72,15 +87,30 @@ GLINT_HD inline double initialRadiusSquared(const SppmParams& params, float foot
     return radius * radius;
 }
 
+namespace detail {
+
+/// Luminance of tau / (pi R^2): the sum over all passes of what each brought by its own radius, since tau is
+/// scaled along with R^2. 0 before the first visible point.
+GLINT_HD inline double summedLuminance(const SppmPixel& pixel) {
+    if (!(pixel.radiusSquared > 0.0)) return 0.0;
+    return (0.2126 * pixel.flux[0] + 0.7152 * pixel.flux[1] + 0.0722 * pixel.flux[2]) /
+           (3.14159265358979323846 * pixel.radiusSquared);
+}
+
+}  // namespace detail
+
 /// Adds pass number `pass` (from 0) with this many emitted photons: N' = N + alpha M, R'^2 = R^2 N' / (N +
-/// M), tau' = (tau + flux) R'^2 / R^2. A pass without a photon changes neither radius nor flux.
+/// M), tau' = (tau + flux) R'^2 / R^2. A pass without a photon changes neither radius nor flux. The picture
+/// is the mean of the passes' own estimates, so that their variance and mean bias are the picture's.
 GLINT_HD inline void updatePixel(const Gathered& gathered, double alpha, uint32_t pass, double emittedInPass,
                                  SppmPixel* pixel) {
     const double found = static_cast<double>(gathered.count);
-    float estimate = 0.0f;
+    const double passes = static_cast<double>(pass);
+    const double before = detail::summedLuminance(*pixel);
+    double bias = 0.0;
     if (gathered.count > 0) {
-        const double area = 3.14159265358979323846 * pixel->radiusSquared;
-        estimate = static_cast<float>(static_cast<double>(luminance(gathered.flux)) / (area * emittedInPass));
+        bias = static_cast<double>(gathered.bias) /
+               (3.14159265358979323846 * pixel->radiusSquared * emittedInPass);
         const double kept = pixel->photonCount + alpha * found;
         const double shrink = kept / (pixel->photonCount + found);
         for (int channel = 0; channel < 3; ++channel) {
@@ -90,9 +120,13 @@ GLINT_HD inline void updatePixel(const Gathered& gathered, double alpha, uint32_
         pixel->radiusSquared *= shrink;
         pixel->photonCount = kept;
     }
-    const float deviation = estimate - pixel->passMean;
-    pixel->passMean += deviation / (static_cast<float>(pass) + 1.0f);
-    pixel->passM2 += deviation * (estimate - pixel->passMean);
+    // Welford's update, with the mean that tau holds already.
+    const double after = detail::summedLuminance(*pixel);
+    const double estimate = (after - before) / emittedInPass;
+    const double meanBefore = passes > 0.0 ? before / (passes * emittedInPass) : 0.0;
+    const double meanAfter = after / ((passes + 1.0) * emittedInPass);
+    pixel->passM2 += maxf(0.0f, static_cast<float>((estimate - meanBefore) * (estimate - meanAfter)));
+    pixel->bias += (static_cast<float>(bias) - pixel->bias) / static_cast<float>(passes + 1.0);
 }
 
 /// Radiance that the photons of all passes brought: tau / (emitted photons * pi R^2).

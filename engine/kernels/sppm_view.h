@@ -31,9 +31,8 @@ struct SppmPixel {
     double radiusSquared = 0.0;  ///< world units squared; 0: no visible point seen yet
     double photonCount = 0.0;    ///< N
     double flux[3] = {};         ///< tau: reflected, unnormalised
-    float passMean =
-        0.0f;  ///< running mean of the passes' own photon estimates, luminance: for the error estimate
-    float passM2 = 0.0f;  ///< sum of their squared deviations (Welford)
+    float bias = 0.0f;           ///< running mean of the passes' estimates of the luminance's bias, signed
+    float passM2 = 0.0f;         ///< squared deviations of the passes' luminances from their mean (Welford)
 };
 
 /// Where a pixel's camera path of this pass came to rest. `throughput` zero: nowhere, and no photon can
@@ -56,6 +55,7 @@ struct VisiblePoint {
 struct Gathered {
     Vec3 flux{0.0f};  ///< sum of BSDF times photon flux times the camera path's throughput
     uint32_t count = 0;
+    float bias = 0.0f;  ///< what the disc's width adds to the flux's luminance, by a noisy estimate
     float initialRadiusSquared =
         0.0f;  ///< for a pixel whose first visible point this was; 0: it has none yet
 };

@@ -106,7 +106,7 @@ struct FilmCheckpoint {
 namespace {
 
 constexpr std::string_view kMagic = "GLINTCKP";
-constexpr uint32_t kFormatVersion = 1;
+constexpr uint32_t kFormatVersion = 2;
 constexpr uint64_t kChecksumBytes = 16;
 constexpr uint32_t kMaxSettings = 1000;
 

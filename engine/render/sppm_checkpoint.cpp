@@ -27,7 +27,7 @@ void writeSppmState(const SppmState& state, ByteWriter* out) {
         for (const double flux : pixel.flux) {
             out->write(flux);
         }
-        out->write(pixel.passMean);
+        out->write(pixel.bias);
         out->write(pixel.passM2);
     }
 }
@@ -51,7 +51,7 @@ bool readSppmState(ByteReader in, const Film& film, SppmState* state) {
         for (double& flux : pixel.flux) {
             flux = in.read<double>();
         }
-        pixel.passMean = in.read<float>();
+        pixel.bias = in.read<float>();
         pixel.passM2 = in.read<float>();
         if (!plausible(pixel)) {
             return false;

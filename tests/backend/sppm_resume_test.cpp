@@ -52,7 +52,7 @@ bool sameBits(const SppmPixel& a, const SppmPixel& b) {
     return std::memcmp(&a.radiusSquared, &b.radiusSquared, sizeof a.radiusSquared) == 0 &&
            std::memcmp(&a.photonCount, &b.photonCount, sizeof a.photonCount) == 0 &&
            std::memcmp(a.flux, b.flux, sizeof a.flux) == 0 &&
-           std::memcmp(&a.passMean, &b.passMean, sizeof a.passMean) == 0 &&
+           std::memcmp(&a.bias, &b.bias, sizeof a.bias) == 0 &&
            std::memcmp(&a.passM2, &b.passM2, sizeof a.passM2) == 0;
 }
 

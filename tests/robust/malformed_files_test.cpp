@@ -254,7 +254,7 @@ TEST(Malformed, Checkpoints) {
         {"GLINTCK", "is not a Glint checkpoint"},
         {"GLINTCKP", "is cut off or damaged"},
         {std::string("\x89PNG\r\n\x1a\n") + good.substr(8), "is not a Glint checkpoint"},
-        {replaced(good, 8, "\2"), "has checkpoint format 2; this program reads format 1"},
+        {replaced(good, 8, "\1"), "has checkpoint format 1; this program reads format 2"},
         {good.substr(0, 30), "it has 30 bytes and should have"},
         {good.substr(0, good.size() - 1), "is cut off or damaged"},
         {good + "x", "is cut off or damaged"},

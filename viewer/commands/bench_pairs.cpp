@@ -32,7 +32,7 @@ bool samePixel(const FilmPixel& a, const FilmPixel& b) {
 
 bool samePixel(const SppmPixel& a, const SppmPixel& b) {
     return a.radiusSquared == b.radiusSquared && a.photonCount == b.photonCount &&
-           std::ranges::equal(a.flux, b.flux) && a.passMean == b.passMean && a.passM2 == b.passM2;
+           std::ranges::equal(a.flux, b.flux) && a.bias == b.bias && a.passM2 == b.passM2;
 }
 
 double channelOf(const Film& film, const SppmState& sppm, size_t pixel, int channel) {
