@@ -163,6 +163,7 @@ TEST_F(DiffCommand, BadOptionsAreRefused) {
         {"--maps", file},
         {"--json", "/none/a.json"},
         {"--maps", "/proc/maps-of-glint"},
+        {"--maps", ""},
     };
     for (const auto& options : bad) {
         std::vector<std::string> arguments = {"diff", good, good};

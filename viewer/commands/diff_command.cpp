@@ -203,7 +203,12 @@ void addDiffCommand(CLI::App& app, int* exitCode) {
     command->add_option("picture", options->test, "The picture in question")->required()->type_name("A");
     command->add_option("reference", options->reference, "What it should be")->required()->type_name("B");
     command->add_option("--maps", options->maps, "Write error maps in false colours into the folder DIR")
-        ->type_name("DIR");
+        ->type_name("DIR")
+        ->check(CLI::Validator(
+            [](std::string& folder) {
+                return folder.empty() ? std::string("expected a folder's name") : std::string();
+            },
+            ""));
     addJsonOption(*command, &options->json);
     MetricOptions& metrics = options->metrics;
     command->add_option("--epsilon", metrics.relativeEpsilon, "Added to the denominators of relative errors")
