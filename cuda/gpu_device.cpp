@@ -45,6 +45,7 @@ class GpuDevice final : public Device {
     Status makeCurrent() const { return checked(cudaSetDevice(index_), "selecting the device"); }
     /// Marks the end of what was just started, or says why it was not.
     Status finishLaunch(int code, std::string_view what);
+    Status copy(void* to, const void* from, size_t bytes, cudaMemcpyKind kind, std::string_view doing);
 
     std::string name_;
     int index_ = 0;
@@ -92,15 +93,21 @@ Result<std::byte*> GpuDevice::allocate(size_t bytes) {
 }
 
 Status GpuDevice::upload(std::byte* to, const void* from, size_t bytes) {
-    if (Status s = waitForLaunches(0); !s) return s;
-    return checked(cudaMemcpy(to, from, bytes, cudaMemcpyHostToDevice),
-                   fmt::format("uploading {} bytes", bytes));
+    return copy(to, from, bytes, cudaMemcpyHostToDevice, "uploading");
 }
 
 Status GpuDevice::download(void* to, const std::byte* from, size_t bytes) {
+    return copy(to, from, bytes, cudaMemcpyDeviceToHost, "downloading");
+}
+
+/// In the stream of the launches, which does not wait for copies outside of it: these may return before the
+/// last bytes have reached the device.
+Status GpuDevice::copy(void* to, const void* from, size_t bytes, cudaMemcpyKind kind,
+                       std::string_view doing) {
     if (Status s = waitForLaunches(0); !s) return s;
-    return checked(cudaMemcpy(to, from, bytes, cudaMemcpyDeviceToHost),
-                   fmt::format("downloading {} bytes", bytes));
+    const std::string what = fmt::format("{} {} bytes", doing, bytes);
+    if (Status s = checked(cudaMemcpyAsync(to, from, bytes, kind, stream_), what); !s) return s;
+    return checked(cudaStreamSynchronize(stream_), what);
 }
 
 Status GpuDevice::finishLaunch(int code, std::string_view what) {

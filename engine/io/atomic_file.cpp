@@ -12,11 +12,21 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "engine/io/temporary_file.h"
+
 namespace glint {
 namespace {
 
 Error fileError(const std::string& path, const std::string& what, int code) {
     return {code == 0 ? what : fmt::format("{}: {}", what, std::strerror(code)), {.file = path}};
+}
+
+Error notRegular(const std::string& path, mode_t mode, std::string_view expected) {
+    const char* const kind = S_ISDIR(mode)    ? "folder"
+                             : S_ISFIFO(mode) ? "pipe"
+                             : S_ISSOCK(mode) ? "socket"
+                                              : "device";
+    return fileError(path, fmt::format("is a {}; expected {}", kind, expected), 0);
 }
 
 class FileDescriptor {
@@ -51,18 +61,6 @@ int writeAll(int fd, std::string_view bytes) {
     return 0;
 }
 
-/// Creates a file that did not exist, beside `target`.
-int openTemporary(const std::string& target, std::string* name) {
-    for (unsigned attempt = 0; attempt < 10000; ++attempt) {
-        *name = fmt::format("{}.{}-{}.tmp", target, ::getpid(), attempt);
-        const int fd = ::open(name->c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (fd >= 0 || errno != EEXIST) {
-            return fd;
-        }
-    }
-    return -1;
-}
-
 /// Makes the new name last through a power cut. Not every file system can; the file itself is safe either
 /// way.
 void flushFolder(const std::string& target) {
@@ -81,8 +79,9 @@ std::string resolveLink(const std::string& path) {
 }
 
 Status replaceFile(const std::string& path, const std::string& target, std::string_view bytes, mode_t mode) {
+    removeStaleTemporaries(target);
     std::string temporary;
-    FileDescriptor fd(openTemporary(target, &temporary));
+    FileDescriptor fd(createTemporary(target, &temporary));
     if (!fd.valid()) {
         return fileError(path, "cannot create a file in this folder", errno);
     }
@@ -121,21 +120,32 @@ Status writeDirectly(const std::string& path, std::string_view bytes) {
 
 }  // namespace
 
+Status checkRegularFile(const std::string& path, std::string_view expected) {
+    struct stat info {};
+    if (::stat(path.c_str(), &info) != 0) {
+        return errno == ENOENT || errno == ENOTDIR
+                   ? fileError(path, fmt::format("no such file; expected {}", expected), 0)
+                   : fileError(path, "cannot open", errno);
+    }
+    return S_ISREG(info.st_mode) ? Status() : Status(notRegular(path, info.st_mode, expected));
+}
+
 Result<std::string> readFile(const std::string& path) {
-    const FileDescriptor fd(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    // Opening a pipe would otherwise wait until somebody writes to it.
+    const FileDescriptor fd(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
     struct stat info {};
     if (!fd.valid() || ::fstat(fd.get(), &info) != 0) {
         return fileError(path, "cannot open", errno);
     }
-    if (S_ISDIR(info.st_mode)) {
-        return fileError(path, "is a folder; expected a file", 0);
+    if (!S_ISREG(info.st_mode)) {
+        return notRegular(path, info.st_mode, "a file");
     }
     if (static_cast<uint64_t>(info.st_size) > kMaxFileBytes) {
         return fileError(path, fmt::format("has {} bytes; at most {} are read", info.st_size, kMaxFileBytes),
                          0);
     }
-    // Pipes and files that grow have no size to rely on, so reading ends only at the end. The one byte more
-    // lets a file of the expected size end without growing the buffer.
+    // Files that grow, and those of /proc, have no size to rely on, so reading ends only at the end. The one
+    // byte more lets a file of the expected size end without growing the buffer.
     std::string bytes(static_cast<size_t>(info.st_size) + 1, '\0');
     for (size_t filled = 0;;) {
         if (filled == bytes.size()) {

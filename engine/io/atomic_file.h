@@ -15,14 +15,18 @@ namespace glint {
 /// Largest file that is read into memory at once.
 constexpr uint64_t kMaxFileBytes = uint64_t{16} << 30;
 
-/// The file's bytes. Error: missing, a folder, unreadable, larger than kMaxFileBytes; the place names the
-/// file.
+/// Error unless `path` leads to a regular file: missing, a folder, a pipe, a device. `expected`: "a scene".
+/// What is read by other means asks before it opens, since opening a pipe waits for its other end.
+Status checkRegularFile(const std::string& path, std::string_view expected);
+
+/// The file's bytes. Error: missing, a folder, a pipe or a device, unreadable, larger than kMaxFileBytes; the
+/// place names the file.
 Result<std::string> readFile(const std::string& path);
 
 /// Replaces `path` by `bytes`: writes a new file in the same folder, flushes it to the disk and renames it.
 /// On any error (no such folder, not writable, disk full, `path` is a folder) the old file stays and the new
-/// one is removed. A symbolic link stays and its target is replaced. Devices and pipes cannot be replaced;
-/// they are written directly.
+/// one is removed, as are those that killed saves to `path` left behind. A symbolic link stays and its target
+/// is replaced. Devices and pipes cannot be replaced; they are written directly.
 Status writeFileAtomically(const std::string& path, std::string_view bytes);
 
 }  // namespace glint

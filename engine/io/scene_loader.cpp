@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "engine/io/asset_cache.h"
+#include "engine/io/atomic_file.h"
 #include "engine/io/default_view.h"
 #include "engine/io/ply_loader.h"
 #include "engine/io/scene_json.h"
@@ -110,13 +111,8 @@ Result<SceneDescription> loadTextual(const std::string& path, SceneKind kind, co
 }  // namespace
 
 Result<SceneDescription> loadScene(const std::string& path, const LoadOptions& options) {
-    std::error_code code;
-    const auto status = fs::status(path, code);
-    if (!fs::exists(status)) {
-        return Error{"no such file; expected a scene", {path, 0, 0, ""}};
-    }
-    if (fs::is_directory(status)) {
-        return Error{"is a folder; expected a scene file", {path, 0, 0, ""}};
+    if (Status regular = checkRegularFile(path, "a scene file"); !regular) {
+        return regular.error();
     }
     const SceneKind named = kindByExtension(path);
     const SceneKind kind = named != SceneKind::Unknown ? named : kindByContent(path);

@@ -5,10 +5,11 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 
 #include <fmt/format.h>
+
+#include "engine/io/atomic_file.h"
 
 namespace glint {
 
@@ -28,13 +29,8 @@ SourcePlace TextSource::place(size_t offset) const {
 
 Result<TextSource> readTextFile(const std::string& path, size_t maxBytes) {
     const SourcePlace place{path, 0, 0, ""};
-    std::error_code code;
-    const auto status = std::filesystem::status(path, code);
-    if (!std::filesystem::exists(status)) {
-        return Error{"no such file", place};
-    }
-    if (std::filesystem::is_directory(status)) {
-        return Error{"is a folder; expected a file", place};
+    if (Status regular = checkRegularFile(path, "a file"); !regular) {
+        return regular.error();
     }
     std::ifstream file(path, std::ios::binary);
     if (!file) {

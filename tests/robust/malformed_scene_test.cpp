@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "engine/io/scene_loader.h"
@@ -260,6 +261,25 @@ TEST(MalformedScene, FilesThatAreNoScenesAreNamed) {
     EXPECT_THAT(loadScene(fs::path(file.path()).parent_path().string()).error().format(),
                 HasSubstr("is a folder"));
     EXPECT_THAT(loadScene("").error().format(), HasSubstr("no such file"));
+}
+
+TEST(MalformedScene, PipesAreRefusedWithoutWaitingForAWriter) {
+    const ScratchFile file("scene.json", "{}");
+    for (const char* const name : {"pipe", "pipe.json", "pipe.txt", "pipe.obj", "pipe.ply"}) {
+        const std::string pipe = file.path(name);
+        ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+        const auto scene = loadScene(pipe);
+        ASSERT_FALSE(scene) << name;
+        EXPECT_THAT(scene.error().format(), HasSubstr(pipe + ": is a pipe; expected a scene file"));
+    }
+}
+
+TEST(MalformedScene, APipeInPlaceOfAMeshIsRefused) {
+    const ScratchFile file("scene.txt", group("TriangleMesh { obj_file pipe.obj }"));
+    ASSERT_EQ(::mkfifo(file.path("pipe.obj").c_str(), 0600), 0);
+    const auto scene = loadScene(file.path());
+    ASSERT_FALSE(scene);
+    EXPECT_THAT(scene.error().format(), HasSubstr("is a pipe"));
 }
 
 TEST(MalformedScene, ContentDecidesWhereTheNameSaysNothing) {

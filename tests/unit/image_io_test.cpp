@@ -6,13 +6,16 @@
 #include <csignal>
 #include <filesystem>
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 
 #include "engine/io/atomic_file.h"
 #include "engine/io/exr_io.h"
+#include "engine/io/temporary_file.h"
 #include "engine/math/color.h"
 #include "tests/support/temp_folder.h"
 
@@ -179,9 +182,67 @@ TEST(AtomicFile, ReadErrorsNameTheFile) {
     ASSERT_FALSE(missing);
     EXPECT_THAT(missing.error().format(), HasSubstr("none: cannot open: No such file"));
     EXPECT_FALSE(readFile(folder.path()));
+}
+
+TEST(AtomicFile, OnlyRegularFilesAreRead) {
+    const TempFolder folder;
+    const std::string pipe = folder.path("pipe");
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    // Nobody ever writes to the pipe: opening it in the ordinary way would never return.
+    const Result<std::string> fromPipe = readFile(pipe);
+    ASSERT_FALSE(fromPipe);
+    EXPECT_THAT(fromPipe.error().format(), HasSubstr("pipe: is a pipe; expected a file"));
     const Result<std::string> null = readFile("/dev/null");
-    ASSERT_TRUE(null);
-    EXPECT_TRUE(null->empty());
+    ASSERT_FALSE(null);
+    EXPECT_THAT(null.error().format(), HasSubstr("/dev/null: is a device; expected a file"));
+    const std::string file = folder.write("file", "text");
+    std::filesystem::create_symlink(file, folder.path("link"));
+    const Result<std::string> throughLink = readFile(folder.path("link"));
+    ASSERT_TRUE(throughLink);
+    EXPECT_EQ(*throughLink, "text");
+    EXPECT_TRUE(checkRegularFile(folder.path("link"), "a file"));
+}
+
+TEST(AtomicFile, ASaveRemovesTheLeftoversOfKilledOnesToTheSameName) {
+    const TempFolder folder;
+    const std::string path = folder.write("file", "old");
+    const std::string stale = folder.write("file.4711-0.tmp", "half");
+    const std::string busy = folder.write("file.4711-1.tmp", "in work");
+    const std::vector<std::string> others = {
+        folder.write("other.4711-0.tmp", "x"), folder.write("file.4711-0.tmp.txt", "x"),
+        folder.write("file.4711.tmp", "x"),    folder.write("file.-0.tmp", "x"),
+        folder.write("file.a-0.tmp", "x"),     folder.write("file.png.4711-0.tmp", "x")};
+    std::filesystem::create_directory(folder.path("file.4711-2.tmp"));
+    std::filesystem::create_symlink(path, folder.path("file.4711-3.tmp"));
+    // A lock belongs to an open file: it holds against this process, too.
+    const int writer = ::open(busy.c_str(), O_WRONLY | O_CLOEXEC);
+    ASSERT_GE(writer, 0);
+    ASSERT_EQ(::flock(writer, LOCK_EX), 0);
+
+    ASSERT_TRUE(writeFileAtomically(path, "new"));
+    EXPECT_EQ(TempFolder::read(path), "new");
+    EXPECT_FALSE(std::filesystem::exists(stale));
+    EXPECT_EQ(TempFolder::read(busy), "in work");
+    for (const std::string& other : others) EXPECT_TRUE(std::filesystem::exists(other)) << other;
+    EXPECT_TRUE(std::filesystem::is_directory(folder.path("file.4711-2.tmp")));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.path("file.4711-3.tmp")));
+    ::close(writer);
+
+    ASSERT_TRUE(writeFileAtomically(path, "newer"));
+    EXPECT_FALSE(std::filesystem::exists(busy)) << "its writer is gone now";
+}
+
+TEST(AtomicFile, ATemporaryFileIsLockedWhileItIsWritten) {
+    const TempFolder folder;
+    const std::string target = folder.path("file");
+    std::string name;
+    const int writer = createTemporary(target, &name);
+    ASSERT_GE(writer, 0);
+    removeStaleTemporaries(target);
+    EXPECT_TRUE(std::filesystem::exists(name));
+    ::close(writer);
+    removeStaleTemporaries(target);
+    EXPECT_FALSE(std::filesystem::exists(name));
 }
 
 }  // namespace

@@ -1,0 +1,91 @@
+// POSIX files and flock().
+#include "engine/io/temporary_file.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <string_view>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kEnding = ".tmp";
+
+/// Whether `name` still is the file that `fd` has open.
+bool isStillNamed(int fd, const std::string& name) {
+    struct stat opened {};
+    struct stat named {};
+    return ::fstat(fd, &opened) == 0 && ::lstat(name.c_str(), &named) == 0 && opened.st_dev == named.st_dev &&
+           opened.st_ino == named.st_ino;
+}
+
+/// <digits>-<digits>.tmp: what follows the target's name and a dot.
+bool isOurEnding(std::string_view rest) {
+    if (!rest.ends_with(kEnding)) {
+        return false;
+    }
+    rest.remove_suffix(kEnding.size());
+    const size_t dash = rest.find('-');
+    const auto isNumber = [](std::string_view text) {
+        return !text.empty() && std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
+    };
+    return dash != std::string_view::npos && isNumber(rest.substr(0, dash)) &&
+           isNumber(rest.substr(dash + 1));
+}
+
+void removeIfAbandoned(const std::string& name) {
+    const int fd = ::open(name.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    struct stat info {};
+    if (fd < 0) {
+        return;
+    }
+    // The name may have become another file, or none, between the look into the folder and the lock.
+    if (::fstat(fd, &info) == 0 && S_ISREG(info.st_mode) && ::flock(fd, LOCK_EX | LOCK_NB) == 0 &&
+        isStillNamed(fd, name)) {
+        ::unlink(name.c_str());
+    }
+    ::close(fd);
+}
+
+}  // namespace
+
+int createTemporary(const std::string& target, std::string* name) {
+    for (unsigned attempt = 0; attempt < 10000; ++attempt) {
+        *name = fmt::format("{}.{}-{}{}", target, ::getpid(), attempt, kEnding);
+        const int fd = ::open(name->c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (fd < 0 && errno != EEXIST) {
+            return fd;
+        }
+        // Without a lock the file is as good, and nobody else can lock it either.
+        if (fd >= 0 && (::flock(fd, LOCK_EX | LOCK_NB) != 0 || isStillNamed(fd, *name))) {
+            return fd;
+        }
+        if (fd >= 0) {
+            ::close(fd);  // taken for a leftover before it was locked
+        }
+    }
+    return -1;
+}
+
+void removeStaleTemporaries(const std::string& target) {
+    const fs::path path(target);
+    const std::string start = path.filename().string() + ".";
+    std::error_code code;
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    for (fs::directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code)) {
+        const std::string name = entry->path().filename().string();
+        if (name.starts_with(start) && isOurEnding(std::string_view(name).substr(start.size()))) {
+            removeIfAbandoned(entry->path().string());
+        }
+    }
+}
+
+}  // namespace glint
