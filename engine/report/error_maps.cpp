@@ -139,7 +139,7 @@ Image8 falseColors(const ErrorMap& map, const MapRange& range) {
     for (const float value : map.values) {
         const Vec3 color = colorOf(value, map.kind, range);
         for (int c = 0; c < 3; ++c) {
-            image.rgb.push_back(static_cast<uint8_t>(255.0f * color[c] + 0.5f));
+            image.rgb.push_back(static_cast<uint8_t>(std::lround(255.0f * color[c])));
         }
     }
     return image;

@@ -216,8 +216,9 @@ Features featuresOf(const Plane& achromatic, double pixelsPerDegree, int threads
     const std::vector<double> smooth = gaussianWeights(deviation, radius);
     std::vector<double> edge;
     std::vector<double> point;
-    for (int x = -radius; x <= radius; ++x) {
-        const double weight = smooth[static_cast<size_t>(x + radius)];
+    for (size_t i = 0; i < smooth.size(); ++i) {
+        const double x = static_cast<double>(i) - radius;
+        const double weight = smooth[i];
         edge.push_back(-x * weight);
         point.push_back((x * x / (deviation * deviation) - 1.0) * weight);
     }

@@ -63,10 +63,11 @@ double similarity(const Moments& m) {
 template <class At>
 Moments windowSum(const std::vector<double>& weights, int centre, int count, const At& at) {
     Moments sum;
-    const int first = std::max(0, centre - kSsimRadius);
-    const int last = std::min(count - 1, centre + kSsimRadius);
-    for (int i = first; i <= last; ++i) {
-        sum.add(weights[static_cast<size_t>(i - centre + kSsimRadius)], at(i));
+    for (int tap = 0; tap <= 2 * kSsimRadius; ++tap) {
+        const int i = centre + tap - kSsimRadius;
+        if (i >= 0 && i < count) {
+            sum.add(weights[static_cast<size_t>(tap)], at(i));
+        }
     }
     return sum;
 }

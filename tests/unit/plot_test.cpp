@@ -136,6 +136,10 @@ TEST(Plot, LabelsNeverOverlapOrLeaveThePaper) {
                                  .points = {{.x = low, .y = low}, {.x = low * factor, .y = low * factor}}}};
                 chart.levels = {{.y = low * 0.5, .label = "level"}};
                 expectReadable(chart);
+                if ((width == 320 || width == 960) && low == 1e-12) {
+                    keep(std::to_string(width) + "_" + std::to_string(std::lround(std::log10(factor))),
+                         chart);
+                }
             }
         }
     }
