@@ -18,7 +18,7 @@ GLINT_HD Count takeNumber(Count* counter) {
         return atomicAdd(counter, 1u);
     }
 #else
-    return (*counter)++;
+    return __atomic_fetch_add(counter, Count{1}, __ATOMIC_RELAXED);
 #endif
 }
 
@@ -27,9 +27,8 @@ GLINT_HD inline bool claimZero(uint32_t* value, uint32_t mark) {
 #if GLINT_ON_DEVICE
     return atomicCAS(value, 0u, mark) == 0u;
 #else
-    if (*value != 0) return false;
-    *value = mark;
-    return true;
+    uint32_t expected = 0;
+    return __atomic_compare_exchange_n(value, &expected, mark, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED);
 #endif
 }
 

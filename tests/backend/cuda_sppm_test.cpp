@@ -24,6 +24,7 @@ namespace {
 
 using test::HostDevice;
 using test::HostDeviceControl;
+using test::ThreadOrder;
 using testing::HasSubstr;
 
 std::shared_ptr<const BuiltScene> build(const SceneDescription& description) {
@@ -206,10 +207,10 @@ TEST(CudaSppm, TheOrderOfThreadsDoesNotMatter) {
     for (const float radiusWorld : {0.0f, 5000.0f}) {
         params.radiusWorld = radiusWorld;
         const Photons expected = renderOnCpu(scene, params, 2);
-        for (const bool backwards : {false, true}) {
+        for (const ThreadOrder order : {ThreadOrder::Forwards, ThreadOrder::Backwards, ThreadOrder::AtOnce}) {
             for (const bool sortIntoOther : {false, true}) {
                 TestBackend cuda;
-                cuda.control->backwards = backwards;
+                cuda.control->order = order;
                 cuda.control->sortIntoOther = sortIntoOther;
                 ASSERT_TRUE(cuda.backend->setScene(scene));
                 expectSame(render(*cuda.backend, params, 2), expected);

@@ -11,10 +11,15 @@
 #include <functional>
 #include <map>
 #include <numeric>
+#include <thread>
+#include <vector>
 
 #include "cuda/device.h"
 
 namespace glint::test {
+
+/// How the threads of a launch run: one after the other, or neighbours on several of the host's at once.
+enum class ThreadOrder { Forwards, Backwards, AtOnce };
 
 /// What a test sees and decides; shared with the device, which the back end owns.
 struct HostDeviceControl {
@@ -27,9 +32,9 @@ struct HostDeviceControl {
     std::map<std::string, uint64_t> threadsOf{};  ///< launched so far, by step
     std::string lastStep{};
     std::string lastVariant{};
-    int failLaunch = -1;                  ///< the n-th launch from now on fails
-    int failAllocation = -1;              ///< the same, although there is enough memory
-    bool backwards = false;               ///< a launch's threads run from the last to the first
+    int failLaunch = -1;      ///< the n-th launch from now on fails
+    int failAllocation = -1;  ///< the same, although there is enough memory
+    ThreadOrder order = ThreadOrder::Forwards;
     bool sortIntoOther = false;           ///< sorting leaves its result in the other array
     std::function<void()> onLaunch = {};  ///< called after each launch
 
@@ -130,17 +135,34 @@ class HostDevice final : public Device {
         control_->lastVariant = kernel.variant;
         ++control_->launches;
         control_->threadsOf[kernel.step] += count;
-        if (control_->backwards) {
-            for (uint32_t i = count; i-- > 0;) kernel.runOnHost(launch, i, i + 1);
-        } else {
-            kernel.runOnHost(launch, 0, count);
-        }
+        runThreads(kernel, launch, count);
         if (control_->onLaunch) control_->onLaunch();
         return {};
     }
 
   private:
     static constexpr int kPoison = 0xcd;
+
+    void runThreads(const AnyKernel& kernel, const void* launch, uint32_t count) const {
+        switch (control_->order) {
+            case ThreadOrder::Forwards:
+                kernel.runOnHost(launch, 0, count);
+                break;
+            case ThreadOrder::Backwards:
+                for (uint32_t i = count; i-- > 0;) kernel.runOnHost(launch, i, i + 1);
+                break;
+            case ThreadOrder::AtOnce:
+                constexpr uint32_t kThreads = 4;
+                std::vector<std::thread> threads;
+                for (uint32_t t = 0; t < kThreads; ++t) {
+                    threads.emplace_back([&, t] {
+                        for (uint32_t i = t; i < count; i += kThreads) kernel.runOnHost(launch, i, i + 1);
+                    });
+                }
+                for (std::thread& thread : threads) thread.join();
+                break;
+        }
+    }
 
     bool useScratch(std::byte* scratch, size_t bytes, size_t needed) {
         if (bytes < needed || !control_->holds(scratch, bytes)) return false;
