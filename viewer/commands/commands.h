@@ -28,6 +28,7 @@ int complain(const Error& error, int exitCode);
 void addViewCommand(CLI::App& app, int* exitCode);
 void addRenderCommand(CLI::App& app, int* exitCode);
 void addInfoCommand(CLI::App& app, int* exitCode);
+void addConvergeCommand(CLI::App& app, int* exitCode);
 void addConvertCommand(CLI::App& app, int* exitCode);
 void addDiffCommand(CLI::App& app, int* exitCode);
 void addBenchCommand(CLI::App& app, int* exitCode);

@@ -27,6 +27,7 @@ void addCommands(CLI::App& app, int* exitCode) {
     addViewCommand(app, exitCode);
     addRenderCommand(app, exitCode);
     addInfoCommand(app, exitCode);
+    addConvergeCommand(app, exitCode);
     addConvertCommand(app, exitCode);
     addDiffCommand(app, exitCode);
     addBenchCommand(app, exitCode);

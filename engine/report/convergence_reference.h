@@ -1,0 +1,74 @@
+// The picture that errors are measured against, with its own error bar: made here, or read from an EXR file
+// together with what that file says about itself.
+//
+// Used by `glint converge`. A reference is the mean of renders with different seeds (replicates), because
+// only their spread is an honest error bar for low-discrepancy points and for photons alike.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/report/convergence_session.h"
+#include "engine/scene/image.h"
+
+namespace glint {
+
+struct ReferencePicture {
+    ImageF picture;
+    std::vector<float> variance;  ///< squared standard error of each value, as picture.rgb; empty: not known
+    std::string path;
+    std::string method;  ///< a variant's text, such as "pt"; empty: not known
+    std::optional<IntegratorKind> integrator;
+    std::vector<uint32_t> seeds;       ///< empty: not known
+    double renderSeconds = 0.0;        ///< of all replicates; 0: not known
+    uint64_t passes = 0;               ///< of all replicates; 0: not known
+    bool cached = false;               ///< made by an earlier run
+    std::vector<std::string> remarks;  ///< what everyone who reads the errors has to know
+
+    double mean = 0.0;    ///< of all values
+    double mse = 0.0;     ///< mean of `variance`: what it adds to a measured MSE
+    double relMse = 0.0;  ///< the same of relMSE, with the default epsilon
+
+    bool knowsItsError() const { return !variance.empty(); }
+    double rmse() const;
+    /// rmse over mean, as ErrorMeasure::RelativeError.
+    double relativeError() const;
+    /// Fills mean, mse and relMse.
+    void summarize();
+};
+
+/// Reads R, G, B and standardError.R/G/B or .Y of an EXR picture and compares what it says about its scene
+/// with `scene`; settings that change nothing but noise may differ. Error: not readable, another size, or
+/// (unless `anyScene`, which makes it a remark) made of another scene or with settings that change the
+/// expectation.
+Result<ReferencePicture> loadReference(const std::string& path, const SceneDescription& scene, bool anyScene);
+
+struct ReferencePlan {
+    ConvergenceVariant variant;
+    VariantSettings settings;    ///< with the variant applied
+    double renderSeconds = 0.0;  ///< the most it may take
+    double relativeError = 0.0;  ///< it ends sooner when its own is that small; 0: never
+    uint32_t firstSeed = 0;
+};
+
+/// Replicates of a path-traced reference, and of one by photon mapping: fewer, since its bias shrinks only
+/// within a replicate.
+constexpr int kPathReplicates = 8;
+constexpr int kPhotonReplicates = 2;
+
+/// The first replicate decides by the limits how many passes each has. Weighted by passes, the mean m of x_j
+/// has the variance estimate sum w_j (x_j - m)^2 / (R - 1), sum w_j = 1. Nothing: interrupted before there
+/// were two. Error: nothing could be rendered.
+Result<std::optional<ReferencePicture>> makeReference(const ReferencePlan& plan,
+                                                      const SceneDescription& scene,
+                                                      const ConvergenceHost& host);
+
+/// Float R, G, B, standardError.R/G/B, and .Y of the luminance with the channels' errors taken as one; and as
+/// attributes what `glint render` writes and referenceMethod, referenceSeeds, referenceSeconds,
+/// referencePasses, referenceStandardError and referenceRelativeError. `settings` made it.
+Status saveReference(const std::string& path, const ReferencePicture& reference, SceneDescription scene,
+                     const VariantSettings& settings);
+
+}  // namespace glint

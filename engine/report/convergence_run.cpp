@@ -1,0 +1,286 @@
+#include "engine/report/convergence_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "engine/render/snapshot.h"
+#include "engine/report/convergence_schedule.h"
+#include "engine/report/metrics.h"
+
+namespace glint {
+namespace {
+
+using Outcome = MeasuredSession::Outcome;
+
+/// A later seed that takes so many times the first one's time is given up: something else runs on this
+/// machine.
+constexpr double kMostSlowdown = 4.0;
+/// Of the whole time: enough to know a variant's speed and noise.
+constexpr double kPilotShare = 0.02;
+constexpr double kLeastPilotSeconds = 0.1;
+
+/// Mean and spread over the seeds of each value of the last picture (Welford 1962).
+struct PictureMoments {
+    int count = 0;
+    std::vector<double> mean, squares;
+
+    void add(const ImageF& picture) {
+        mean.resize(picture.rgb.size());
+        squares.resize(picture.rgb.size());
+        ++count;
+        for (size_t i = 0; i < picture.rgb.size(); ++i) {
+            const double value = static_cast<double>(picture.rgb[i]);
+            const double delta = value - mean[i];
+            mean[i] += delta / count;
+            squares[i] += delta * (value - mean[i]);
+        }
+    }
+};
+
+class VariantRunner {
+  public:
+    VariantRunner(const ConvergencePlan& plan, const ConvergenceVariant& variant,
+                  const SceneDescription& scene, const ReferencePicture& reference,
+                  const ConvergenceHost& host)
+        : plan_(plan), scene_(scene), reference_(reference), host_(host) {
+        result.variant = variant;
+        result.settings = variant.applyTo(plan.defaults);
+        if (plan.seconds == 0.0) {
+            stops_ = spacedPasses(plan.passes, plan.points);
+        }
+    }
+
+    /// False: interrupted.
+    bool runSeed(size_t index) {
+        VariantSettings settings = result.settings;
+        settings.options.seed = plan_.seeds[index];
+        auto session = MeasuredSession::start(scene_, settings, host_);
+        if (!session) {
+            result.problem = session.error().message;
+            return true;
+        }
+        result.curves.push_back({plan_.seeds[index], {}});
+        part_ = fmt::format("{}, seed {} of {}", result.variant.name, index + 1, plan_.seeds.size());
+        if (host_.onPart) {
+            host_.onPart(part_);
+        }
+        const bool byTime = index == 0 && plan_.seconds > 0.0;
+        const Outcome outcome = byTime ? runByTime(**session) : runByPasses(**session);
+        finishCurve(**session, outcome);
+        return outcome != Outcome::Interrupted;
+    }
+
+    void finish() {
+        result.finalSeeds = finals_.count;
+        if (finals_.count == 0) {
+            return;
+        }
+        const double values = static_cast<double>(finals_.mean.size());
+        for (size_t i = 0; i < finals_.mean.size(); ++i) {
+            const double miss = finals_.mean[i] - static_cast<double>(reference_.picture.rgb[i]);
+            result.finalMeanPictureMse += miss * miss / values;
+            result.finalVariance += finals_.squares[i] / std::max(1, finals_.count - 1) / values;
+        }
+    }
+
+    MeasuredVariant result;
+
+  private:
+    Outcome runByTime(MeasuredSession& session) {
+        const SecondsSchedule schedule(plan_.seconds, plan_.points);
+        Outcome outcome = session.runTo({.passes = 1}, part_);
+        double firstPass = 0.0;
+        while (outcome == Outcome::Reached) {
+            const double now = measure(session);
+            stops_.push_back(session.status().passes);
+            firstPass = firstPass > 0.0 ? firstPass : now;
+            const auto next = schedule.next(firstPass, now);
+            if (!next) {
+                break;
+            }
+            outcome = session.runTo({.renderSeconds = *next}, part_);
+        }
+        return outcome;
+    }
+
+    Outcome runByPasses(MeasuredSession& session) {
+        for (const uint32_t stop : stops_) {
+            const StopLimits limits{.passes = stop, .renderSeconds = kMostSlowdown * plan_.seconds};
+            const Outcome outcome = session.runTo(limits, part_);
+            if (outcome != Outcome::Reached) {
+                return outcome;
+            }
+            if (session.status().passes < stop) {
+                result.problem =
+                    fmt::format("seed {} was given up after {:.0f} s: much slower than the first one",
+                                result.curves.back().seed, session.status().renderSeconds);
+                break;
+            }
+            measure(session);
+        }
+        return Outcome::Reached;
+    }
+
+    /// Adds a point to the last curve; returns its seconds.
+    double measure(MeasuredSession& session) {
+        const auto capture = session.capture();
+        const auto snapshot = makeSnapshot(*capture, {}, result.settings.threads);
+        ImageF picture{snapshot->width, snapshot->height, std::move(snapshot->radiance)};
+        MeasuredPoint point{snapshot->passes, snapshot->renderSeconds, evaluate(picture)};
+        result.curves.back().points.push_back(point);
+        if (result.curves.size() == 1) {
+            keep(point, picture);
+        }
+        last_ = std::move(picture);
+        return point.seconds;
+    }
+
+    ErrorValues evaluate(const ImageF& picture) const {
+        MetricOptions options;
+        options.exposureStops = plan_.exposureStops;
+        ErrorValues values;
+        values.fill(std::numeric_limits<double>::quiet_NaN());
+        const Result<PictureMetrics> metrics = comparePictures(picture, reference_.picture, options);
+        if (!metrics) {
+            return values;
+        }
+        at(values, ErrorMeasure::RelativeError) = metrics->rmse / reference_.mean;
+        at(values, ErrorMeasure::Mse) = metrics->mse;
+        at(values, ErrorMeasure::Rmse) = metrics->rmse;
+        at(values, ErrorMeasure::RelMse) = metrics->relMse;
+        at(values, ErrorMeasure::RelMseTrimmed) = metrics->relMseTrimmed;
+        at(values, ErrorMeasure::Mape) = metrics->mape;
+        at(values, ErrorMeasure::Ssim) = metrics->ssim;
+        at(values, ErrorMeasure::Flip) = metrics->flip;
+        at(values, ErrorMeasure::Bias) = metrics->bias;
+        at(values, ErrorMeasure::RelativeBias) = metrics->relativeBias;
+        at(values, ErrorMeasure::MseWithoutReference) = metrics->mse - reference_.mse;
+        return values;
+    }
+
+    /// Pictures of a hundredth, a tenth and the whole of the work; the last point's always.
+    void keep(const MeasuredPoint& point, const ImageF& picture) {
+        const double done = plan_.seconds > 0.0
+                                ? point.seconds / plan_.seconds
+                                : static_cast<double>(point.passes) / static_cast<double>(plan_.passes);
+        const size_t index = result.curves.back().points.size() - 1;
+        if (keptForGood_ < result.pictures.size()) {
+            result.pictures.pop_back();
+        }
+        if (plan_.pictures == 0) {
+            return;
+        }
+        result.pictures.push_back({index, picture});
+        bool due = false;
+        while (wanted_ < plan_.pictures && done >= std::pow(10.0, wanted_ + 1 - plan_.pictures)) {
+            ++wanted_;
+            due = true;
+        }
+        keptForGood_ += due;
+    }
+
+    void finishCurve(MeasuredSession& session, Outcome outcome) {
+        const SessionStatus status = session.status();
+        result.backend = status.backend;
+        result.kernel = status.kernel;
+        for (int fault = 1; fault < kSampleFaultCount; ++fault) {
+            result.droppedSamples += status.faultCounts[static_cast<size_t>(fault)];
+        }
+        if (outcome == Outcome::Failed) {
+            result.problem = status.error;
+        }
+        MeasuredCurve& curve = result.curves.back();
+        if (curve.points.empty()) {
+            result.curves.pop_back();
+        } else if (outcome == Outcome::Reached && curve.points.back().passes == stops_.back()) {
+            finals_.add(last_);
+        }
+    }
+
+    const ConvergencePlan& plan_;
+    const SceneDescription& scene_;
+    const ReferencePicture& reference_;
+    const ConvergenceHost& host_;
+    std::string part_;
+    std::vector<uint32_t> stops_;  ///< pass counts
+    ImageF last_;
+    PictureMoments finals_;
+    int wanted_ = 0;          ///< pictures whose time has come
+    size_t keptForGood_ = 0;  ///< the one after them is the newest, kept until the next
+};
+
+}  // namespace
+
+ConvergenceResult runConvergence(const ConvergencePlan& plan, const SceneDescription& scene,
+                                 const ReferencePicture& reference, const ConvergenceHost& host) {
+    std::vector<VariantRunner> runners;
+    for (const ConvergenceVariant& variant : plan.variants) {
+        runners.emplace_back(plan, variant, scene, reference, host);
+    }
+    ConvergenceResult result;
+    for (size_t seed = 0; seed < plan.seeds.size() && !result.interrupted; ++seed) {
+        for (VariantRunner& runner : runners) {
+            if (!runner.result.problem.empty()) {
+                continue;
+            }
+            if (!runner.runSeed(seed)) {
+                result.interrupted = true;
+                break;
+            }
+        }
+    }
+    for (VariantRunner& runner : runners) {
+        runner.finish();
+        result.variants.push_back(std::move(runner.result));
+    }
+    return result;
+}
+
+double predictSmallestError(const ConvergencePlan& plan, const SceneDescription& scene,
+                            const ConvergenceHost& host) {
+    double smallest = 0.0;
+    for (const ConvergenceVariant& variant : plan.variants) {
+        VariantSettings settings = variant.applyTo(plan.defaults);
+        settings.options.seed = plan.seeds[0];
+        auto session = MeasuredSession::start(scene, settings, host);
+        if (!session) {
+            continue;
+        }
+        if (host.onPart) {
+            host.onPart(fmt::format("pilot of {}", variant.name));
+        }
+        const double share = kPilotShare * plan.seconds;
+        // An error bar needs two passes.
+        Outcome outcome = (*session)->runTo({.passes = plan.seconds > 0.0 ? 2 : std::min(plan.passes, 16u)});
+        if (outcome == Outcome::Reached && plan.seconds > 0.0) {
+            outcome = (*session)->runTo({.renderSeconds = std::max(kLeastPilotSeconds, share)});
+        }
+        const auto capture = outcome == Outcome::Reached ? (*session)->capture() : std::nullopt;
+        if (!capture) {
+            continue;
+        }
+        const double done = plan.seconds > 0.0 ? capture->renderSeconds / plan.seconds
+                                               : static_cast<double>(capture->film.passes()) / plan.passes;
+        const double error =
+            makeSnapshot(*capture, {}, settings.threads)->relativeError * std::sqrt(std::min(1.0, done));
+        if (std::isfinite(error) && error > 0.0) {
+            smallest = smallest > 0.0 ? std::min(smallest, error) : error;
+        }
+    }
+    return smallest;
+}
+
+std::vector<uint32_t> seedsBeside(const std::vector<uint32_t>& taken, uint32_t first, int count) {
+    std::vector<uint32_t> seeds;
+    for (uint32_t seed = first; static_cast<int>(seeds.size()) < count; ++seed) {
+        if (std::ranges::find(taken, seed) == taken.end()) {
+            seeds.push_back(seed);
+        }
+    }
+    return seeds;
+}
+
+}  // namespace glint

@@ -1,0 +1,30 @@
+// When a render is stopped to measure its error: at about logarithmically spaced seconds or passes.
+//
+// Used by convergence_run. A pass is never cut, so two stops within one pass become one.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace glint {
+
+/// Stops for a render of `seconds`: the first after its first pass, at t seconds, the i-th of n at
+/// t (seconds / t)^((i - 1) / (n - 1)).
+class SecondsSchedule {
+  public:
+    SecondsSchedule(double seconds, int points) : seconds_(seconds), points_(points) {}
+
+    /// The next stop of a render that has had a pass and stands at `now` seconds; `firstPass` is where it
+    /// stood after that pass. Nothing: the end is reached.
+    std::optional<double> next(double firstPass, double now) const;
+
+  private:
+    double seconds_;
+    int points_;
+};
+
+/// Pass counts from 1 to `passes`, rounded from a geometric sequence of `points`, each once.
+std::vector<uint32_t> spacedPasses(uint32_t passes, int points);
+
+}  // namespace glint

@@ -1,0 +1,358 @@
+// `glint converge`: error against run time. Reads and checks everything, gets a reference, runs, and writes
+// the folder; the work itself is engine/report's.
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include <CLI/CLI.hpp>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "engine/base/log.h"
+#include "engine/base/parallel.h"
+#include "engine/build/scene_builder.h"
+#include "engine/io/atomic_file.h"
+#include "engine/io/scene_loader.h"
+#include "viewer/commands/commands.h"
+#include "viewer/commands/converge_options.h"
+#include "viewer/commands/converge_output.h"
+#include "viewer/commands/interrupt.h"
+#include "viewer/commands/json_output.h"
+#include "viewer/make_backend.h"
+
+namespace glint {
+namespace {
+
+/// The reference's error should be this share of the smallest one that is reported.
+constexpr double kReferenceShare = 0.1;
+/// Seeds of references lie apart from those of pictures.
+constexpr uint32_t kReferenceSeedOffset = 1u << 20;
+
+/// A line that is drawn over on a terminal; elsewhere only where a new part begins.
+class PartLine {
+  public:
+    PartLine() : terminal_(isatty(STDERR_FILENO) == 1) {}
+    void begin(const std::string& part) {
+        if (!terminal_) {
+            fmt::print(stderr, "{}\n", part);
+        }
+    }
+    void draw(const std::string& text) {
+        if (terminal_) {
+            fmt::print(stderr, "\r\x1b[K{}", text);
+            drawn_ = true;
+        }
+    }
+    void finish() {
+        if (drawn_) {
+            fmt::print(stderr, "\r\x1b[K");
+            drawn_ = false;
+        }
+    }
+
+  private:
+    bool terminal_;
+    bool drawn_ = false;
+};
+
+/// Unlike makeBackend(), refuses what would run on something else.
+Result<std::unique_ptr<Backend>> exactBackend(const VariantSettings& settings) {
+    if (settings.backend == "cpu") {
+        return makeCpuBackend(settings.threads,
+                              settings.fullKernel ? KernelChoice::Full : KernelChoice::Specialised);
+    }
+    if (settings.fullKernel) {
+        return Error{"kernel=full is for the CPU; expected backend=cpu", {}};
+    }
+    auto backend = makeBackend(settings.backend, settings.threads);
+    if (backend && (*backend)->name().starts_with("CPU")) {
+        return Error{"CUDA cannot be used here; a comparison needs the back end it names", {}};
+    }
+    return backend;
+}
+
+std::string processorName() {
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);) {
+        const size_t colon = line.find(": ");
+        if (line.starts_with("model name") && colon != std::string::npos) {
+            return line.substr(colon + 2);
+        }
+    }
+    return "unknown processor";
+}
+
+ConvergenceContext contextOf(const ConvergeOptions& options, const SceneDescription& scene) {
+    ConvergenceContext context;
+    context.command = options.command;
+    context.scene = options.scene;
+    context.title = scene.title;
+    context.processor = processorName();
+    context.processors = static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));
+    context.threads = options.threads > 0 ? options.threads : defaultThreadCount();
+    context.date = fmt::format("{:%Y-%m-%d %H:%M} UTC", fmt::gmtime(std::time(nullptr)));
+    double load = 0.0;
+    if (getloadavg(&load, 1) == 1 && load > 0.5) {
+        context.warnings.push_back(fmt::format(
+            "The machine was busy when this began (load {:.1f} on {} processors): times are too long.", load,
+            context.processors));
+    }
+    return context;
+}
+
+class ConvergeRun {
+  public:
+    explicit ConvergeRun(const ConvergeOptions& options) : options_(options), folder_(options.out) {
+        host_.makeBackend = exactBackend;
+        host_.stopWanted = [this] { return interrupt_.interrupted(); };
+        host_.onPart = [this](const std::string& part) { line_.begin(part); };
+        host_.onProgress = [this](const std::string& text) { line_.draw(text); };
+    }
+
+    int run() {
+        if (const Status ready = prepare(); !ready) {
+            return complain(ready.error(), kExitBadInput);
+        }
+        context_ = contextOf(options_, scene_);
+        const Result<bool> has = getReference();
+        line_.finish();
+        if (!has) {
+            return complain(has.error(), kExitBadInput);
+        }
+        if (!*has) {
+            fmt::print(stderr, "interrupted before there was a reference: nothing was measured\n");
+            return kExitInterrupted;
+        }
+        plan_.seeds = seedsBeside(reference_.seeds, scene_.options.seed, options_.seeds);
+        ConvergenceResult result = runConvergence(plan_, scene_, reference_, host_);
+        line_.finish();
+        return report(&result);
+    }
+
+  private:
+    Status prepare() {
+        if (Status consistent = checkConvergeOptions(options_); !consistent) {
+            return consistent;
+        }
+        if (Status writable = folder_.check(options_.overwrite); !writable) {
+            return writable;
+        }
+        Result<SceneDescription> loaded = loadScene(options_.scene, {.allowMissing = options_.allowMissing});
+        if (!loaded) {
+            return loaded.error();
+        }
+        scene_ = std::move(*loaded);
+        for (const std::string& warning : scene_.warnings) {
+            logWarning("{}", warning);
+        }
+        if (Status applied = applyTo(options_, &scene_); !applied) {
+            return applied;
+        }
+        Result<ConvergencePlan> plan = planOf(options_, scene_);
+        if (!plan) {
+            return plan.error();
+        }
+        plan_ = std::move(*plan);
+        return checkItCanRun();
+    }
+
+    /// Back ends and the scene, so that an hour's run does not end with what could be known before.
+    Status checkItCanRun() {
+        for (const ConvergenceVariant& variant : plan_.variants) {
+            const auto backend = exactBackend(variant.applyTo(plan_.defaults));
+            if (!backend) {
+                return Error{fmt::format("{}: {}", variant.text, backend.error().message), {}};
+            }
+        }
+        const auto built = buildScene({std::make_shared<SceneDescription>(scene_), EditKind::Everything},
+                                      nullptr, options_.threads, nullptr, nullptr);
+        return built ? Status() : Status(built.error());
+    }
+
+    /// False: interrupted.
+    Result<bool> getReference() {
+        if (!options_.reference.empty()) {
+            return takeReference();
+        }
+        const char* own = scene_.options.integrator == IntegratorKind::Sppm ? "sppm" : "pt";
+        const auto variant =
+            parseVariant(options_.referenceVariant.empty() ? own : options_.referenceVariant);
+        if (!variant) {
+            return variant.error();
+        }
+        ReferencePlan wanted{*variant, plan_.defaults, options_.makeReference};
+        wanted.settings.options.fireflyClamp = 0.0f;
+        wanted.settings = variant->applyTo(wanted.settings);
+        if (const auto backend = exactBackend(wanted.settings); !backend) {
+            return Error{fmt::format("--reference-variant: {}", backend.error().message), {}};
+        }
+        wanted.firstSeed = scene_.options.seed + kReferenceSeedOffset;
+        if (const Result<bool> cached = takeCached(wanted); !cached || *cached) {
+            return cached;
+        }
+        return makeNew(wanted);
+    }
+
+    Result<bool> takeReference() {
+        Result<ReferencePicture> loaded = loadReference(options_.reference, scene_, options_.anyReference);
+        if (!loaded) {
+            return loaded.error();
+        }
+        reference_ = std::move(*loaded);
+        std::error_code ignored;
+        if (std::filesystem::equivalent(options_.reference, folder_.reference(), ignored)) {
+            return true;
+        }
+        if (std::filesystem::exists(folder_.reference(), ignored) && !options_.overwrite) {
+            return Error{fmt::format("{} is another reference; expected another folder, or --overwrite",
+                                     folder_.reference()),
+                         {}};
+        }
+        const Result<std::string> bytes = readFile(options_.reference);
+        if (!bytes) {
+            return bytes.error();
+        }
+        if (const Status made = folder_.make(); !made) {
+            return made.error();
+        }
+        const Status copied = writeFileAtomically(folder_.reference(), *bytes);
+        return copied ? Result<bool>(true) : Result<bool>(copied.error());
+    }
+
+    /// The reference of an earlier run in this folder, where it is as good as the one asked for.
+    Result<bool> takeCached(const ReferencePlan& wanted) {
+        std::error_code ignored;
+        if (!std::filesystem::exists(folder_.reference(), ignored)) {
+            return false;
+        }
+        Result<ReferencePicture> old = loadReference(folder_.reference(), scene_, false);
+        if (!old && options_.overwrite) {
+            return false;
+        }
+        if (!old) {
+            return Error{fmt::format("{}; expected another folder, or --overwrite", old.error().format()),
+                         {}};
+        }
+        constexpr double kAsLong = 0.95;
+        const bool same = old->method == wanted.variant.text && old->knowsItsError();
+        const bool enough = old->renderSeconds >= kAsLong * wanted.renderSeconds;
+        if (!same || !enough) {
+            fmt::print(stderr, "{} is replaced: made by {} in {:.3g} s\n", folder_.reference(),
+                       old->method.empty() ? "something else" : old->method, old->renderSeconds);
+            return false;
+        }
+        fmt::print(stderr, "{} is used again ({:.3g} s by {})\n", folder_.reference(), old->renderSeconds,
+                   old->method);
+        reference_ = std::move(*old);
+        reference_.cached = true;
+        return true;
+    }
+
+    Result<bool> makeNew(ReferencePlan wanted) {
+        plan_.seeds = {scene_.options.seed};
+        wanted.relativeError = kReferenceShare * predictSmallestError(plan_, scene_, host_);
+        if (interrupt_.interrupted()) {
+            return false;
+        }
+        auto made = makeReference(wanted, scene_, host_);
+        if (!made) {
+            return made.error();
+        }
+        if (!*made) {
+            return false;
+        }
+        reference_ = std::move(**made);
+        reference_.path = folder_.reference();
+        if (const Status folder = folder_.make(); !folder) {
+            return folder.error();
+        }
+        const Status saved = saveReference(folder_.reference(), reference_, scene_, wanted.settings);
+        return saved ? Result<bool>(true) : Result<bool>(saved.error());
+    }
+
+    int report(ConvergenceResult* result) {
+        const ConvergenceSummary summary =
+            summarizeConvergence(*result, reference_, options_.subtractReference);
+        const ConvergenceReport report{context_, plan_, scene_, reference_, *result, summary};
+        if (const Status made = folder_.make(); !made) {
+            return complain(made.error(), kExitFailed);
+        }
+        if (const Status written = folder_.write(report, result); !written) {
+            return complain(written.error(), kExitFailed);
+        }
+        if (!jsonTakesOutput(options_.json)) {
+            print(report);
+        }
+        if (!options_.json.empty()) {
+            const Status written =
+                writeJson(options_.json, nlohmann::ordered_json::parse(summaryJson(report)));
+            if (!written) {
+                return complain(written.error(), kExitFailed);
+            }
+        }
+        const bool failed = std::ranges::any_of(result->variants,
+                                                [](const MeasuredVariant& v) { return !v.problem.empty(); });
+        return result->interrupted ? kExitInterrupted : failed ? kExitFailed : kExitDone;
+    }
+
+    static void print(const ConvergenceReport& report) {
+        fmt::print("{:<32} {:>8} {:>9} {:>9}   {:<22}{}\n", "variant", "passes", "seconds", "error",
+                   "slope (95 % interval)", "time to 10 %, 5 %, 2 %, 1 % error");
+        for (size_t i = 0; i < report.result.variants.size(); ++i) {
+            printVariant(report.result.variants[i], report.summary.variants[i]);
+        }
+        fmt::print("reference: {} by {}, its own error {:.3g} %, {:.2g} of the smallest one measured\n",
+                   report.reference.path, report.reference.method.empty() ? "?" : report.reference.method,
+                   100.0 * report.summary.floor, report.summary.floorRatio);
+        for (const std::string& warning : reportWarnings(report)) {
+            fmt::print("! {}\n", warning);
+        }
+    }
+
+    static void printVariant(const MeasuredVariant& variant, const VariantSummary& summary) {
+        const std::string name = variant.variant.name + (summary.sameMethodAsReference ? " *" : "");
+        if (summary.points.empty()) {
+            fmt::print("{:<32} nothing measured\n", name);
+            return;
+        }
+        const SummaryPoint& last = summary.points.back();
+        const Spread& error = last.errors[static_cast<size_t>(ErrorMeasure::RelativeError)];
+        const std::string slope = summary.fit ? fmt::format("{:.3f} ({:.3f} ... {:.3f})", summary.fit->slope,
+                                                            summary.fit->slopeLow, summary.fit->slopeHigh)
+                                              : "-";
+        std::vector<std::string> times;
+        for (const TimeToReach& time : summary.targets) {
+            times.push_back(describe(time));
+        }
+        fmt::print("{:<32} {:>8} {:>9.3g} {:>7.3g} %   {:<22}{}\n", name, last.passes, last.seconds.mean,
+                   100.0 * error.mean, slope, fmt::join(times, ", "));
+    }
+
+    const ConvergeOptions& options_;
+    ConvergeFolder folder_;
+    SceneDescription scene_;
+    ConvergencePlan plan_;
+    ConvergenceContext context_;
+    ReferencePicture reference_;
+    ConvergenceHost host_;
+    PartLine line_;
+    InterruptGuard interrupt_;
+};
+
+}  // namespace
+
+void addConvergeCommand(CLI::App& app, int* exitCode) {
+    CLI::App* command = app.add_subcommand(
+        "converge", "Error against run time for path tracing, photon mapping and variants");
+    const auto options = std::make_shared<ConvergeOptions>();
+    addConvergeOptions(*command, options.get());
+    command->callback([command, options, exitCode] {
+        options->command = commandAsWritten(*command);
+        *exitCode = ConvergeRun(*options).run();
+    });
+}
+
+}  // namespace glint

@@ -1,0 +1,185 @@
+#include "viewer/commands/converge_options.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "viewer/commands/json_output.h"
+#include "viewer/commands/option_checks.h"
+#include "viewer/commands/render_options.h"
+
+namespace glint {
+namespace {
+
+constexpr const char* kFooter =
+    R"(A variant is pt or sppm, then settings that differ from the scene's own, each after a colon:
+{}
+Examples:
+  glint converge scenes/cornell.json --make-reference 60 --time 10 --out cornell
+  glint converge scenes/cornell.json --reference cornell/reference.exr --out samplers
+      --integrators pt:sampler=sobol,pt:sampler=independent
+  glint converge scenes/sppm_ring.json --make-reference 120 --reference-variant sppm --out radii
+      --integrators sppm:radius=auto:1,sppm:radius=auto:4,sppm:radius=auto:16
+  glint converge scenes/cornell.json --make-reference 60 --out kernels
+      --integrators pt,pt:kernel=full,pt:threads=1
+Seconds are render seconds: evaluating, saving and building take none. OUT gets index.html, plot.svg, plot.png,
+curve.csv, summary.csv, summary.json, reference.exr and pictures/. Ctrl-C writes them with what has been measured.)";
+
+void addReferenceOptions(CLI::App& command, ConvergeOptions* o) {
+    const std::string group = "What errors are measured against";
+    command.add_option("--reference", o->reference, "An EXR picture of this scene, with its standard error")
+        ->type_name("REF.exr")
+        ->group(group);
+    command
+        .add_option(
+            "--make-reference", o->makeReference,
+            "Render one until its standard error is a tenth of the smallest error to be reported, or for "
+            "SECONDS; OUT/reference.exr is used again by the next run")
+        ->check(aboveZero())
+        ->type_name("SECONDS")
+        ->group(group);
+    command
+        .add_option("--reference-variant", o->referenceVariant,
+                    "What --make-reference renders with; the scene's own integrator by default")
+        ->type_name("VARIANT")
+        ->group(group);
+    command
+        .add_flag("--any-reference", o->anyReference,
+                  "Take a reference that says it shows another scene, and warn in all outputs")
+        ->group(group);
+    command
+        .add_flag("--subtract-reference", o->subtractReference,
+                  "Fits and times without the reference's own error: sqrt(MSE - its MSE)")
+        ->group(group);
+}
+
+void addMeasuringOptions(CLI::App& command, ConvergeOptions* o) {
+    const std::string group = "What is measured";
+    command.add_option("--integrators", o->integrators, "The variants to compare, see below")
+        ->type_name("VARIANT,...")
+        ->capture_default_str()
+        ->group(group);
+    command
+        .add_option(
+            "--time", o->seconds,
+            fmt::format("Render seconds of each variant and seed; {:g} by default", kDefaultConvergeSeconds))
+        ->check(aboveZero())
+        ->type_name("SECONDS")
+        ->group(group);
+    command.add_option("--passes", o->passes, "Passes instead of seconds")
+        ->check(CLI::Range(1u, 1u << 30))
+        ->type_name("N")
+        ->group(group);
+    command
+        .add_option("--seeds", o->seeds, "Independent renders of each variant: mean and spread are over them")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str()
+        ->group(group);
+    command.add_option("--points", o->points, "Measurements of each render, evenly on a logarithmic scale")
+        ->check(CLI::Range(2, 200))
+        ->capture_default_str()
+        ->group(group);
+    command
+        .add_option("--pictures", o->pictures,
+                    "Pictures of each variant: of the end, a tenth, a hundredth ...")
+        ->check(CLI::Range(0, 8))
+        ->capture_default_str()
+        ->group(group);
+    command.add_option("--exposure", o->exposure, "Stops at which pictures are shown and SSIM and FLIP look")
+        ->check(between(-60.0, 60.0))
+        ->group(group);
+}
+
+void addSceneOptions(CLI::App& command, ConvergeOptions* o) {
+    const std::string group = "Instead of the scene's own settings";
+    command.add_option("--size", o->size, "Picture size in pixels")->type_name("WxH")->group(group);
+    command.add_option("--depth", o->depth, "Most scattering events along a path")
+        ->check(CLI::Range(0, 1 << 20))
+        ->group(group);
+    command.add_option("--seed", o->seed, "The first seed; a reference's own seeds are left out")
+        ->group(group);
+}
+
+}  // namespace
+
+void addConvergeOptions(CLI::App& command, ConvergeOptions* o) {
+    command.add_option("scene", o->scene, "The scene: Glint JSON, 6.837 text, OBJ or PLY")
+        ->required()
+        ->type_name("SCENE");
+    command.add_option("-o,--out", o->out, "The folder for everything that is written")
+        ->required()
+        ->type_name("DIR");
+    addReferenceOptions(command, o);
+    addMeasuringOptions(command, o);
+    addSceneOptions(command, o);
+    command.add_option("--threads", o->threads, "Render threads; all by default")->check(CLI::Range(1, 1024));
+    command.add_option("--backend", o->backend, "cpu or cuda")->check(CLI::IsMember({"cpu", "cuda"}));
+    command.add_flag("--overwrite", o->overwrite, "Replace an earlier run's files in DIR");
+    command.add_flag("--allow-missing", o->allowMissing,
+                     "Render what can be rendered when parts are missing");
+    addJsonOption(command, &o->json);
+    command.footer(fmt::format(fmt::runtime(kFooter), variantHelp()));
+}
+
+std::string commandAsWritten(const CLI::App& command) {
+    std::string text = "glint converge";
+    for (const CLI::Option* option : command.get_options()) {
+        if (option->count() == 0 || option->get_name() == "--help") {
+            continue;
+        }
+        const bool named = option->get_positional() || option->get_lnames().empty();
+        if (!named) {
+            text += " --" + option->get_lnames().front();
+        }
+        if (option->get_items_expected_max() > 0) {
+            text += " " + quotedForShell(fmt::format("{}", fmt::join(option->results(), ",")));
+        }
+    }
+    return text;
+}
+
+Status checkConvergeOptions(const ConvergeOptions& o) {
+    if (o.reference.empty() && o.makeReference == 0.0) {
+        return Error{
+            "nothing to measure errors against; expected --reference REF.exr or --make-reference SECONDS",
+            {}};
+    }
+    if (!o.reference.empty() && o.makeReference > 0.0) {
+        return Error{"--reference and --make-reference exclude each other; expected one of them", {}};
+    }
+    if (!o.referenceVariant.empty() && o.makeReference == 0.0) {
+        return Error{"--reference-variant needs --make-reference SECONDS", {}};
+    }
+    if (o.seconds > 0.0 && o.passes > 0) {
+        return Error{"--time and --passes exclude each other; expected one of them", {}};
+    }
+    return {};
+}
+
+Status applyTo(const ConvergeOptions& o, SceneDescription* scene) {
+    RenderCommandOptions render;
+    render.size = o.size;
+    render.depth = o.depth;
+    render.seed = o.seed;
+    return applyTo(render, scene);
+}
+
+Result<ConvergencePlan> planOf(const ConvergeOptions& o, const SceneDescription& scene) {
+    Result<std::vector<ConvergenceVariant>> variants = parseVariants(o.integrators);
+    if (!variants) {
+        return variants.error();
+    }
+    ConvergencePlan plan;
+    plan.variants = std::move(*variants);
+    plan.defaults.options = scene.options;
+    plan.defaults.sppm = scene.sppm;
+    plan.defaults.threads = o.threads;
+    plan.defaults.backend = o.backend;
+    plan.passes = o.passes;
+    plan.seconds = o.passes > 0 ? 0.0 : o.seconds > 0.0 ? o.seconds : kDefaultConvergeSeconds;
+    plan.points = o.points;
+    plan.pictures = o.pictures;
+    plan.exposureStops = static_cast<double>(o.exposure);
+    return plan;
+}
+
+}  // namespace glint

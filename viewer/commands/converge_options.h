@@ -1,0 +1,62 @@
+// What `glint converge` was asked for.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/report/convergence_run.h"
+#include "engine/scene/scene.h"
+
+namespace CLI {
+class App;
+}
+
+namespace glint {
+
+struct ConvergeOptions {
+    std::string scene;
+    std::string out;
+    std::string reference;
+    double makeReference = 0.0;  ///< seconds; 0: not asked for
+    std::string referenceVariant;
+    bool anyReference = false;
+    bool subtractReference = false;
+    std::string integrators = "pt,sppm";
+    double seconds = 0.0;
+    uint32_t passes = 0;
+    int seeds = 4;
+    int points = 16;
+    int pictures = 3;
+    std::string size;
+    std::optional<int> depth;
+    std::optional<uint32_t> seed;
+    float exposure = 0.0f;
+    int threads = 0;
+    std::string backend = "cpu";
+    bool overwrite = false;
+    bool allowMissing = false;
+    std::string json;
+    std::string command;  ///< as written, quoted for a shell
+};
+
+void addConvergeOptions(CLI::App& command, ConvergeOptions* options);
+
+/// "glint converge scenes/cornell.json --time 10 ...": every option that was given.
+std::string commandAsWritten(const CLI::App& command);
+
+/// Seconds when neither --time nor --passes is given.
+constexpr double kDefaultConvergeSeconds = 10.0;
+
+/// What can be said without reading the scene. Error: options that contradict each other or lack something.
+Status checkConvergeOptions(const ConvergeOptions& options);
+
+/// Size, depth and seed.
+Status applyTo(const ConvergeOptions& options, SceneDescription* scene);
+
+/// All but the seeds, which depend on the reference's. Error: a variant that makes no sense.
+Result<ConvergencePlan> planOf(const ConvergeOptions& options, const SceneDescription& scene);
+
+}  // namespace glint

@@ -1,0 +1,82 @@
+#include "viewer/commands/converge_output.h"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "engine/io/atomic_file.h"
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// All that a run replaces, but not the reference, which is kept to be used again.
+constexpr std::array<const char*, 7> kOwnNames{"index.html", "summary.json", "curve.csv", "summary.csv",
+                                               "plot.svg",   "plot.png",     "pictures"};
+
+Error cannotWrite(const std::string& path, const std::string& why) {
+    return {fmt::format("--out {}: {}", path, why), {}};
+}
+
+/// The first existing folder on the way up from `path`.
+fs::path existingParent(fs::path path) {
+    std::error_code ignored;
+    path = fs::absolute(path, ignored);
+    while (!fs::exists(path, ignored) && path.has_parent_path() && path != path.parent_path()) {
+        path = path.parent_path();
+    }
+    return path;
+}
+
+}  // namespace
+
+Status ConvergeFolder::check(bool overwrite) const {
+    std::error_code ignored;
+    if (path_.empty()) {
+        return Error{"--out is empty; expected a folder", {}};
+    }
+    const fs::path parent = existingParent(path_);
+    if (!fs::is_directory(parent, ignored)) {
+        return cannotWrite(path_, fmt::format("{} is a file; expected a folder", parent.string()));
+    }
+    if (access(parent.c_str(), W_OK) != 0) {
+        return cannotWrite(path_, fmt::format("{}: {}", parent.string(), std::strerror(errno)));
+    }
+    for (const char* name : kOwnNames) {
+        if (!overwrite && fs::exists(file(name), ignored)) {
+            return cannotWrite(path_,
+                               fmt::format("{} is there already; expected another folder, or --overwrite "
+                                           "to replace an earlier run's results",
+                                           name));
+        }
+    }
+    return {};
+}
+
+Status ConvergeFolder::make() const {
+    std::error_code problem;
+    fs::create_directories(path_, problem);
+    return problem ? Status(cannotWrite(path_, problem.message())) : Status();
+}
+
+std::string ConvergeFolder::file(const std::string& name) const { return (fs::path(path_) / name).string(); }
+
+Status ConvergeFolder::write(const ConvergenceReport& report, ConvergenceResult* result) const {
+    (void)result;
+    const std::array<std::pair<const char*, std::string>, 3> texts{{{"curve.csv", curveCsv(report)},
+                                                                    {"summary.csv", summaryCsv(report)},
+                                                                    {"summary.json", summaryJson(report)}}};
+    for (const auto& [name, text] : texts) {
+        if (const Status written = writeFileAtomically(file(name), text); !written) {
+            return written;
+        }
+    }
+    return {};
+}
+
+}  // namespace glint
