@@ -19,6 +19,7 @@
 #include "viewer/commands/commands.h"
 #include "viewer/commands/converge_options.h"
 #include "viewer/commands/converge_output.h"
+#include "viewer/commands/converge_print.h"
 #include "viewer/commands/interrupt.h"
 #include "viewer/commands/json_output.h"
 #include "viewer/make_backend.h"
@@ -30,33 +31,6 @@ namespace {
 constexpr double kReferenceShare = 0.1;
 /// Seeds of references lie apart from those of pictures.
 constexpr uint32_t kReferenceSeedOffset = 1u << 20;
-
-/// A line that is drawn over on a terminal; elsewhere only where a new part begins.
-class PartLine {
-  public:
-    PartLine() : terminal_(isatty(STDERR_FILENO) == 1) {}
-    void begin(const std::string& part) {
-        if (!terminal_) {
-            fmt::print(stderr, "{}\n", part);
-        }
-    }
-    void draw(const std::string& text) {
-        if (terminal_) {
-            fmt::print(stderr, "\r\x1b[K{}", text);
-            drawn_ = true;
-        }
-    }
-    void finish() {
-        if (drawn_) {
-            fmt::print(stderr, "\r\x1b[K");
-            drawn_ = false;
-        }
-    }
-
-  private:
-    bool terminal_;
-    bool drawn_ = false;
-};
 
 /// Unlike makeBackend(), refuses what would run on something else.
 Result<std::unique_ptr<Backend>> exactBackend(const VariantSettings& settings) {
@@ -284,7 +258,7 @@ class ConvergeRun {
             return complain(written.error(), kExitFailed);
         }
         if (!jsonTakesOutput(options_.json)) {
-            print(report);
+            printReport(report);
         }
         if (!options_.json.empty()) {
             const Status written =
@@ -296,39 +270,6 @@ class ConvergeRun {
         const bool failed = std::ranges::any_of(result->variants,
                                                 [](const MeasuredVariant& v) { return !v.problem.empty(); });
         return result->interrupted ? kExitInterrupted : failed ? kExitFailed : kExitDone;
-    }
-
-    static void print(const ConvergenceReport& report) {
-        fmt::print("{:<32} {:>8} {:>9} {:>9}   {:<22}{}\n", "variant", "passes", "seconds", "error",
-                   "slope (95 % interval)", "time to 10 %, 5 %, 2 %, 1 % error");
-        for (size_t i = 0; i < report.result.variants.size(); ++i) {
-            printVariant(report.result.variants[i], report.summary.variants[i]);
-        }
-        fmt::print("reference: {} by {}, its own error {:.3g} %, {:.2g} of the smallest one measured\n",
-                   report.reference.path, report.reference.method.empty() ? "?" : report.reference.method,
-                   100.0 * report.summary.floor, report.summary.floorRatio);
-        for (const std::string& warning : reportWarnings(report)) {
-            fmt::print("! {}\n", warning);
-        }
-    }
-
-    static void printVariant(const MeasuredVariant& variant, const VariantSummary& summary) {
-        const std::string name = variant.variant.name + (summary.sameMethodAsReference ? " *" : "");
-        if (summary.points.empty()) {
-            fmt::print("{:<32} nothing measured\n", name);
-            return;
-        }
-        const SummaryPoint& last = summary.points.back();
-        const Spread& error = last.errors[static_cast<size_t>(ErrorMeasure::RelativeError)];
-        const std::string slope = summary.fit ? fmt::format("{:.3f} ({:.3f} ... {:.3f})", summary.fit->slope,
-                                                            summary.fit->slopeLow, summary.fit->slopeHigh)
-                                              : "-";
-        std::vector<std::string> times;
-        for (const TimeToReach& time : summary.targets) {
-            times.push_back(describe(time));
-        }
-        fmt::print("{:<32} {:>8} {:>9.3g} {:>7.3g} %   {:<22}{}\n", name, last.passes, last.seconds.mean,
-                   100.0 * error.mean, slope, fmt::join(times, ", "));
     }
 
     const ConvergeOptions& options_;

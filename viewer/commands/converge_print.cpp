@@ -1,0 +1,89 @@
+#include "viewer/commands/converge_print.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace glint {
+namespace {
+
+std::string shortTime(const TimeToReach& time) {
+    switch (time.kind) {
+        case TimeToReach::Kind::Never:
+            return "-";
+        case TimeToReach::Kind::Before:
+            return fmt::format("<{:.3g}", time.seconds);
+        case TimeToReach::Kind::Measured:
+            return fmt::format("{:.3g}", time.seconds);
+        case TimeToReach::Kind::Predicted:
+            return fmt::format("~{:.3g}", time.seconds);
+    }
+    return "";
+}
+
+void printVariant(const MeasuredVariant& variant, const VariantSummary& summary) {
+    const std::string name = variant.variant.name + (summary.sameMethodAsReference ? " *" : "");
+    if (summary.points.empty()) {
+        fmt::print("{:<34}nothing measured\n", name);
+        return;
+    }
+    const SummaryPoint& last = summary.points.back();
+    const Spread& error = last.errors[static_cast<size_t>(ErrorMeasure::RelativeError)];
+    const std::string slope = summary.fit ? fmt::format("{:.3f} ({:.3f} ... {:.3f})", summary.fit->slope,
+                                                        summary.fit->slopeLow, summary.fit->slopeHigh)
+                                          : "-";
+    fmt::print("{:<34}{:>8}{:>9.3g}{:>8.3g} %   {:<26}", name, last.passes, last.seconds.mean,
+               100.0 * error.mean, slope);
+    for (const TimeToReach& time : summary.targets) {
+        fmt::print("{:>9}", shortTime(time));
+    }
+    fmt::print("\n");
+}
+
+}  // namespace
+
+PartLine::PartLine() : terminal_(isatty(STDERR_FILENO) == 1) {}
+
+void PartLine::begin(const std::string& part) {
+    if (!terminal_) {
+        fmt::print(stderr, "{}\n", part);
+    }
+}
+
+void PartLine::draw(const std::string& text) {
+    if (terminal_) {
+        fmt::print(stderr, "\r\x1b[K{}", text);
+        drawn_ = true;
+    }
+}
+
+void PartLine::finish() {
+    if (drawn_) {
+        fmt::print(stderr, "\r\x1b[K");
+        drawn_ = false;
+    }
+}
+
+void printReport(const ConvergenceReport& report) {
+    fmt::print("{:<34}{:>8}{:>9}{:>10}   {:<26}", "variant", "passes", "seconds", "error",
+               "slope (95 % interval)");
+    for (const double target : kTargetErrors) {
+        fmt::print("{:>9}", fmt::format("to {:g} %", 100.0 * target));
+    }
+    fmt::print("\n");
+    for (size_t i = 0; i < report.result.variants.size(); ++i) {
+        printVariant(report.result.variants[i], report.summary.variants[i]);
+    }
+    fmt::print(
+        "seconds to an error: ~ not reached, predicted by the fit; < already at the first measurement\n");
+    const ReferencePicture& reference = report.reference;
+    if (reference.knowsItsError()) {
+        fmt::print("reference: {} by {}, its own error {:.3g} %, {:.2g} of the smallest one measured\n",
+                   reference.path, reference.method.empty() ? "an unknown method" : reference.method,
+                   100.0 * report.summary.floor, report.summary.floorRatio);
+    }
+    for (const std::string& warning : reportWarnings(report)) {
+        fmt::print("! {}\n", warning);
+    }
+}
+
+}  // namespace glint
