@@ -34,6 +34,7 @@ struct Polygon {
     Ink fill;
     Ink outline = {};
     double outlineWidth = 0.0;
+    std::string tip = {};  ///< SVG: what a browser shows while the pointer rests on it; empty: nothing
 };
 
 enum class TextAnchor : uint8_t { Start, Middle, End };

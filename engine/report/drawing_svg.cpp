@@ -67,8 +67,10 @@ struct SvgWriter {
                                                                              paint("stroke", polygon.outline),
                                                                              number(polygon.outlineWidth))
                                                                : "";
-        out += fmt::format("<polygon points=\"{}\"{}{}/>\n", pointList(polygon.points),
-                           paint("fill", polygon.fill), outline);
+        const std::string end =
+            polygon.tip.empty() ? "/>" : fmt::format("><title>{}</title></polygon>", escaped(polygon.tip));
+        out += fmt::format("<polygon points=\"{}\"{}{}{}\n", pointList(polygon.points),
+                           paint("fill", polygon.fill), outline, end);
     }
     void operator()(const Label& label) {
         const std::string x = number(static_cast<double>(label.position.x));

@@ -204,7 +204,9 @@ void ChartArtist::drawSeries(size_t index) {
     }
     const size_t stride = (path.size() + kMostMarkers - 1) / kMostMarkers;
     for (size_t i = 0; i < path.size(); i += stride) {
-        drawing_.shapes.emplace_back(marker(style.marker, path[i], style.ink));
+        Polygon mark = marker(style.marker, path[i], style.ink);
+        mark.tip = cleanText(points[i].tip);
+        drawing_.shapes.emplace_back(std::move(mark));
     }
 }
 

@@ -21,6 +21,7 @@ struct ChartPoint {
     /// or below reaches the axis.
     double low = std::numeric_limits<double>::quiet_NaN();
     double high = std::numeric_limits<double>::quiet_NaN();
+    std::string tip = {};  ///< SVG: shown while the pointer rests on the marker
 };
 
 /// Colour and marker follow from the place in the chart: seven colours that stay apart with any common colour

@@ -9,6 +9,9 @@
 #include <unistd.h>
 
 #include "engine/io/atomic_file.h"
+#include "engine/report/convergence_charts.h"
+#include "engine/report/convergence_page.h"
+#include "engine/report/convergence_pictures.h"
 
 namespace glint {
 namespace {
@@ -67,16 +70,25 @@ Status ConvergeFolder::make() const {
 std::string ConvergeFolder::file(const std::string& name) const { return (fs::path(path_) / name).string(); }
 
 Status ConvergeFolder::write(const ConvergenceReport& report, ConvergenceResult* result) const {
-    (void)result;
-    const std::array<std::pair<const char*, std::string>, 3> texts{{{"curve.csv", curveCsv(report)},
-                                                                    {"summary.csv", summaryCsv(report)},
-                                                                    {"summary.json", summaryJson(report)}}};
-    for (const auto& [name, text] : texts) {
-        if (const Status written = writeFileAtomically(file(name), text); !written) {
+    const std::array<std::pair<const char*, std::string (*)(const ConvergenceReport&)>, 3> texts{
+        {{"curve.csv", curveCsv}, {"summary.csv", summaryCsv}, {"summary.json", summaryJson}}};
+    const Result<PictureLegend> legend = savePictures(path_, report.plan, report.reference, result);
+    // Numbers first: a picture that cannot be written must not cost them.
+    for (const auto& [name, textOf] : texts) {
+        if (const Status written = writeFileAtomically(file(name), textOf(report)); !written) {
             return written;
         }
     }
-    return {};
+    if (!legend) {
+        return legend.error();
+    }
+    const LogLogChart chart = errorChart(report, ErrorMeasure::RelativeError);
+    for (const char* name : {"plot.svg", "plot.png"}) {
+        if (const Status saved = saveChart(file(name), chart); !saved) {
+            return saved;
+        }
+    }
+    return writeFileAtomically(file("index.html"), convergencePage(report, path_, *legend));
 }
 
 }  // namespace glint

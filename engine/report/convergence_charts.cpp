@@ -1,0 +1,96 @@
+#include "engine/report/convergence_charts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace glint {
+namespace {
+
+/// The reference's own share of a measure; NaN: not known.
+double floorOf(const ConvergenceReport& report, ErrorMeasure measure) {
+    const ReferencePicture& reference = report.reference;
+    if (!reference.knowsItsError()) {
+        return std::nan("");
+    }
+    switch (measure) {
+        case ErrorMeasure::RelativeError:
+            return report.summary.floor;
+        case ErrorMeasure::Mse:
+            return reference.mse;
+        case ErrorMeasure::Rmse:
+            return reference.rmse();
+        case ErrorMeasure::RelMse:
+            return reference.relMse;
+        default:
+            return std::nan("");
+    }
+}
+
+ChartSeries seriesOf(const ConvergenceReport& report, size_t index, ErrorMeasure measure) {
+    const VariantSummary& summary = report.summary.variants[index];
+    ChartSeries series;
+    series.name = report.result.variants[index].variant.name + (summary.sameMethodAsReference ? " *" : "");
+    for (size_t i = 0; i < summary.points.size(); ++i) {
+        const SummaryPoint& point = summary.points[i];
+        const Spread& spread = point.errors[static_cast<size_t>(measure)];
+        const bool corrected = measure == ErrorMeasure::RelativeError && report.summary.withoutReference;
+        const double value = corrected ? summary.curve[i].error : spread.mean;
+        ChartPoint mark{point.seconds.mean, value, value - spread.deviation, value + spread.deviation};
+        mark.tip = fmt::format("{}: {} {} after {:.3g} s, {} passes", series.name,
+                               kMeasureNames[static_cast<size_t>(measure)].title, measureText(measure, value),
+                               point.seconds.mean, point.passes);
+        if (point.seeds > 1) {
+            mark.tip +=
+                fmt::format(" (± {} over {} seeds)", measureText(measure, spread.deviation), point.seeds);
+        }
+        series.points.push_back(std::move(mark));
+    }
+    return series;
+}
+
+}  // namespace
+
+std::string measureText(ErrorMeasure measure, double value) {
+    if (!std::isfinite(value)) {
+        return "–";
+    }
+    const bool share = measure == ErrorMeasure::RelativeError || measure == ErrorMeasure::Mape ||
+                       measure == ErrorMeasure::RelativeBias;
+    return share ? fmt::format("{:.3g} %", 100.0 * value) : fmt::format("{:.4g}", value);
+}
+
+LogLogChart errorChart(const ConvergenceReport& report, ErrorMeasure measure) {
+    const MeasureName& name = kMeasureNames[static_cast<size_t>(measure)];
+    const ConvergenceContext& context = report.context;
+    LogLogChart chart;
+    const std::string scene = context.title.empty() ? context.scene : context.title;
+    chart.title = fmt::format("Error against render time: {}", scene);
+    chart.subtitle = fmt::format("{}x{} pixels, {} seed{}, {} thread{}, {}", report.scene.resolution.width,
+                                 report.scene.resolution.height, report.plan.seeds.size(),
+                                 report.plan.seeds.size() == 1 ? "" : "s", context.threads,
+                                 context.threads == 1 ? "" : "s", context.processor);
+    chart.xTitle = "render time, seconds";
+    chart.yTitle =
+        measure == ErrorMeasure::RelativeError
+            ? std::string(report.summary.withoutReference ? "relative error, the reference's own subtracted"
+                                                          : "relative error (RMSE over the picture's mean)")
+            : fmt::format("{}{}", name.title, name.unit.empty() ? "" : fmt::format(", {}", name.unit));
+    chart.note = "Bands: one standard deviation over the seeds.";
+    bool marked = false;
+    for (size_t i = 0; i < report.result.variants.size(); ++i) {
+        chart.series.push_back(seriesOf(report, i, measure));
+        marked = marked || report.summary.variants[i].sameMethodAsReference;
+    }
+    if (marked) {
+        chart.note += " * The reference was made by the same method.";
+    }
+    if (const double floor = floorOf(report, measure); floor > 0.0) {
+        chart.levels.push_back({floor, report.summary.withoutReference ? "reference's own error, subtracted"
+                                                                       : "reference's own error"});
+    }
+    return chart;
+}
+
+}  // namespace glint

@@ -1,0 +1,129 @@
+#include "engine/report/convergence_pictures.h"
+
+#include <cctype>
+#include <filesystem>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "engine/io/image_io.h"
+#include "engine/render/tonemap.h"
+#include "engine/report/error_maps.h"
+
+namespace glint {
+namespace {
+
+/// The variant's text with nothing in it that a file system could mind.
+std::string fileName(std::string text) {
+    for (char& c : text) {
+        const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '+';
+        c = plain ? c : '-';
+    }
+    return text;
+}
+
+/// What the reference's own noise adds to the relative squared error, as a map.
+ErrorMap ownErrorMap(const ReferencePicture& reference) {
+    const double epsilon = MetricOptions().relativeEpsilon;
+    ErrorMap map{ErrorMapKind::RelativeSquared, reference.picture.width, reference.picture.height, {}};
+    for (size_t i = 0; i < reference.variance.size(); i += 3) {
+        double sum = 0.0;
+        for (size_t c = i; c < i + 3; ++c) {
+            const double value = static_cast<double>(reference.picture.rgb[c]);
+            sum += static_cast<double>(reference.variance[c]) / (value * value + epsilon) / 3.0;
+        }
+        map.values.push_back(static_cast<float>(sum));
+    }
+    return map;
+}
+
+class PictureFolder {
+  public:
+    PictureFolder(const std::string& folder, const ConvergencePlan& plan, const ReferencePicture& reference)
+        : folder_(folder), plan_(plan), reference_(reference) {}
+
+    /// The maps' common range: the one that the worst of the pictures asks for.
+    Status chooseRange(const ConvergenceResult& result) {
+        range_ = {1e-6, 1e-2, true};
+        bool any = false;
+        for (const MeasuredVariant& variant : result.variants) {
+            for (const KeptPicture& kept : variant.pictures) {
+                const auto map = errorMap(ErrorMapKind::RelativeSquared, kept.picture, reference_.picture);
+                if (!map) {
+                    return map.error();
+                }
+                const MapRange own = readableRange(*map);
+                range_ = !any || own.high > range_.high ? own : range_;
+                any = true;
+            }
+        }
+        return {};
+    }
+
+    Status save(const std::string& name, const ImageF& picture) const {
+        return savePng(path(name), toneMapPicture(picture.rgb.data(), picture.width, picture.height,
+                                                  static_cast<float>(plan_.exposureStops), ToneMap::Srgb, 0));
+    }
+
+    Status saveMap(const std::string& name, const ErrorMap& map) const {
+        return savePng(path(name), falseColors(map, range_));
+    }
+
+    Status saveKept(const MeasuredVariant& variant, KeptPicture* kept) const {
+        const uint32_t passes = variant.curves.front().points[kept->point].passes;
+        const std::string stem = fmt::format("pictures/{}-{}", fileName(variant.variant.text), passes);
+        kept->file = stem + ".png";
+        kept->errorFile = stem + "-error.png";
+        if (const Status saved = save(kept->file, kept->picture); !saved) {
+            return saved;
+        }
+        const auto map = errorMap(ErrorMapKind::RelativeSquared, kept->picture, reference_.picture);
+        return map ? saveMap(kept->errorFile, *map) : Status(map.error());
+    }
+
+    const MapRange& range() const { return range_; }
+
+  private:
+    std::string path(const std::string& name) const {
+        return (std::filesystem::path(folder_) / name).string();
+    }
+
+    const std::string& folder_;
+    const ConvergencePlan& plan_;
+    const ReferencePicture& reference_;
+    MapRange range_;
+};
+
+}  // namespace
+
+Result<PictureLegend> savePictures(const std::string& folder, const ConvergencePlan& plan,
+                                   const ReferencePicture& reference, ConvergenceResult* result) {
+    std::error_code problem;
+    std::filesystem::create_directories(std::filesystem::path(folder) / "pictures", problem);
+    if (problem) {
+        return Error{fmt::format("{}/pictures: {}", folder, problem.message()), {}};
+    }
+    PictureFolder out(folder, plan, reference);
+    if (const Status chosen = out.chooseRange(*result); !chosen) {
+        return chosen.error();
+    }
+    if (const Status saved = out.save("pictures/reference.png", reference.picture); !saved) {
+        return saved.error();
+    }
+    if (reference.knowsItsError()) {
+        const Status saved = out.saveMap("pictures/reference-error.png", ownErrorMap(reference));
+        if (!saved) {
+            return saved.error();
+        }
+    }
+    for (MeasuredVariant& variant : result->variants) {
+        for (KeptPicture& kept : variant.pictures) {
+            if (const Status saved = out.saveKept(variant, &kept); !saved) {
+                return saved.error();
+            }
+        }
+    }
+    return PictureLegend{out.range().low, out.range().high};
+}
+
+}  // namespace glint

@@ -1,0 +1,222 @@
+// Convergence runs and references on a scene whose picture is known: each pixel of a floor of albedo a under
+// a sky of radiance 1 is a, found with noise by light sampling. Work is counted in passes, so that no result
+// depends on the machine. Significance as in support/statistics.h.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "engine/report/convergence_run.h"
+#include "engine/report/convergence_summary.h"
+#include "tests/support/render_scene.h"
+#include "tests/support/statistics.h"
+
+namespace glint {
+namespace {
+
+constexpr int kSize = 24;
+constexpr float kAlbedo = 0.5f;
+
+/// A pixel sees the floor 1 m below; lamps above it would be seen by nobody.
+SceneDescription floorUnderSky() {
+    SceneDescription scene = test::emptyScene({0, 1, 0.01f}, {0, 0, 0}, kSize, 40);
+    test::addObject(&scene, ShapeKind::Plane, test::placeFlat({0, 0, 0}, {0, 1, 0}, 1, 1),
+                    test::diffuseMaterial(kAlbedo));
+    scene.environment.color = Vec3(1.0f);
+    scene.options.sampler = SamplerKind::Independent;
+    return scene;
+}
+
+ReferencePicture truth() {
+    ReferencePicture reference;
+    reference.picture = {kSize, kSize, std::vector<float>(3 * kSize * kSize, kAlbedo)};
+    reference.variance.assign(3 * kSize * kSize, 0.0f);
+    reference.method = "analytic";
+    reference.summarize();
+    return reference;
+}
+
+ConvergenceHost host() {
+    ConvergenceHost host;
+    host.makeBackend = [](const VariantSettings& settings) {
+        return Result<std::unique_ptr<Backend>>(makeCpuBackend(settings.threads));
+    };
+    return host;
+}
+
+ConvergencePlan planOf(const SceneDescription& scene, const char* variants, uint32_t passes, int seeds) {
+    ConvergencePlan plan;
+    plan.variants = *parseVariants(variants);
+    plan.defaults.options = scene.options;
+    plan.defaults.sppm = scene.sppm;
+    plan.passes = passes;
+    plan.points = 8;
+    plan.seeds = seedsBeside({}, 11, seeds);
+    return plan;
+}
+
+double rmse(const MeasuredPoint& point) { return at(point.errors, ErrorMeasure::Rmse); }
+
+TEST(Convergence, TheErrorFallsWithTheRootOfThePasses) {
+    const SceneDescription scene = floorUnderSky();
+    const ConvergenceResult result = runConvergence(planOf(scene, "pt", 256, 8), scene, truth(), host());
+    ASSERT_EQ(result.variants.size(), 1u);
+    ASSERT_EQ(result.variants[0].curves.size(), 8u);
+    test::RunningMean slopes;
+    for (const MeasuredCurve& curve : result.variants[0].curves) {
+        std::vector<CurvePoint> byPasses;
+        for (const MeasuredPoint& point : curve.points) {
+            byPasses.push_back({static_cast<double>(point.passes), rmse(point)});
+        }
+        slopes.add(fitLogLog(std::vector{byPasses})->slope);
+    }
+    ASSERT_GT(rmse(result.variants[0].curves[0].points[0]), 0.01) << "there must be noise to measure";
+    EXPECT_NEAR(slopes.mean(), -0.5, test::kNormalQuantile * slopes.standardError());
+    EXPECT_LT(slopes.standardError(), 0.02) << "a wide interval would accept anything";
+}
+
+TEST(Convergence, VarianceBiasAndEfficiencyAreThoseOfTheMethod) {
+    const SceneDescription scene = floorUnderSky();
+    const ReferencePicture reference = truth();
+    const ConvergenceResult result = runConvergence(planOf(scene, "pt", 16, 6), scene, reference, host());
+    const ConvergenceSummary summary = summarizeConvergence(result, reference, false);
+    const VariantSummary& pt = summary.variants[0];
+    const double mse = pt.points.back().errors[static_cast<size_t>(ErrorMeasure::Mse)].mean;
+    // Without bias the mean squared error is the variance: 6 seeds of 576 grey pixels know it to 2.5 %.
+    EXPECT_NEAR(pt.variance / mse, 1.0, 0.15);
+    EXPECT_LT(std::fabs(pt.biasSquared), 0.1 * mse);
+    EXPECT_NEAR(pt.efficiency * pt.variance * pt.points.back().seconds.mean, 1.0, 1e-9);
+    EXPECT_EQ(pt.relativeEfficiency, 1.0);
+    EXPECT_FALSE(pt.sameMethodAsReference);
+}
+
+TEST(Convergence, ABiasIsToldFromNoise) {
+    const SceneDescription scene = floorUnderSky();
+    ReferencePicture wrong = truth();
+    for (float& value : wrong.picture.rgb) value += 0.1f;
+    wrong.summarize();
+    const ConvergenceResult result = runConvergence(planOf(scene, "pt", 16, 4), scene, wrong, host());
+    const VariantSummary pt = summarizeConvergence(result, wrong, false).variants[0];
+    EXPECT_NEAR(pt.biasSquared, 0.01, 0.001);
+    EXPECT_NEAR(pt.points.back().errors[static_cast<size_t>(ErrorMeasure::Bias)].mean, -0.1, 0.005);
+}
+
+TEST(Convergence, EverySeedHasTheSamePassesAndItsOwnNoise) {
+    const SceneDescription scene = floorUnderSky();
+    const ConvergenceResult result =
+        runConvergence(planOf(scene, "pt,sppm:photons=2000", 9, 3), scene, truth(), host());
+    ASSERT_EQ(result.variants.size(), 2u);
+    for (const MeasuredVariant& variant : result.variants) {
+        ASSERT_EQ(variant.curves.size(), 3u);
+        for (const MeasuredCurve& curve : variant.curves) {
+            ASSERT_EQ(curve.points.size(), variant.curves[0].points.size());
+            EXPECT_EQ(curve.points.back().passes, 9u);
+            for (size_t i = 0; i < curve.points.size(); ++i) {
+                EXPECT_EQ(curve.points[i].passes, variant.curves[0].points[i].passes);
+                EXPECT_TRUE(i == 0 || curve.points[i].seconds > curve.points[i - 1].seconds);
+            }
+        }
+        EXPECT_NE(rmse(variant.curves[0].points[0]), rmse(variant.curves[1].points[0]));
+        ASSERT_EQ(variant.pictures.size(), 2u) << "of a tenth (the first pass) and of the end";
+        EXPECT_EQ(variant.pictures.back().point, variant.curves[0].points.size() - 1);
+        EXPECT_TRUE(variant.problem.empty());
+    }
+}
+
+TEST(Convergence, TimeEndsARunOfAnySpeed) {
+    const SceneDescription scene = floorUnderSky();
+    ConvergencePlan plan = planOf(scene, "pt", 0, 2);
+    plan.seconds = 1e-6;  // far less than a pass
+    const ConvergenceResult result = runConvergence(plan, scene, truth(), host());
+    ASSERT_EQ(result.variants[0].curves.size(), 2u);
+    ASSERT_EQ(result.variants[0].curves[0].points.size(), 1u);
+    EXPECT_EQ(result.variants[0].curves[0].points[0].passes, 1u);
+}
+
+TEST(Convergence, AnInterruptedRunKeepsWhatItHas) {
+    const SceneDescription scene = floorUnderSky();
+    ConvergenceHost stopping = host();
+    int parts = 0;
+    stopping.onPart = [&](const std::string&) { ++parts; };
+    stopping.stopWanted = [&] { return parts >= 2; };
+    ConvergencePlan plan = planOf(scene, "pt", 4, 3);
+    plan.passes = 100000000;
+    plan.points = 200;
+    // The first seed would take for ever too: it is stopped while it measures.
+    parts = 2;
+    const ConvergenceResult result = runConvergence(plan, scene, truth(), stopping);
+    EXPECT_TRUE(result.interrupted);
+    ASSERT_EQ(result.variants.size(), 1u);
+    EXPECT_EQ(result.variants[0].finalSeeds, 0);
+    (void)summarizeConvergence(result, truth(), false);
+}
+
+TEST(Convergence, AVariantThatFailsLeavesTheOthers) {
+    const SceneDescription scene = floorUnderSky();
+    ConvergenceHost picky = host();
+    picky.makeBackend = [](const VariantSettings& settings) -> Result<std::unique_ptr<Backend>> {
+        if (settings.threads == 7) return Error{"there are no seven threads", {}};
+        return makeCpuBackend(settings.threads);
+    };
+    const ConvergenceResult result =
+        runConvergence(planOf(scene, "pt:threads=7,pt", 2, 2), scene, truth(), picky);
+    EXPECT_EQ(result.variants[0].problem, "there are no seven threads");
+    EXPECT_TRUE(result.variants[0].curves.empty());
+    EXPECT_EQ(result.variants[1].curves.size(), 2u);
+    const ConvergenceSummary summary = summarizeConvergence(result, truth(), false);
+    EXPECT_TRUE(summary.variants[0].points.empty());
+}
+
+ReferencePicture referenceOf(const SceneDescription& scene, const char* variant) {
+    ReferencePlan plan{*parseVariant(variant), {scene.options, scene.sppm}, 1e9, 0.02, 1000};
+    plan.settings = plan.variant.applyTo(plan.settings);
+    auto made = makeReference(plan, scene, host());
+    EXPECT_TRUE(made && *made);
+    return std::move(**made);
+}
+
+TEST(Reference, ItsErrorBarIsTrue) {
+    const SceneDescription scene = floorUnderSky();
+    const ReferencePicture reference = referenceOf(scene, "pt");
+    double squares = 0.0;
+    for (const float value : reference.picture.rgb) {
+        const double miss = static_cast<double>(value) - static_cast<double>(kAlbedo);
+        squares += miss * miss / static_cast<double>(reference.picture.rgb.size());
+    }
+    EXPECT_EQ(reference.seeds.size(), static_cast<size_t>(kPathReplicates));
+    EXPECT_LE(reference.relativeError(), 1.2 * 0.02) << "it ends at the error that was asked for";
+    // 576 grey pixels: both sides have a relative deviation of about 6 %.
+    EXPECT_NEAR(squares / reference.mse, 1.0, test::kNormalQuantile * 0.09);
+}
+
+TEST(Reference, ItsErrorAddsToTheMeasuredOneAndCanBeSubtracted) {
+    const SceneDescription scene = floorUnderSky();
+    const ReferencePicture reference = referenceOf(scene, "pt");
+    const ConvergencePlan plan = planOf(scene, "pt", 64, 6);
+    const ConvergenceResult measured = runConvergence(plan, scene, reference, host());
+    const ConvergenceResult exact = runConvergence(plan, scene, truth(), host());
+    const auto last = [](const ConvergenceResult& result, ErrorMeasure measure) {
+        test::RunningMean mean;
+        for (const MeasuredCurve& curve : result.variants[0].curves) {
+            mean.add(at(curve.points.back().errors, measure));
+        }
+        return mean.mean();
+    };
+    const double trueMse = last(exact, ErrorMeasure::Mse);
+    ASSERT_GT(reference.mse, 0.05 * trueMse) << "a floor too low to be seen here";
+    EXPECT_NEAR(last(measured, ErrorMeasure::Mse), trueMse + reference.mse, 0.1 * (trueMse + reference.mse));
+    EXPECT_NEAR(last(measured, ErrorMeasure::MseWithoutReference), trueMse, 0.1 * trueMse);
+    const ConvergenceSummary summary = summarizeConvergence(measured, reference, true);
+    EXPECT_TRUE(summary.variants[0].sameMethodAsReference);
+    EXPECT_NEAR(summary.variants[0].curve.back().error, std::sqrt(trueMse) / reference.mean,
+                0.06 * std::sqrt(trueMse) / reference.mean);
+}
+
+TEST(Reference, PhotonReferencesAreMarkedAsBiased) {
+    const ReferencePicture reference = referenceOf(floorUnderSky(), "sppm:photons=2000");
+    EXPECT_EQ(reference.seeds.size(), static_cast<size_t>(kPhotonReplicates));
+    ASSERT_FALSE(reference.remarks.empty());
+    EXPECT_NE(reference.remarks[0].find("bias"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace glint
