@@ -118,6 +118,7 @@ Json referenceJson(const ConvergenceReport& report) {
             {"seeds", reference.seeds},
             {"render_seconds", reference.renderSeconds},
             {"passes", reference.passes},
+            {"ended_by", reference.endedBy.empty() ? Json() : Json(reference.endedBy)},
             {"cached", reference.cached},
             {"mean", reference.mean},
             {"standard_error", known ? Json(reference.rmse()) : Json()},
@@ -146,18 +147,8 @@ const char* nameOf(TimeToReach::Kind kind) {
     return "";
 }
 
-std::string describe(const TimeToReach& time) {
-    switch (time.kind) {
-        case TimeToReach::Kind::Never:
-            return "not reached";
-        case TimeToReach::Kind::Before:
-            return fmt::format("before {:.3g} s", time.seconds);
-        case TimeToReach::Kind::Measured:
-            return fmt::format("{:.3g} s", time.seconds);
-        case TimeToReach::Kind::Predicted:
-            return fmt::format("not reached; predicted {:.3g} s", time.seconds);
-    }
-    return "";
+std::string secondsText(double seconds) {
+    return seconds < 1000.0 ? fmt::format("{:.3g}", seconds) : fmt::format("{:.0f}", seconds);
 }
 
 std::vector<std::string> reportWarnings(const ConvergenceReport& report) {

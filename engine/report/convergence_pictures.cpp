@@ -1,8 +1,10 @@
 #include "engine/report/convergence_pictures.h"
 
+#include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
-#include <optional>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -37,26 +39,41 @@ ErrorMap ownErrorMap(const ReferencePicture& reference) {
     return map;
 }
 
+/// Of the values above zero; `otherwise` without any.
+double positiveQuantile(std::vector<float> values, double share, double otherwise) {
+    std::erase_if(values, [](float value) { return !(value > 0.0f) || !std::isfinite(value); });
+    if (values.empty()) {
+        return otherwise;
+    }
+    const auto at =
+        values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
+    return static_cast<double>(*at);
+}
+
 class PictureFolder {
   public:
     PictureFolder(const std::string& folder, const ConvergencePlan& plan, const ReferencePicture& reference)
         : folder_(folder), plan_(plan), reference_(reference) {}
 
-    /// The maps' common range: the one that the worst of the pictures asks for.
+    /// The maps' common range: from where a tenth of the best last picture lies below, to where a tenth of
+    /// the worst first one lies above. Single bright pixels would stretch it beyond use.
     Status chooseRange(const ConvergenceResult& result) {
-        range_ = {1e-6, 1e-2, true};
-        bool any = false;
+        double low = 1e-2, high = 0.0;
         for (const MeasuredVariant& variant : result.variants) {
             for (const KeptPicture& kept : variant.pictures) {
                 const auto map = errorMap(ErrorMapKind::RelativeSquared, kept.picture, reference_.picture);
                 if (!map) {
                     return map.error();
                 }
-                const MapRange own = readableRange(*map);
-                range_ = !any || own.high > range_.high ? own : range_;
-                any = true;
+                low = std::min(low, positiveQuantile(map->values, 0.1, low));
+                high = std::max(high, positiveQuantile(map->values, 0.9, high));
             }
         }
+        range_.logarithmic = true;
+        range_.high = std::pow(10.0, std::ceil(std::log10(std::clamp(high, 1e-9, 1e9))));
+        range_.low =
+            std::pow(10.0, std::floor(std::log10(std::clamp(low, 1e-6 * range_.high, 0.1 * range_.high))));
         return {};
     }
 

@@ -124,6 +124,9 @@ Result<std::optional<ReferencePicture>> makeReference(const ReferencePlan& plan,
         made.seeds.push_back(plan.firstSeed + static_cast<uint32_t>(i));
         made.renderSeconds += capture->renderSeconds;
         made.passes += picture->passes;
+        if (i == 0) {
+            made.endedBy = capture->renderSeconds >= limits.renderSeconds ? "time" : "precision";
+        }
         limits = {.passes = picture->passes};
         if (i + 1 == replicates) {
             addRemarks(plan, *capture, &made);

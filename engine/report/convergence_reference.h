@@ -24,6 +24,7 @@ struct ReferencePicture {
     std::vector<uint32_t> seeds;       ///< empty: not known
     double renderSeconds = 0.0;        ///< of all replicates; 0: not known
     uint64_t passes = 0;               ///< of all replicates; 0: not known
+    std::string endedBy;               ///< "precision" or "time", of makeReference(); empty: not known
     bool cached = false;               ///< made by an earlier run
     std::vector<std::string> remarks;  ///< what everyone who reads the errors has to know
 
@@ -67,7 +68,7 @@ Result<std::optional<ReferencePicture>> makeReference(const ReferencePlan& plan,
 
 /// Float R, G, B, standardError.R/G/B, and .Y of the luminance with the channels' errors taken as one; and as
 /// attributes what `glint render` writes and referenceMethod, referenceSeeds, referenceSeconds,
-/// referencePasses, referenceStandardError and referenceRelativeError. `settings` made it.
+/// referencePasses, referenceEndedBy, referenceStandardError and referenceRelativeError. `settings` made it.
 Status saveReference(const std::string& path, const ReferencePicture& reference, SceneDescription scene,
                      const VariantSettings& settings);
 

@@ -131,6 +131,7 @@ void readMetadata(const Attributes& a, ReferencePicture* out) {
     const std::string method = attribute(a, "referenceMethod");
     out->method = method.empty() ? out->method : method;
     out->seeds = seedsOf(a);
+    out->endedBy = attribute(a, "referenceEndedBy");
     out->renderSeconds =
         numberOr(attribute(a, "referenceSeconds"), numberOr(attribute(a, "renderSeconds"), 0.0));
     out->passes = numberOr(attribute(a, "referencePasses"), numberOr(attribute(a, "passes"), uint64_t{0}));
@@ -154,6 +155,7 @@ Attributes attributesOf(const ReferencePicture& reference, const SceneDescriptio
                    {"referenceSeeds", fmt::format("{}", fmt::join(reference.seeds, " "))},
                    {"referenceSeconds", fmt::to_string(reference.renderSeconds)},
                    {"referencePasses", fmt::to_string(reference.passes)},
+                   {"referenceEndedBy", reference.endedBy},
                    {"referenceStandardError", fmt::to_string(reference.rmse())},
                    {"referenceRelativeError", fmt::to_string(reference.relativeError())}};
     for (const Setting& setting : renderSettings(scene)) {

@@ -51,7 +51,7 @@ std::string summaryJson(const ConvergenceReport& report);
 
 /// "reached", "predicted" ...: the JSON's word.
 const char* nameOf(TimeToReach::Kind kind);
-/// "0.52 s", "before 0.1 s", "not reached; 33 s predicted by the fit (30 to 40)".
-std::string describe(const TimeToReach& time);
+/// Three digits, or all before the point: "0.0523", "3180".
+std::string secondsText(double seconds);
 
 }  // namespace glint

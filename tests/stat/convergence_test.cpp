@@ -7,6 +7,7 @@
 
 #include "engine/report/convergence_run.h"
 #include "engine/report/convergence_summary.h"
+#include "tests/support/light_scene.h"
 #include "tests/support/render_scene.h"
 #include "tests/support/statistics.h"
 
@@ -15,20 +16,23 @@ namespace {
 
 constexpr int kSize = 24;
 constexpr float kAlbedo = 0.5f;
+constexpr float kTruth = 1.0f / (1.0f - kAlbedo);
 
-/// A pixel sees the floor 1 m below; lamps above it would be seen by nobody.
-SceneDescription floorUnderSky() {
-    SceneDescription scene = test::emptyScene({0, 1, 0.01f}, {0, 0, 0}, kSize, 40);
-    test::addObject(&scene, ShapeKind::Plane, test::placeFlat({0, 0, 0}, {0, 1, 0}, 1, 1),
-                    test::diffuseMaterial(kAlbedo));
-    scene.environment.color = Vec3(1.0f);
+/// Russian roulette from the first vertex on makes it noisy.
+SceneDescription glowingRoom() {
+    SceneDescription scene = test::emptyScene({0.2f, -0.3f, 0.1f}, {1, 0, 0}, kSize, 60);
+    Material material = test::emissiveMaterial(Vec3(1.0f), true);
+    material.color.value = Vec3(kAlbedo);
+    test::addObject(&scene, ShapeKind::Sphere, scale(Vec3(2.0f)), material);
+    scene.options.maxDepth = 64;
+    scene.options.rouletteStartDepth = 0;
     scene.options.sampler = SamplerKind::Independent;
     return scene;
 }
 
 ReferencePicture truth() {
     ReferencePicture reference;
-    reference.picture = {kSize, kSize, std::vector<float>(3 * kSize * kSize, kAlbedo)};
+    reference.picture = {kSize, kSize, std::vector<float>(3 * kSize * kSize, kTruth)};
     reference.variance.assign(3 * kSize * kSize, 0.0f);
     reference.method = "analytic";
     reference.summarize();
@@ -57,7 +61,7 @@ ConvergencePlan planOf(const SceneDescription& scene, const char* variants, uint
 double rmse(const MeasuredPoint& point) { return at(point.errors, ErrorMeasure::Rmse); }
 
 TEST(Convergence, TheErrorFallsWithTheRootOfThePasses) {
-    const SceneDescription scene = floorUnderSky();
+    const SceneDescription scene = glowingRoom();
     const ConvergenceResult result = runConvergence(planOf(scene, "pt", 256, 8), scene, truth(), host());
     ASSERT_EQ(result.variants.size(), 1u);
     ASSERT_EQ(result.variants[0].curves.size(), 8u);
@@ -67,7 +71,7 @@ TEST(Convergence, TheErrorFallsWithTheRootOfThePasses) {
         for (const MeasuredPoint& point : curve.points) {
             byPasses.push_back({static_cast<double>(point.passes), rmse(point)});
         }
-        slopes.add(fitLogLog(std::vector{byPasses})->slope);
+        slopes.add(fitLogLog(std::vector<std::vector<CurvePoint>>(1, byPasses))->slope);
     }
     ASSERT_GT(rmse(result.variants[0].curves[0].points[0]), 0.01) << "there must be noise to measure";
     EXPECT_NEAR(slopes.mean(), -0.5, test::kNormalQuantile * slopes.standardError());
@@ -75,7 +79,7 @@ TEST(Convergence, TheErrorFallsWithTheRootOfThePasses) {
 }
 
 TEST(Convergence, VarianceBiasAndEfficiencyAreThoseOfTheMethod) {
-    const SceneDescription scene = floorUnderSky();
+    const SceneDescription scene = glowingRoom();
     const ReferencePicture reference = truth();
     const ConvergenceResult result = runConvergence(planOf(scene, "pt", 16, 6), scene, reference, host());
     const ConvergenceSummary summary = summarizeConvergence(result, reference, false);
@@ -90,18 +94,18 @@ TEST(Convergence, VarianceBiasAndEfficiencyAreThoseOfTheMethod) {
 }
 
 TEST(Convergence, ABiasIsToldFromNoise) {
-    const SceneDescription scene = floorUnderSky();
+    const SceneDescription scene = glowingRoom();
     ReferencePicture wrong = truth();
     for (float& value : wrong.picture.rgb) value += 0.1f;
     wrong.summarize();
     const ConvergenceResult result = runConvergence(planOf(scene, "pt", 16, 4), scene, wrong, host());
     const VariantSummary pt = summarizeConvergence(result, wrong, false).variants[0];
-    EXPECT_NEAR(pt.biasSquared, 0.01, 0.001);
-    EXPECT_NEAR(pt.points.back().errors[static_cast<size_t>(ErrorMeasure::Bias)].mean, -0.1, 0.005);
+    EXPECT_NEAR(pt.biasSquared, 0.01, 0.005);
+    EXPECT_NEAR(pt.points.back().errors[static_cast<size_t>(ErrorMeasure::Bias)].mean, -0.1, 0.02);
 }
 
 TEST(Convergence, EverySeedHasTheSamePassesAndItsOwnNoise) {
-    const SceneDescription scene = floorUnderSky();
+    const SceneDescription scene = glowingRoom();
     const ConvergenceResult result =
         runConvergence(planOf(scene, "pt,sppm:photons=2000", 9, 3), scene, truth(), host());
     ASSERT_EQ(result.variants.size(), 2u);
@@ -123,7 +127,7 @@ TEST(Convergence, EverySeedHasTheSamePassesAndItsOwnNoise) {
 }
 
 TEST(Convergence, TimeEndsARunOfAnySpeed) {
-    const SceneDescription scene = floorUnderSky();
+    const SceneDescription scene = glowingRoom();
     ConvergencePlan plan = planOf(scene, "pt", 0, 2);
     plan.seconds = 1e-6;  // far less than a pass
     const ConvergenceResult result = runConvergence(plan, scene, truth(), host());
@@ -133,7 +137,7 @@ TEST(Convergence, TimeEndsARunOfAnySpeed) {
 }
 
 TEST(Convergence, AnInterruptedRunKeepsWhatItHas) {
-    const SceneDescription scene = floorUnderSky();
+    const SceneDescription scene = glowingRoom();
     ConvergenceHost stopping = host();
     int parts = 0;
     stopping.onPart = [&](const std::string&) { ++parts; };
@@ -151,7 +155,7 @@ TEST(Convergence, AnInterruptedRunKeepsWhatItHas) {
 }
 
 TEST(Convergence, AVariantThatFailsLeavesTheOthers) {
-    const SceneDescription scene = floorUnderSky();
+    const SceneDescription scene = glowingRoom();
     ConvergenceHost picky = host();
     picky.makeBackend = [](const VariantSettings& settings) -> Result<std::unique_ptr<Backend>> {
         if (settings.threads == 7) return Error{"there are no seven threads", {}};
@@ -175,11 +179,11 @@ ReferencePicture referenceOf(const SceneDescription& scene, const char* variant)
 }
 
 TEST(Reference, ItsErrorBarIsTrue) {
-    const SceneDescription scene = floorUnderSky();
+    const SceneDescription scene = glowingRoom();
     const ReferencePicture reference = referenceOf(scene, "pt");
     double squares = 0.0;
     for (const float value : reference.picture.rgb) {
-        const double miss = static_cast<double>(value) - static_cast<double>(kAlbedo);
+        const double miss = static_cast<double>(value - kTruth);
         squares += miss * miss / static_cast<double>(reference.picture.rgb.size());
     }
     EXPECT_EQ(reference.seeds.size(), static_cast<size_t>(kPathReplicates));
@@ -189,7 +193,7 @@ TEST(Reference, ItsErrorBarIsTrue) {
 }
 
 TEST(Reference, ItsErrorAddsToTheMeasuredOneAndCanBeSubtracted) {
-    const SceneDescription scene = floorUnderSky();
+    const SceneDescription scene = glowingRoom();
     const ReferencePicture reference = referenceOf(scene, "pt");
     const ConvergencePlan plan = planOf(scene, "pt", 64, 6);
     const ConvergenceResult measured = runConvergence(plan, scene, reference, host());
@@ -212,7 +216,7 @@ TEST(Reference, ItsErrorAddsToTheMeasuredOneAndCanBeSubtracted) {
 }
 
 TEST(Reference, PhotonReferencesAreMarkedAsBiased) {
-    const ReferencePicture reference = referenceOf(floorUnderSky(), "sppm:photons=2000");
+    const ReferencePicture reference = referenceOf(glowingRoom(), "sppm:photons=2000");
     EXPECT_EQ(reference.seeds.size(), static_cast<size_t>(kPhotonReplicates));
     ASSERT_FALSE(reference.remarks.empty());
     EXPECT_NE(reference.remarks[0].find("bias"), std::string::npos);

@@ -18,6 +18,10 @@ std::vector<CurvePoint> powerLaw(double scale, double slope, int points) {
     return curve;
 }
 
+std::optional<LogLogFit> fitOne(const std::vector<CurvePoint>& curve) {
+    return fitLogLog(std::vector<std::vector<CurvePoint>>(1, curve));
+}
+
 TEST(ConvergenceFit, StudentQuantilesAreThoseOfTheTables) {
     // Any table of the t distribution; 0.975 is one side of 95 %.
     EXPECT_NEAR(studentQuantile(0.975, 1), 12.706, 5e-4);
@@ -38,7 +42,7 @@ TEST(ConvergenceFit, FindsTheSlopeOfAPowerLaw) {
     EXPECT_NEAR(std::exp(fit->intercept), std::sqrt(0.3 * 0.4), 1e-12);
     EXPECT_EQ(fit->points, 18);
     EXPECT_TRUE(fit->fromSeeds);
-    EXPECT_FALSE(fitLogLog(std::vector{powerLaw(1.0, -0.3, 5)})->fromSeeds);
+    EXPECT_FALSE(fitOne(powerLaw(1.0, -0.3, 5))->fromSeeds);
 }
 
 TEST(ConvergenceFit, LeavesOutWhatHasNoLogarithm) {
@@ -47,13 +51,13 @@ TEST(ConvergenceFit, LeavesOutWhatHasNoLogarithm) {
     curve.push_back({8.0, std::nan("")});
     curve.push_back({9.0, HUGE_VAL});
     curve.push_back({0.0, 0.1});
-    const auto fit = fitLogLog(std::vector{curve});
+    const auto fit = fitOne(curve);
     ASSERT_TRUE(fit);
     EXPECT_EQ(fit->points, 6);
     EXPECT_NEAR(fit->slope, -0.5, 1e-12);
-    EXPECT_FALSE(fitLogLog(std::vector{powerLaw(1.0, -1.0, 2)})) << "two points are no fit";
+    EXPECT_FALSE(fitOne(powerLaw(1.0, -1.0, 2))) << "two points are no fit";
     EXPECT_FALSE(fitLogLog(std::vector<std::vector<CurvePoint>>{}));
-    EXPECT_FALSE(fitLogLog(std::vector{std::vector<CurvePoint>(5, {1.0, 0.1})})) << "all at one time";
+    EXPECT_FALSE(fitOne(std::vector<CurvePoint>(5, {1.0, 0.1}))) << "all at one time";
 }
 
 /// The error of a running mean of n numbers in each of `pixels` pixels: the points of a curve share samples,
@@ -84,7 +88,7 @@ TEST(ConvergenceFit, TheIntervalHoldsTheTruthNineteenTimesInTwenty) {
         const auto fit = fitLogLog(seeds);
         ASSERT_TRUE(fit);
         held += fit->slopeLow <= -0.5 && -0.5 <= fit->slopeHigh;
-        const auto alone = fitLogLog(std::vector{seeds[0]});
+        const auto alone = fitOne(seeds[0]);
         heldByRegression += alone->slopeLow <= -0.5 && -0.5 <= alone->slopeHigh;
     }
     // 95 % of 600 has a standard deviation of 0.9 %; 4.753 of them are 4.2 % (significance 1e-6).

@@ -11,11 +11,11 @@ std::string shortTime(const TimeToReach& time) {
         case TimeToReach::Kind::Never:
             return "-";
         case TimeToReach::Kind::Before:
-            return fmt::format("<{:.3g}", time.seconds);
+            return "<" + secondsText(time.seconds);
         case TimeToReach::Kind::Measured:
-            return fmt::format("{:.3g}", time.seconds);
+            return secondsText(time.seconds);
         case TimeToReach::Kind::Predicted:
-            return fmt::format("~{:.3g}", time.seconds);
+            return "~" + secondsText(time.seconds);
     }
     return "";
 }
@@ -77,9 +77,10 @@ void printReport(const ConvergenceReport& report) {
         "seconds to an error: ~ not reached, predicted by the fit; < already at the first measurement\n");
     const ReferencePicture& reference = report.reference;
     if (reference.knowsItsError()) {
-        fmt::print("reference: {} by {}, its own error {:.3g} %, {:.2g} of the smallest one measured\n",
+        fmt::print("reference: {} by {}, its own error {:.3g} %, {:.2g} of the smallest one measured{}\n",
                    reference.path, reference.method.empty() ? "an unknown method" : reference.method,
-                   100.0 * report.summary.floor, report.summary.floorRatio);
+                   100.0 * report.summary.floor, report.summary.floorRatio,
+                   reference.endedBy.empty() ? "" : fmt::format(" (it ended by {})", reference.endedBy));
     }
     for (const std::string& warning : reportWarnings(report)) {
         fmt::print("! {}\n", warning);

@@ -1,0 +1,379 @@
+// `glint converge` as its users meet it: what it writes, marks, refuses and keeps. Tiny pictures and counted
+// passes, so that nothing depends on the machine's speed.
+#include <filesystem>
+#include <map>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "engine/io/exr_io.h"
+#include "engine/io/image_io.h"
+#include "tests/support/run_program.h"
+#include "tests/support/temp_folder.h"
+
+namespace glint {
+namespace {
+
+using nlohmann::json;
+using test::ProgramRun;
+using test::TempFolder;
+
+const std::string kScenes = GLINT_SOURCE_DIR "/scenes/";
+
+testing::AssertionResult says(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos
+               ? testing::AssertionSuccess()
+               : testing::AssertionFailure() << "'" << part << "' is not in: " << text;
+}
+
+std::vector<std::map<std::string, std::string>> readCsv(const std::string& file) {
+    std::istringstream text(TempFolder::read(file));
+    const auto cells = [](const std::string& line) {
+        std::vector<std::string> out;
+        std::istringstream in(line);
+        for (std::string cell; std::getline(in, cell, ',');) out.push_back(cell);
+        if (line.ends_with(",")) out.emplace_back();
+        return out;
+    };
+    std::string line;
+    std::getline(text, line);
+    const std::vector<std::string> names = cells(line);
+    std::vector<std::map<std::string, std::string>> rows;
+    while (std::getline(text, line)) {
+        const std::vector<std::string> values = cells(line);
+        EXPECT_EQ(values.size(), names.size()) << line;
+        std::map<std::string, std::string> row;
+        for (size_t i = 0; i < std::min(values.size(), names.size()); ++i) row[names[i]] = values[i];
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+class ConvergeCommand : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (!test::programExists()) {
+            GTEST_SKIP() << "the program was not built";
+        }
+    }
+
+    /// With the scene first and a folder last.
+    ProgramRun converge(std::vector<std::string> options, const std::string& out = "run",
+                        const std::string& interruptAfter = {}) {
+        std::vector<std::string> words = {"converge", kScenes + "cornell.json", "--size", "16x12"};
+        words.insert(words.end(), options.begin(), options.end());
+        words.insert(words.end(), {"--out", folder.path(out)});
+        return test::runProgram(words, interruptAfter);
+    }
+    std::string file(const std::string& name, const std::string& out = "run") const {
+        return folder.path(out + "/" + name);
+    }
+    json summary(const std::string& out = "run") const {
+        return json::parse(TempFolder::read(file("summary.json", out)), nullptr, false);
+    }
+    void removeResults() const {
+        for (const char* name :
+             {"index.html", "summary.json", "curve.csv", "summary.csv", "plot.svg", "plot.png", "pictures"}) {
+            std::filesystem::remove_all(file(name));
+        }
+    }
+
+    const std::vector<std::string> small = {"--make-reference", "0.2", "--passes", "6",
+                                            "--points",         "4",   "--seeds",  "2"};
+    std::vector<std::string> with(std::vector<std::string> more) const {
+        std::vector<std::string> all = small;
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    }
+    TempFolder folder;
+};
+
+TEST_F(ConvergeCommand, WritesEverythingAndItAgrees) {
+    const ProgramRun run =
+        converge(with({"--integrators", "pt,pt:sampler=independent,sppm:photons=500:radius=auto:2"}));
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_TRUE(says(run.out, "slope"));
+    const json all = summary();
+    ASSERT_TRUE(all.is_object());
+    ASSERT_EQ(all["variants"].size(), 3u);
+    EXPECT_EQ(all["variants"][2]["name"], "sppm photons=500 radius=auto:2");
+    EXPECT_EQ(all["plan"]["passes"], 6);
+    EXPECT_TRUE(says(all["command"], "--integrators pt,pt:sampler=independent"));
+    EXPECT_TRUE(says(all["seconds_meaning"], "not in them"));
+
+    const auto rows = readCsv(file("curve.csv"));
+    ASSERT_EQ(rows.size(), 3u * 2u * 4u) << "a row for each variant, seed and point";
+    for (const json& variant : all["variants"]) {
+        ASSERT_EQ(variant["curve"].size(), 4u);
+        const json& last = variant["curve"][3];
+        EXPECT_EQ(last["passes"], 6);
+        EXPECT_EQ(last["seeds"], 2);
+        double mse = 0.0, squares = 0.0;
+        std::vector<double> values;
+        for (const auto& row : rows) {
+            if (row.at("variant") == variant["name"] && row.at("point") == "3") {
+                values.push_back(std::stod(row.at("mse")));
+                EXPECT_NEAR(std::stod(row.at("rmse")), std::sqrt(values.back()), 1e-9);
+                EXPECT_NEAR(std::stod(row.at("relative_error")),
+                            std::stod(row.at("rmse")) / all["reference"]["mean"].get<double>(), 1e-9);
+            }
+        }
+        ASSERT_EQ(values.size(), 2u);
+        mse = 0.5 * (values[0] + values[1]);
+        squares = std::fabs(values[0] - values[1]) / std::sqrt(2.0);
+        EXPECT_NEAR(last["mse"]["mean"].get<double>(), mse, 1e-12);
+        EXPECT_NEAR(last["mse"]["sd"].get<double>(), squares, 1e-12);
+        EXPECT_GT(variant["final"]["variance"].get<double>(), 0.0);
+        EXPECT_EQ(variant["time_to"].size(), 4u);
+        for (const json& picture : variant["pictures"]) {
+            EXPECT_TRUE(loadImage8(file(picture["file"].get<std::string>())));
+            EXPECT_TRUE(loadImage8(file(picture["error_file"].get<std::string>())));
+        }
+    }
+    EXPECT_EQ(readCsv(file("summary.csv")).size(), 3u * 4u);
+    EXPECT_TRUE(loadImage8(file("plot.png")));
+    EXPECT_TRUE(says(TempFolder::read(file("plot.svg")), "reference's own error"));
+}
+
+TEST_F(ConvergeCommand, ThePageNeedsNothingElse) {
+    ASSERT_EQ(converge(with({"--integrators", "pt"})).exitCode, 0);
+    const std::string page = TempFolder::read(file("index.html"));
+    for (const char* part : {"<svg", "data:image/png;base64,", "To repeat it", "glint converge",
+                             "not in them", "<title>pt *: relative error", "prefers-color-scheme"}) {
+        EXPECT_TRUE(page.find(part) != std::string::npos) << part;
+    }
+    for (const char* part : {"src=\"http", "href=", "@import", "<script src"}) {
+        EXPECT_TRUE(page.find(part) == std::string::npos) << part;
+    }
+}
+
+TEST_F(ConvergeCommand, TheReferenceSaysWhatItIsAndIsUsedAgain) {
+    ASSERT_EQ(converge(with({"--integrators", "pt,sppm:photons=500"})).exitCode, 0);
+    const auto reference = loadExr(file("reference.exr"));
+    ASSERT_TRUE(reference);
+    for (const char* channel : {"R", "standardError.R", "standardError.Y"}) {
+        EXPECT_NE(reference->find(channel), nullptr) << channel;
+    }
+    for (const char* name : {"sceneHash", "referenceMethod", "referenceSeconds", "referenceStandardError",
+                             "referenceSeeds", "setting.maxDepth"}) {
+        EXPECT_TRUE(reference->attributes.contains(name)) << name;
+    }
+    const json first = summary();
+    EXPECT_EQ(first["reference"]["method"], "pt");
+    EXPECT_GT(first["reference"]["mse"].get<double>(), 0.0);
+    EXPECT_FALSE(first["reference"]["cached"].get<bool>());
+    EXPECT_NEAR(first["reference"]["ratio_to_smallest_error"].get<double>(),
+                first["reference"]["relative_error"].get<double>() /
+                    first["reference"]["smallest_error_reported"].get<double>(),
+                1e-9);
+    EXPECT_TRUE(first["variants"][0]["same_method_as_reference"].get<bool>());
+    EXPECT_FALSE(first["variants"][1]["same_method_as_reference"].get<bool>());
+    for (const json& seed : first["plan"]["seeds"]) {
+        for (const json& taken : first["reference"]["seeds"]) EXPECT_NE(seed, taken);
+    }
+
+    removeResults();
+    const ProgramRun again = converge(with({"--integrators", "pt"}));
+    ASSERT_EQ(again.exitCode, 0) << again.err;
+    EXPECT_TRUE(says(again.err, "used again"));
+    EXPECT_TRUE(summary()["reference"]["cached"].get<bool>());
+    EXPECT_EQ(summary()["variants"][0]["curve"][3]["mse"]["mean"],
+              first["variants"][0]["curve"][3]["mse"]["mean"])
+        << "the same passes against the same reference";
+
+    const ProgramRun given = converge(
+        {"--reference", file("reference.exr"), "--passes", "2", "--seeds", "1", "--integrators", "pt"},
+        "given");
+    ASSERT_EQ(given.exitCode, 0) << given.err;
+    EXPECT_TRUE(loadExr(file("reference.exr", "given"))) << "the folder is complete by itself";
+    EXPECT_TRUE(summary("given")["variants"][0]["final"]["variance"].is_null()) << "one seed has no spread";
+}
+
+TEST_F(ConvergeCommand, SeedsOfAGivenReferenceAreLeftOut) {
+    const std::string picture = folder.path("own.exr");
+    ASSERT_EQ(
+        test::runProgram({"render", kScenes + "cornell.json", "--size", "16x12", "--passes", "4", "--seed",
+                          "0", "--integrator", "path", "--aov", "standard-error", "-o", picture})
+            .exitCode,
+        0);
+    const ProgramRun run = converge(
+        {"--reference", picture, "--passes", "2", "--seeds", "2", "--seed", "0", "--integrators", "pt"});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_EQ(summary()["plan"]["seeds"], (json{1, 2}));
+    EXPECT_GT(summary()["reference"]["mse"].get<double>(), 0.0) << "by its luminance's standard error";
+    EXPECT_TRUE(says(run.out, "16 bits"));
+}
+
+TEST_F(ConvergeCommand, WrongReferencesAreRefusedOrWarnedOf) {
+    const auto rendered = [&](const std::string& name, std::vector<std::string> more) {
+        std::vector<std::string> words = {"render", kScenes + "cornell.json", "--passes", "1",
+                                          "-o",     folder.path(name)};
+        words.insert(words.end(), more.begin(), more.end());
+        EXPECT_EQ(test::runProgram(words).exitCode, 0);
+        return folder.path(name);
+    };
+    const auto with = [&](const std::string& reference, std::vector<std::string> more = {}) {
+        std::vector<std::string> words = {"--reference", reference, "--passes",      "1",
+                                          "--seeds",     "1",       "--integrators", "pt"};
+        words.insert(words.end(), more.begin(), more.end());
+        return converge(words);
+    };
+    const ProgramRun size = with(rendered("size.exr", {"--size", "8x8"}));
+    EXPECT_EQ(size.exitCode, 1);
+    EXPECT_TRUE(says(size.err, "8x8"));
+    const ProgramRun depth = with(rendered("depth.exr", {"--size", "16x12", "--depth", "2"}));
+    EXPECT_EQ(depth.exitCode, 1);
+    EXPECT_TRUE(says(depth.err, "maxDepth 2"));
+    const std::string moved = rendered("moved.exr", {"--size", "16x12", "--fov", "20"});
+    const ProgramRun other = with(moved);
+    EXPECT_EQ(other.exitCode, 1);
+    EXPECT_TRUE(says(other.err, "another scene"));
+    EXPECT_FALSE(std::filesystem::exists(folder.path("run"))) << "a refused run leaves nothing";
+    const ProgramRun forced = with(moved, {"--any-reference"});
+    EXPECT_EQ(forced.exitCode, 0) << forced.err;
+    for (const std::string& text :
+         {forced.out, TempFolder::read(file("summary.json")), TempFolder::read(file("index.html"))}) {
+        EXPECT_TRUE(text.find("MAY NOT SHOW THIS SCENE") != std::string::npos);
+    }
+    EXPECT_EQ(with(folder.path("none.exr")).exitCode, 1);
+    EXPECT_EQ(with(folder.write("text.exr", "no picture at all")).exitCode, 1);
+    EXPECT_EQ(with(kScenes + "cornell.json").exitCode, 1);
+}
+
+TEST_F(ConvergeCommand, AReferenceOfUnknownOriginHasNoFloor) {
+    ExrPicture plain;
+    plain.width = 16;
+    plain.height = 12;
+    for (const char* name : {"R", "G", "B"}) {
+        ExrChannel channel;
+        channel.name = name;
+        channel.floats.assign(16 * 12, 0.25f);
+        plain.channels.push_back(channel);
+    }
+    ASSERT_TRUE(saveExr(folder.path("plain.exr"), plain));
+    const ProgramRun run = converge({"--reference", folder.path("plain.exr"), "--passes", "2", "--seeds", "1",
+                                     "--integrators", "pt", "--subtract-reference"});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_TRUE(summary()["reference"]["mse"].is_null());
+    EXPECT_FALSE(summary()["reference"]["subtracted"].get<bool>());
+    EXPECT_TRUE(says(run.out, "nothing vouches for it"));
+    EXPECT_TRUE(says(run.out, "no floor"));
+    EXPECT_FALSE(says(TempFolder::read(file("plot.svg")), "own error"));
+}
+
+TEST_F(ConvergeCommand, EarlierResultsAreNotReplacedUnasked) {
+    ASSERT_EQ(converge(with({"--integrators", "pt"})).exitCode, 0);
+    const std::string before = TempFolder::read(file("summary.json"));
+    std::ofstream(file("mine.txt")) << "mine";
+    const ProgramRun refused = converge(with({"--integrators", "sppm:photons=500"}));
+    EXPECT_EQ(refused.exitCode, 1);
+    EXPECT_TRUE(says(refused.err, "--overwrite"));
+    EXPECT_EQ(TempFolder::read(file("summary.json")), before);
+    EXPECT_EQ(converge(with({"--integrators", "sppm:photons=500", "--overwrite"})).exitCode, 0);
+    EXPECT_NE(TempFolder::read(file("summary.json")), before);
+    EXPECT_EQ(TempFolder::read(file("mine.txt")), "mine");
+    // A cached reference of other settings is not taken for this one's.
+    removeResults();
+    const ProgramRun other = converge(with({"--integrators", "pt", "--depth", "1"}));
+    EXPECT_EQ(other.exitCode, 1);
+    EXPECT_TRUE(says(other.err, "maxDepth"));
+}
+
+TEST_F(ConvergeCommand, BadInputHasOneMessageAndLeavesNothing) {
+    const std::vector<std::vector<std::string>> bad = {
+        {},
+        {"--make-reference", "1", "--reference", "a.exr"},
+        {"--make-reference", "0"},
+        {"--make-reference", "nan"},
+        with({"--time", "3"}),
+        with({"--integrators", "ptt"}),
+        with({"--integrators", "pt:sampler=halton"}),
+        with({"--integrators", "pt,pt"}),
+        with({"--reference-variant", "sppm:alpha=2"}),
+        with({"--seeds", "0"}),
+        with({"--points", "1"}),
+        with({"--backend", "gpu"}),
+        with({"--threads", "0"}),
+        with({"--size", "0x4"}),
+        with({"--json", folder.path("no/such/a.json")}),
+        {"--reference-variant", "pt", "--reference", "a.exr"},
+        {"--make-reference", "1", "--time", "-2"},
+    };
+    for (const auto& options : bad) {
+        const ProgramRun run = converge(options);
+        const std::string words =
+            options.empty() ? "no options" : options[options.size() - 2] + " " + options.back();
+        EXPECT_EQ(run.exitCode, 1) << words << ": " << run.err;
+        EXPECT_FALSE(run.err.empty()) << words;
+    }
+    EXPECT_EQ(folder.size(), 0u) << "a refused run must leave nothing behind";
+    const std::string blocked = folder.write("file", "a file");
+    EXPECT_TRUE(says(converge(with({}), "file").err, "is a file"));
+    EXPECT_TRUE(says(converge(with({}), "file/below").err, "is a file"));
+    EXPECT_EQ(test::runProgram(
+                  {"converge", folder.path("none.json"), "--make-reference", "1", "--out", folder.path("x")})
+                  .exitCode,
+              1);
+}
+
+TEST_F(ConvergeCommand, CtrlCKeepsWhatWasMeasured) {
+    const ProgramRun run = converge({"--make-reference", "0.2", "--passes", "20", "--points", "3", "--seeds",
+                                     "1000", "--integrators", "pt"},
+                                    "run", "seed 2 of 1000");
+    EXPECT_EQ(run.exitCode, 130) << run.err;
+    const json all = summary();
+    ASSERT_TRUE(all.is_object());
+    EXPECT_TRUE(all["interrupted"].get<bool>());
+    ASSERT_EQ(all["variants"][0]["curve"].size(), 3u);
+    EXPECT_GE(all["variants"][0]["curve"][0]["seeds"].get<int>(), 1);
+    EXPECT_TRUE(says(TempFolder::read(file("index.html")), "interrupted"));
+}
+
+TEST_F(ConvergeCommand, CtrlCBeforeThereIsAReferenceMeasuresNothing) {
+    const ProgramRun run = converge({"--make-reference", "100000", "--time", "100000"}, "run", "pilot of");
+    EXPECT_EQ(run.exitCode, 130) << run.err;
+    EXPECT_TRUE(says(run.err, "nothing was measured"));
+    EXPECT_FALSE(std::filesystem::exists(folder.path("run")));
+}
+
+TEST_F(ConvergeCommand, EverySceneAndFormatWorks) {
+    std::vector<std::string> scenes;
+    for (const auto& entry : std::filesystem::directory_iterator(kScenes)) {
+        if (entry.path().extension() == ".json" && entry.path().filename() != "glint.schema.json") {
+            scenes.push_back(entry.path().string());
+        }
+    }
+    ASSERT_GT(scenes.size(), 5u);
+    scenes.push_back(folder.write("quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"));
+    scenes.push_back(folder.write("triangle.ply",
+                                  "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float "
+                                  "y\nproperty float z\nelement face 1\nproperty list uchar int "
+                                  "vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"));
+    int number = 0;
+    for (const std::string& scene : scenes) {
+        const std::string out = folder.path("run" + std::to_string(number++));
+        const ProgramRun run = test::runProgram(
+            {"converge", scene, "--size", "8x6", "--make-reference", "0.02", "--passes", "2", "--seeds", "2",
+             "--integrators", "pt,sppm:photons=200", "--reference-variant", "pt", "--out", out});
+        EXPECT_EQ(run.exitCode, 0) << scene << ": " << run.err;
+        EXPECT_TRUE(std::filesystem::exists(out + "/index.html")) << scene;
+    }
+}
+
+TEST_F(ConvergeCommand, ABlackPictureHasNoRelativeError) {
+    const std::string scene = folder.write(
+        "dark.json",
+        R"({"glint": 1, "resolution": [8, 8], "camera": {"position": [0, 0, 3], "target": [0, 0, 0]},
+        "materials": {"grey": {"type": "diffuse", "color": 0.5}},
+        "objects": [{"type": "sphere", "material": "grey"}]})");
+    const ProgramRun run =
+        test::runProgram({"converge", scene, "--make-reference", "0.05", "--passes", "3", "--seeds", "2",
+                          "--integrators", "pt,sppm:photons=100", "--out", folder.path("run")});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_TRUE(summary()["variants"][0]["curve"][0]["relative_error"]["mean"].is_null());
+    EXPECT_EQ(summary()["variants"][0]["curve"][0]["mse"]["mean"], 0.0);
+}
+
+}  // namespace
+}  // namespace glint
