@@ -11,6 +11,12 @@ namespace {
 /// a frame.
 constexpr double kAlmostDoneSeconds = 0.008;
 
+bool asksForMore(const Wishes& before, const Wishes& now) {
+    return (now.standardError && !before.standardError) ||
+           (now.photonStatistics && !before.photonStatistics) || (now.errorMaps && !before.errorMaps) ||
+           (now.aovs & ~before.aovs) != 0;
+}
+
 }  // namespace
 
 void Mailbox::post(SceneEdit edit, std::optional<ResumePoint> resume) {
@@ -53,8 +59,9 @@ void Mailbox::postCapture(CapturePromise capture) {
 
 void Mailbox::change(const std::function<void(Wishes&)>& how) {
     const std::lock_guard lock(mutex_);
+    const Wishes before = wishes_;
     how(wishes_);
-    if (pass_ && pass_->stopsOnPause && wishes_.paused) {
+    if (pass_ && pass_->mayWait && (wishes_.paused || asksForMore(before, wishes_))) {
         stop_ = true;
         stopRaised_ = SessionClock::now();
     }
@@ -77,7 +84,7 @@ void Mailbox::beginPass(const PassInFlight& pass) {
     pass_ = pass;
     passBegan_ = SessionClock::now();
     const bool stopNow = mail_.quit || (mail_.invalidatesPicture() && worthStopping(passBegan_)) ||
-                         (wishes_.paused && pass.stopsOnPause);
+                         (wishes_.paused && pass.mayWait);
     stop_ = stopNow;
     stopRaised_ = passBegan_;
 }

@@ -60,7 +60,9 @@ struct PassInFlight {
         false;  ///< nothing has been shown since an edit before: stopping again would freeze the picture
     double previewSeconds =
         0.0;  ///< a preview that should take so long: one that is almost done is let through
-    bool stopsOnPause = false;
+    /// A film pass while there is a picture to look at: a pause stops it, and so does a wish for something
+    /// that the picture does not show, which then comes at once instead of after the pass.
+    bool mayWait = false;
 };
 
 class Mailbox {

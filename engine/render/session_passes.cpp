@@ -124,7 +124,7 @@ PassInFlight SessionWorker::passInFlight(NextPass kind) const {
         pass.mustBeShown = shownGeneration_ + 1 < status_.generation;
         pass.previewSeconds = pace_.expectedSeconds(pixelCount(preview_.width(), preview_.height()));
     }
-    pass.stopsOnPause = kind == NextPass::Film && filmPasses() > 0;
+    pass.mayWait = kind == NextPass::Film && filmPasses() > 0;
     return pass;
 }
 
@@ -261,7 +261,8 @@ void SessionWorker::showIfDue() {
     const bool firstOfGeneration = shownGeneration_ != status_.generation || shownIntegrator_ != integrator();
     const bool resting = nextPass(wishes_) == NextPass::None;
     const bool sharper = shownPreview_ && !previewing_;
-    if (firstOfGeneration || resting || sharper || secondsSince(shownAt_) >= kSnapshotInterval) {
+    if (firstOfGeneration || resting || sharper || shownLacksWishes() ||
+        secondsSince(shownAt_) >= kSnapshotInterval) {
         show(previewing_);
     }
     showOtherIfDue();

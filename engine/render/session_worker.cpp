@@ -87,12 +87,14 @@ void SessionWorker::takeRequests() {
         shownAovs_.reset();
     }
     // A picture at rest has to be shown again with what it lacked.
-    const bool lacksError = wishes_.standardError && !shownStandardError_;
-    const bool lacksStatistics = wishes_.photonStatistics && !shownPhotonStatistics_;
-    const bool lacksMaps = wishes_.errorMaps && !shownErrorMaps_;
-    if ((lacksError || lacksStatistics || lacksMaps) && filmPasses() > 0) {
+    if (shownLacksWishes() && filmPasses() > 0) {
         shownIsOld_ = true;
     }
+}
+
+bool SessionWorker::shownLacksWishes() const {
+    return (wishes_.standardError && !shownStandardError_) ||
+           (wishes_.photonStatistics && !shownPhotonStatistics_) || (wishes_.errorMaps && !shownErrorMaps_);
 }
 
 void SessionWorker::fail(const std::string& why) {

@@ -87,6 +87,7 @@ class SessionWorker {
     PassInFlight passInFlight(NextPass kind) const;
 
     void takeRequests();
+    bool shownLacksWishes() const;
     void serveCaptures();
     void answerCaptures();
     void showIfDue();

@@ -41,11 +41,12 @@ struct Bench {
         session.setComparing(true);
         post(EditKind::Everything);
         if (!waitFor([&] { return session.otherSnapshot() != nullptr; })) return false;
-        const int begun = static_cast<int>(control->begunPasses().size());
         control->secondsPerPass = 1e6;
         return waitFor([&] {
-            const int now = static_cast<int>(control->begunPasses().size());
-            return now > begun && now > control->passes + control->stopped;
+            const int passes = control->passes;
+            std::this_thread::sleep_for(std::chrono::milliseconds(30));
+            const int begun = static_cast<int>(control->begunPasses().size());
+            return passes == control->passes && begun > control->passes + control->stopped;
         });
     }
 };
@@ -84,6 +85,20 @@ TEST(ComparingSession, TheOtherPictureCarriesWhatIsAskedForToo) {
     ASSERT_NE(other->aovs, nullptr);
     EXPECT_EQ(other->aovs->passes(), RenderSession::kAovPasses);
     EXPECT_TRUE(bench.session.snapshot()->radiusWorld.empty()) << "path tracing has no photons";
+}
+
+TEST(ComparingSession, WhatThePictureLacksComesBeforeAnyFurtherPass) {
+    Bench bench;
+    ASSERT_TRUE(bench.reachEndlessPass());
+    const int passes = bench.control->passes;
+    bench.session.requestPhotonStatistics(true);
+    EXPECT_TRUE(Bench::waitFor([&] {
+        const auto other = bench.session.otherSnapshot();
+        return other && !other->radiusWorld.empty();
+    }));
+    bench.session.request(0, true);
+    EXPECT_TRUE(Bench::waitFor([&] { return !bench.session.snapshot()->standardError.empty(); }));
+    EXPECT_EQ(bench.control->passes, passes);
 }
 
 TEST(ComparingSession, AFinishedPictureIsComparedWithOneOfAsMuchTime) {

@@ -24,7 +24,8 @@ void drawView(ViewerModel* model, Camera* camera) {
                  .speed = speed,
                  .tooltip = "What the camera looks at and orbits around, in metres"});
     Vec3 up = camera->up;
-    if (ui::vector3("Up", &up, {.format = "%.3f", .speed = 0.005f}) && lengthSquared(up) > 0.0f)
+    if (ui::vector3("Up", &up, {.format = "%.3f", .speed = 0.005f, .tooltip = "What is up in the picture"}) &&
+        lengthSquared(up) > 0.0f)
         camera->up = up;
     ui::number(
         "Field of view", &camera->verticalFovDeg,
@@ -85,7 +86,11 @@ void drawLens(ViewerModel* model, Camera* camera) {
         camera->apertureBlades = blades >= 3 ? blades : (blades > camera->apertureBlades ? 3 : 0);
     }
     ui::number("Blade rotation", &camera->bladeRotationDeg,
-               {.format = "%.1f°", .speed = 0.5f, .min = -360.0f, .max = 360.0f});
+               {.format = "%.1f°",
+                .speed = 0.5f,
+                .min = -360.0f,
+                .max = 360.0f,
+                .tooltip = "Turns the corners of the opening"});
 }
 
 }  // namespace

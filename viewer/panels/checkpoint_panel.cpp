@@ -18,24 +18,29 @@ void drawCheckpointPanel(ViewerModel* model) {
     ui::text("EXR file", &files.exr, "render.exr", "Linear radiance");
     ui::toggle("32-bit float", &files.exrFloat, "Otherwise 16-bit half");
     ui::toggle("Layers", &files.exrLayers, "Albedo, normals, depth and ids too");
-    if (ui::button("Save EXR", ui::buttonWidth(1))) model->saveExr();
+    if (ui::button("Save EXR", ui::buttonWidth(1), "Without exposure and tone map")) model->saveExr();
 
     ui::gap();
     ui::text("Checkpoint file", &files.checkpoint, "render.glintfilm",
              "A render that can be gone on with, to the last bit");
     const float half = ui::buttonWidth(2);
-    if (ui::button("Save", half)) model->saveCheckpointFile();
+    if (ui::button("Save", half, "After the pass that is running")) model->saveCheckpointFile();
     ImGui::SameLine();
     if (ui::button("Resume", half, "Goes on from the file. Another scene or other settings are refused")) {
         model->resumeCheckpoint();
     }
     ui::toggle("Automatic", &files.automatic, "Saves the checkpoint again and again while it renders");
     ui::number("Every", &files.automaticSeconds,
-               {.format = "%.0f s", .speed = 1.0f, .min = 1.0f, .max = 86400.0f});
+               {.format = "%.0f s",
+                .speed = 1.0f,
+                .min = 1.0f,
+                .max = 86400.0f,
+                .tooltip = "Between two automatic saves"});
 
     ui::gap();
     ui::text("Scene file", &files.json, "scene.json", "The scene as edited, as Glint JSON");
-    if (ui::button("Save scene", ui::buttonWidth(1))) model->saveSceneFile();
+    if (ui::button("Save scene", ui::buttonWidth(1), "With every edit that was made here"))
+        model->saveSceneFile();
 
     if (!model->fileMessage().empty()) {
         ui::gap();

@@ -12,9 +12,35 @@ namespace glint {
 namespace {
 
 constexpr std::array<std::string_view, 4> kToneMaps{"Clamp (linear)", "sRGB", "Filmic", "Reinhard"};
-constexpr std::array<std::string_view, 11> kPictures{
-    "Radiance",    "Albedo",         "Shading normal", "Geometric normal", "Depth",         "Object id",
-    "Material id", "Standard error", "SPPM radius",    "Photon count",     "Visible points"};
+constexpr std::array<std::string_view, kShownPictureCount> kPictures{"Radiance",
+                                                                     "Albedo",
+                                                                     "Shading normal",
+                                                                     "Geometric normal",
+                                                                     "Depth",
+                                                                     "Object id",
+                                                                     "Material id",
+                                                                     "Standard error",
+                                                                     "Bias",
+                                                                     "Bounded at 90 %",
+                                                                     "Error against reference",
+                                                                     "SPPM radius",
+                                                                     "Photon count",
+                                                                     "Visible points"};
+
+/// Why the radiance is shown instead; nullptr when nothing is missing.
+const char* missing(const ViewerModel& model) {
+    const DisplaySettings& display = model.display;
+    const bool hasSppm = display.split || model.draft().options.integrator == IntegratorKind::Sppm;
+    if (isOfPhotons(display.shown) && !hasSppm)
+        return "Path tracing has no photons: choose SPPM as the integrator.";
+    if (display.shown == ShownPicture::Bias && !hasSppm)
+        return "Path tracing has no bias: choose SPPM as the integrator.";
+    if (display.shown != ShownPicture::ReferenceError) return nullptr;
+    if (!model.reference.picture()) return "Load a reference in the Convergence panel first.";
+    const Resolution& size = model.draft().resolution;
+    const bool isComparable = model.reference.mismatch(size.width, size.height).empty();
+    return isComparable ? nullptr : "The reference has another size than the picture.";
+}
 constexpr std::array<std::string_view, 2> kSizes{"Fit the window", "1:1 pixels"};
 
 }  // namespace
@@ -34,16 +60,16 @@ void drawDisplayPanel(ViewerModel* model) {
         display.toneMap = static_cast<ToneMap>(toneMap);
     }
     int shown = static_cast<int>(display.shown);
-    if (ui::choice("Shown", &shown, kPictures, "The render, or what the camera's first hit tells")) {
+    if (ui::choice("Shown", &shown, kPictures,
+                   "The render, what the camera's first hit tells, or how far the render may be off")) {
         display.shown = static_cast<ShownPicture>(shown);
     }
-    const bool hasPhotons = display.split || model->draft().options.integrator == IntegratorKind::Sppm;
-    if (isOfPhotons(display.shown) && !hasPhotons)
-        ui::hint("Path tracing has no photons: choose SPPM as the integrator.");
+    if (const char* why = missing(*model)) ui::hint(why);
     ui::toggle("Compare", &display.split,
                "Path tracing left of the divider, SPPM right of it, at equal render time (C)");
     int size = display.pixelScale ? 1 : 0;
-    if (ui::choice("Size", &size, kSizes)) display.pixelScale = size == 1;
+    if (ui::choice("Size", &size, kSizes, "How large the picture is drawn; never restarts"))
+        display.pixelScale = size == 1;
     ImGui::PopID();
     ui::gap();
 }

@@ -10,6 +10,7 @@ namespace glint {
 
 void drawScenePanel(ViewerModel* model);
 void drawRenderPanel(ViewerModel* model);
+void drawConvergencePanel(ViewerModel* model);
 void drawSppmPanel(ViewerModel* model);
 void drawCameraPanel(ViewerModel* model);
 void drawMaterialsPanel(ViewerModel* model);

@@ -72,17 +72,21 @@ void drawIntegrator(ViewerModel* model) {
 
 void drawNumbers(const ViewerModel& model) {
     const SessionStatus& status = model.status();
-    ui::value("State", stateText(model));
+    ui::value("State", stateText(model), "Space pauses and goes on");
     ui::value("Passes", grouped(status.passes), "Samples of each pixel so far");
-    ui::value("Speed", fmt::format("{:.2f} passes/s", status.passesPerSecond));
-    ui::value("Paths", withPrefix(status.pathsPerSecond, "paths/s"));
-    ui::value("Rays", withPrefix(status.raysPerSecond, "rays/s"));
+    const bool isTimed = status.passesPerSecond > 0.0;
+    ui::value("Speed", isTimed ? fmt::format("{:.2f} passes/s", status.passesPerSecond) : "–",
+              "Of the integrator that is chosen, over its last passes");
+    ui::value("Paths", isTimed ? withPrefix(status.pathsPerSecond, "paths/s") : "–",
+              "Camera paths, one a pixel and pass");
+    ui::value("Rays", isTimed ? withPrefix(status.raysPerSecond, "rays/s") : "–",
+              "Camera, bounce and shadow rays");
     ui::value("Elapsed", duration(status.renderSeconds), "Time spent in passes since the last restart");
     ui::value("Est. error", status.passes > 1 ? percent(status.relativeError) : "–",
               "Root mean squared standard error of the pixels, relative to the picture's mean luminance");
     ui::value("Last edit", latency(status.lastEditToPictureSeconds),
               "From the edit to its first new picture");
-    ui::value("Device", status.backend);
+    ui::value("Device", status.backend, "What runs the passes");
     if (!status.error.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, theme::kTextError);
         ImGui::TextWrapped("%s", status.error.c_str());
@@ -104,11 +108,19 @@ void drawLimits(ViewerModel* model) {
         model->limits.passes = static_cast<uint32_t>(passes);
     }
     if (ui::number("Time limit", &seconds,
-                   {.format = "%.0f s", .speed = 1.0f, .max = 1e7f, .zeroText = "none"})) {
+                   {.format = "%.0f s",
+                    .speed = 1.0f,
+                    .max = 1e7f,
+                    .zeroText = "none",
+                    .tooltip = "Render time, pauses left out. 0: no limit"})) {
         model->limits.renderSeconds = static_cast<double>(seconds);
     }
     if (ui::number("Error limit", &error,
-                   {.format = "%.2f %%", .speed = 0.01f, .max = 100.0f, .zeroText = "none"})) {
+                   {.format = "%.2f %%",
+                    .speed = 0.01f,
+                    .max = 100.0f,
+                    .zeroText = "none",
+                    .tooltip = "Of the estimate; the Convergence panel's target. 0: no limit"})) {
         model->limits.relativeError = static_cast<double>(error) / 100.0;
     }
     if (const float done = progress(model->status(), model->limits); done >= 0.0f) {

@@ -29,6 +29,7 @@ void drawScenePanel(ViewerModel* model) {
 void drawPanels(ViewerModel* model) {
     drawScenePanel(model);
     drawRenderPanel(model);
+    drawConvergencePanel(model);
     drawSppmPanel(model);
     drawCameraPanel(model);
     drawMaterialsPanel(model);

@@ -153,8 +153,11 @@ void App::drawFrame() {
     if (!held || seconds(now - lastEdit_) > kMotionEndSeconds) model_.finishMotion();
     ImGui::Render();
     const auto built = Clock::now();
-    source_.show(model_.snapshot(), model_.display, display_.get());
-    if (model_.display.split) otherSource_.show(model_.otherSnapshot(), model_.display, otherDisplay_.get());
+    const auto& reference = model_.reference.picture();
+    source_.show(model_.snapshot(), model_.display, reference, nullptr, display_.get());
+    if (model_.display.split) {
+        otherSource_.show(model_.otherSnapshot(), model_.display, reference, &source_, otherDisplay_.get());
+    }
     drawnSnapshot_ = model_.snapshot();
     drawnOther_ = model_.otherSnapshot();
     if (!options_.frameStats.empty()) surface_->gl().Finish();
@@ -205,6 +208,7 @@ Status App::run(bool* scriptFailed) {
             }
         }
         if (surface_->takeInputFlag()) lastInput_ = Clock::now();
+        for (const std::string& file : surface_->takeDroppedFiles()) model_.takeDroppedFile(file);
         if (worthDrawing(Clock::now())) drawFrame();
         if (const std::string title = currentTitle(); title != title_) surface_->setTitle(title_ = title);
         if (progress_) progress_->update(model_.status(), model_.limits);

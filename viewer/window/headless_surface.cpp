@@ -45,6 +45,7 @@ class HeadlessSurface final : public Surface {
     void present() override { gl_.Finish(); }
     bool shouldClose() const override { return false; }
     bool takeInputFlag() override { return false; }
+    std::vector<std::string> takeDroppedFiles() override { return {}; }
     Vec2i framebufferSize() const override { return size_; }
     float contentScale() const override { return contentScale_; }
     float framebufferScale() const override { return 1.0f; }

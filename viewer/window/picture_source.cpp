@@ -1,5 +1,6 @@
 #include "viewer/window/picture_source.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace glint {
@@ -26,6 +27,9 @@ Vec3 falseColor(const AovSample& sample, ShownPicture shown, const DepthRange& r
             return idColor(sample.materialId);
         case ShownPicture::Radiance:
         case ShownPicture::StandardError:
+        case ShownPicture::Bias:
+        case ShownPicture::ErrorBound:
+        case ShownPicture::ReferenceError:
         case ShownPicture::Radius:
         case ShownPicture::PhotonCount:
         case ShownPicture::VisiblePoints:
@@ -41,22 +45,62 @@ DepthRange rangeOf(const std::vector<AovSample>& samples) {
     return depthRange(depths);
 }
 
-std::vector<float> grey(const std::vector<float>& values) {
-    std::vector<float> rgb;
-    rgb.reserve(values.size() * 3);
-    for (const float value : values) rgb.insert(rgb.end(), 3, std::isfinite(value) ? value : 0.0f);
-    return rgb;
+/// From four decades below nearly the largest value up to it: a few fireflies must not set the scale.
+HeatScale scaleWithoutOutliers(const std::vector<float>& values) {
+    constexpr size_t kSamples = 16384;
+    constexpr double kShare = 0.999;
+    constexpr float kDecades = 1e-4f;
+    std::vector<float> sizes;
+    const size_t step = std::max<size_t>(1, values.size() / kSamples);
+    for (size_t i = 0; i < values.size(); i += step) {
+        const float size = std::fabs(values[i]);
+        if (size > 0.0f && std::isfinite(size)) sizes.push_back(size);
+    }
+    if (sizes.empty()) return {};
+    const auto high = sizes.begin() + static_cast<ptrdiff_t>(kShare * static_cast<double>(sizes.size() - 1));
+    std::nth_element(sizes.begin(), high, sizes.end());
+    const float largest = *high;
+    const float smallest = *std::min_element(sizes.begin(), sizes.end());
+    return {std::max(smallest, largest * kDecades), largest};
 }
 
-std::vector<float> heatColors(const std::vector<float>& values, HeatScale* heat) {
-    *heat = heatScale(values);
+std::vector<float> heatColors(const std::vector<float>& values, const HeatScale& heat) {
+    const float lowest = std::log2(heat.smallest);
+    const float span = std::log2(heat.largest) - lowest;
     std::vector<float> rgb;
     rgb.reserve(values.size() * 3);
     for (const float value : values) {
-        const Vec3 color = heatColor(value, *heat);
+        const bool isThere = value > 0.0f && std::isfinite(value);
+        const float share = span > 1e-6f ? (std::log2(value) - lowest) / span : 0.5f;
+        const Vec3 color = isThere ? heatColor(share) : Vec3(0.0f);
         rgb.insert(rgb.end(), {color.x, color.y, color.z});
     }
     return rgb;
+}
+
+std::vector<float> signedColors(const std::vector<float>& values, float largest) {
+    std::vector<float> rgb;
+    rgb.reserve(values.size() * 3);
+    for (const float value : values) {
+        const Vec3 color = std::isfinite(value) && largest > 0.0f ? signedColor(value / largest) : Vec3(0.0f);
+        rgb.insert(rgb.end(), {color.x, color.y, color.z});
+    }
+    return rgb;
+}
+
+std::vector<float> errorsAgainst(const ReferencePicture& reference, const FilmSnapshot& snapshot) {
+    std::vector<float> errors(snapshot.radiance.size() / 3);
+    for (size_t i = 0; i < errors.size(); ++i) errors[i] = errorAgainst(reference, snapshot, i);
+    return errors;
+}
+
+std::vector<float> mapColors(const std::vector<float>& values, ShownPicture shown, MapScale* scale) {
+    scale->isSigned = shown == ShownPicture::Bias;
+    if (!scale->isThere()) {
+        const bool holdsAll = shown == ShownPicture::Radius || shown == ShownPicture::PhotonCount;
+        scale->heat = holdsAll ? heatScale(values) : scaleWithoutOutliers(values);
+    }
+    return scale->isSigned ? signedColors(values, scale->heat.largest) : heatColors(values, scale->heat);
 }
 
 std::vector<float> visiblePointColors(const std::vector<float>& radii) {
@@ -71,15 +115,30 @@ std::vector<float> visiblePointColors(const std::vector<float>& radii) {
 
 }  // namespace
 
-ShownPicture pictureOf(const FilmSnapshot& snapshot, ShownPicture wanted) {
-    const bool lacksPhotons = snapshot.integrator != IntegratorKind::Sppm;
-    return isOfPhotons(wanted) && lacksPhotons ? ShownPicture::Radiance : wanted;
+ShownPicture pictureOf(const FilmSnapshot& snapshot, ShownPicture wanted, const ReferencePicture* reference) {
+    const bool isComparable = reference != nullptr && reference->image.width == snapshot.width &&
+                              reference->image.height == snapshot.height;
+    if (wanted == ShownPicture::ReferenceError && !isComparable) return ShownPicture::Radiance;
+    const bool isSppm = snapshot.integrator == IntegratorKind::Sppm;
+    return isOfSppm(wanted) && !isSppm ? ShownPicture::Radiance : wanted;
 }
 
-std::vector<float> falseColors(const FilmSnapshot& snapshot, ShownPicture shown, HeatScale* heat) {
-    if (shown == ShownPicture::StandardError) return grey(snapshot.standardError);
-    if (shown == ShownPicture::Radius) return heatColors(snapshot.radiusWorld, heat);
-    if (shown == ShownPicture::PhotonCount) return heatColors(snapshot.photonCount, heat);
+float errorAgainst(const ReferencePicture& reference, const FilmSnapshot& snapshot, size_t pixel) {
+    const float* t = snapshot.radiance.data() + 3 * pixel;
+    const float* r = reference.image.rgb.data() + 3 * pixel;
+    return (std::fabs(t[0] - r[0]) + std::fabs(t[1] - r[1]) + std::fabs(t[2] - r[2])) / 3.0f;
+}
+
+std::vector<float> falseColors(const FilmSnapshot& snapshot, ShownPicture shown,
+                               const ReferencePicture* reference, MapScale* scale) {
+    if (shown == ShownPicture::StandardError) return mapColors(snapshot.standardError, shown, scale);
+    if (shown == ShownPicture::Bias) return mapColors(snapshot.bias, shown, scale);
+    if (shown == ShownPicture::ErrorBound) return mapColors(snapshot.errorBound, shown, scale);
+    if (shown == ShownPicture::Radius) return mapColors(snapshot.radiusWorld, shown, scale);
+    if (shown == ShownPicture::PhotonCount) return mapColors(snapshot.photonCount, shown, scale);
+    if (shown == ShownPicture::ReferenceError)
+        return mapColors(errorsAgainst(*reference, snapshot), shown, scale);
+    *scale = {};
     if (shown == ShownPicture::VisiblePoints) return visiblePointColors(snapshot.radiusWorld);
     if (!snapshot.aovs || snapshot.aovs->passes() == 0) return {};
     const std::vector<AovSample>& samples = snapshot.aovs->pixels();
@@ -94,27 +153,30 @@ std::vector<float> falseColors(const FilmSnapshot& snapshot, ShownPicture shown,
 }
 
 void PictureSource::show(const std::shared_ptr<const FilmSnapshot>& snapshot, const DisplaySettings& settings,
-                         ImageDisplay* display) {
-    const bool isNew = snapshot != shown_ || settings.shown != wantedKind_;
+                         const std::shared_ptr<const ReferencePicture>& reference,
+                         const PictureSource* alongside, ImageDisplay* display) {
+    const bool isNew = snapshot != shown_ || settings.shown != wantedKind_ || reference != reference_;
     if (snapshot && snapshot->width > 0 && isNew) {
-        const ShownPicture kind = pictureOf(*snapshot, settings.shown);
+        const ShownPicture kind = pictureOf(*snapshot, settings.shown, reference.get());
         const bool radiance = kind == ShownPicture::Radiance;
-        HeatScale heat;
-        if (!radiance) falseColors_ = falseColors(*snapshot, kind, &heat);
-        const std::vector<float>& rgb = radiance ? snapshot->radiance : falseColors_;
-        // A picture that has not been made yet leaves the one before on the screen.
+        MapScale scale;
+        if (alongside != nullptr && alongside->shownKind() == kind) scale = alongside->scale();
+        if (!radiance) falseColors_ = falseColors(*snapshot, kind, reference.get(), &scale);
+        const bool isMissing = !radiance && falseColors_.empty();
+        // What has not been made yet leaves the picture before on the screen, but not another integrator's.
+        const bool standsIn = isMissing && snapshot->integrator != shownIntegrator_;
+        const std::vector<float>& rgb = radiance || standsIn ? snapshot->radiance : falseColors_;
         if (rgb.size() == static_cast<size_t>(snapshot->width) * static_cast<size_t>(snapshot->height) * 3) {
             display->upload(rgb.data(), snapshot->width, snapshot->height, snapshot->previewScale > 1);
-            shownKind_ = kind;
+            shownKind_ = standsIn ? ShownPicture::Radiance : kind;
             shownIntegrator_ = snapshot->integrator;
-            heat_ = heat;
+            scale_ = radiance || standsIn ? MapScale{} : scale;
         }
         shown_ = snapshot;
         wantedKind_ = settings.shown;
+        reference_ = reference;
     }
-    const bool displayValues =
-        shownKind_ != ShownPicture::Radiance && shownKind_ != ShownPicture::StandardError;
-    display->update({settings.exposureStops, settings.toneMap, displayValues});
+    display->update({settings.exposureStops, settings.toneMap, shownKind_ != ShownPicture::Radiance});
 }
 
 }  // namespace glint

@@ -1,5 +1,7 @@
 #include "viewer/window/pixel_readout.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "viewer/panels/units.h"
@@ -36,6 +38,9 @@ std::string aovText(const AovSample& sample, ShownPicture shown) {
             return sample.materialId > 0 ? fmt::format("material {}", sample.materialId) : "nothing hit";
         case ShownPicture::Radiance:
         case ShownPicture::StandardError:
+        case ShownPicture::Bias:
+        case ShownPicture::ErrorBound:
+        case ShownPicture::ReferenceError:
         case ShownPicture::Radius:
         case ShownPicture::PhotonCount:
         case ShownPicture::VisiblePoints:
@@ -54,20 +59,29 @@ std::string photonText(const FilmSnapshot& snapshot, size_t index, ShownPicture 
     return shown == ShownPicture::Radius ? "radius " + length(static_cast<double>(value)) : "visible point";
 }
 
+std::string mapText(const std::vector<float>& values, size_t index, const char* format) {
+    if (index >= values.size()) return "";
+    return std::isfinite(values[index]) ? fmt::format(fmt::runtime(format), values[index]) : "not known yet";
+}
+
 }  // namespace
 
-std::string pixelReadout(const FilmSnapshot& snapshot, ShownPicture wanted, Vec2i filmPixel) {
+std::string pixelReadout(const FilmSnapshot& snapshot, ShownPicture wanted, const ReferencePicture* reference,
+                         Vec2i filmPixel) {
     if (snapshot.width <= 0 || snapshot.height <= 0) return "";
     const size_t index = indexOf(snapshot, filmPixel);
-    const ShownPicture shown = pictureOf(snapshot, wanted);
+    const ShownPicture shown = pictureOf(snapshot, wanted, reference);
     if (shown == ShownPicture::Radiance) {
         const float* rgb = snapshot.radiance.data() + 3 * index;
         return colorText({rgb[0], rgb[1], rgb[2]});
     }
-    if (shown == ShownPicture::StandardError) {
-        if (index >= snapshot.standardError.size()) return "";
-        return fmt::format("± {:.3g} luminance", snapshot.standardError[index]);
-    }
+    if (shown == ShownPicture::StandardError)
+        return mapText(snapshot.standardError, index, "± {:.3g} luminance");
+    if (shown == ShownPicture::Bias) return mapText(snapshot.bias, index, "bias {:+.3g} luminance");
+    if (shown == ShownPicture::ErrorBound)
+        return mapText(snapshot.errorBound, index, "within ± {:.3g} luminance at 90 %");
+    if (shown == ShownPicture::ReferenceError)
+        return fmt::format("off by {:.3g} radiance", errorAgainst(*reference, snapshot, index));
     if (isOfPhotons(shown)) return photonText(snapshot, index, shown);
     if (!snapshot.aovs || snapshot.aovs->passes() == 0) return "";
     return aovText(snapshot.aovs->pixels()[index], shown);

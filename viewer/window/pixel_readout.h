@@ -8,7 +8,8 @@
 namespace glint {
 
 /// `filmPixel` counts in full resolution and is clamped to the picture. "" where the snapshot does not carry
-/// that picture (yet).
-std::string pixelReadout(const FilmSnapshot& snapshot, ShownPicture wanted, Vec2i filmPixel);
+/// that picture (yet). `reference` may be null.
+std::string pixelReadout(const FilmSnapshot& snapshot, ShownPicture wanted, const ReferencePicture* reference,
+                         Vec2i filmPixel);
 
 }  // namespace glint

@@ -14,9 +14,9 @@
 namespace glint {
 namespace {
 
-/// One way to write a statement: a letter for each word. n: number, s: text, b: mouse button, k: key, u: up
-/// or down, w: a word of `choices`. A trailing '*' repeats the last letter, a '?' before a letter makes it
-/// and the rest optional.
+/// One way to write a statement: a letter for each word. n: number, s: text, q: text in quotes, b: mouse
+/// button, k: key, u: up or down, w: a word of `choices`. A trailing '*' repeats the last letter, a '?'
+/// before a letter makes it and the rest optional.
 struct Form {
     std::string_view verb;
     std::string_view words;
@@ -26,6 +26,7 @@ struct Form {
 
 constexpr Form kForms[] = {
     {"move", "nn", "move X Y"},
+    {"move", "q?nn", "move \"LABEL\" [SHARE_X SHARE_Y]"},
     {"press", "?b", "press [left|right|middle]"},
     {"release", "?b", "release [left|right|middle]"},
     {"click", "s", "click \"LABEL\""},
@@ -40,6 +41,7 @@ constexpr Form kForms[] = {
     {"set", "ss*", "set \"LABEL\" VALUE…"},
     {"wait", "wn", "wait passes|seconds|frames N", "passes seconds frames"},
     {"wait", "w", "wait picture|jobs|finished|paused", "picture jobs finished paused"},
+    {"drop", "s", "drop \"FILE\""},
     {"screenshot", "s", "screenshot \"FILE\""},
     {"print", "s", "print status|widgets|\"LABEL\""},
     {"mark", "", "mark"},
@@ -71,6 +73,8 @@ bool fits(const ScriptWord& word, char letter, const Form& form) {
     switch (letter) {
         case 'n':
             return asNumber(word).has_value();
+        case 'q':
+            return word.quoted;
         case 'b':
             return isChoice(word, "left right middle");
         case 'u':

@@ -127,7 +127,9 @@ Result<std::optional<WidgetRecord>> ScriptPlayer::reachable(const ScriptStatemen
 Result<ScriptPlayer::Progress> ScriptPlayer::runPointer(const ScriptStatement& statement) {
     if (!statement.words[0].quoted && statement.words.size() > 1) {
         const Vec2 at(statement.number(0), statement.number(1));
-        if (statement.verb == "click") {
+        if (statement.verb == "move") {
+            actions_.push_back({Action::Kind::Move, at, 0, ""});
+        } else if (statement.verb == "click") {
             click(at, buttonOf(statement, 2));
         } else {
             drag(at, {statement.number(2), statement.number(3)}, buttonOf(statement, 4));
@@ -138,7 +140,12 @@ Result<ScriptPlayer::Progress> ScriptPlayer::runPointer(const ScriptStatement& s
     if (!widget) return widget.error();
     if (!*widget) return Progress::Again;
     const Vec2 at = centreOf(**widget);
-    if (statement.verb == "click") {
+    if (statement.verb == "move") {
+        const bool isShared = statement.words.size() > 1;
+        const Vec2 share = isShared ? Vec2(statement.number(1), statement.number(2)) : Vec2(0.5f);
+        actions_.push_back(
+            {Action::Kind::Move, (*widget)->min + ((*widget)->max - (*widget)->min) * share, 0, ""});
+    } else if (statement.verb == "click") {
         click(at, ImGuiMouseButton_Left);
     } else {
         drag(at, at + Vec2(statement.number(1), statement.number(2)), ImGuiMouseButton_Left);
@@ -198,7 +205,7 @@ Result<ScriptPlayer::Progress> ScriptPlayer::runWait(const ScriptStatement& stat
 Result<ScriptPlayer::Progress> ScriptPlayer::run(const ScriptStatement& statement) {
     const std::string& verb = statement.verb;
     const auto wordCount = statement.words.size();
-    if (verb == "click" || verb == "drag") return runPointer(statement);
+    if (verb == "click" || verb == "drag" || verb == "move") return runPointer(statement);
     if (verb == "wait") return runWait(statement);
     if (verb == "open" || verb == "close") return assign(statement, {verb == "open" ? "open" : "closed"});
     if (verb == "set") {
@@ -215,8 +222,6 @@ Result<ScriptPlayer::Progress> ScriptPlayer::run(const ScriptStatement& statemen
         return saved ? Result<Progress>(Progress::Done)
                      : Result<Progress>(statement.errorAt(0, saved.error().format()));
     }
-    if (verb == "move")
-        actions_.push_back({Action::Kind::Move, {statement.number(0), statement.number(1)}, 0, ""});
     if (verb == "press") actions_.push_back({Action::Kind::Press, {}, buttonOf(statement, 0), ""});
     if (verb == "release") actions_.push_back({Action::Kind::Release, {}, buttonOf(statement, 0), ""});
     if (verb == "wheel") {
@@ -225,6 +230,7 @@ Result<ScriptPlayer::Progress> ScriptPlayer::run(const ScriptStatement& statemen
         actions_.push_back({Action::Kind::Wheel, {0.0f, statement.number(0)}, 0, ""});
     }
     if (verb == "key") runKey(statement);
+    if (verb == "drop") model_->takeDroppedFile(statement.words[0].text);
     if (verb == "text") actions_.push_back({Action::Kind::Text, {}, 0, statement.words[0].text});
     if (verb == "mark") mark_ = model_->session().status().counters;
     if (verb == "print") print(statement);

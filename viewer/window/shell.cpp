@@ -129,18 +129,23 @@ void Shell::drawStatusLine(const ViewerModel& model, float y) {
         const SessionStatus& status = model.status();
         const auto& snapshot = view_.hoversOther() ? model.otherSnapshot() : model.snapshot();
         if (const auto& pixel = view_.hoveredPixel(); pixel && snapshot && snapshot->width > 0) {
-            left += fmt::format("    ({}, {})  {}", pixel->x, pixel->y,
-                                pixelReadout(*snapshot, model.display.shown, *pixel));
+            left += fmt::format(
+                "    ({}, {})  {}", pixel->x, pixel->y,
+                pixelReadout(*snapshot, model.display.shown, model.reference.picture().get(), *pixel));
         }
         right = fmt::format("{} passes    {}    error {}    F1: help", grouped(status.passes),
                             duration(status.renderSeconds),
                             status.passes > 1 ? percent(status.relativeError) : "–");
     }
+    const float rightX = io.DisplaySize.x - ImGui::CalcTextSize(right.c_str()).x - 10.0f * ui::scale();
     ImGui::PushStyleColor(ImGuiCol_Text, theme::kTextDim);
+    ImGui::PushClipRect({0.0f, y}, {rightX - 10.0f * ui::scale(), io.DisplaySize.y}, true);
     ImGui::TextUnformatted(left.c_str());
-    ImGui::SameLine(io.DisplaySize.x - ImGui::CalcTextSize(right.c_str()).x - 10.0f * ui::scale());
+    ImGui::PopClipRect();
+    ImGui::SameLine(rightX);
     ImGui::TextUnformatted(right.c_str());
     ImGui::PopStyleColor();
+    ui::area("Status line", {0.0f, y}, {io.DisplaySize.x, io.DisplaySize.y}, left);
     ImGui::End();
     ImGui::PopStyleVar(2);
 }

@@ -36,8 +36,8 @@ void drawPlate(const std::string& text, Vec2 anchor, bool fromRight) {
     draw->AddText(im(corner + pad), ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
 }
 
-std::string sideLabel(const char* name, const FilmSnapshot* snapshot) {
-    if (snapshot == nullptr) return fmt::format("{}   first pass…", name);
+std::string sideLabel(const char* name, const FilmSnapshot* snapshot, bool paused) {
+    if (snapshot == nullptr) return fmt::format("{}   {}", name, paused ? "paused" : "first pass…");
     if (snapshot->previewScale > 1) return fmt::format("{}   preview", name);
     return fmt::format("{}   {} {}   {}", name, grouped(snapshot->passes),
                        snapshot->passes == 1 ? "pass" : "passes", duration(snapshot->renderSeconds));
@@ -50,7 +50,7 @@ struct Side {
 };
 
 /// The part of the side's picture between the shares `from` and `to` of the width.
-void drawSide(const Side& side, Vec2 min, Vec2 max, float from, float to) {
+void drawSide(const Side& side, Vec2 min, Vec2 max, float from, float to, bool paused) {
     const float width = max.x - min.x;
     const Vec2 partMin(min.x + width * from, min.y);
     const Vec2 partMax(min.x + width * to, max.y);
@@ -65,7 +65,7 @@ void drawSide(const Side& side, Vec2 min, Vec2 max, float from, float to) {
     }
     const float margin = kMarginUnits * ui::scale();
     const bool isRight = to == 1.0f && from > 0.0f;
-    drawPlate(sideLabel(side.name, side.snapshot),
+    drawPlate(sideLabel(side.name, side.snapshot, paused),
               {isRight ? partMax.x - margin : partMin.x + margin, min.y + margin}, isRight);
     draw->PopClipRect();
 }
@@ -83,8 +83,8 @@ void drawSplit(const ViewerModel& model, const Pictures& pictures, Vec2 min, Vec
     put(model.otherSnapshot().get(), *pictures.otherSource, pictures.other);
     const float x = dividerX(model.display, min, max);
     const float share = (x - min.x) / (max.x - min.x);
-    if (share > 0.0f) drawSide(left, min, max, 0.0f, share);
-    if (share < 1.0f) drawSide(right, min, max, share, 1.0f);
+    if (share > 0.0f) drawSide(left, min, max, 0.0f, share, model.paused);
+    if (share < 1.0f) drawSide(right, min, max, share, 1.0f, model.paused);
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const float half = std::max(1.0f, ui::scale());
     draw->AddRectFilled({x - 2.0f * half, min.y}, {x + 2.0f * half, max.y}, IM_COL32(0, 0, 0, 110));
@@ -92,25 +92,40 @@ void drawSplit(const ViewerModel& model, const Pictures& pictures, Vec2 min, Vec
     draw->AddCircleFilled({x, (min.y + max.y) * 0.5f}, 5.0f * half, IM_COL32(235, 235, 235, 255));
 }
 
-std::string heatText(ShownPicture shown, float value) {
-    if (shown == ShownPicture::Radius) return length(static_cast<double>(value));
-    return fmt::format("{:.3g}", value);
+const char* unitOf(ShownPicture shown) {
+    if (shown == ShownPicture::Radius) return "radius";
+    if (shown == ShownPicture::PhotonCount) return "photons";
+    if (shown == ShownPicture::ReferenceError) return "off the reference";
+    return shown == ShownPicture::Bias         ? "bias"
+           : shown == ShownPicture::ErrorBound ? "bound at 90 %"
+                                               : "noise";
 }
 
-/// The colours from the smallest to the largest value, with both.
-void drawHeatScale(const PictureSource& source, Vec2 min, Vec2 max) {
-    const HeatScale& heat = source.heat();
-    if (!(heat.largest > 0.0f)) return;
+std::string scaleText(ShownPicture shown, float value) {
+    if (shown == ShownPicture::Radius) return length(static_cast<double>(value));
+    if (shown == ShownPicture::Bias) return fmt::format("{:+.2g}", value);
+    if (shown == ShownPicture::PhotonCount && value >= 99.5f)
+        return grouped(static_cast<uint64_t>(std::lround(value)));
+    return fmt::format("{:.2g}", value);
+}
+
+/// The colours from the smallest to the largest value, with both, in the lower left corner or the right one.
+void drawScale(const PictureSource& source, Vec2 min, Vec2 max, bool onRight) {
+    const HeatScale& heat = source.scale().heat;
+    const bool isSigned = source.scale().isSigned;
     const float scale = ui::scale();
-    const std::string low = heatText(source.shownKind(), heat.smallest);
-    const std::string high = heatText(source.shownKind(), heat.largest) +
-                             (source.shownKind() == ShownPicture::Radius ? " radius" : " photons");
+    const std::string low = scaleText(source.shownKind(), isSigned ? -heat.largest : heat.smallest);
+    const std::string high =
+        fmt::format("{} {}", scaleText(source.shownKind(), heat.largest), unitOf(source.shownKind()));
     const float line = ImGui::GetFontSize();
     const float gap = 6.0f * scale;
-    const float bar = 140.0f * scale;
     const float lowWidth = ImGui::CalcTextSize(low.c_str()).x;
-    const float width = lowWidth + bar + ImGui::CalcTextSize(high.c_str()).x + 4.0f * gap;
-    const Vec2 corner(min.x + kMarginUnits * scale, max.y - kMarginUnits * scale - line - 2.0f * gap);
+    const float texts = lowWidth + ImGui::CalcTextSize(high.c_str()).x + 4.0f * gap;
+    const float room = max.x - min.x - 2.0f * kMarginUnits * scale - texts;
+    const float bar = std::clamp(room, 24.0f * scale, 140.0f * scale);
+    const float width = texts + bar;
+    const float margin = kMarginUnits * scale;
+    const Vec2 corner(onRight ? max.x - margin - width : min.x + margin, max.y - margin - line - 2.0f * gap);
     ImDrawList* draw = ImGui::GetWindowDrawList();
     draw->AddRectFilled(im(corner), im(corner + Vec2(width, line + 2.0f * gap)), kPlate, 4.0f * scale);
     const ImU32 text = ImGui::GetColorU32(ImGuiCol_Text);
@@ -118,13 +133,28 @@ void drawHeatScale(const PictureSource& source, Vec2 min, Vec2 max) {
     const Vec2 begin = corner + Vec2(2.0f * gap + lowWidth, gap);
     constexpr int kSteps = 28;
     for (int i = 0; i < kSteps; ++i) {
-        const Vec3 color = heatColor((static_cast<float>(i) + 0.5f) / kSteps);
+        const float share = (static_cast<float>(i) + 0.5f) / kSteps;
+        const Vec3 color = isSigned ? signedColor(2.0f * share - 1.0f) : heatColor(share);
         const float step = bar / kSteps;
         const Vec2 at = begin + Vec2(step * static_cast<float>(i), 0.0f);
         draw->AddRectFilled(im(at), im(at + Vec2(step, line)),
                             ImGui::GetColorU32(ImVec4(color.x, color.y, color.z, 1.0f)));
     }
     draw->AddText(im(begin + Vec2(bar + gap, 0.0f)), text, high.c_str());
+    ui::area("Scale", corner, corner + Vec2(width, line + 2.0f * gap), fmt::format("{} … {}", low, high));
+}
+
+/// One scale for both sides where they share it, else on the side that has one.
+void drawScales(const ViewerModel& model, const Pictures& pictures, Vec2 min, Vec2 max) {
+    if (!model.display.split) {
+        if (pictures.mainSource->scale().isThere()) drawScale(*pictures.mainSource, min, max, false);
+        return;
+    }
+    const bool isMain = pictures.mainSource->scale().isThere();
+    const PictureSource& source = isMain ? *pictures.mainSource : *pictures.otherSource;
+    if (!source.scale().isThere()) return;
+    const bool isOfBoth = isMain && pictures.otherSource->scale().isThere();
+    drawScale(source, min, max, !isOfBoth && source.shownIntegrator() == IntegratorKind::Sppm);
 }
 
 }  // namespace
@@ -153,9 +183,7 @@ void drawPictures(const ViewerModel& model, const Pictures& pictures, Vec2 min, 
         ImGui::GetWindowDrawList()->AddImage(
             reinterpret_cast<ImTextureID>(static_cast<intptr_t>(pictures.main->texture())), im(min), im(max));
     }
-    const bool mainHasScale = pictures.mainSource->heat().largest > 0.0f;
-    if (mainHasScale || model.display.split)
-        drawHeatScale(mainHasScale ? *pictures.mainSource : *pictures.otherSource, min, max);
+    drawScales(model, pictures, min, max);
 }
 
 }  // namespace glint

@@ -1,5 +1,5 @@
 // How the picture's area is filled: one picture, or path tracing left of a divider and SPPM right of it, each
-// with its passes and seconds; and the colour scale of radii and photon counts.
+// with its passes and seconds; and the colour scale of what is shown as false colours.
 //
 // Used by image_view alone. Draws and drags; which pictures there are is the application's business.
 #pragma once

@@ -29,6 +29,9 @@ class Surface {
     /// True once after input arrived from outside; the application then draws a few frames without pause.
     virtual bool takeInputFlag() = 0;
 
+    /// Files that were dropped on the window since the last call.
+    virtual std::vector<std::string> takeDroppedFiles() = 0;
+
     /// Physical pixels.
     virtual Vec2i framebufferSize() const = 0;
     /// Physical pixels per unit of a 96-dpi design: 1 on ordinary screens, 2 on high-density ones.

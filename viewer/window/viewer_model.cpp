@@ -31,6 +31,9 @@ uint32_t aovOf(ShownPicture shown) {
             return kAovMaterialId;
         case ShownPicture::Radiance:
         case ShownPicture::StandardError:
+        case ShownPicture::Bias:
+        case ShownPicture::ErrorBound:
+        case ShownPicture::ReferenceError:
         case ShownPicture::Radius:
         case ShownPicture::PhotonCount:
         case ShownPicture::VisiblePoints:
@@ -40,10 +43,12 @@ uint32_t aovOf(ShownPicture shown) {
 }
 
 bool carries(const FilmSnapshot& snapshot, ShownPicture shown) {
-    if (shown == ShownPicture::Radiance) return true;
+    if (shown == ShownPicture::Radiance || shown == ShownPicture::ReferenceError) return true;
     if (shown == ShownPicture::StandardError) return !snapshot.standardError.empty();
-    if (isOfPhotons(shown))
-        return snapshot.integrator != IntegratorKind::Sppm || !snapshot.radiusWorld.empty();
+    if (shown == ShownPicture::ErrorBound) return !snapshot.errorBound.empty();
+    if (isOfSppm(shown) && snapshot.integrator != IntegratorKind::Sppm) return true;
+    if (shown == ShownPicture::Bias) return !snapshot.bias.empty();
+    if (isOfPhotons(shown)) return !snapshot.radiusWorld.empty();
     return snapshot.aovs && snapshot.aovs->passes() > 0;
 }
 
@@ -53,7 +58,9 @@ bool sameLimits(const StopLimits& a, const StopLimits& b) {
 
 }  // namespace
 
-ViewerModel::ViewerModel(std::unique_ptr<Backend> backend) : session_(std::move(backend)) {}
+ViewerModel::ViewerModel(std::unique_ptr<Backend> backend) : session_(std::move(backend)) {
+    curves_.fill(std::make_shared<const ConvergenceCurve>());
+}
 
 void ViewerModel::adopt(SceneDescription scene) {
     for (const std::string& warning : scene.warnings) logWarning("{}: {}", scene.path, warning);
@@ -118,7 +125,20 @@ void ViewerModel::refresh() {
     const bool refused = status_.counters.editsRefused > refusedBeforeEdit_;
     if (status_.state == SessionState::Failed || refused) awaitsEdit_ = false;
     if (pendingExr_ && status_.aovPasses > 0) startExr();
+    refreshConvergence();
     autosave();
+}
+
+void ViewerModel::refreshConvergence() {
+    reference.refresh();
+    for (const IntegratorKind kind : {IntegratorKind::PathTracing, IntegratorKind::Sppm}) {
+        curves_[static_cast<size_t>(kind)] = session_.convergenceCurve(kind);
+        reference.follow(kind, *curve(kind));
+    }
+    const bool resting = status_.state == SessionState::Finished || status_.state == SessionState::Paused;
+    for (const auto& shown : {snapshot_, otherSnapshot_}) {
+        if (shown) reference.observe(shown, resting);
+    }
 }
 
 void ViewerModel::finishMotion() { setInteracting(false); }
@@ -165,6 +185,8 @@ void ViewerModel::postWishes() {
         requestedError_ = error;
         session_.request(aovs, error);
     }
+    const bool maps = display.shown == ShownPicture::Bias || display.shown == ShownPicture::ErrorBound;
+    if (maps != requestedErrorMaps_) session_.requestErrorMaps(requestedErrorMaps_ = maps);
     if (const bool photons = isOfPhotons(display.shown); photons != requestedPhotons_) {
         session_.requestPhotonStatistics(requestedPhotons_ = photons);
     }

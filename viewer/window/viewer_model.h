@@ -5,6 +5,7 @@
 // nothing here draws.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "engine/render/render_session.h"
 #include "engine/render/tonemap.h"
 #include "viewer/window/job_queue.h"
+#include "viewer/window/reference_errors.h"
 
 namespace glint {
 
@@ -26,13 +28,22 @@ enum class ShownPicture {
     Depth,
     ObjectId,
     MaterialId,
-    StandardError,
-    Radius,         ///< SPPM: present radius, metres
-    PhotonCount,    ///< SPPM: photons kept so far
-    VisiblePoints,  ///< SPPM: which pixels hold one
+    StandardError,   ///< noise: of the mean luminance
+    Bias,            ///< SPPM: estimate of the luminance's bias, signed
+    ErrorBound,      ///< with 90 %, the true luminance is within so much
+    ReferenceError,  ///< against the loaded reference
+    Radius,          ///< SPPM: present radius, metres
+    PhotonCount,     ///< SPPM: photons kept so far
+    VisiblePoints,   ///< SPPM: which pixels hold one
 };
+constexpr int kShownPictureCount = 14;
+/// Pictures that need SPPM's radii and photon counts.
+constexpr bool isOfPhotons(ShownPicture shown) {
+    return shown == ShownPicture::Radius || shown == ShownPicture::PhotonCount ||
+           shown == ShownPicture::VisiblePoints;
+}
 /// Pictures that path tracing does not have.
-constexpr bool isOfPhotons(ShownPicture shown) { return shown >= ShownPicture::Radius; }
+constexpr bool isOfSppm(ShownPicture shown) { return isOfPhotons(shown) || shown == ShownPicture::Bias; }
 
 struct DisplaySettings {
     float exposureStops = 0.0f;
@@ -43,8 +54,16 @@ struct DisplaySettings {
     float splitAt = 0.5f;     ///< the divider, as a share of the picture's width
 };
 
+/// What the Convergence panel shows.
+struct ConvergenceSettings {
+    ReferenceMetric metric = ReferenceMetric::RelativeRmse;
+    double targetError = 0.01;  ///< relative; the stop limit takes its place while there is one
+};
+
 struct FileSettings {
     std::string scene;
+    std::string reference;
+    std::string csv = "convergence.csv";
     std::string png = "render.png";
     std::string exr = "render.exr";
     std::string checkpoint = "render.glintfilm";
@@ -86,10 +105,17 @@ class ViewerModel {
     void saveCheckpointFile();
     void resumeCheckpoint();
     void saveSceneFile();
+    /// The curves of both integrators as a table (convergence_csv.h).
+    void saveConvergenceCsv();
+    /// A file that was dropped on the window: a picture becomes the reference, anything else is opened as a
+    /// scene.
+    void takeDroppedFile(const std::string& path);
     /// The result of the last save, load or resume, for the panel.
     const std::string& fileMessage() const { return fileMessage_; }
     bool fileMessageIsError() const { return fileMessageIsError_; }
-    bool busy() const { return jobs_.running() > 0 || pendingExr_; }
+    bool busy() const {
+        return jobs_.running() > 0 || pendingExr_ || reference.loading() || reference.measuring();
+    }
     /// Looks up the first dropped sample and makes the command line that replays it.
     void findFault();
     const std::string& replayCommand() const { return replayCommand_; }
@@ -111,7 +137,14 @@ class ViewerModel {
     /// An edit was posted, and no picture of it has come back.
     bool awaitsEdit() const { return awaitsEdit_; }
 
+    /// The estimate of the error so far, whether this integrator is shown or not. Never null.
+    const std::shared_ptr<const ConvergenceCurve>& curve(IntegratorKind kind) const {
+        return curves_[static_cast<size_t>(kind)];
+    }
+
     DisplaySettings display;
+    ConvergenceSettings convergence;
+    ReferenceErrors reference;
     FileSettings files;
     bool focusFollowsTarget = true;
     int selectedMaterial = 0;
@@ -121,6 +154,8 @@ class ViewerModel {
     using Capture = RenderSession::Capture;
     void setInteracting(bool interacting);
     void expectPicture();
+    /// What is shown of the curves, and the snapshots' errors against the reference.
+    void refreshConvergence();
     /// Limits, pause and extra pictures, where they changed.
     void postWishes();
     /// Takes the film when the pass in flight is done, then runs `save` on it, both in the background.
@@ -141,12 +176,14 @@ class ViewerModel {
     SessionStatus status_;
     std::shared_ptr<const FilmSnapshot> snapshot_;
     std::shared_ptr<const FilmSnapshot> otherSnapshot_;
+    std::array<std::shared_ptr<const ConvergenceCurve>, 2> curves_;
     StopLimits postedLimits_;
     bool postedPaused_ = false;
     bool postedInteracting_ = false;
     uint32_t requestedAovs_ = 0;
     bool requestedError_ = false;
     bool requestedPhotons_ = false;
+    bool requestedErrorMaps_ = false;
     bool comparing_ = false;
     bool awaitsEdit_ = false;
     uint64_t generationBeforeEdit_ = 0;

@@ -1,17 +1,23 @@
 // The model's saves and loads. Each takes the film exactly, in the background, and reports to the panel and
 // the log.
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <chrono>
+#include <filesystem>
 #include <future>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "engine/base/log.h"
+#include "engine/io/atomic_file.h"
 #include "engine/io/image_io.h"
 #include "engine/io/scene_json.h"
 #include "engine/render/checkpoint.h"
 #include "engine/render/picture_file.h"
 #include "engine/render/snapshot.h"
+#include "viewer/window/convergence_csv.h"
 #include "viewer/window/viewer_model.h"
 
 namespace glint {
@@ -25,6 +31,14 @@ std::shared_ptr<FilmSnapshot> pictureOf(const RenderSession::Capture& capture) {
 
 std::string replayLine(const std::string& scene, const FaultRecord& fault) {
     return fmt::format("glint render \"{}\" --pixel {},{} --pass {}", scene, fault.x, fault.y, fault.pass);
+}
+
+bool isPicture(const std::string& path) {
+    static constexpr std::array<std::string_view, 8> kEndings{".exr", ".hdr",  ".pic", ".png",
+                                                              ".jpg", ".jpeg", ".bmp", ".tga"};
+    std::string ending = std::filesystem::path(path).extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    return std::ranges::find(kEndings, ending) != kEndings.end();
 }
 
 double secondsNow() {
@@ -132,6 +146,31 @@ void ViewerModel::saveSceneFile() {
             return [this, path, result] { finishFileJob(result, fmt::format("Saved {}", path)); };
         },
         true);
+}
+
+void ViewerModel::saveConvergenceCsv() {
+    CurvesOfBoth curves;
+    for (const IntegratorKind kind : {IntegratorKind::PathTracing, IntegratorKind::Sppm}) {
+        curves.estimates[static_cast<size_t>(kind)] = *curve(kind);
+        curves.references[static_cast<size_t>(kind)] = reference.points(kind);
+    }
+    const std::string path = files.csv;
+    jobs_.start(
+        [this, path, curves = std::move(curves)]() -> JobQueue::Completion {
+            const Status result = writeFileAtomically(path, convergenceCsv(curves));
+            return [this, path, result] { finishFileJob(result, fmt::format("Saved {}", path)); };
+        },
+        true);
+}
+
+void ViewerModel::takeDroppedFile(const std::string& path) {
+    if (isPicture(path)) {
+        files.reference = path;
+        reference.load(path);
+    } else {
+        files.scene = path;
+        open(path);
+    }
 }
 
 void ViewerModel::findFault() {

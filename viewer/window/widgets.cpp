@@ -345,7 +345,12 @@ void hint(const char* text) {
     ImGui::PopStyleColor();
 }
 
+void tooltip(const char* text) { showTooltip(text); }
+
+void itemArea(const char* label, const std::string& shown) { record(WidgetKind::Area, label, shown); }
+
 void area(const char* label, Vec2 min, Vec2 max, const std::string& shown) {
+    registry->setSection("");
     registry->add(WidgetKind::Area, label, min, max, true, shown);
 }
 

@@ -55,7 +55,11 @@ void value(const char* label, const std::string& shown, const char* tooltip = nu
 bool selectable(const char* label, bool selected, const Vec3* swatch = nullptr);
 /// Dim text that wraps.
 void hint(const char* text);
-/// Tells scripts of an area that takes the mouse.
+/// At the mouse, now.
+void tooltip(const char* text);
+/// Tells scripts of the item that was drawn last, by this name.
+void itemArea(const char* label, const std::string& shown);
+/// Tells scripts of an area that takes the mouse, outside of all sections.
 void area(const char* label, Vec2 min, Vec2 max, const std::string& shown);
 
 /// Width of one of `count` buttons side by side that fill the row.

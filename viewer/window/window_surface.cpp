@@ -71,6 +71,7 @@ class WindowSurface final : public Surface {
     void present() override { glfwSwapBuffers(window_); }
     bool shouldClose() const override { return glfwWindowShouldClose(window_) != 0; }
     bool takeInputFlag() override { return std::exchange(inputArrived_, false); }
+    std::vector<std::string> takeDroppedFiles() override { return std::exchange(droppedFiles_, {}); }
 
     Vec2i framebufferSize() const override {
         Vec2i size{0};
@@ -110,6 +111,11 @@ class WindowSurface final : public Surface {
         glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { noteInput(w); });
         glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { noteInput(w); });
         glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) { noteInput(w); });
+        glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
+            noteInput(w);
+            auto& files = static_cast<WindowSurface*>(glfwGetWindowUserPointer(w))->droppedFiles_;
+            files.insert(files.end(), paths, paths + count);
+        });
     }
 
     static void noteInput(GLFWwindow* window) {
@@ -121,6 +127,7 @@ class WindowSurface final : public Surface {
     GlApi gl_;
     bool backendStarted_ = false;
     bool inputArrived_ = true;
+    std::vector<std::string> droppedFiles_;
 };
 
 }  // namespace

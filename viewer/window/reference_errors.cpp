@@ -1,0 +1,148 @@
+#include "viewer/window/reference_errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "engine/base/log.h"
+#include "engine/base/thread_priority.h"
+#include "engine/io/image_io.h"
+#include "engine/report/metrics.h"
+
+namespace glint {
+namespace {
+
+constexpr double kGrowth = 1.15;  // of the passes from one point to the next
+
+double meanOf(const ImageF& image) {
+    double sum = 0.0;
+    for (const float value : image.rgb) sum += static_cast<double>(value);
+    return image.rgb.empty() ? 0.0 : sum / static_cast<double>(image.rgb.size());
+}
+
+Result<std::shared_ptr<const ReferencePicture>> loadReference(const std::string& path) {
+    auto source = loadImage(path);
+    if (!source) return source.error();
+    const bool isEightBit = source->bytes != nullptr;
+    auto image = isEightBit ? loadImageF(path) : Result<std::shared_ptr<const ImageF>>(source->floats);
+    if (!image) return image.error();
+    auto picture = std::make_shared<ReferencePicture>(ReferencePicture{path, **image, 0.0, isEightBit});
+    picture->mean = meanOf(picture->image);
+    return std::shared_ptr<const ReferencePicture>(std::move(picture));
+}
+
+Result<ReferencePoint> compare(const FilmSnapshot& snapshot, const ReferencePicture& reference) {
+    const ImageF test{snapshot.width, snapshot.height, snapshot.radiance};
+    const auto metrics = comparePictures(test, reference.image, {.ssim = false, .flip = false, .threads = 1});
+    if (!metrics) return metrics.error();
+    ReferencePoint point{.passes = snapshot.passes, .renderSeconds = snapshot.renderSeconds};
+    point.relativeRmse = metrics->relativeRmse();
+    point.rmseOverMean = reference.mean > 0.0 ? metrics->rmse / reference.mean : metrics->rmse;
+    point.mape = metrics->mape;
+    point.relativeBias = metrics->relativeBias;
+    return point;
+}
+
+}  // namespace
+
+double ReferencePoint::error(ReferenceMetric metric) const {
+    if (metric == ReferenceMetric::RelativeRmse) return relativeRmse;
+    return metric == ReferenceMetric::RmseOverMean ? rmseOverMean : mape;
+}
+
+void ReferenceErrors::load(const std::string& path) {
+    if (loading_ || path.empty()) return;
+    loading_ = true;
+    loadError_.reset();
+    jobs_.start(
+        [this, path]() -> JobQueue::Completion {
+            auto loaded =
+                std::make_shared<Result<std::shared_ptr<const ReferencePicture>>>(loadReference(path));
+            return [this, loaded] {
+                loading_ = false;
+                if (!*loaded) {
+                    loadError_ = loaded->error();
+                    logError("{}", loaded->error().format());
+                    return;
+                }
+                picture_ = std::move(loaded->value());
+                for (Track& track : tracks_) track.points.clear();
+                logInfo("Reference {}: {}x{} pixels", picture_->path, picture_->image.width,
+                        picture_->image.height);
+            };
+        },
+        false);
+}
+
+void ReferenceErrors::clear() {
+    picture_.reset();
+    loadError_.reset();
+    for (Track& track : tracks_) track.points.clear();
+}
+
+std::string ReferenceErrors::mismatch(int width, int height) const {
+    if (!picture_ || (picture_->image.width == width && picture_->image.height == height)) return "";
+    return fmt::format("The reference has {} × {} pixels, the picture {} × {}: they cannot be compared.",
+                       picture_->image.width, picture_->image.height, width, height);
+}
+
+void ReferenceErrors::refresh() { jobs_.runCompletions(); }
+
+bool ReferenceErrors::measuring() const { return std::ranges::any_of(tracks_, &Track::measuring); }
+
+void ReferenceErrors::follow(IntegratorKind kind, const ConvergenceCurve& curve) {
+    Track& track = tracks_[static_cast<size_t>(kind)];
+    const double began = curve.empty() ? 0.0 : curve.points().front().renderSeconds;
+    if (track.filmBegan == began) return;
+    track.filmBegan = began;
+    track.points.clear();
+}
+
+void ReferenceErrors::observe(const std::shared_ptr<const FilmSnapshot>& snapshot, bool resting) {
+    Track& track = tracks_[static_cast<size_t>(snapshot->integrator)];
+    if (snapshot->previewScale != 1 || track.filmBegan == 0.0) return;
+    // A checkpoint can lead back.
+    while (!track.points.empty() && track.points.back().passes > snapshot->passes) track.points.pop_back();
+    if (!picture_ || track.measuring || !mismatch(snapshot->width, snapshot->height).empty()) return;
+    const uint32_t last = track.points.empty() ? 0 : track.points.back().passes;
+    const bool isDue = snapshot->passes >= kGrowth * last || resting;
+    if (isDue && snapshot->passes > last) measure(snapshot, &track);
+}
+
+void ReferenceErrors::measure(std::shared_ptr<const FilmSnapshot> snapshot, Track* track) {
+    track->measuring = true;
+    const double filmBegan = track->filmBegan;
+    jobs_.start(
+        [track, filmBegan, this, snapshot = std::move(snapshot),
+         reference = picture_]() -> JobQueue::Completion {
+            lowerThreadPriority();
+            const Result<ReferencePoint> point = compare(*snapshot, *reference);
+            return [track, filmBegan, this, reference, point] {
+                track->measuring = false;
+                const bool stale = track->filmBegan != filmBegan || reference != picture_;
+                if (!point) {
+                    logError("The reference cannot be compared: {}", point.error().format());
+                } else if (!stale && (track->points.empty() || track->points.back().passes < point->passes)) {
+                    track->points.push_back(*point);
+                }
+            };
+        },
+        false);
+}
+
+ConvergenceCurve asCurve(const std::vector<ReferencePoint>& points, ReferenceMetric metric) {
+    ConvergenceCurve curve;
+    for (const ReferencePoint& point : points) {
+        const double error = point.error(metric);
+        curve.add({.passes = point.passes,
+                   .renderSeconds = point.renderSeconds,
+                   .relativeError = error,
+                   .relativeErrorLow = error,
+                   .relativeErrorHigh = error});
+    }
+    return curve;
+}
+
+}  // namespace glint

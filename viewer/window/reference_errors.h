@@ -1,0 +1,88 @@
+// A reference picture, and how far both integrators' pictures were from it as they grew.
+//
+// The viewer's model shows it every new snapshot; those at about evenly spaced logarithms of the passes, and
+// the last one, are compared on a thread of their own, so that no frame waits. Nothing here draws.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/render/convergence_curve.h"
+#include "engine/render/render_session.h"
+#include "engine/scene/image.h"
+#include "viewer/window/job_queue.h"
+
+namespace glint {
+
+struct ReferencePicture {
+    std::string path;
+    ImageF image;
+    double mean = 0.0;        ///< of all its values
+    bool isEightBit = false;  ///< values above 1 are missing in it
+};
+
+/// What the error against the reference is measured as; all are relative, 0.01 for 1 %.
+enum class ReferenceMetric {
+    RelativeRmse,  ///< square root of relMSE (metrics.h)
+    RmseOverMean,  ///< RMSE over the reference's mean: what the estimate without a reference is of, too
+    Mape,
+};
+
+struct ReferencePoint {
+    uint32_t passes = 0;
+    double renderSeconds = 0.0;
+    double relativeRmse = 0.0;
+    double rmseOverMean = 0.0;
+    double mape = 0.0;
+    double relativeBias = 0.0;  ///< signed
+
+    double error(ReferenceMetric metric) const;
+};
+
+class ReferenceErrors {
+  public:
+    /// Loads EXR, HDR, PNG, JPEG, BMP or TGA in the background; loadError() says if it could not. Until it is
+    /// there, the one before stays.
+    void load(const std::string& path);
+    void clear();
+    bool loading() const { return loading_; }
+    const std::optional<Error>& loadError() const { return loadError_; }
+    /// Null without one.
+    const std::shared_ptr<const ReferencePicture>& picture() const { return picture_; }
+    /// Why it cannot be compared with a picture of this size; "" when it can, or when there is none.
+    std::string mismatch(int width, int height) const;
+
+    /// Once a frame: takes what the jobs found out.
+    void refresh();
+    /// Once a frame for each integrator, before observe(): its film's curve tells one that was restarted from
+    /// one that goes on.
+    void follow(IntegratorKind kind, const ConvergenceCurve& curve);
+    /// Once a frame for each snapshot that is shown. `resting`: no further pass will come by itself.
+    void observe(const std::shared_ptr<const FilmSnapshot>& snapshot, bool resting);
+    /// Passes rising.
+    const std::vector<ReferencePoint>& points(IntegratorKind kind) const { return track(kind).points; }
+    bool measuring() const;
+
+  private:
+    struct Track {
+        std::vector<ReferencePoint> points;
+        double filmBegan = 0.0;  ///< render seconds of the film's first point: its name; 0: there is none
+        bool measuring = false;
+    };
+    const Track& track(IntegratorKind kind) const { return tracks_[static_cast<size_t>(kind)]; }
+    void measure(std::shared_ptr<const FilmSnapshot> snapshot, Track* track);
+
+    JobQueue jobs_;
+    std::shared_ptr<const ReferencePicture> picture_;
+    std::optional<Error> loadError_;
+    bool loading_ = false;
+    std::array<Track, 2> tracks_;
+};
+
+/// The points as a curve without bands, for forecastError().
+ConvergenceCurve asCurve(const std::vector<ReferencePoint>& points, ReferenceMetric metric);
+
+}  // namespace glint
