@@ -17,6 +17,7 @@ using Surface = std::unique_ptr<cairo_surface_t, CairoDeleter>;
 using Context = std::unique_ptr<cairo_t, CairoDeleter>;
 
 void selectFont(cairo_t* context, double size, bool bold) {
+    // Cairo asks fontconfig for a medium weight where it says normal; the SVG says 500 to look the same.
     cairo_select_font_face(context, "Roboto", CAIRO_FONT_SLANT_NORMAL,
                            bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_font_size(context, size);

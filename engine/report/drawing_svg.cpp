@@ -91,7 +91,8 @@ std::string drawingSvg(const Drawing& drawing) {
     SvgWriter writer;
     writer.out = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
-        "role=\"img\" font-family=\"Roboto, 'DejaVu Sans', Arial, sans-serif\" stroke-linejoin=\"round\">\n"
+        "role=\"img\" font-weight=\"500\" font-family=\"Roboto, 'DejaVu Sans', Arial, sans-serif\" "
+        "stroke-linejoin=\"round\">\n"
         "<title>{2}</title>\n<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
         drawing.width, drawing.height, escaped(drawing.title));
     for (const auto& shape : drawing.shapes) {

@@ -18,6 +18,7 @@ constexpr MetricInfo kTable[] = {
     {"max_error", "error", "largest error", [](const M& m) { return m.maxError; }},
     {"ssim", "ssim", "SSIM", [](const M& m) { return m.ssim; }, false, true},
     {"flip", "flip", "FLIP", [](const M& m) { return m.flip; }},
+    {"hdr_flip", "hdr-flip", "HDR-FLIP", [](const M& m) { return m.hdrFlip; }},
 };
 
 }  // namespace

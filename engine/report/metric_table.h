@@ -19,6 +19,7 @@ struct MetricInfo {
     bool largerIsBetter = false;  ///< 1 is perfect; for all others 0 is
 };
 
+/// A metric that was not asked for (MetricOptions) is NaN.
 std::span<const MetricInfo> metricTable();
 
 /// The metric with that key, or null.

@@ -11,6 +11,7 @@
 #include "engine/base/parallel.h"
 #include "engine/report/finite_pixels.h"
 #include "engine/report/flip.h"
+#include "engine/report/hdr_flip.h"
 #include "engine/report/ssim.h"
 
 namespace glint {
@@ -155,11 +156,15 @@ void addViewerMetrics(const Comparison& comparison, const MetricOptions& options
     const ImageF& reference = allFinite ? comparison.reference : cleanReference;
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     metrics->ssim = options.ssim ? meanSsim(test, reference, comparison, options) : kNone;
-    metrics->flip = kNone;
+    metrics->flip = metrics->hdrFlip = kNone;
     if (options.flip) {
         const std::vector<float> map =
             flipMap(test, reference, options.exposureStops, options.pixelsPerDegree, options.threads);
         metrics->flip = meanInside(map, comparison, 0);
+    }
+    if (options.hdrFlip) {
+        const std::vector<float> map = hdrFlipMap(test, reference, options.pixelsPerDegree, options.threads);
+        metrics->hdrFlip = meanInside(map, comparison, 0);
     }
 }
 

@@ -28,8 +28,9 @@ struct MetricOptions {
     double exposureStops = 0.0;
     double pixelsPerDegree = kDefaultPixelsPerDegree;  ///< for flip; [1, 1000]
     bool ssim = true;                                  ///< false leaves it out: its value is then NaN
-    bool flip = true;                                  ///< the same for flip, much the slowest of all
-    int threads = 0;                                   ///< 0: all; no result depends on it
+    bool flip = true;      ///< the same for flip, which takes longer than all others together
+    bool hdrFlip = false;  ///< the same for hdrFlip, which takes several times as long as flip
+    int threads = 0;       ///< 0: all; no result depends on it
 };
 
 /// With t the test picture, r the reference, and the mean over all compared pixels and their 3 channels
@@ -46,6 +47,8 @@ struct PictureMetrics {
     double maxError = 0.0;  ///< largest |t - r| of any channel
     double ssim = 1.0;      ///< structural similarity in [-1, 1], 1 for equal pictures (ssim.h)
     double flip = 0.0;      ///< mean LDR-FLIP in [0, 1], 0 for equal pictures (flip.h)
+    double hdrFlip =
+        0.0;  ///< mean HDR-FLIP in [0, 1], 0 for equal pictures (hdr_flip.h); looks at exposures of its own
 
     uint64_t comparedPixels = 0;      ///< finite in both pictures; only they enter the figures above
     uint64_t trimmedPixels = 0;       ///< left out of relMseTrimmed

@@ -77,6 +77,8 @@ TEST_F(DiffCommand, LimitsSetTheExitCode) {
     // A bias has two directions: with the pictures exchanged it is negative.
     EXPECT_EQ(runProgram({"diff", b, a, "--max-bias", "0.04"}).exitCode, 3);
     EXPECT_EQ(runProgram({"diff", b, a, "--max-bias", "0.05"}).exitCode, 0);
+    EXPECT_EQ(code("--max-hdr-flip", "0.12"), 0);
+    EXPECT_EQ(code("--max-hdr-flip", "0.11"), 3);
     // One limit of several is enough.
     const ProgramRun run = runProgram({"diff", a, b, "--max-mse", "1", "--max-mape", "0.1"});
     EXPECT_EQ(run.exitCode, 3);
@@ -95,7 +97,8 @@ TEST_F(DiffCommand, JsonHoldsTheSame) {
     const auto report = nlohmann::json::parse(run.out);
     EXPECT_NEAR(report["metrics"]["rel_mse"].get<double>(), 3.39471687312, 1e-5);
     EXPECT_NEAR(report["metrics"]["relative_rmse"].get<double>(), std::sqrt(3.39471687312), 1e-5);
-    EXPECT_EQ(report["metrics"].size(), 11u);
+    EXPECT_EQ(report["metrics"].size(), 12u);
+    EXPECT_TRUE(report["metrics"]["hdr_flip"].is_null()) << "not asked for";
     EXPECT_EQ(report["limits"][0]["metric"], "rmse");
     EXPECT_FALSE(report["within_limits"].get<bool>());
 }

@@ -114,7 +114,21 @@ def flip(test, reference, ppd=PIXELS_PER_DEGREE):
     split = 0.4 * largest
     color = np.where(color < split, 0.95 / split * color, 0.95 + (color - split) / (largest - split) * 0.05)
     feature = np.maximum(*(np.abs(t - r) for t, r in zip(features(test), features(reference))))
-    return (color ** (1 - np.sqrt(feature / np.sqrt(2)))).mean()
+    return color ** (1 - np.sqrt(feature / np.sqrt(2)))
+
+
+def hdr_flip(test, reference):
+    """Andersson et al. 2021, with the tone curve of Narkowicz 2015."""
+    numerator, denominator = np.poly1d([0.36 * 2.51, 0.018, 0]), np.poly1d([0.36 * 2.43, 0.354, 0.14])
+    bright = max((numerator - 0.85 * denominator).roots.real)
+    luminance = np.sort((reference @ np.array([0.2126, 0.7152, 0.0722])).ravel())
+    start, stop = np.log2(bright / luminance[-1]), np.log2(bright / luminance[(luminance.size - 1) // 2])
+    worst = np.zeros(reference.shape[:2])
+    for stops in np.linspace(start, stop, max(2, int(np.ceil(stop - start)))):
+        shown = [np.clip(numerator(p) / denominator(p), 0, 1) for p in
+                 (np.maximum(2 ** stops * test, 0), np.maximum(2 ** stops * reference, 0))]
+        worst = np.maximum(worst, flip(*shown))
+    return worst
 
 
 def all_metrics(test, reference):
@@ -124,7 +138,8 @@ def all_metrics(test, reference):
     return {"mse": (error ** 2).mean(), "rmse": np.sqrt((error ** 2).mean()), "relMse": relative.mean(),
             "relMseTrimmed": np.sort(relative)[:kept].mean(), "mape": (np.abs(error) / (np.abs(reference) + 0.01)).mean(),
             "bias": error.mean(), "relativeBias": error.mean() / reference.mean(), "maxError": np.abs(error).max(),
-            "ssim": ssim(test, reference), "flip": flip(test, reference)}
+            "ssim": ssim(test, reference), "flip": flip(test, reference).mean(),
+            "hdrFlip": hdr_flip(test, reference).mean()}
 
 
 if __name__ == "__main__":
@@ -133,5 +148,6 @@ if __name__ == "__main__":
         print(f"{{{size[0]}, {size[1]}, " + ", ".join(f"{value:.12g}" for value in figures.values()) + "},")
     print("names:", ", ".join(figures))
     test, reference = pictures(64, 48)
-    print(f"flip at +1 stop, 20 pixels per degree: {flip(2 * test, 2 * reference, 20):.12g}")
+    print(f"flip at +1 stop, 20 pixels per degree: {flip(2 * test, 2 * reference, 20).mean():.12g}")
     print(f"ssim at +1 stop: {ssim(2 * test, 2 * reference):.12g}")
+    print(f"hdr flip of 1024 times the sixth powers: {hdr_flip(1024 * test ** 6, 1024 * reference ** 6).mean():.12g}")

@@ -1,8 +1,11 @@
 // The metrics against numbers that metrics_expected.py computed by another route, in another language, on
 // pictures that both programs make from the same integer formulas. 23 x 17 and 7 x 5 have no room for
 // trimming, and the last none for a whole SSIM window.
+#include <cmath>
+
 #include <gtest/gtest.h>
 
+#include "engine/report/hdr_flip.h"
 #include "engine/report/metrics.h"
 #include "tests/support/formula_pictures.h"
 
@@ -13,23 +16,23 @@ constexpr double kTolerance = 1e-5;
 
 struct Expected {
     int width, height;
-    double mse, rmse, relMse, relMseTrimmed, mape, bias, relativeBias, maxError, ssim, flip;
+    double mse, rmse, relMse, relMseTrimmed, mape, bias, relativeBias, maxError, ssim, flip, hdrFlip;
 };
 
 constexpr Expected kExpected[] = {
     {64, 48, 0.162663035923, 0.403315057892, 3.39471687312, 2.3597938072, 0.468741492728, 0.0478032430013,
-     0.107203555772, 4.05078125, 0.904551061894, 0.101916329624},
+     0.107203555772, 4.05078125, 0.904551061894, 0.101916329624, 0.113552544114},
     {23, 17, 0.164743655986, 0.405886259913, 3.0615476778, 3.0615476778, 0.33163665855, 0.0486566229753,
-     0.107696730253, 4.046875, 0.834672476118, 0.105943712574},
+     0.107696730253, 4.046875, 0.834672476118, 0.105943712574, 0.120594829956},
     {7, 5, 0.000706263950893, 0.0265756270085, 0.0293694430911, 0.0293694430911, 0.52671742755,
-     0.00513392857143, 0.0221012171685, 0.05078125, 0.953796098979, 0.11357288767},
+     0.00513392857143, 0.0221012171685, 0.05078125, 0.953796098979, 0.11357288767, 0.156359795635},
 };
 
 TEST(MetricsExpected, AgreeWithAnIndependentProgram) {
     for (const Expected& e : kExpected) {
         SCOPED_TRACE(testing::Message() << e.width << " x " << e.height);
-        const auto metrics =
-            comparePictures(test::formulaTest(e.width, e.height), test::formulaReference(e.width, e.height));
+        const auto metrics = comparePictures(test::formulaTest(e.width, e.height),
+                                             test::formulaReference(e.width, e.height), {.hdrFlip = true});
         ASSERT_TRUE(metrics) << metrics.error().format();
         EXPECT_NEAR(metrics->mse, e.mse, kTolerance);
         EXPECT_NEAR(metrics->rmse, e.rmse, kTolerance);
@@ -41,6 +44,7 @@ TEST(MetricsExpected, AgreeWithAnIndependentProgram) {
         EXPECT_NEAR(metrics->maxError, e.maxError, kTolerance);
         EXPECT_NEAR(metrics->ssim, e.ssim, kTolerance);
         EXPECT_NEAR(metrics->flip, e.flip, kTolerance);
+        EXPECT_NEAR(metrics->hdrFlip, e.hdrFlip, kTolerance);
     }
 }
 
@@ -50,6 +54,22 @@ TEST(MetricsExpected, AtAnotherExposureAndViewingDistance) {
     ASSERT_TRUE(metrics) << metrics.error().format();
     EXPECT_NEAR(metrics->flip, 0.191855525786, kTolerance);
     EXPECT_NEAR(metrics->ssim, 0.962474647109, kTolerance);
+}
+
+/// 1024 times the sixth power: values that span more than three stops between the median and the largest.
+ImageF stretched(ImageF image) {
+    for (float& value : image.rgb) {
+        value = static_cast<float>(1024.0 * std::pow(static_cast<double>(value), 6.0));
+    }
+    return image;
+}
+
+TEST(MetricsExpected, HdrFlipOverManyExposures) {
+    const ImageF reference = stretched(test::formulaReference(64, 48));
+    EXPECT_EQ(hdrFlipExposures(reference).count, 4);
+    const auto metrics = comparePictures(stretched(test::formulaTest(64, 48)), reference, {.hdrFlip = true});
+    ASSERT_TRUE(metrics) << metrics.error().format();
+    EXPECT_NEAR(metrics->hdrFlip, 0.194319222336, kTolerance);
 }
 
 }  // namespace

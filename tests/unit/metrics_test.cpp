@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "engine/report/hdr_flip.h"
 #include "tests/support/formula_pictures.h"
 
 namespace glint {
@@ -164,6 +165,25 @@ TEST(Metrics, HugeAndNegativeValuesStayFinite) {
          {m.mse, m.relMse, m.relMseTrimmed, m.mape, m.bias, m.maxError, m.ssim, m.flip}) {
         EXPECT_TRUE(std::isfinite(value));
     }
+}
+
+TEST(Metrics, HdrFlipOfEqualBlackAndExtremePictures) {
+    const MetricOptions options{.flip = false, .hdrFlip = true};
+    const ImageF picture = formulaReference(20, 20);
+    EXPECT_EQ(compare(picture, picture, options).hdrFlip, 0.0);
+    EXPECT_EQ(compare(flatPicture(9, 9, 0.0f), flatPicture(9, 9, 0.0f), options).hdrFlip, 0.0);
+    ImageF lamp = flatPicture(20, 20, 0.0f);
+    lamp.rgb[0] = 3e38f;
+    EXPECT_LE(hdrFlipExposures(lamp).count, 24) << "nearly all of it is black";
+    const double seen = compare(picture, lamp, options).hdrFlip;
+    EXPECT_TRUE(seen >= 0.0 && seen <= 1.0) << seen;
+}
+
+TEST(Metrics, HdrFlipSeesWhatOneExposureCutsOff) {
+    const MetricOptions options{.hdrFlip = true};
+    const PictureMetrics m = compare(flatPicture(16, 16, 40.0f), flatPicture(16, 16, 80.0f), options);
+    EXPECT_EQ(m.flip, 0.0) << "both are white at 0 stops";
+    EXPECT_GT(m.hdrFlip, 0.1);
 }
 
 TEST(Metrics, ThreadsChangeNothing) {

@@ -35,6 +35,7 @@ With t the picture, r the reference, and means over all pixels and channels:
   bias           mean of t - r; relative bias: over the mean of r
   SSIM           structural similarity of the luminance as shown on a screen (Wang et al. 2004); 1 is equal
   FLIP           the difference a viewer sees (Andersson et al. 2020, LDR-FLIP as sRGB clipped at --exposure)
+  HDR-FLIP       the same at the worst of a range of exposures (Andersson et al. 2021)
 --maps writes relative-squared.png, absolute.png, signed.png and flip.png, each with a legend.
 
 Exit codes: 0 within all limits, 1 the input or the options are wrong, 2 a file cannot be written,
@@ -66,6 +67,9 @@ void printMetrics(const DiffOptions& options, const PictureMetrics& metrics, con
     fmt::print("\n");
     for (const MetricInfo& metric : metricTable()) {
         const double value = metric.value(metrics);
+        if (std::isnan(value)) {
+            continue;  // not asked for
+        }
         std::string note;
         if (&metric == findMetric("max_error") && metrics.maxError > 0.0) {
             note = fmt::format("in column {}, row {}", metrics.maxErrorX, metrics.maxErrorY);
@@ -188,7 +192,11 @@ void addLimitOptions(CLI::App* command, DiffOptions* options) {
         command
             ->add_option_function<double>(
                 limitOption(metric),
-                [options, &metric](double limit) { options->limits[metric.key] = limit; }, text)
+                [options, &metric](double limit) {
+                    options->limits[metric.key] = limit;
+                    options->metrics.hdrFlip = options->metrics.hdrFlip || &metric == findMetric("hdr_flip");
+                },
+                text)
             ->type_name("X")
             ->check(metric.largerIsBetter ? between(-1.0, 1.0) : between(0.0, 1e300))
             ->group("Limits");
@@ -230,6 +238,8 @@ void addDiffCommand(CLI::App& app, int* exitCode) {
         ->type_name("N")
         ->check(between(1.0, 1000.0))
         ->capture_default_str();
+    command->add_flag("--hdr-flip", metrics.hdrFlip,
+                      "Also HDR-FLIP, over a range of exposures; takes several times as long");
     command->add_option("--threads", metrics.threads, "Default: all")
         ->type_name("N")
         ->check(CLI::Range(1, 1024));
