@@ -205,7 +205,7 @@ void ChartArtist::drawSeries(size_t index) {
     const size_t stride = (path.size() + kMostMarkers - 1) / kMostMarkers;
     for (size_t i = 0; i < path.size(); i += stride) {
         Polygon mark = marker(style.marker, path[i], style.ink);
-        mark.tip = cleanText(points[i].tip);
+        mark.tip = cleanText(at_.shown[index][i].tip);
         drawing_.shapes.emplace_back(std::move(mark));
     }
 }
