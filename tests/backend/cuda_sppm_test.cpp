@@ -347,6 +347,27 @@ TEST(CudaSppm, ASessionResumedFromACheckpointEqualsTheCpusWithoutABreak) {
         ASSERT_EQ(resumed.film.pixels()[i].mean, whole.film.pixels()[i].mean) << i;
 }
 
+TEST(CudaSppm, ASwitchOfIntegratorsAndBackLosesNothing) {
+    SceneDescription scene = glassBox();
+    scene.options.integrator = IntegratorKind::Sppm;
+    const SessionCapture whole = renderSession(makeCpuBackend(2), scene, 4);
+    TestBackend cuda;
+    RenderSession session(std::move(cuda.backend), {.previews = false, .snapshots = false, .threads = 2});
+    const auto renderTo = [&](IntegratorKind integrator, uint32_t passes, EditKind kinds) {
+        scene.options.integrator = integrator;
+        session.setLimits({.passes = passes});
+        session.post({std::make_shared<SceneDescription>(scene), kinds});
+        ASSERT_EQ(session.wait(300.0), SessionState::Finished) << session.status().error;
+    };
+    renderTo(IntegratorKind::Sppm, 2, EditKind::Everything);
+    renderTo(IntegratorKind::PathTracing, 3, EditKind::Integrator);
+    renderTo(IntegratorKind::Sppm, 4, EditKind::Integrator);
+    const auto capture = session.capture();
+    ASSERT_TRUE(capture);
+    EXPECT_EQ(capture->sppm.passes, 4u);
+    EXPECT_EQ(differingPixels(capture->sppm, whole.sppm), 0u);
+}
+
 TEST(CudaSppm, TheSmallestVariantRuns) {
     TestBackend cuda;
     const SceneDescription box = glassBox();

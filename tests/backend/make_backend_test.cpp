@@ -60,15 +60,19 @@ std::pair<std::string, int> runProgram(const std::string& arguments) {
 TEST(MakeBackend, TheProgramFallsBackWithOneLineAndRenders) {
     if (gpuAtHand()) GTEST_SKIP() << "this machine has a GPU";
     if (std::string(GLINT_PROGRAM).empty()) GTEST_SKIP() << "the program was not built";
-    std::filesystem::remove("fallback.png");
-    const auto [text, code] =
-        runProgram("render " GLINT_SOURCE_DIR
-                   "/scenes/cornell.json -o fallback.png --size 16x16 --passes 1 --backend cuda");
-    EXPECT_EQ(code, 0) << text;
-    const size_t first = text.find("CUDA: ");
-    ASSERT_NE(first, std::string::npos) << text;
-    EXPECT_EQ(text.find("CUDA: ", first + 1), std::string::npos) << text;
-    EXPECT_TRUE(std::filesystem::exists("fallback.png"));
+    for (const std::string integrator : {"path", "sppm"}) {
+        std::filesystem::remove("fallback.png");
+        const auto [text, code] = runProgram("render " GLINT_SOURCE_DIR
+                                             "/scenes/cornell.json -o fallback.png --size 16x16 --passes 1 "
+                                             "--backend cuda --integrator " +
+                                             integrator);
+        EXPECT_EQ(code, 0) << text;
+        const size_t first = text.find("CUDA: ");
+        ASSERT_NE(first, std::string::npos) << text;
+        EXPECT_EQ(text.find("CUDA: ", first + 1), std::string::npos) << text;
+        EXPECT_NE(text.find("rendering on the CPU"), std::string::npos) << text;
+        EXPECT_TRUE(std::filesystem::exists("fallback.png"));
+    }
 }
 
 TEST(MakeBackend, AnUnknownNameIsAnErrorThatNamesTheNearest) {
