@@ -30,7 +30,7 @@ float emitterPower(const SceneView& scene, const EmitterData& e) {
         case EmitterTag::Point:
             return radiance * 4.0f * kPi;
         case EmitterTag::Spot:
-            return radiance * kTwoPi * (1.0f - 0.5f * (e.cosConeInner + e.cosConeOuter));
+            return radiance * kTwoPi * (0.5f * (e.oneMinusCosInner + e.oneMinusCosOuter));
         case EmitterTag::Directional:
             return radiance * sceneDisc;
         case EmitterTag::Environment:

@@ -6,6 +6,7 @@
 
 #include "engine/base/parallel.h"
 #include "engine/build/light_tree_builder.h"
+#include "engine/build/repeated_triangles.h"
 #include "engine/kernels/geometry_view.h"
 #include "engine/math/color.h"
 
@@ -82,6 +83,12 @@ EmitterData triangleEmitter(const Affine& m, const MeshData& mesh, uint32_t tria
     return e;
 }
 
+/// 1 - cos as 2 sin^2 of the half: keeps its digits for narrow angles.
+float oneMinusCosine(float angleDeg) {
+    const double sine = std::sin(static_cast<double>(angleDeg) * (std::numbers::pi / 360.0));
+    return static_cast<float>(2.0 * sine * sine);
+}
+
 EmitterData pointlikeEmitter(const Light& light) {
     EmitterData e;
     e.position = light.position;
@@ -99,9 +106,8 @@ EmitterData pointlikeEmitter(const Light& light) {
             e.tag = EmitterTag::Directional;
             break;
     }
-    constexpr float kRadPerDeg = kPi / 180.0f;
-    e.cosConeOuter = std::cos(light.coneAngleDeg * kRadPerDeg);
-    e.cosConeInner = std::cos(std::min(light.coneFalloffStartDeg, light.coneAngleDeg) * kRadPerDeg);
+    e.oneMinusCosOuter = oneMinusCosine(light.coneAngleDeg);
+    e.oneMinusCosInner = oneMinusCosine(std::min(light.coneFalloffStartDeg, light.coneAngleDeg));
     if (e.tag == EmitterTag::Directional) e.area = luminance(e.radiance);
     return e;
 }
@@ -144,7 +150,7 @@ LightNode leafNode(const EmitterData& e) {
             break;
         case EmitterTag::Spot:
             node.axis = e.direction;
-            node.cosNormals = e.cosConeOuter;
+            node.cosNormals = 1.0f - e.oneMinusCosOuter;
             node.cosEmission = 0.999f;
             break;
         default:
@@ -181,7 +187,8 @@ class TableBuilder {
                 table_->emitters.push_back(sphereEmitter(object.objectToWorld));
                 break;
             case ShapeKind::Mesh:
-                addMesh(object, *scene_.meshes[static_cast<size_t>(object.mesh)].data);
+                addMesh(object, *scene_.meshes[static_cast<size_t>(object.mesh)].data,
+                        material.emitsBothSides);
                 break;
             default:
                 table_->emitters.push_back(flatEmitter(object.objectToWorld, object.shape));
@@ -194,14 +201,17 @@ class TableBuilder {
         }
     }
 
-    void addMesh(const Object& object, const MeshData& mesh) {
+    void addMesh(const Object& object, const MeshData& mesh, bool bothSides) {
         const size_t first = table_->emitters.size();
         const bool mirrored = glm::determinant(glm::dmat3(object.objectToWorld.linear)) < 0.0;
+        const std::vector<uint32_t> original = firstOfRepeatedTriangles(mesh, bothSides);
         table_->emitters.resize(first + mesh.triangleCount());
         parallelChunks(mesh.triangleCount(), 1 << 14, threads_, [&](int64_t begin, int64_t end) {
             for (int64_t i = begin; i < end; ++i) {
-                table_->emitters[first + static_cast<size_t>(i)] =
-                    triangleEmitter(object.objectToWorld, mesh, static_cast<uint32_t>(i), mirrored);
+                EmitterData& e = table_->emitters[first + static_cast<size_t>(i)];
+                e = triangleEmitter(object.objectToWorld, mesh, static_cast<uint32_t>(i), mirrored);
+                e.original = static_cast<uint32_t>(first) + original[static_cast<size_t>(i)];
+                if (original[static_cast<size_t>(i)] != i) e.area = 0.0f;
             }
         });
     }

@@ -1,8 +1,10 @@
 // Tells kinds of scene files apart and hands them to their readers.
 #include "engine/io/scene_loader.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "engine/io/asset_cache.h"
 #include "engine/io/atomic_file.h"
@@ -11,6 +13,7 @@
 #include "engine/io/scene_json.h"
 #include "engine/io/scene_text.h"
 #include "engine/io/text_source.h"
+#include "engine/scene/stability_warnings.h"
 
 namespace glint {
 namespace {
@@ -108,9 +111,7 @@ Result<SceneDescription> loadTextual(const std::string& path, SceneKind kind, co
                                    : readSceneText(std::move(*source), options);
 }
 
-}  // namespace
-
-Result<SceneDescription> loadScene(const std::string& path, const LoadOptions& options) {
+Result<SceneDescription> loadByKind(const std::string& path, const LoadOptions& options) {
     if (Status regular = checkRegularFile(path, "a scene file"); !regular) {
         return regular.error();
     }
@@ -132,6 +133,17 @@ Result<SceneDescription> loadScene(const std::string& path, const LoadOptions& o
         "PLY "
         "(.ply)",
         {path, 0, 0, ""}};
+}
+
+}  // namespace
+
+Result<SceneDescription> loadScene(const std::string& path, const LoadOptions& options) {
+    auto scene = loadByKind(path, options);
+    if (scene) {
+        std::vector<std::string> limits = stabilityWarnings(*scene);
+        std::move(limits.begin(), limits.end(), std::back_inserter(scene->warnings));
+    }
+    return scene;
 }
 
 }  // namespace glint

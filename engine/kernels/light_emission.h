@@ -97,10 +97,10 @@ GLINT_HD inline EmittedPhoton emitFromPoint(const EmitterData& e, const Vec2& uD
     EmittedPhoton photon;
     photon.ray.origin = e.position;
     if (e.tag == EmitterTag::Spot) {
-        const float oneMinusCos = 1.0f - e.cosConeOuter;
-        const Vec3 local = sampleCone(uDirection, oneMinusCos);
+        const Vec3 local = sampleCone(uDirection, e.oneMinusCosOuter);
         photon.ray.direction = Frame::fromNormal(e.direction).toWorld(local);
-        photon.flux = e.radiance * (spotFalloff(e, local.z) * kTwoPi * oneMinusCos);
+        photon.flux =
+            e.radiance * (spotFalloff(e, uDirection.x * e.oneMinusCosOuter) * kTwoPi * e.oneMinusCosOuter);
     } else {
         photon.ray.direction = sampleSphere(uDirection);
         photon.flux = e.radiance * (2.0f * kTwoPi);

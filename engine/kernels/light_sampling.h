@@ -23,10 +23,10 @@ struct LightSample {
 };
 
 /// 1 inside the inner cone, 0 outside the outer one, smooth (cubic) in the cosine between.
-GLINT_HD inline float spotFalloff(const EmitterData& e, float cosine) {
-    if (cosine >= e.cosConeInner) return 1.0f;
-    if (cosine <= e.cosConeOuter) return 0.0f;
-    const float t = (cosine - e.cosConeOuter) / (e.cosConeInner - e.cosConeOuter);
+GLINT_HD inline float spotFalloff(const EmitterData& e, float oneMinusCos) {
+    if (oneMinusCos <= e.oneMinusCosInner) return 1.0f;
+    if (oneMinusCos >= e.oneMinusCosOuter) return 0.0f;
+    const float t = (e.oneMinusCosOuter - oneMinusCos) / (e.oneMinusCosOuter - e.oneMinusCosInner);
     return t * t * (3.0f - 2.0f * t);
 }
 
@@ -103,7 +103,8 @@ GLINT_HD inline LightSample sampleDeltaLight(const EmitterData& e, const Vec3& f
     s.wiWorld = d * (1.0f / std::sqrt(distance2));
     s.point = e.position;
     s.radiance = e.radiance * (1.0f / distance2);
-    if (e.tag == EmitterTag::Spot) s.radiance *= spotFalloff(e, -glm::dot(s.wiWorld, e.direction));
+    if (e.tag == EmitterTag::Spot)
+        s.radiance *= spotFalloff(e, 0.5f * lengthSquared(s.wiWorld + e.direction));
     s.pdfSolidAngle = isZero(s.radiance) ? 0.0f : 1.0f;
     return s;
 }
@@ -175,7 +176,8 @@ GLINT_HD inline float pdfLightEnvironment(const SceneView& view, const LightCont
 GLINT_HD inline uint32_t emitterOf(const SceneView& view, uint32_t instance, uint32_t primitive) {
     const InstanceData& data = view.geometry.instances[instance];
     if (data.firstEmitter == kNone) return kNone;
-    return data.shape == ShapeTag::Mesh ? data.firstEmitter + primitive : data.firstEmitter;
+    if (data.shape != ShapeTag::Mesh) return data.firstEmitter;
+    return view.lights.emitters[data.firstEmitter + primitive].original;
 }
 
 }  // namespace glint

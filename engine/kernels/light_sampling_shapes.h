@@ -126,9 +126,10 @@ GLINT_HD inline float pdfTriangleEmitter(const EmitterData& e, const Vec3& from,
 
 // ---- Sphere ----
 
-/// Places this near to a sphere's surface, relative to the numbers they were computed from, count as inside:
-/// they lie on its inner side as likely as not.
-constexpr float kSphereInsideBand = 2e-6f;
+/// Places this near to a sphere's surface, relative to the numbers they were computed from, lie on its inner
+/// side as likely as not. Light sampling leaves them alone: the sphere covers half of what they see, and the
+/// BSDF's own directions find it.
+constexpr float kSphereSurfaceBand = 2e-6f;
 
 /// A sphere seen from a place.
 struct SphereView {
@@ -136,7 +137,7 @@ struct SphereView {
     float radius;
     float distance;
     float oneMinusCosMax;  ///< of the cone around it, accurate for far and near spheres alike; 2: seen all
-                           ///< around
+                           ///< around; 0: from the surface itself, and never sampled
 };
 
 /// `magnitude`: the size of the numbers that `from` was computed from, which its rounding error goes by.
@@ -144,13 +145,20 @@ GLINT_HD inline SphereView viewSphere(const Vec3& center, float radius, const Ve
     SphereView v{center - from, radius, 0.0f, 2.0f};
     v.distance = std::sqrt(lengthSquared(v.toCenter));
     const float outside = v.distance - radius;
-    if (!(outside > kSphereInsideBand * (radius + magnitude))) return v;
+    const float band = kSphereSurfaceBand * (radius + magnitude);
+    if (outside < -band) return v;
+    if (!(outside > band)) {
+        v.oneMinusCosMax = 0.0f;
+        return v;
+    }
     const float cosMax = safeSqrt(outside * (v.distance + radius)) / v.distance;
     v.oneMinusCosMax = square(radius / v.distance) / (1.0f + cosMax);
     return v;
 }
 
-GLINT_HD inline float pdfSphereDirection(const SphereView& v) { return 1.0f / (kTwoPi * v.oneMinusCosMax); }
+GLINT_HD inline float pdfSphereDirection(const SphereView& v) {
+    return v.oneMinusCosMax > 0.0f ? 1.0f / (kTwoPi * v.oneMinusCosMax) : 0.0f;
+}
 
 /// A point of a sphere, as its unit normal there.
 struct SphereDirection {
@@ -161,12 +169,11 @@ struct SphereDirection {
 /// Uniform over the directions in which the sphere is seen: all from inside, the cone around it from outside.
 GLINT_HD inline SphereDirection sampleSphereDirection(const SphereView& v, const Vec2& u) {
     const float pdf = pdfSphereDirection(v);
+    if (!(pdf > 0.0f)) return {};
     if (v.oneMinusCosMax >= 2.0f) {
         const Vec3 w = sampleSphere(u);
         const float along = glm::dot(w, v.toCenter);
         const float t = along + safeSqrt(square(v.radius) - square(v.distance) + along * along);
-        // Places on the surface: outward directions meet nothing but the place itself.
-        if (!(t > kSphereInsideBand * v.radius)) return {};
         return {glm::normalize(t * w - v.toCenter), pdf};
     }
     const float oneMinusCos = u.x * v.oneMinusCosMax;
@@ -196,6 +203,7 @@ GLINT_HD inline EmitterPoint spherePoint(const EmitterData& e, const Vec3& norma
 
 GLINT_HD inline EmitterPoint sampleSphereEmitter(const EmitterData& e, const Vec3& from, const Vec2& u) {
     const SphereDirection direction = sampleSphereDirection(viewSphereEmitter(e, from), u);
+    if (!(direction.pdfSolidAngle > 0.0f)) return {};
     EmitterPoint s = spherePoint(e, direction.normal);
     s.pdfSolidAngle = direction.pdfSolidAngle;
     return s;

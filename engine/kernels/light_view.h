@@ -34,10 +34,12 @@ struct EmitterData {
     Vec3 radiance{0.0f};  ///< area: W/(sr m^2); point, spot: W/sr; directional: W/m^2 facing it
     float area =
         0.0f;  ///< rectangle, parallelogram, disc, triangle: area; directional: luminance of `radiance`
-    float radiusWorld = 0.0f;    ///< sphere
-    float cosConeOuter = -1.0f;  ///< spot: the light ends here
-    float cosConeInner = -1.0f;  ///< spot: begins to fall off here
-    uint32_t instance = 0;       ///< area emitters: index into GeometryView::instances
+    float radiusWorld = 0.0f;       ///< sphere
+    float oneMinusCosOuter = 2.0f;  ///< spot: the light ends here; narrow cones' cosines have no digits left
+    float oneMinusCosInner = 2.0f;  ///< spot: begins to fall off here
+    uint32_t instance = 0;          ///< area emitters: index into GeometryView::instances
+    uint32_t original = 0;  ///< triangle: the emitter that this one repeats and that is sampled in its stead,
+                            ///< or its own index
     EmitterTag tag = EmitterTag::Point;
     bool emitsBothSides = false;
 };

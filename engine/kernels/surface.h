@@ -110,8 +110,22 @@ GLINT_HD inline Vec3 triangleNormal(const Vec3& p0, const Vec3& p1, const Vec3& 
             differenceOfProducts(a.x, b.y, a.y, b.x)};
 }
 
+/// Weighted corners of a triangle are off by some units in the last place of the corners. Where the triangle
+/// is much larger than the way to it, the point is better found along the ray.
+GLINT_HD inline void refineOnLargeTriangle(const Vec3& p0, const Vec3& p1, const Vec3& p2, const Ray& ray,
+                                           ObjectPoint* local) {
+    const float t = planeDistance(p0, p1, p2, ray.origin, ray.direction);
+    const Vec3 way = ray.direction * t;
+    const Vec3 error = errorGamma(3) * (absVec(ray.origin) + absVec(way));
+    if (!(maxComponent(error) < maxComponent(local->error))) return;
+    local->p = ray.origin + way;
+    local->error = error;
+}
+
 template <FeatureMask kMask>
-GLINT_HD inline ObjectPoint triangleSurface(const MeshView& mesh, const Hit& hit, SurfacePoint* point) {
+GLINT_HD inline ObjectPoint triangleSurface(const MeshView& mesh, const Hit& hit,
+                                            const InstanceData& instance, const Ray& ray,
+                                            SurfacePoint* point) {
     const uint32_t* corner = mesh.indices + 3 * static_cast<size_t>(hit.primitive);
     const Vec3 weights(1.0f - hit.barycentric.x - hit.barycentric.y, hit.barycentric.x, hit.barycentric.y);
     const Vec3& p0 = mesh.positions[corner[0]];
@@ -121,6 +135,13 @@ GLINT_HD inline ObjectPoint triangleSurface(const MeshView& mesh, const Hit& hit
     local.p = weights.x * p0 + weights.y * p1 + weights.z * p2;
     local.error = errorGamma(8) * (absVec(weights.x * p0) + absVec(weights.y * p1) + absVec(weights.z * p2)) +
                   errorGamma(4) * glm::max(absVec(p0), glm::max(absVec(p1), absVec(p2)));
+    constexpr float kMuchLarger = 64.0f;
+    const float largest = maxComponent(glm::max(absVec(p0), glm::max(absVec(p1), absVec(p2))));
+    const Ray objectRay = instance.flags & kInstanceIdentity ? ray : toObjectSpace(instance, ray);
+    if (largest > kMuchLarger * (maxComponent(absVec(objectRay.direction)) * hit.t +
+                                 maxComponent(absVec(objectRay.origin)))) {
+        refineOnLargeTriangle(p0, p1, p2, objectRay, &local);
+    }
     local.ng = triangleNormal(p0, p1, p2);
     if (hasFeature<kMask>(kFeatureMeshNormals) && mesh.normals) {
         local.ns = interpolate(mesh.normals, corner, weights);
@@ -165,7 +186,8 @@ GLINT_HD SurfacePoint surfaceAt(const SceneView& view, const Ray& ray, const Hit
 
     detail::ObjectPoint local;
     if (hasFeature<kMask>(kFeatureMesh) && instance.shape == ShapeTag::Mesh) {
-        local = detail::triangleSurface<kMask>(view.geometry.meshes[instance.mesh], hit, &point);
+        local =
+            detail::triangleSurface<kMask>(view.geometry.meshes[instance.mesh], hit, instance, ray, &point);
     } else {
         const Vec3 pRough = detail::toObjectSpace(instance, ray).at(hit.t);
         local = instance.shape == ShapeTag::Sphere ? detail::sphereSurface(pRough)

@@ -7,6 +7,10 @@
 // compensated difference of products (Kahan; Jeannerod, Louvet and Muller 2013), whose relative error is
 // below 1: its sign, and whether it is zero, are exact as the double-precision repetition's are, without a
 // branch. A ray exactly on an edge or a vertex meets all its triangles.
+//
+// The distance t that the edge functions give is off by some units in the last place of the triangle's extent
+// along the ray, not of t. Near the ends of the ray, where a rounding error would make a surface shadow
+// itself or hide its own lamp, t comes from the triangle's plane in double instead.
 #pragma once
 
 #include "engine/kernels/bvh_nodes.h"
@@ -18,6 +22,7 @@ namespace glint {
 /// The shear that turns a ray into the +z axis. kz is the direction's largest axis; kx, ky keep the winding.
 struct ShearRay {
     Vec3 origin;
+    Vec3 direction;
     int kx, ky, kz;
     float sx, sy, sz;
 };
@@ -26,6 +31,7 @@ GLINT_HD inline ShearRay makeShearRay(const Ray& ray) {
     const Vec3 a = absVec(ray.direction);
     ShearRay shear;
     shear.origin = ray.origin;
+    shear.direction = ray.direction;
     shear.kz = a.x > a.y ? (a.x > a.z ? 0 : 2) : (a.y > a.z ? 1 : 2);
     shear.kx = shear.kz == 2 ? 0 : shear.kz + 1;
     shear.ky = shear.kx == 2 ? 0 : shear.kx + 1;
@@ -80,16 +86,67 @@ GLINT_HD inline EdgeValues edgeValues(const TriangleCluster& cluster, int lane, 
     return e;
 }
 
-/// Whether the edge functions of a triangle mean a hit within (tMin, tMax); then t and the weights.
-template <bool kFrontOnly>
-GLINT_HD inline bool acceptTriangle(const EdgeValues& e, float tMin, float tMax, TriangleHit* hit) {
+/// Distance along the ray to the plane of the triangle, in double: right to float's last place unless the ray
+/// runs within the plane. Products of float differences are all but exact in double, also for needles.
+GLINT_HD inline float planeDistance(const Vec3& p0, const Vec3& p1, const Vec3& p2, const Vec3& origin,
+                                    const Vec3& direction) {
+    double toCorner[3], e1[3], e2[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        const double corner = static_cast<double>(p0[axis]);
+        e1[axis] = static_cast<double>(p1[axis]) - corner;
+        e2[axis] = static_cast<double>(p2[axis]) - corner;
+        toCorner[axis] = corner - static_cast<double>(origin[axis]);
+    }
+    double height = 0.0;
+    double slope = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int j = axis == 2 ? 0 : axis + 1;
+        const int k = axis == 0 ? 2 : axis - 1;
+        const double normal = e1[j] * e2[k] - e1[k] * e2[j];
+        height += normal * toCorner[axis];
+        slope += normal * static_cast<double>(direction[axis]);
+    }
+    return static_cast<float>(height / slope);
+}
+
+/// This part of a triangle's extent along the ray is more than the edge functions' error of t, but for rays
+/// within some 1e-5 radians of the triangle's plane.
+constexpr float kCoarseDistance = 0x1p-6f;
+
+GLINT_HD inline Vec3 clusterCorner(const TriangleCluster& cluster, int corner, int lane) {
+    const int vertex = cluster.vertex[corner][lane];
+    return {cluster.position[0][vertex], cluster.position[1][vertex], cluster.position[2][vertex]};
+}
+
+/// t, or where it is so near to an end of the ray that its error would decide, the better one. Only shadow
+/// rays (kAnyHit) have an end that matters.
+template <bool kAnyHit>
+GLINT_HD inline float refineDistance(const TriangleCluster& cluster, int lane, const ShearRay& ray, float t,
+                                     float tMin, float tMax) {
+    float extent = 0.0f;
+    for (int corner = 0; corner < 3; ++corner) {
+        const float z = cluster.position[ray.kz][cluster.vertex[corner][lane]] - ray.origin[ray.kz];
+        extent = maxf(std::fabs(z), extent);
+    }
+    const float coarse = kCoarseDistance * std::fabs(ray.sz) * extent;
+    const bool nearStart = t < tMin + coarse;
+    const bool nearEnd = kAnyHit && t > tMax - coarse;
+    if (!nearStart && !nearEnd) return t;
+    return planeDistance(clusterCorner(cluster, 0, lane), clusterCorner(cluster, 1, lane),
+                         clusterCorner(cluster, 2, lane), ray.origin, ray.direction);
+}
+
+/// Whether the edge functions of a triangle mean a hit within (tMin, hit->t); then t and the weights.
+template <bool kAnyHit, bool kFrontOnly>
+GLINT_HD inline bool acceptTriangle(const TriangleCluster& cluster, int lane, const ShearRay& ray,
+                                    const EdgeValues& e, float tMin, TriangleHit* hit) {
     const bool anyNegative = e.u < 0.0f || e.v < 0.0f || e.w < 0.0f;
     const bool anyPositive = e.u > 0.0f || e.v > 0.0f || e.w > 0.0f;
     if ((anyNegative && anyPositive) || e.det == 0.0f) return false;
     if (kFrontOnly && !(e.det > 0.0f)) return false;
     const float inverseDet = 1.0f / e.det;
-    const float t = e.tScaled * inverseDet;
-    if (!(t > tMin && t < tMax)) return false;
+    const float t = refineDistance<kAnyHit>(cluster, lane, ray, e.tScaled * inverseDet, tMin, hit->t);
+    if (!(t > tMin && t < hit->t)) return false;
     hit->t = t;
     hit->b1 = e.v * inverseDet;
     hit->b2 = e.w * inverseDet;
@@ -104,7 +161,8 @@ GLINT_HD inline bool intersectClusterScalar(const TriangleCluster& cluster, cons
     bool found = false;
     for (uint32_t lane = 0; lane < cluster.count; ++lane) {
         const EdgeValues e = edgeValues(cluster, static_cast<int>(lane), ray);
-        if (!acceptTriangle<kFrontOnly>(e, tMin, hit->t, hit)) continue;
+        if (!acceptTriangle<kAnyHit, kFrontOnly>(cluster, static_cast<int>(lane), ray, e, tMin, hit))
+            continue;
         hit->primitive = cluster.firstPrimitive + lane;
         found = true;
         if (kAnyHit) return true;
@@ -172,7 +230,8 @@ inline bool intersectClusterSimd(const TriangleCluster& cluster, const ShearRay&
     for (; inside != 0; inside &= inside - 1) {
         const uint32_t lane = static_cast<uint32_t>(__builtin_ctz(inside));
         const float inverseDet = 1.0f / values[2][lane];
-        const float t = values[3][lane] * inverseDet;
+        const float t = refineDistance<kAnyHit>(cluster, static_cast<int>(lane), ray,
+                                                values[3][lane] * inverseDet, tMin, hit->t);
         if (!(t > tMin && t < hit->t)) continue;
         *hit = {t, values[0][lane] * inverseDet, values[1][lane] * inverseDet, cluster.firstPrimitive + lane};
         found = true;

@@ -31,6 +31,7 @@ void addInfoCommand(CLI::App& app, int* exitCode);
 void addConvergeCommand(CLI::App& app, int* exitCode);
 void addConvertCommand(CLI::App& app, int* exitCode);
 void addDiffCommand(CLI::App& app, int* exitCode);
+void addStressCommand(CLI::App& app, int* exitCode);
 void addBenchCommand(CLI::App& app, int* exitCode);
 
 /// Of `glint bench`.

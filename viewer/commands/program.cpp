@@ -30,6 +30,7 @@ void addCommands(CLI::App& app, int* exitCode) {
     addConvergeCommand(app, exitCode);
     addConvertCommand(app, exitCode);
     addDiffCommand(app, exitCode);
+    addStressCommand(app, exitCode);
     addBenchCommand(app, exitCode);
 }
 

@@ -1,0 +1,91 @@
+// Long paths: closed white rooms, where light bounces hundreds of times and every loss adds up.
+//
+// The truths are closed forms: the geometric series of a furnace, and the integrating sphere.
+#include <cmath>
+
+#include "engine/report/stress_families.h"
+#include "engine/report/stress_render.h"
+#include "engine/report/stress_scene.h"
+
+namespace glint {
+namespace {
+
+constexpr const char* kFamily = "albedo";
+
+/// From inside a closed room that emits 1 and reflects `albedo`, everything looks alike.
+SceneDescription furnace(float albedo, int maxDepth, bool box) {
+    SceneDescription scene = emptyStressScene({0.2f, -0.3f, 0.1f}, {1, 0.2f, 0.3f}, 60.0f, 16);
+    Material material = diffuseStress(albedo);
+    material.emission = Vec3(1.0f);
+    material.emitsBothSides = true;
+    if (box) {
+        MeshData mesh;
+        addBox(&mesh, Vec3(-1.3f, -0.9f, -1.1f), Vec3(1.2f, 1.0f, 1.4f), true);
+        addMesh(&scene, std::move(mesh), {}, material);
+    } else {
+        addShape(&scene, ShapeKind::Sphere, scale(Vec3(2.0f)), material);
+    }
+    scene.options.maxDepth = maxDepth;
+    return scene;
+}
+
+StressCase furnaceCase(float albedo, int maxDepth, bool box) {
+    StressCase c;
+    c.family = kFamily;
+    c.grade = std::string(box ? "box" : "sphere") + " " + gradeNumber(static_cast<double>(albedo)) +
+              " depth " + std::to_string(maxDepth);
+    c.extreme = "walls reflect " + gradeNumber(static_cast<double>(albedo)) + " up to " +
+                std::to_string(maxDepth) + " times";
+    c.truth = "geometric series";
+    c.quick = maxDepth <= 100;
+    c.run = [=](const StressEffort& effort) {
+        const double a = static_cast<double>(albedo);
+        const double truth = a == 1.0 ? maxDepth + 1.0 : (1.0 - std::pow(a, maxDepth + 1.0)) / (1.0 - a);
+        return measurePaths(furnace(albedo, maxDepth, box), effort.passes(maxDepth > 1000 ? 100 : 900, 200),
+                            truth, effort, 2);
+    };
+    return c;
+}
+
+/// A black lamp in the middle of a white sphere of radius 1: of all light that leaves the wall, the lamp
+/// absorbs the share r^2, so that the wall's radiance is a Le r^2 / (1 - a (1 - r^2)) (integrating sphere).
+StressCase integratingSphereCase(float albedo, float lampRadius) {
+    StressCase c;
+    c.family = kFamily;
+    c.grade = "integrating sphere " + gradeNumber(static_cast<double>(albedo)) + " lamp " +
+              gradeNumber(static_cast<double>(lampRadius));
+    c.extreme = "a lamp of radius " + gradeNumber(static_cast<double>(lampRadius)) +
+                " in a sphere that reflects " + gradeNumber(static_cast<double>(albedo));
+    c.truth = "integrating sphere in closed form";
+    c.run = [=](const StressEffort& effort) {
+        const double f = static_cast<double>(lampRadius) * static_cast<double>(lampRadius);
+        const double a = static_cast<double>(albedo);
+        SceneDescription scene = emptyStressScene({0.0f, 0.5f, 0.3f}, {0.6f, 0.7f, 0.4f}, 40.0f, 16);
+        addShape(&scene, ShapeKind::Sphere, {}, diffuseStress(albedo));
+        addShape(&scene, ShapeKind::Sphere, scale(Vec3(lampRadius)),
+                 emitterStress(static_cast<float>(1.0 / f)));
+        scene.options.maxDepth = 5000;
+        return measurePaths(scene, effort.passes(1200, 300), a / (1.0 - a * (1.0 - f)), effort);
+    };
+    return c;
+}
+
+}  // namespace
+
+void addAlbedoCases(StressCases* cases) {
+    for (const bool box : {false, true}) {
+        cases->push_back(furnaceCase(0.9f, 100, box));
+        cases->push_back(furnaceCase(0.99f, 1000, box));
+        cases->push_back(furnaceCase(0.999f, 1000, box));
+        cases->push_back(furnaceCase(1.0f, 1000, box));
+        cases->push_back(furnaceCase(0.9999f, 10000, box));
+        cases->back().quick = false;
+    }
+    for (const float lamp : {0.5f, 1e-2f, 1e-4f}) {
+        cases->push_back(integratingSphereCase(0.9f, lamp));
+        cases->push_back(integratingSphereCase(0.99f, lamp));
+        cases->back().quick = false;
+    }
+}
+
+}  // namespace glint

@@ -1,0 +1,32 @@
+#include "engine/report/stress_case.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace glint {
+
+uint32_t StressEffort::passes(uint32_t full, uint32_t least) const {
+    return quick ? std::min(full, std::max(least, full / 6)) : full;
+}
+
+uint64_t StressOutcome::dropped() const { return std::accumulate(faults.begin(), faults.end(), uint64_t{0}); }
+
+void StressOutcome::join(const StressOutcome& other) {
+    values.insert(values.end(), other.values.begin(), other.values.end());
+    for (size_t i = 0; i < faults.size(); ++i) faults[i] += other.faults[i];
+    samples += other.samples;
+}
+
+const char* stressVerdictName(StressVerdict verdict) {
+    switch (verdict) {
+        case StressVerdict::Ok:
+            return "ok";
+        case StressVerdict::Degraded:
+            return "degraded";
+        case StressVerdict::Broken:
+            break;
+    }
+    return "broken";
+}
+
+}  // namespace glint

@@ -1,0 +1,211 @@
+// Lamps far smaller, brighter or nearer than usual, over a grey plane.
+//
+// The truths are the irradiances of single lamps in closed form. Lamps are frontOnly: the camera looks at the
+// plane through their backs.
+#include <cmath>
+#include <numbers>
+
+#include "engine/report/stress_families.h"
+#include "engine/report/stress_render.h"
+#include "engine/report/stress_scene.h"
+
+namespace glint {
+namespace {
+
+constexpr const char* kFamily = "lamp";
+constexpr double kPiD = std::numbers::pi;
+constexpr float kAlbedo = 0.5f;
+
+double reflected(double irradiance) { return irradiance * static_cast<double>(kAlbedo) / kPiD; }
+
+/// The plane y = 0 around `target`, in a picture that covers next to nothing of it: `width` across.
+SceneDescription spotOnPlane(const Vec3& from, const Vec3& target, float width) {
+    const float fov = 2.0f * std::atan(0.5f * width / glm::length(target - from)) * 180.0f / kPi;
+    SceneDescription scene = emptyStressScene(from, target, fov);
+    addShape(&scene, ShapeKind::Plane, placeFlatShape({0, 0, 0}, {0, 1, 0}, 1, 1), diffuseStress(kAlbedo));
+    scene.options.maxDepth = 1;
+    return scene;
+}
+
+enum class LampShape { Disc, Sphere, Rectangle, Triangles };
+constexpr LampShape kLampShapes[] = {LampShape::Disc, LampShape::Sphere, LampShape::Rectangle,
+                                     LampShape::Triangles};
+
+const char* shapeName(LampShape shape) {
+    constexpr const char* kNames[] = {"disc", "sphere", "rectangle", "triangles"};
+    return kNames[static_cast<int>(shape)];
+}
+
+/// A square lamp of half edge a at height h: 4 times the corner's form factor, E = 4 L a/A atan(a/A) with
+/// A = sqrt(h^2 + a^2).
+double lampIrradiance(LampShape shape, double radius, double height, double radiance) {
+    const double r2 = radius * radius;
+    const double h2 = height * height;
+    if (shape == LampShape::Disc) return kPiD * radiance * r2 / (r2 + h2);
+    if (shape == LampShape::Sphere) return kPiD * radiance * r2 / h2;
+    const double root = std::hypot(radius, height);
+    return 4.0 * radiance * radius / root * std::atan(radius / root);
+}
+
+void addLamp(SceneDescription* scene, LampShape shape, float radius, float height, float radiance) {
+    const Material material = emitterStress(radiance);
+    const Affine flat = placeFlatShape({0, height, 0}, {0, -1, 0}, radius, radius);
+    if (shape == LampShape::Sphere) {
+        addShape(scene, ShapeKind::Sphere, translate({0, height, 0}) * scale(Vec3(radius)), material);
+    } else if (shape == LampShape::Triangles) {
+        MeshData mesh;
+        addQuad(&mesh, {-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0});
+        addMesh(scene, std::move(mesh), flat, material);
+    } else {
+        addShape(scene, shape == LampShape::Disc ? ShapeKind::Disc : ShapeKind::Rectangle, flat, material);
+    }
+    scene->objects.back().frontOnly = true;
+}
+
+/// The lamp's radius relative to its height 1; its radiance keeps the irradiance near 1.
+StressCase smallLampCase(LampShape shape, float radius) {
+    StressCase c;
+    c.family = kFamily;
+    c.grade = std::string(shapeName(shape)) + " of size " + gradeNumber(static_cast<double>(radius));
+    c.extreme = "a lamp of " + gradeNumber(static_cast<double>(radius)) + " times its distance";
+    c.truth = "irradiance in closed form";
+    c.quick = shape == LampShape::Disc || shape == LampShape::Triangles;
+    c.run = [=](const StressEffort& effort) {
+        SceneDescription scene = spotOnPlane({0.1f, 0.6f, 0.4f}, {0, 0, 0}, 1e-3f);
+        const double scale = std::min(1.0, 1.0 / static_cast<double>(radius));
+        const float radiance =
+            static_cast<float>(scale * scale > 0 && radius < 1.0f
+                                   ? 1.0 / (static_cast<double>(radius) * static_cast<double>(radius))
+                                   : 1.0);
+        addLamp(&scene, shape, radius, 1.0f, radiance);
+        const double truth =
+            reflected(lampIrradiance(shape, static_cast<double>(radius), 1.0, static_cast<double>(radiance)));
+        return measurePaths(scene, effort.passes(512), truth, effort);
+    };
+    return c;
+}
+
+StressCase brightLampCase(float radiance) {
+    StressCase c;
+    c.family = kFamily;
+    c.grade = "radiance " + gradeNumber(static_cast<double>(radiance));
+    c.extreme = c.grade;
+    c.truth = "irradiance in closed form";
+    c.run = [=](const StressEffort& effort) {
+        SceneDescription scene = spotOnPlane({0.1f, 0.6f, 0.4f}, {0, 0, 0}, 1e-3f);
+        addLamp(&scene, LampShape::Rectangle, 0.3f, 1.0f, radiance);
+        const double truth = reflected(lampIrradiance(LampShape::Rectangle, static_cast<double>(0.3f), 1.0,
+                                                      static_cast<double>(radiance)));
+        return measurePaths(scene, effort.passes(512), truth, effort);
+    };
+    return c;
+}
+
+/// A disc or square of half size 1 that hovers closely over the plane.
+StressCase hoveringCase(LampShape shape, float height) {
+    StressCase c;
+    c.family = kFamily;
+    c.grade = std::string(shapeName(shape)) + " at height " + gradeNumber(static_cast<double>(height));
+    c.extreme = "a lamp " + gradeNumber(static_cast<double>(height)) + " times its size over a surface";
+    c.truth = "irradiance in closed form";
+    c.run = [=](const StressEffort& effort) {
+        SceneDescription scene = spotOnPlane({0.1f, 2.0f, 0.4f}, {0, 0, 0}, 1e-3f);
+        addLamp(&scene, shape, 1.0f, height, 1.0f);
+        return measurePaths(scene, effort.passes(1024),
+                            reflected(lampIrradiance(shape, 1.0, static_cast<double>(height), 1.0)), effort);
+    };
+    return c;
+}
+
+/// A ball lamp of radius 1 that rests on the plane, seen from inside the ball: at a distance x from where
+/// they touch, E = pi L R^2 h / d^3 with h = R and d^2 = R^2 + x^2.
+StressCase restingBallCase(float distance) {
+    StressCase c;
+    c.family = kFamily;
+    c.grade = "ball touches at " + gradeNumber(static_cast<double>(distance));
+    c.extreme = "a ball lamp rests on the surface, " + gradeNumber(static_cast<double>(distance)) +
+                " radii from the point that is looked at";
+    if (distance < 3e-4f) {
+        c.documented = StressVerdict::Broken;
+        c.limit = "the gap is less than float's last place of the ball's size";
+    }
+    c.truth = "irradiance in closed form";
+    c.run = [=](const StressEffort& effort) {
+        SceneDescription scene = spotOnPlane({0, 0.5f, 0}, {distance, 0, 0}, 1e-2f * distance);
+        addLamp(&scene, LampShape::Sphere, 1.0f, 1.0f, 1.0f);
+        const double x = static_cast<double>(distance);
+        return measurePaths(scene, effort.passes(1024), reflected(kPiD / std::pow(1.0 + x * x, 1.5)), effort);
+    };
+    return c;
+}
+
+/// A lamp that stands on the plane like a wall, 2 wide and 1 high, at x = 0: the irradiance at a distance x
+/// in front of its middle is L (atan(a/x) - x/R atan(a/R)), a = 1, R^2 = x^2 + height^2.
+StressCase standingWallCase(float distance) {
+    StressCase c;
+    c.family = kFamily;
+    c.grade = "wall touches at " + gradeNumber(static_cast<double>(distance));
+    c.extreme = "a lamp stands on the surface, " + gradeNumber(static_cast<double>(distance)) +
+                " of its height from the point that is looked at";
+    c.truth = "irradiance in closed form";
+    c.run = [=](const StressEffort& effort) {
+        SceneDescription scene = spotOnPlane({distance, 0.5f, 0.2f}, {distance, 0, 0}, 1e-2f * distance);
+        MeshData mesh;
+        addQuad(&mesh, {0, 0, 1}, {0, 0, -1}, {0, 1, -1}, {0, 1, 1});
+        addMesh(&scene, std::move(mesh), {}, emitterStress(1.0f));
+        const double x = static_cast<double>(distance);
+        const double root = std::hypot(x, 1.0);
+        return measurePaths(scene, effort.passes(1024),
+                            reflected(std::atan(1.0 / x) - x / root * std::atan(1.0 / root)), effort);
+    };
+    return c;
+}
+
+/// A spot light whose cone is narrow, straight above: I / h^2.
+StressCase narrowSpotCase(float halfAngleDeg) {
+    StressCase c;
+    c.family = kFamily;
+    c.grade = "spot of " + gradeNumber(static_cast<double>(halfAngleDeg)) + " degrees";
+    c.extreme = "a spot light with a cone of " + gradeNumber(static_cast<double>(halfAngleDeg)) + " degrees";
+    c.truth = "intensity over distance squared";
+    c.run = [=](const StressEffort& effort) {
+        const float radius = std::tan(halfAngleDeg * kPi / 180.0f);
+        SceneDescription scene = spotOnPlane({0, 0.7f, 0}, {0, 0, 0}, 0.5f * std::min(radius, 1e-2f));
+        Light light;
+        light.kind = LightKind::Spot;
+        light.position = {0, 1, 0};
+        light.direction = {0, -1, 0};
+        light.color = Vec3(static_cast<float>(kPiD));
+        light.coneAngleDeg = halfAngleDeg;
+        light.coneFalloffStartDeg = 0.9f * halfAngleDeg;
+        scene.lights.push_back(light);
+        return measurePaths(scene, effort.passes(16), static_cast<double>(kAlbedo), effort, 4);
+    };
+    return c;
+}
+
+}  // namespace
+
+void addLampCases(StressCases* cases) {
+    for (const LampShape shape : kLampShapes) {
+        for (const float radius : {1e-9f, 1e-6f, 1e-4f, 1e-2f, 0.5f}) {
+            cases->push_back(smallLampCase(shape, radius));
+        }
+        if (shape == LampShape::Sphere) continue;
+        cases->push_back(smallLampCase(shape, 1e3f));
+        cases->push_back(smallLampCase(shape, 1e6f));
+    }
+    for (const float radiance : {1e-30f, 1e-9f, 1e9f, 1e18f, 1e30f})
+        cases->push_back(brightLampCase(radiance));
+    for (const LampShape shape : {LampShape::Disc, LampShape::Rectangle, LampShape::Triangles}) {
+        for (const float height : {1e-2f, 1e-4f, 1e-6f}) cases->push_back(hoveringCase(shape, height));
+    }
+    for (const float distance : {1e-1f, 1e-2f, 1e-3f, 1e-4f, 1e-5f}) {
+        cases->push_back(restingBallCase(distance));
+        cases->push_back(standingWallCase(distance));
+    }
+    for (const float angle : {10.0f, 1.0f, 1e-1f, 1e-2f, 1e-3f, 1e-4f})
+        cases->push_back(narrowSpotCase(angle));
+}
+
+}  // namespace glint

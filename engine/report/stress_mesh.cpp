@@ -1,0 +1,253 @@
+// Meshes that exporters make: needles, triangles without area, doubled faces, sheets all but on one another,
+// a ground ten million times larger than what stands on it.
+//
+// The truths are a grey surface under an even sky (albedo times radiance, whatever its triangles), closed
+// forms, and the same scene on a ground of its own size.
+#include <cmath>
+#include <numbers>
+
+#include "engine/report/stress_families.h"
+#include "engine/report/stress_render.h"
+#include "engine/report/stress_scene.h"
+
+namespace glint {
+namespace {
+
+constexpr float kAlbedo = 0.5f;
+constexpr double kGrey = 0.5;
+
+std::string number(float value) { return gradeNumber(static_cast<double>(value)); }
+
+StressCase named(const char* family, std::string grade, std::string extreme, std::string truth) {
+    StressCase c;
+    c.family = family;
+    c.grade = std::move(grade);
+    c.extreme = std::move(extreme);
+    c.truth = std::move(truth);
+    return c;
+}
+
+/// Strips of the width `step` around x = 0 between two wide ones: the square [-1, 1]^2 of the xz plane at y =
+/// 0, facing up.
+MeshData needleFloor(float step) {
+    constexpr int kNeedles = 64;
+    MeshData mesh;
+    const auto strip = [&](float x0, float x1) {
+        addQuad(&mesh, {x0, 0, -1}, {x0, 0, 1}, {x1, 0, 1}, {x1, 0, -1});
+    };
+    const float end = 0.5f * kNeedles * step;
+    strip(-1.0f, -end);
+    for (int i = 0; i < kNeedles; ++i) {
+        strip(static_cast<float>(i - kNeedles / 2) * step, static_cast<float>(i + 1 - kNeedles / 2) * step);
+    }
+    strip(end, 1.0f);
+    return mesh;
+}
+
+/// A grey floor under an even sky, looked at so closely that the picture is `width` across. `tilted` places
+/// it by a rotation and looks at it along.
+SceneDescription skyOverFloor(MeshData mesh, float width, bool tilted) {
+    const Affine turn = tilted ? rotate({0.3f, 0.2f, 1.0f}, 0.7f) : Affine{};
+    const Vec3 from = turn.point({0.2f, 0.8f, 0.3f});
+    const float fov = 2.0f * std::atan(0.5f * width / glm::length(from)) * 180.0f / kPi;
+    SceneDescription scene = emptyStressScene(from, {0, 0, 0}, fov);
+    scene.environment.color = Vec3(1.0f);
+    scene.options.maxDepth = 1;
+    addMesh(&scene, std::move(mesh), turn, diffuseStress(kAlbedo));
+    return scene;
+}
+
+StressCase needleFloorCase(float aspect, bool tilted) {
+    StressCase c =
+        named("needles", "floor of aspect " + number(aspect) + (tilted ? ", turned" : ""),
+              "triangles " + number(aspect) + " times as long as wide", "albedo under an even sky");
+    c.run = [=](const StressEffort& effort) {
+        const float step = 2.0f / aspect;
+        return measurePaths(skyOverFloor(needleFloor(step), 32.0f * step, tilted), effort.passes(64), kGrey,
+                            effort, 4);
+    };
+    return c;
+}
+
+/// The lamp is a strip of 64 needles, 2 long and b = 64 * width wide, at height 1: from below its middle it
+/// is a rectangle of half edges a = 1 and b / 2.
+StressCase needleLampCase(float aspect) {
+    StressCase c = named("needles", "lamp of aspect " + number(aspect),
+                         "a lamp of triangles " + number(aspect) + " times as long as wide",
+                         "irradiance in closed form");
+    c.run = [=](const StressEffort& effort) {
+        const float step = 2.0f / aspect;
+        const double b = 32.0 * static_cast<double>(step);
+        MeshData lamp;
+        for (int i = -32; i < 32; ++i) {
+            const float x0 = static_cast<float>(i) * step;
+            const float x1 = static_cast<float>(i + 1) * step;
+            addQuad(&lamp, {x0, 1, -1}, {x1, 1, -1}, {x1, 1, 1}, {x0, 1, 1});
+        }
+        SceneDescription scene = emptyStressScene({0.3f, 0.5f, 0.4f}, {0, 0, 0}, 0.05f);
+        scene.options.maxDepth = 1;
+        addShape(&scene, ShapeKind::Plane, placeFlatShape({0, 0, 0}, {0, 1, 0}, 1, 1),
+                 diffuseStress(kAlbedo));
+        addMesh(&scene, std::move(lamp), {}, emitterStress(static_cast<float>(1.0 / b)));
+        const double rootA = std::numbers::sqrt2;
+        const double rootB = std::hypot(b, 1.0);
+        const double irradiance =
+            2.0 / b * (1.0 / rootA * std::atan(b / rootA) + b / rootB * std::atan(1.0 / rootB));
+        return measurePaths(scene, effort.passes(256), kGrey * irradiance / std::numbers::pi, effort);
+    };
+    return c;
+}
+
+MeshData plainFloor(float halfSize, float height, float slope) {
+    MeshData mesh;
+    const float lift = slope * halfSize;
+    addQuad(&mesh, {-halfSize, height - lift, -halfSize}, {-halfSize, height - lift, halfSize},
+            {halfSize, height + lift, halfSize}, {halfSize, height + lift, -halfSize});
+    return mesh;
+}
+
+/// A floor of two triangles much larger than the way from the eye to it.
+StressCase largeFloorCase(float halfSize, float height, float slope) {
+    StressCase c =
+        named("ratio",
+              "floor " + number(halfSize) + (slope != 0.0f ? ", sloping" : "") +
+                  (height == 0.0f ? ", at y = 0" : ""),
+              "triangles " + number(halfSize) + " times as large as the distance they are seen from",
+              "albedo under an even sky");
+    c.run = [=](const StressEffort& effort) {
+        SceneDescription scene = emptyStressScene({0.05f, height + 1.0f, 0.02f}, {0.3f, height, 0.1f}, 10.0f);
+        scene.environment.color = Vec3(1.0f);
+        scene.options.maxDepth = 1;
+        addMesh(&scene, plainFloor(halfSize, height, slope), {}, diffuseStress(kAlbedo));
+        return measurePaths(scene, effort.passes(64), kGrey, effort, 2);
+    };
+    return c;
+}
+
+/// A block of size 1 and the ground it stands on in one mesh.
+SceneDescription blockOnGround(float groundHalfSize) {
+    SceneDescription scene = emptyStressScene({2.5f, 1.5f, 2.0f}, {0.2f, 0.3f, 0.1f}, 35.0f, 32);
+    MeshData mesh = plainFloor(groundHalfSize, 0.0f, 0.0f);
+    addBox(&mesh, {-0.5f, 0.0f, -0.5f}, {0.5f, 0.8f, 0.5f}, false);
+    addMesh(&scene, std::move(mesh), rotate({0.2f, 1.0f, 0.1f}, 0.3f), diffuseStress(0.7f));
+    Light sun;
+    sun.kind = LightKind::Directional;
+    sun.direction = {-0.5f, -1.0f, -0.7f};
+    sun.color = Vec3(3.0f);
+    scene.lights.push_back(sun);
+    scene.environment.color = Vec3(0.3f);
+    scene.options.maxDepth = 4;
+    return scene;
+}
+
+StressCase groundCase(float ratio) {
+    StressCase c = named("ratio", "block on ground " + number(ratio),
+                         "a ground " + number(ratio) + " times as large as the block in the same mesh",
+                         "the same block on a ground a hundred times its size");
+    c.tolerance = 0.01;  // the horizon of the smaller ground lies some hundredths of a radian lower
+    c.run = [=](const StressEffort& effort) {
+        return measurePathsAgainst(blockOnGround(ratio), blockOnGround(100.0f), effort.passes(96), effort);
+    };
+    return c;
+}
+
+/// Adds triangles without area: repeated corners, three corners on a line, a point.
+void addDegenerates(MeshData* mesh) {
+    const auto first = static_cast<uint32_t>(mesh->positions.size());
+    mesh->positions.insert(mesh->positions.end(), {{0, 0, 0}, {0.5f, 0, 0}, {1, 0, 0}, {0, 0, 0}});
+    for (const uint32_t corner : {0u, 0u, 1u, 0u, 1u, 2u, 2u, 1u, 0u, 0u, 3u, 0u, 1u, 1u, 1u}) {
+        mesh->indices.push_back(first + corner);
+    }
+}
+
+void addDuplicates(MeshData* mesh) {
+    const std::vector<uint32_t> once = mesh->indices;
+    mesh->indices.insert(mesh->indices.end(), once.begin(), once.end());
+}
+
+StressCase faultyFloorCase(const char* what, void (*spoil)(MeshData*)) {
+    StressCase c = named("degenerate", std::string("floor with ") + what, std::string("a mesh with ") + what,
+                         "albedo under an even sky");
+    c.run = [=](const StressEffort& effort) {
+        MeshData mesh = plainFloor(1.0f, 0.0f, 0.0f);
+        spoil(&mesh);
+        return measurePaths(skyOverFloor(std::move(mesh), 0.3f, true), effort.passes(64), kGrey, effort, 4);
+    };
+    return c;
+}
+
+StressCase faultyLampCase(const char* what, void (*spoil)(MeshData*)) {
+    StressCase c = named("degenerate", std::string("lamp with ") + what, std::string("a lamp with ") + what,
+                         "irradiance in closed form");
+    c.run = [=](const StressEffort& effort) {
+        MeshData lamp;
+        addQuad(&lamp, {-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1});
+        spoil(&lamp);
+        SceneDescription scene = emptyStressScene({0.3f, 0.5f, 0.4f}, {0, 0, 0}, 0.05f);
+        scene.options.maxDepth = 1;
+        addShape(&scene, ShapeKind::Plane, placeFlatShape({0, 0, 0}, {0, 1, 0}, 1, 1),
+                 diffuseStress(kAlbedo));
+        addMesh(&scene, std::move(lamp), translate({0, 1, 0}), emitterStress(1.0f));
+        const double root = std::numbers::sqrt2;
+        return measurePaths(scene, effort.passes(256),
+                            kGrey / std::numbers::pi * 4.0 / root * std::atan(1.0 / root), effort);
+    };
+    return c;
+}
+
+/// A sheet of the height `gap` over a black floor, both of size 1 and not at y = 0, where gaps would be
+/// exact.
+StressCase sheetCase(float gap) {
+    StressCase c =
+        named("coplanar", "sheet " + number(gap) + " over another",
+              "two sheets with a gap of " + number(gap) + " of their size", "the upper sheet alone");
+    if (gap < 1e-7f) {
+        c.documented = StressVerdict::Broken;
+        c.limit = "closer than float's last place: either sheet may be met first";
+    }
+    c.run = [=](const StressEffort& effort) {
+        constexpr float kHeight = 0.75f;
+        SceneDescription scene = emptyStressScene({0.2f, 1.8f, 0.3f}, {0, kHeight, 0}, 20.0f);
+        scene.environment.color = Vec3(1.0f);
+        scene.options.maxDepth = 8;
+        addMesh(&scene, plainFloor(1.0f, kHeight, 0.25f), {}, diffuseStress(0.0f));
+        addMesh(&scene, plainFloor(1.0f, kHeight + gap, 0.25f), {}, diffuseStress(kAlbedo));
+        return measurePaths(scene, effort.passes(64), kGrey, effort, 4);
+    };
+    return c;
+}
+
+/// The same sheet twice in one place: whichever is met, it is the same surface.
+StressCase doubledSheetCase() {
+    StressCase c = named("coplanar", "the same sheet twice", "two objects in the very same place",
+                         "albedo under an even sky");
+    c.run = [=](const StressEffort& effort) {
+        SceneDescription scene = skyOverFloor(plainFloor(1.0f, 0.0f, 0.0f), 0.4f, true);
+        addMesh(&scene, plainFloor(1.0f, 0.0f, 0.0f), scene.objects[0].objectToWorld, diffuseStress(kAlbedo));
+        return measurePaths(scene, effort.passes(64), kGrey, effort, 4);
+    };
+    return c;
+}
+
+}  // namespace
+
+void addMeshCases(StressCases* cases) {
+    for (const bool tilted : {false, true}) {
+        for (const float aspect : {1e2f, 1e4f, 1e6f, 1e7f}) cases->push_back(needleFloorCase(aspect, tilted));
+    }
+    for (const float aspect : {1e2f, 1e4f, 1e6f, 1e7f}) cases->push_back(needleLampCase(aspect));
+    cases->push_back(faultyFloorCase("triangles without area", addDegenerates));
+    cases->push_back(faultyFloorCase("every triangle twice", addDuplicates));
+    cases->push_back(faultyLampCase("triangles without area", addDegenerates));
+    cases->push_back(faultyLampCase("every triangle twice", addDuplicates));
+    for (const float gap : {1e-2f, 1e-4f, 1e-5f, 1e-6f, 1e-7f, 1e-8f}) cases->push_back(sheetCase(gap));
+    cases->push_back(doubledSheetCase());
+    for (const float slope : {0.0f, 0.37f}) {
+        for (const float size : {1.0f, 1e2f, 1e4f, 1e6f, 1e7f})
+            cases->push_back(largeFloorCase(size, 0.0f, slope));
+    }
+    for (const float size : {1e2f, 1e4f}) cases->push_back(largeFloorCase(size, 0.3f, 0.0f));
+    for (const float ratio : {1e3f, 1e4f, 1e5f, 1e6f, 1e7f}) cases->push_back(groundCase(ratio));
+}
+
+}  // namespace glint

@@ -1,0 +1,171 @@
+// Photon mapping at the ends of its scale: radii from a millionth of the scene to larger than it, one photon
+// a pass and ten million, rooms in other units.
+//
+// The truths are a floor under even light in closed form, with the bias that a radius beyond its edges has,
+// and the same room in metres from the same random numbers.
+#include <cmath>
+#include <numbers>
+
+#include "engine/report/stress_families.h"
+#include "engine/report/stress_render.h"
+#include "engine/report/stress_scene.h"
+
+namespace glint {
+namespace {
+
+constexpr const char* kFamily = "photons";
+constexpr double kPiD = std::numbers::pi;
+constexpr double kFloorRadiance = 0.5 / kPiD;  // albedo 0.5, irradiance 1
+
+std::string number(double value) { return gradeNumber(value); }
+
+StressCase named(std::string grade, std::string extreme, std::string truth) {
+    StressCase c;
+    c.family = kFamily;
+    c.grade = std::move(grade);
+    c.extreme = std::move(extreme);
+    c.truth = std::move(truth);
+    return c;
+}
+
+/// The middle of a floor of half size 1, lit straight from above with the irradiance 1, by photons alone.
+SceneDescription litFloor(float radius, uint32_t photons) {
+    SceneDescription scene = emptyStressScene({0.2f, 1.0f, 0.1f}, {0, 0, 0}, 2.0f, 4);
+    addShape(&scene, ShapeKind::Rectangle, placeFlatShape({0, 0, 0}, {0, 1, 0}, 1, 1), diffuseStress(0.5f));
+    Light sun;
+    sun.kind = LightKind::Directional;
+    scene.lights.push_back(sun);
+    scene.options.maxDepth = 1;
+    scene.sppm.radiusWorld = radius;
+    scene.sppm.photonsPerPass = photons;
+    scene.sppm.sampleDirectLight = false;
+    return scene;
+}
+
+/// Every photon of the floor counts in a disc that reaches beyond it: density 4 / (pi r^2) of the true one.
+StressCase largeRadiusCase(float radius) {
+    StressCase c = named("radius " + number(static_cast<double>(radius)),
+                         "a radius " + number(static_cast<double>(radius)) + " times half the floor's size",
+                         "irradiance in closed form, with the bias of the first radius");
+    c.run = [=](const StressEffort& effort) {
+        const double r2 = static_cast<double>(radius) * static_cast<double>(radius);
+        const double share = radius > 1.5f ? 4.0 / (kPiD * r2) : 1.0;
+        return measurePhotons(litFloor(radius, 50000), 1, effort.passes(64, 16), kFloorRadiance * share,
+                              effort);
+    };
+    return c;
+}
+
+/// A narrow spot light over a floor that is 1 / relative times as large as the radius.
+StressCase smallRadiusCase(float relative) {
+    StressCase c = named("radius " + number(static_cast<double>(relative)),
+                         "a radius " + number(static_cast<double>(relative)) + " times half the floor's size",
+                         "irradiance in closed form");
+    c.run = [=](const StressEffort& effort) {
+        constexpr float kRadius = 2e-3f;
+        const float size = kRadius / relative;
+        SceneDescription scene = emptyStressScene({0.1f, 1.0f, 0.05f}, {0, 0, 0}, 1.0f, 4);
+        addShape(&scene, ShapeKind::Rectangle, placeFlatShape({0, 0, 0}, {0, 1, 0}, size, size),
+                 diffuseStress(0.5f));
+        Light spot;
+        spot.kind = LightKind::Spot;
+        spot.position = {0, 1, 0};
+        spot.coneAngleDeg = 3.0f;
+        spot.coneFalloffStartDeg = 2.5f;
+        scene.lights.push_back(spot);
+        scene.options.maxDepth = 1;
+        scene.sppm.radiusWorld = kRadius;
+        scene.sppm.photonsPerPass = 50000;
+        scene.sppm.sampleDirectLight = false;
+        return measurePhotons(scene, 4, effort.passes(64, 16), kFloorRadiance, effort);
+    };
+    return c;
+}
+
+/// The same floor lit by a spot whose cone is as narrow as grades go: all its photons go where it shines.
+StressCase narrowSpotCase(float halfAngleDeg) {
+    StressCase c = named(
+        "spot of " + number(static_cast<double>(halfAngleDeg)) + " degrees",
+        "photons of a spot light with a cone of " + number(static_cast<double>(halfAngleDeg)) + " degrees",
+        "intensity over distance squared");
+    c.run = [=](const StressEffort& effort) {
+        const float spotRadius = halfAngleDeg * kPi / 180.0f;
+        SceneDescription scene = emptyStressScene({0, 0.7f, 0}, {0, 0, 0}, 0.2f * halfAngleDeg, 4);
+        addShape(&scene, ShapeKind::Rectangle, placeFlatShape({0, 0, 0}, {0, 1, 0}, 1, 1),
+                 diffuseStress(0.5f));
+        Light spot;
+        spot.kind = LightKind::Spot;
+        spot.position = {0, 1, 0};
+        spot.coneAngleDeg = halfAngleDeg;
+        spot.coneFalloffStartDeg = 0.9f * halfAngleDeg;
+        scene.lights.push_back(spot);
+        scene.options.maxDepth = 1;
+        scene.sppm.radiusWorld = 0.2f * spotRadius;
+        scene.sppm.photonsPerPass = 20000;
+        scene.sppm.sampleDirectLight = false;
+        return measurePhotons(scene, 4, effort.passes(48, 16), kFloorRadiance, effort);
+    };
+    return c;
+}
+
+StressCase photonCountCase(uint32_t photons, uint32_t passes, uint32_t runs) {
+    StressCase c = named(number(photons) + " photons a pass",
+                         std::to_string(passes) + " passes of " + number(photons) + " photons",
+                         "irradiance in closed form");
+    c.quick = photons >= 1000 && photons <= 1000000;
+    c.run = [=](const StressEffort& effort) {
+        return measurePhotons(litFloor(photons == 1 ? 0.8f : 0.3f, photons), passes, effort.passes(runs, 12),
+                              kFloorRadiance, effort);
+    };
+    return c;
+}
+
+/// No photon reaches the floor: it must stay black and finite.
+StressCase darkCase() {
+    StressCase c = named("no photon for 300 passes", "a floor that no photon reaches", "black");
+    c.run = [](const StressEffort& effort) {
+        SceneDescription scene = litFloor(0.3f, 100);
+        addShape(&scene, ShapeKind::Rectangle, placeFlatShape({0, 3, 0}, {0, 1, 0}, 5, 5),
+                 diffuseStress(0.0f));
+        return measurePhotons(scene, effort.passes(300), 4, 0.0, effort);
+    };
+    return c;
+}
+
+StressCase roomCase(const char* what, float amount) {
+    const bool scaled = std::string(what) == "room x";
+    StressCase c = named(
+        std::string(what) + " " + number(static_cast<double>(amount)),
+        scaled ? "a room whose unit of length is " + number(1.0 / static_cast<double>(amount)) + " units"
+               : "a room " + number(static_cast<double>(amount)) + " times its size from the origin",
+        "the same room in metres at the origin");
+    c.run = [=](const StressEffort& effort) {
+        SceneDescription room = stressRoom();
+        room.resolution = {16, 16};
+        room.sppm.photonsPerPass = 5000;
+        const SceneDescription extreme =
+            scaled ? scaledScene(room, amount, StressChange::Vertices)
+                   : movedScene(room, amount * 5.0f * Vec3(0.7f, 0.3f, -0.65f), StressChange::Vertices);
+        return measurePhotonsAgainst(extreme, room, 4, effort.passes(24, 12), effort);
+    };
+    return c;
+}
+
+}  // namespace
+
+void addPhotonCases(StressCases* cases) {
+    for (const float relative : {1e-6f, 1e-4f, 1e-2f}) cases->push_back(smallRadiusCase(relative));
+    for (const float radius : {0.1f, 0.5f, 3.0f, 1e2f, 1e6f, 1e12f})
+        cases->push_back(largeRadiusCase(radius));
+    for (const float angle : {10.0f, 1.0f, 1e-1f, 1e-2f, 1e-3f}) cases->push_back(narrowSpotCase(angle));
+    cases->push_back(photonCountCase(1, 2000, 64));
+    cases->push_back(photonCountCase(1000, 40, 48));
+    cases->push_back(photonCountCase(1000000, 1, 16));
+    cases->push_back(photonCountCase(10000000, 1, 8));
+    cases->push_back(darkCase());
+    for (const float factor : {1e-9f, 1e-6f, 1e-3f, 1e3f, 1e6f, 1e9f})
+        cases->push_back(roomCase("room x", factor));
+    for (const float distance : {1e2f, 1e3f, 1e4f, 1e5f}) cases->push_back(roomCase("room +", distance));
+}
+
+}  // namespace glint

@@ -1,0 +1,118 @@
+#include "engine/report/stress_suite.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "engine/base/nearest_name.h"
+#include "engine/base/parallel.h"
+#include "engine/report/stress_families.h"
+
+namespace glint {
+namespace {
+
+std::vector<std::string_view> familyNames(const std::vector<StressCase>& cases) {
+    std::vector<std::string_view> names;
+    for (const StressCase& c : cases) {
+        if (names.empty() || names.back() != c.family) names.push_back(c.family);
+    }
+    return names;
+}
+
+std::string joined(const std::vector<std::string_view>& names) {
+    std::string text;
+    for (const std::string_view name : names) {
+        if (!text.empty()) text += ", ";
+        text += name;
+    }
+    return text;
+}
+
+}  // namespace
+
+std::vector<StressCase> stressCases() {
+    StressCases cases;
+    addScaleCases(&cases);
+    addOffsetCases(&cases);
+    addMeshCases(&cases);
+    addGlossCases(&cases);
+    addLampCases(&cases);
+    addGlassCases(&cases);
+    addAlbedoCases(&cases);
+    addCameraCases(&cases);
+    addEnvironmentCases(&cases);
+    addInstanceCases(&cases);
+    addPhotonCases(&cases);
+    addRecurrenceCases(&cases);
+    addFilmCases(&cases);
+    return cases;
+}
+
+Result<std::vector<StressCase>> filterStressCases(std::vector<StressCase> cases, const std::string& filter) {
+    const std::vector<std::string_view> families = familyNames(cases);
+    const bool isFamily = std::ranges::find(families, filter) != families.end();
+    std::vector<StressCase> chosen;
+    for (const StressCase& c : cases) {
+        const bool meant =
+            isFamily ? c.family == filter : (c.family + "/" + c.grade).find(filter) != std::string::npos;
+        if (meant) chosen.push_back(c);
+    }
+    if (!chosen.empty()) return chosen;
+    return Error{fmt::format("no case is called '{}'{}; families are {}", filter,
+                             didYouMean(filter, families), joined(families)),
+                 {}};
+}
+
+Result<StressResult> runStressCase(const StressCase& stressCase, const StressEffort& effort) {
+    StressResult result;
+    result.stressCase = &stressCase;
+    const auto began = std::chrono::steady_clock::now();
+    const Result<StressOutcome> outcome = stressCase.run(effort);
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    if (!outcome && effort.stopped()) return outcome.error();
+    if (outcome) {
+        result.outcome = *outcome;
+        result.judgement = judgeStress(*outcome, stressCase.tolerance);
+    } else {
+        result.judgement = judgeStress({}, stressCase.tolerance);
+        result.judgement.reason = outcome.error().message;
+    }
+    return result;
+}
+
+Status runStressCases(const std::vector<StressCase>& cases, const StressEffort& effort,
+                      const std::function<void(StressResult)>& onResult) {
+    StressEffort single = effort;
+    single.threads = 1;
+    std::vector<std::optional<StressResult>> results(cases.size());
+    std::mutex mutex;
+    std::atomic<size_t> next{0};
+    size_t handedOut = 0;
+    Status status;
+    const auto work = [&] {
+        for (size_t i = next++; i < cases.size(); i = next++) {
+            Result<StressResult> result = runStressCase(cases[i], single);
+            const std::lock_guard lock(mutex);
+            if (!result) {
+                status = result.error();
+                return;
+            }
+            results[i] = std::move(*result);
+            for (; handedOut < results.size() && results[handedOut]; ++handedOut)
+                onResult(std::move(*results[handedOut]));
+        }
+    };
+    {
+        std::vector<std::jthread> threads;
+        const int count = effort.threads > 0 ? effort.threads : defaultThreadCount();
+        for (int i = 0; i < count; ++i) threads.emplace_back(work);
+    }
+    return status;
+}
+
+}  // namespace glint

@@ -1,0 +1,94 @@
+// `glint stress --quick` as a test: no case may be worse than its documented limit, and limits may not be
+// added in passing. Also the command's options.
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "engine/report/stress_suite.h"
+#include "tests/support/run_program.h"
+#include "tests/support/temp_folder.h"
+
+namespace glint {
+namespace {
+
+using nlohmann::json;
+
+class Stress : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (!test::programExists()) GTEST_SKIP() << "the program was not built";
+    }
+};
+
+TEST_F(Stress, QuickSuiteIsAsDocumented) {
+    const test::ProgramRun run = test::runProgram({"stress", "--quick", "--json", "-"});
+    const json report = json::parse(run.out, nullptr, false);
+    ASSERT_FALSE(report.is_discarded()) << run.out << run.err;
+    for (const json& row : report["cases"]) {
+        EXPECT_FALSE(row["unexpected"].get<bool>()) << row.dump(2);
+    }
+    EXPECT_EQ(report["unexpected"], 0);
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_GT(report["ok"].get<int>(), 200);
+}
+
+/// Families in which nothing but ok will do: their grades are what users' scenes are made of.
+TEST_F(Stress, CommonFamiliesHaveNoDocumentedLimit) {
+    for (const StressCase& c : stressCases()) {
+        for (const char* family :
+             {"needles", "grazing", "roughness", "albedo", "camera", "environment", "film"}) {
+            if (c.family == family) {
+                EXPECT_EQ(c.documented, StressVerdict::Ok) << family << "/" << c.grade;
+            }
+        }
+    }
+}
+
+TEST_F(Stress, ListNamesCasesAndRunsNone) {
+    const test::ProgramRun run = test::runProgram({"stress", "--list", "--filter", "film"});
+    EXPECT_EQ(run.exitCode, 0);
+    EXPECT_NE(run.out.find("outlier 1e9 first"), std::string::npos) << run.out;
+    EXPECT_EQ(run.out.find("±"), std::string::npos) << run.out;
+}
+
+TEST_F(Stress, AnUnknownFilterNamesTheNearestFamily) {
+    const test::ProgramRun run = test::runProgram({"stress", "--filter", "cammera"});
+    EXPECT_EQ(run.exitCode, 1);
+    EXPECT_NE(run.err.find("did you mean 'camera'"), std::string::npos) << run.err;
+}
+
+TEST_F(Stress, WritesHtmlAndJson) {
+    const test::TempFolder folder;
+    const test::ProgramRun run =
+        test::runProgram({"stress", "--quick", "--filter", "recurrence", "--html", folder.path("stress.html"),
+                          "--json", folder.path("stress.json")});
+    EXPECT_EQ(run.exitCode, 0) << run.out << run.err;
+    EXPECT_NE(run.out.find("±"), std::string::npos) << run.out;
+    EXPECT_NE(test::TempFolder::read(folder.path("stress.html")).find("</html>"), std::string::npos);
+    const json report = json::parse(test::TempFolder::read(folder.path("stress.json")), nullptr, false);
+    ASSERT_FALSE(report.is_discarded());
+    for (const char* key : {"quick", "significance", "ok", "degraded", "broken", "unexpected", "cases"}) {
+        EXPECT_TRUE(report.contains(key)) << key;
+    }
+    for (const char* key :
+         {"family", "grade", "extreme", "truth", "deviation", "half_width", "tolerance", "samples", "dropped",
+          "verdict", "reason", "documented", "limit", "unexpected", "seconds"}) {
+        EXPECT_TRUE(report["cases"][0].contains(key)) << key;
+    }
+}
+
+TEST_F(Stress, SummaryIsAMarkdownTable) {
+    const test::ProgramRun run =
+        test::runProgram({"stress", "--quick", "--filter", "recurrence", "--summary"});
+    EXPECT_EQ(run.exitCode, 0) << run.out;
+    EXPECT_TRUE(run.out.starts_with("| family |")) << run.out;
+}
+
+TEST_F(Stress, AFolderThatDoesNotExistIsFoundBeforeAnythingRuns) {
+    const test::ProgramRun run = test::runProgram({"stress", "--html", "/nowhere/stress.html"});
+    EXPECT_EQ(run.exitCode, 1);
+    EXPECT_EQ(run.out.find("±"), std::string::npos) << run.out;
+}
+
+}  // namespace
+}  // namespace glint

@@ -1,0 +1,81 @@
+// What the loader warns of before a scene that float cannot hold is rendered.
+
+#include "engine/scene/stability_warnings.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/build/repeated_triangles.h"
+#include "engine/io/scene_loader.h"
+#include "engine/report/stress_scene.h"
+#include "tests/support/temp_folder.h"
+
+namespace glint {
+namespace {
+
+bool warnsOf(const SceneDescription& scene, const std::string& words) {
+    for (const std::string& warning : stabilityWarnings(scene)) {
+        if (warning.find(words) != std::string::npos) return true;
+    }
+    return false;
+}
+
+TEST(StabilityWarnings, OrdinaryScenesHaveNone) {
+    EXPECT_TRUE(stabilityWarnings(stressRoom()).empty());
+    EXPECT_TRUE(stabilityWarnings(SceneDescription{}).empty());
+    for (const float factor : {1e-6f, 1e6f}) {
+        EXPECT_TRUE(stabilityWarnings(scaledScene(stressRoom(), factor, StressChange::Vertices)).empty());
+    }
+    SceneDescription plane;
+    addShape(&plane, ShapeKind::Plane, {}, diffuseStress(0.5f));
+    EXPECT_TRUE(stabilityWarnings(plane).empty());
+}
+
+TEST(StabilityWarnings, NamesTheObjectFarFromTheOrigin) {
+    SceneDescription scene = movedScene(stressRoom(), Vec3(1e6f, 0, 0), StressChange::Transforms);
+    scene.objects[0].name = "walls";
+    const std::vector<std::string> warnings = stabilityWarnings(scene);
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("object 'walls' lies"), std::string::npos) << warnings[0];
+    EXPECT_NE(warnings[0].find("and 4 more objects"), std::string::npos) << warnings[0];
+    EXPECT_FALSE(warnsOf(movedScene(stressRoom(), Vec3(1e3f, 0, 0), StressChange::Vertices), "origin"));
+}
+
+TEST(StabilityWarnings, WarnsOfTheSpanAndOfLengthsOutOfRange) {
+    SceneDescription scene = stressRoom();
+    addShape(&scene, ShapeKind::Sphere, scale(Vec3(1e-9f)), diffuseStress(0.5f));
+    EXPECT_TRUE(warnsOf(scene, "the scene spans"));
+    EXPECT_TRUE(warnsOf(scaledScene(stressRoom(), 1e15f, StressChange::Vertices), "use a larger unit"));
+    EXPECT_TRUE(warnsOf(scaledScene(stressRoom(), 1e-15f, StressChange::Transforms), "use a smaller unit"));
+}
+
+TEST(StabilityWarnings, WarnsOfRadianceThatSumsCannotHold) {
+    SceneDescription scene = stressRoom();
+    scene.materials[1].emissionStrength = 1e31f;
+    EXPECT_TRUE(warnsOf(scene, "emits a radiance"));
+}
+
+TEST(StabilityWarnings, TheLoaderPassesThemOn) {
+    const test::TempFolder folder;
+    const std::string far = folder.write("far.obj", "v 1000000 0 0\nv 1000001 0 0\nv 1000000 1 0\nf 1 2 3\n");
+    const auto scene = loadScene(far, {});
+    ASSERT_TRUE(scene);
+    ASSERT_EQ(scene->warnings.size(), 1u);
+    EXPECT_NE(scene->warnings[0].find("from the origin"), std::string::npos) << scene->warnings[0];
+}
+
+MeshData triangles(std::vector<uint32_t> indices) {
+    MeshData mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 0}};
+    mesh.indices = std::move(indices);
+    return mesh;
+}
+
+TEST(RepeatedTriangles, AreFoundByPositionAndTurn) {
+    const MeshData mesh = triangles({0, 1, 2, 1, 3, 2, 1, 2, 4, 2, 1, 0, 0, 1, 2});
+    EXPECT_EQ(firstOfRepeatedTriangles(mesh, false), (std::vector<uint32_t>{0, 1, 0, 3, 0}));
+    EXPECT_EQ(firstOfRepeatedTriangles(mesh, true), (std::vector<uint32_t>{0, 1, 0, 0, 0}));
+    EXPECT_TRUE(firstOfRepeatedTriangles(MeshData{}, true).empty());
+}
+
+}  // namespace
+}  // namespace glint
