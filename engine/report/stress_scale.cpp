@@ -48,7 +48,7 @@ StressCase offsetCase(float distance, StressChange change) {
     c.run = [=](const StressEffort& effort) {
         const SceneDescription room = stressRoom();
         const Vec3 offset = distance * kRoomSize * Vec3(0.7f, 0.3f, -0.65f);
-        return measurePathsAgainst(movedScene(room, offset, change), room, effort.passes(kPasses), effort);
+        return measurePathsAgainst(movedScene(room, offset, change), room, effort.passes(3000), effort, 2);
     };
     return c;
 }

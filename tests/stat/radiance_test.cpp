@@ -61,6 +61,47 @@ TEST(Furnace, MaximumDepthCutsTheSeriesOff) {
     }
 }
 
+/// Triangles much larger than what is seen of them, whose height is exact: their own rays must leave them.
+TEST(Furnace, MeshFloorsDoNotShadowThemselves) {
+    for (const float halfSize : {1.0f, 100.0f, 1e6f}) {
+        for (const float height : {0.0f, 0.3f}) {
+            SCOPED_TRACE(std::to_string(halfSize) + " at " + std::to_string(height));
+            SceneDescription scene =
+                test::emptyScene({0.05f, height + 0.5f, 0.02f}, {0.03f, height, 0.1f}, 16, 10);
+            scene.environment.color = Vec3(1.0f);
+            scene.options.maxDepth = 1;
+            auto mesh = std::make_shared<MeshData>();
+            const float s = halfSize;
+            mesh->positions = {{-s, height, -s}, {-s, height, s}, {s, height, s}, {s, height, -s}};
+            mesh->indices = {0, 1, 2, 0, 2, 3};
+            test::addMeshObject(&scene, mesh, {}, test::diffuseMaterial(0.5f));
+            for (const DirectLightTag strategy : kStrategies)
+                expectMean(renderFilm(scene, 16, strategy), 0.5);
+        }
+    }
+}
+
+/// A lamp whose triangles are in its mesh twice shines as it would with each of them once.
+TEST(Furnace, RepeatedLampTrianglesCountOnce) {
+    const auto lit = [](std::vector<uint32_t> indices, DirectLightTag strategy) {
+        SceneDescription scene = test::emptyScene({0.3f, 0.5f, 0.4f}, {0, 0, 0}, 16, 0.05f);
+        scene.options.maxDepth = 1;
+        test::addObject(&scene, ShapeKind::Plane, test::placeFlat({0, 0, 0}, {0, 1, 0}, 1, 1),
+                        test::diffuseMaterial(0.5f));
+        auto mesh = std::make_shared<MeshData>();
+        mesh->positions = {{-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1}};
+        mesh->indices = std::move(indices);
+        test::addMeshObject(&scene, mesh, {}, test::emissiveMaterial(Vec3(1.0f), false));
+        return test::meanLuminance(renderFilm(scene, 128, strategy));
+    };
+    for (const DirectLightTag strategy : kStrategies) {
+        const Estimate once = lit({0, 1, 2, 0, 2, 3}, strategy);
+        const Estimate twice = lit({0, 1, 2, 0, 2, 3, 1, 2, 0, 0, 2, 3}, strategy);
+        EXPECT_GT(once.mean, 0.1);
+        EXPECT_TRUE(agree(twice, once)) << describe(twice) << " " << describe(once);
+    }
+}
+
 Material shinyMaterial(MaterialKind kind, float roughness, bool thin = false) {
     Material material = test::diffuseMaterial(1.0f);
     material.kind = kind;
