@@ -110,8 +110,8 @@ bool ImageView::draw(ViewerModel* model, const Pictures& pictures, Vec2 min, Vec
             hoveredPixel_ = Vec2i((Vec2(mouse.x, mouse.y) - pictureMin_) / zoom_);
             const bool onRight =
                 mouse.x > pictureMin_.x + (pictureMax_.x - pictureMin_.x) * model->display.splitAt;
-            const auto& other = model->otherSnapshot();
-            hoversOther_ = other && onRight == (other->integrator == IntegratorKind::Sppm);
+            const bool mainIsRight = model->draft().options.integrator == IntegratorKind::Sppm;
+            hoversOther_ = model->display.split && onRight != mainIsRight;
         }
     } else {
         drawHint(min, max, model->opening() ? "Opening…" : "No scene is open. Enter a file on the right.");

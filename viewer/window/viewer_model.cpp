@@ -66,6 +66,7 @@ void ViewerModel::adopt(SceneDescription scene) {
     for (const std::string& warning : scene.warnings) logWarning("{}: {}", scene.path, warning);
     logInfo("Opened {}: {} objects, {} materials, {} lights, {}x{} pixels", scene.path, scene.objects.size(),
             scene.materials.size(), scene.lights.size(), scene.resolution.width, scene.resolution.height);
+    if (scene.path != draft_.path) reference.clear();  // a picture of another scene
     draft_ = std::move(scene);
     posted_ = std::make_shared<const SceneDescription>(draft_);
     cameraOfFile_ = draft_.camera;

@@ -55,7 +55,7 @@ void value(const char* label, const std::string& shown, const char* tooltip = nu
 bool selectable(const char* label, bool selected, const Vec3* swatch = nullptr);
 /// Dim text that wraps.
 void hint(const char* text);
-/// At the mouse, now.
+/// At the mouse, now; nothing for nullptr.
 void tooltip(const char* text);
 /// Tells scripts of the item that was drawn last, by this name.
 void itemArea(const char* label, const std::string& shown);
