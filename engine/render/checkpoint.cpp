@@ -19,10 +19,11 @@
 namespace glint {
 
 /// Reads and writes all of a film's members. Payload: u32 width, u32 height, u32 passes, u64 rays, u64 fault
-/// counts, u32 number of fault records, records (u8 kind, u32 x, u32 y, u32 pass), then per pixel 3 f64 mean,
-/// f64 M2, u32 count.
+/// counts, u32 number of fault records, records (u8 kind, u32 x, u32 y, u32 pass), the calibration (u32
+/// passes, f64 mean luminance, f64 correlated pixels, f64 factors), then per pixel 3 f64 mean, f64 M2, u32
+/// count, f32 waypoint.
 struct FilmCheckpoint {
-    static constexpr uint64_t kBytesPerPixel = 4 * sizeof(double) + sizeof(uint32_t);
+    static constexpr uint64_t kBytesPerPixel = 4 * sizeof(double) + sizeof(uint32_t) + sizeof(float);
     static constexpr uint32_t kMaxSide = 1u << 20;
 
     static void write(const Film& film, ByteWriter* out) {
@@ -41,12 +42,19 @@ struct FilmCheckpoint {
             out->write(static_cast<uint32_t>(fault.y));
             out->write(fault.pass);
         }
+        out->write(film.calibration_.passes);
+        out->write(film.calibration_.meanLuminance);
+        out->write(film.calibration_.correlatedPixels);
+        for (const double factor : film.calibration_.factors) {
+            out->write(factor);
+        }
         for (const FilmPixel& pixel : film.pixels_) {
             for (const double mean : pixel.mean) {
                 out->write(mean);
             }
             out->write(pixel.luminanceM2);
             out->write(pixel.count);
+            out->write(pixel.waypoint);
         }
     }
 
@@ -64,7 +72,7 @@ struct FilmCheckpoint {
         Film out(static_cast<int>(width), static_cast<int>(height));
         out.passes_ = passes;
         out.rays_ = rays;
-        if (!readFaults(&in, &out) || in.left() != pixels * kBytesPerPixel) {
+        if (!readFaults(&in, &out) || !readCalibration(&in, &out) || in.left() != pixels * kBytesPerPixel) {
             return false;
         }
         for (FilmPixel& pixel : out.pixels_) {
@@ -73,12 +81,26 @@ struct FilmCheckpoint {
             }
             pixel.luminanceM2 = in.read<double>();
             pixel.count = in.read<uint32_t>();
+            pixel.waypoint = in.read<float>();
         }
         *film = std::move(out);
         return !in.failed();
     }
 
   private:
+    static bool readCalibration(ByteReader* in, Film* film) {
+        NoiseCalibration& calibration = film->calibration_;
+        calibration.passes = in->read<uint32_t>();
+        calibration.meanLuminance = in->read<double>();
+        calibration.correlatedPixels = in->read<double>();
+        bool fine = calibration.correlatedPixels >= 1.0;
+        for (double& factor : calibration.factors) {
+            factor = in->read<double>();
+            fine = fine && factor >= 0.0;
+        }
+        return fine && !in->failed();
+    }
+
     static bool readFaults(ByteReader* in, Film* film) {
         for (uint64_t& count : film->faultCounts_) {
             count = in->read<uint64_t>();

@@ -1,10 +1,13 @@
 // How far a picture may be from the truth, from nothing but its own samples: no reference is needed.
 //
-// Used by the session (convergence curve, `--error`), by snapshots and by reports. What the samples cannot
-// know is not in it: light that no path has found yet.
+// Used by the session (convergence curve, `--error`), by snapshots, EXR layers and reports. What the samples
+// cannot know is not in it: light that no path has found yet. engine/README.md says how well it is
+// calibrated and from which pass on.
 #pragma once
 
+#include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace glint {
 
@@ -12,7 +15,10 @@ class Film;
 struct SppmState;
 
 /// Of the whole picture: root of the mean squared error of the pixels' luminances over the picture's mean
-/// luminance. All infinite with fewer than two passes; 0 for a picture without variance.
+/// luminance. The kTrimmedShare of the pixels with the largest squared errors is left out, as relMseTrimmed
+/// does in engine/report/metrics.h: a picture of a million good pixels and one firefly is a good picture, and
+/// its variance is known too badly to stop by. All infinite with fewer than two passes; 0 for a picture
+/// without variance.
 struct ErrorEstimate {
     double relative = std::numeric_limits<double>::infinity();  ///< noise and bias together
     double low = std::numeric_limits<double>::infinity();       ///< 90 % band of `relative`
@@ -20,7 +26,25 @@ struct ErrorEstimate {
     double bias = 0.0;  ///< the bias' share of `relative`; 0 for path tracing
 };
 
+constexpr double kTrimmedShare = 0.001;
+
 /// `sppm` is null or empty for path tracing. The same bits for any number of threads (0: all).
 ErrorEstimate estimateError(const Film& film, const SppmState* sppm, int threads = 0);
+
+/// What is known of one pixel's luminance.
+struct PixelError {
+    double variance = 0.0;        ///< of its mean, calibrated; infinite with fewer than two passes
+    double photonVariance = 0.0;  ///< the photons' share
+    double bias = 0.0;  ///< SPPM: estimate of the photons' bias, signed; its own variance is about three
+                        ///< times photonVariance
+};
+PixelError pixelError(const Film& film, const SppmState* sppm, size_t index);
+
+/// Of direct light and photons together.
+double pixelLuminance(const Film& film, const SppmState* sppm, size_t index);
+
+/// For each pixel, what the true luminance lies within with 90 %: picture +- bound. Variances are averaged
+/// over 5 x 5 pixels first: a pixel that has missed a rare bright path does not know its own.
+std::vector<float> errorBounds(const Film& film, const SppmState* sppm, int threads = 0);
 
 }  // namespace glint

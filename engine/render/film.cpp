@@ -47,6 +47,7 @@ void Film::clear() {
     rays_ = 0;
     faultCounts_ = {};
     faults_.clear();
+    calibration_ = {};
     std::fill(pixels_.begin(), pixels_.end(), FilmPixel{});
 }
 

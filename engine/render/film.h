@@ -10,6 +10,7 @@
 
 #include "engine/kernels/pass.h"
 #include "engine/math/vec.h"
+#include "engine/render/noise_calibration.h"
 
 namespace glint {
 
@@ -18,6 +19,7 @@ struct FilmPixel {
     std::array<double, 3> mean{};  ///< linear Rec.709 radiance
     double luminanceM2 = 0.0;      ///< sum of squared deviations of the luminance from its mean
     uint32_t count = 0;            ///< samples that entered; passes minus dropped ones
+    float waypoint = 0.0f;         ///< the picture's luminance here at calibration().passes
 };
 
 /// A sample that was dropped, for the log and for replay.
@@ -46,12 +48,14 @@ class Film {
     const std::vector<FilmPixel>& pixels() const { return pixels_; }
     const std::array<uint64_t, kSampleFaultCount>& faultCounts() const { return faultCounts_; }
     const std::vector<FaultRecord>& faults() const { return faults_; }
+    const NoiseCalibration& calibration() const { return calibration_; }
 
     /// Standard error of a pixel's mean luminance; infinite with fewer than two samples.
     double standardError(const FilmPixel& pixel) const;
-    /// Root of the mean squared standard error over all pixels, relative to the picture's mean luminance:
-    /// what a stop limit and the panel show. Infinite with fewer than two passes; 0 for a black picture
-    /// without variance. The same bits for any number of threads (0: all).
+    /// Root of the mean squared standard error over all pixels, relative to the picture's mean luminance, as
+    /// if samples were independent: what compares the variance of samplers. error_estimate.h knows better how
+    /// far the picture is from the truth. Infinite with fewer than two passes; 0 for a black picture without
+    /// variance. The same bits for any number of threads (0: all).
     double relativeErrorEstimate(int threads = 0) const;
 
     size_t bytes() const;
@@ -61,7 +65,8 @@ class Film {
   private:
     void recordFaults(const std::vector<PixelSample>& samples, size_t begin, uint32_t passIndex);
 
-    friend struct FilmCheckpoint;  // io/checkpoint reads and writes all members exactly
+    friend struct FilmCheckpoint;  // checkpoint.cpp reads and writes all members exactly
+    friend class NoiseCalibrator;  // noise_calibration.cpp compares the picture with its waypoint
 
     int width_ = 0;
     int height_ = 0;
@@ -70,6 +75,7 @@ class Film {
     std::vector<FilmPixel> pixels_;
     std::array<uint64_t, kSampleFaultCount> faultCounts_{};
     std::vector<FaultRecord> faults_;
+    NoiseCalibration calibration_;
 };
 
 /// First-hit pictures (kernels/pass.h, AovSample), accumulated beside a film and independent of it.

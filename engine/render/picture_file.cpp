@@ -95,7 +95,9 @@ std::map<std::string, std::string> metadata(const FilmSnapshot& snapshot, const 
                                            {"sceneHash", sceneHash(scene).hex()},
                                            {"passes", fmt::to_string(snapshot.passes)},
                                            {"renderSeconds", fmt::to_string(snapshot.renderSeconds)},
-                                           {"relativeError", fmt::to_string(snapshot.relativeError)}};
+                                           {"relativeError", fmt::to_string(snapshot.relativeError)},
+                                           {"relativeErrorLow", fmt::to_string(snapshot.relativeErrorLow)},
+                                           {"relativeErrorHigh", fmt::to_string(snapshot.relativeErrorHigh)}};
     for (const Setting& setting : renderSettings(scene)) {
         out["setting." + setting.name] = setting.value;
     }
@@ -118,6 +120,13 @@ Status savePictureAsExr(const std::string& path, const FilmSnapshot& snapshot, c
     if (snapshot.standardError.size() == pixels) {
         builder.addFloats("standardError.Y", ExrPixelType::Float,
                           [&](size_t i) { return snapshot.standardError[i]; });
+    }
+    if (snapshot.bias.size() == pixels) {
+        builder.addFloats("bias.Y", ExrPixelType::Float, [&](size_t i) { return snapshot.bias[i]; });
+    }
+    if (snapshot.errorBound.size() == pixels) {
+        builder.addFloats("errorBound.Y", ExrPixelType::Float,
+                          [&](size_t i) { return snapshot.errorBound[i]; });
     }
     builder.picture.attributes = metadata(snapshot, scene);
     return saveExr(path, builder.picture);

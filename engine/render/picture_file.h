@@ -25,8 +25,9 @@ struct PictureOptions {
 /// full resolution, an AOV that is missing, or the file cannot be written.
 ///
 /// EXR layers: R G B (radiance), albedo.R/G/B, normal.X/Y/Z, geometricNormal.X/Y/Z, depth.Z (float),
-/// objectId.id and materialId.id (32-bit integers, 0: nothing), standardError.Y where the snapshot has it.
-/// Text attributes: glintVersion, sceneHash, passes, renderSeconds, relativeError, and one setting.NAME for
+/// objectId.id and materialId.id (32-bit integers, 0: nothing), and standardError.Y, bias.Y (SPPM) and
+/// errorBound.Y where the snapshot has them (snapshot.h). Text attributes: glintVersion, sceneHash, passes,
+/// renderSeconds, relativeError, relativeErrorLow, relativeErrorHigh, and one setting.NAME for
 /// each of renderSettings().
 Status savePicture(const std::string& path, const FilmSnapshot& snapshot, const SceneDescription& scene,
                    const PictureOptions& options);

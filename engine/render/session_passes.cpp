@@ -1,6 +1,7 @@
 // Which pass is next, running it, committing it, and showing what came of it.
 #include <algorithm>
 
+#include "engine/render/noise_calibration.h"
 #include "engine/render/pass_params.h"
 #include "engine/render/session_worker.h"
 #include "engine/render/snapshot.h"
@@ -179,6 +180,7 @@ void SessionWorker::commitFilmPass(double seconds) {
     prepareFilm(&rendered);
     const uint64_t raysBefore = rendered.film.rays();
     rendered.film.commit(samples_, rendered.film.passes(), options_.threads);
+    calibrateNoise(&rendered.sppm, scene_->sppm.alpha, options_.threads, &rendered.film);
     const int64_t paths = pixelCount(rendered.film.width(), rendered.film.height());
     rendered.renderSeconds += seconds;
     rendered.secondsPerPass =

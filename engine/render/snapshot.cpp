@@ -16,9 +16,10 @@ void copyPixel(const Film& film, const SppmState* sppm, size_t i, FilmSnapshot* 
         snapshot->radiance[i * 3 + static_cast<size_t>(c)] = static_cast<float>(pixel.mean[c]) + photons[c];
     }
     if (!snapshot->standardError.empty()) {
-        const double own = film.standardError(pixel);
-        snapshot->standardError[i] =
-            static_cast<float>(sppm ? std::hypot(own, sppm->photonStandardError(i)) : own);
+        snapshot->standardError[i] = static_cast<float>(std::sqrt(pixelError(film, sppm, i).variance));
+    }
+    if (!snapshot->bias.empty()) {
+        snapshot->bias[i] = sppm->pixels[i].bias;
     }
     if (!snapshot->radiusWorld.empty()) {
         snapshot->radiusWorld[i] = static_cast<float>(std::sqrt(sppm->pixels[i].radiusSquared));
@@ -43,6 +44,10 @@ std::shared_ptr<FilmSnapshot> makeSnapshot(const Film& film, const SppmState* sp
     if (sppm && request.photonStatistics) {
         snapshot->radiusWorld.resize(count);
         snapshot->photonCount.resize(count);
+    }
+    if (request.errorMaps) {
+        snapshot->errorBound = errorBounds(film, sppm, threads);
+        snapshot->bias.resize(sppm ? count : 0);
     }
     parallelChunks(static_cast<int64_t>(count), kChunkPixels, threads, [&](int64_t begin, int64_t end) {
         for (int64_t i = begin; i < end; ++i) {

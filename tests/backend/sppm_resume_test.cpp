@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/render/checkpoint.h"
+#include "engine/render/error_estimate.h"
 #include "engine/render/snapshot.h"
 #include "tests/support/temp_folder.h"
 #include "tests/support/test_scenes.h"
@@ -68,10 +69,21 @@ void expectSame(const SessionCapture& a, const SessionCapture& b) {
         const FilmPixel& q = b.film.pixels()[i];
         const bool same = std::memcmp(p.mean.data(), q.mean.data(), sizeof p.mean) == 0 &&
                           std::memcmp(&p.luminanceM2, &q.luminanceM2, sizeof p.luminanceM2) == 0 &&
-                          p.count == q.count && sameBits(a.sppm.pixels[i], b.sppm.pixels[i]);
+                          p.count == q.count && p.waypoint == q.waypoint &&
+                          sameBits(a.sppm.pixels[i], b.sppm.pixels[i]);
         different += same ? 0 : 1;
     }
     EXPECT_EQ(different, 0u);
+    EXPECT_EQ(a.film.calibration().passes, b.film.calibration().passes);
+    EXPECT_EQ(a.film.calibration().factors, b.film.calibration().factors);
+    EXPECT_EQ(a.film.calibration().correlatedPixels, b.film.calibration().correlatedPixels);
+    ASSERT_EQ(a.curve.points().size(), b.curve.points().size());
+    for (size_t i = 0; i < a.curve.points().size(); ++i) {
+        EXPECT_EQ(a.curve.points()[i].passes, b.curve.points()[i].passes);
+        EXPECT_EQ(a.curve.points()[i].relativeError, b.curve.points()[i].relativeError);
+        EXPECT_EQ(a.curve.points()[i].relativeErrorHigh, b.curve.points()[i].relativeErrorHigh);
+        EXPECT_EQ(a.curve.points()[i].relativeBias, b.curve.points()[i].relativeBias);
+    }
 }
 
 TEST(SppmResume, SixPassesAreThreeAndThreeMoreToTheLastBit) {
@@ -79,6 +91,8 @@ TEST(SppmResume, SixPassesAreThreeAndThreeMoreToTheLastBit) {
         const SceneDescription scene = photonScene(lookup);
         const SessionCapture whole = renderTo(6, scene, 2);
         EXPECT_EQ(whole.sppm.passes, 6u);
+        EXPECT_EQ(whole.curve.points().size(), 5u);
+        EXPECT_EQ(whole.film.calibration().passes, 4u);
         for (const int threads : {1, 2}) {
             const TempFolder folder;
             const std::string path = folder.path("half.checkpoint");
@@ -86,7 +100,10 @@ TEST(SppmResume, SixPassesAreThreeAndThreeMoreToTheLastBit) {
             ASSERT_TRUE(saveCheckpoint(path, half));
             Result<ResumePoint> loaded = loadCheckpoint(path, scene);
             ASSERT_TRUE(loaded) << loaded.error().format();
-            expectSame(SessionCapture{.scene = half.scene, .film = loaded->film, .sppm = loaded->sppm}, half);
+            expectSame(
+                SessionCapture{
+                    .scene = half.scene, .film = loaded->film, .sppm = loaded->sppm, .curve = loaded->curve},
+                half);
             expectSame(renderTo(6, scene, threads, std::move(*loaded)), whole);
         }
     }
@@ -146,8 +163,8 @@ TEST(SppmSnapshot, OfACaptureHasTheErrorOfBothParts) {
     const SessionCapture capture = renderTo(3, photonScene(), 2);
     const auto picture = makeSnapshot(capture, {}, 1);
     EXPECT_EQ(picture->integrator, IntegratorKind::Sppm);
-    EXPECT_EQ(picture->relativeError, capture.sppm.relativeErrorEstimate(capture.film));
-    EXPECT_NE(picture->relativeError, capture.film.relativeErrorEstimate());
+    EXPECT_EQ(picture->relativeError, estimateError(capture.film, &capture.sppm).relative);
+    EXPECT_NE(picture->relativeError, estimateError(capture.film, nullptr).relative);
     EXPECT_EQ(picture->renderSeconds, capture.renderSeconds);
 }
 

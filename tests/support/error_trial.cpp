@@ -3,15 +3,18 @@
 #include <stdexcept>
 
 #include "engine/math/color.h"
+#include "engine/render/noise_calibration.h"
 #include "engine/render/pass_params.h"
 
 namespace glint::test {
 
-ErrorTrial::ErrorTrial(std::shared_ptr<const BuiltScene> built, const SceneDescription& scene, uint32_t seed)
+ErrorTrial::ErrorTrial(std::shared_ptr<const BuiltScene> built, const SceneDescription& scene, uint32_t seed,
+                       int threads)
     : built_(std::move(built)),
       isSppm_(scene.options.integrator == IntegratorKind::Sppm),
+      threads_(threads),
       params_(sppmParamsOf(scene)),
-      backend_(makeCpuBackend(0)),
+      backend_(makeCpuBackend(threads)),
       film_(scene.resolution.width, scene.resolution.height) {
     params_.pass = passParamsOf(scene);
     params_.pass.seed = seed;
@@ -32,7 +35,8 @@ void ErrorTrial::renderTo(uint32_t passes) {
         if (!done || !*done) {
             throw std::runtime_error("a pass failed");
         }
-        film_.commit(samples_, pass, 0);
+        film_.commit(samples_, pass, threads_);
+        calibrateNoise(sppm(), params_.alpha, threads_, &film_);
     }
 }
 

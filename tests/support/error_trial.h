@@ -16,8 +16,9 @@ namespace glint::test {
 
 class ErrorTrial {
   public:
-    /// A film by the description's own integrator and settings, but for the seed.
-    ErrorTrial(std::shared_ptr<const BuiltScene> built, const SceneDescription& scene, uint32_t seed);
+    /// A film by the description's own integrator and settings, but for the seed. threads 0: all.
+    ErrorTrial(std::shared_ptr<const BuiltScene> built, const SceneDescription& scene, uint32_t seed,
+               int threads = 0);
 
     void renderTo(uint32_t passes);
 
@@ -30,6 +31,7 @@ class ErrorTrial {
   private:
     std::shared_ptr<const BuiltScene> built_;
     bool isSppm_;
+    int threads_;
     SppmParams params_;
     std::unique_ptr<Backend> backend_;
     Film film_;

@@ -91,7 +91,10 @@ TEST(Checkpoint, BringsTheFilmBackExactlyAndGoesOnAsIfNothingHappened) {
     const SceneDescription scene = someScene();
     std::mt19937 random(1);
     const Film half = filmAfter(0, 5, Film(kWidth, kHeight), random);
-    ASSERT_TRUE(saveCheckpoint(path, captureOf(scene, half, 12.5)));
+    SessionCapture capture = captureOf(scene, half, 12.5);
+    capture.curve.add({2, 5.0, 0.5, 0.4, 0.7, 0.1});
+    capture.curve.add({5, 12.5, 0.25, 0.2, 0.3, 0.05});
+    ASSERT_TRUE(saveCheckpoint(path, capture));
     const std::mt19937 afterHalf = random;
     const Film whole = filmAfter(5, 5, half, random);
 
@@ -99,6 +102,14 @@ TEST(Checkpoint, BringsTheFilmBackExactlyAndGoesOnAsIfNothingHappened) {
     ASSERT_TRUE(loaded) << loaded.error().format();
     expectSameFilm(loaded->film, half);
     EXPECT_EQ(loaded->renderSeconds, 12.5);
+    ASSERT_EQ(loaded->curve.points().size(), 2u);
+    const ConvergencePoint& last = loaded->curve.points()[1];
+    EXPECT_EQ(last.passes, 5u);
+    EXPECT_EQ(last.renderSeconds, 12.5);
+    EXPECT_EQ(last.relativeError, 0.25);
+    EXPECT_EQ(last.relativeErrorLow, 0.2);
+    EXPECT_EQ(last.relativeErrorHigh, 0.3);
+    EXPECT_EQ(last.relativeBias, 0.05);
     random = afterHalf;
     expectSameFilm(filmAfter(5, 5, loaded->film, random), whole);
 }

@@ -85,13 +85,56 @@ TEST(Session, StopsAtTheErrorLimitAndAtTheTimeLimit) {
     bench.session->setLimits({.relativeError = 0.05});
     bench.open(8, 8);
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
-    EXPECT_LE(bench.session->status().relativeError, 0.05);
+    EXPECT_LE(bench.session->status().relativeErrorHigh, 0.05) << "the band's upper end counts";
     const uint32_t passes = bench.session->status().passes;
     EXPECT_GT(passes, 2u);
     bench.control->secondsPerPass = 0.002;
     bench.session->setLimits({.renderSeconds = 0.05});
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
     EXPECT_GE(bench.session->status().renderSeconds, 0.05);
+}
+
+TEST(Session, TheConvergenceCurveGrowsWithTheFilmAndRestartsWithIt) {
+    Bench bench;
+    EXPECT_TRUE(bench.session->convergenceCurve(IntegratorKind::PathTracing)->empty());
+    bench.session->setLimits({.passes = 100});
+    bench.open(8, 8);
+    ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
+    const auto curve = bench.session->convergenceCurve(IntegratorKind::PathTracing);
+    ASSERT_FALSE(curve->empty());
+    EXPECT_EQ(curve->points().front().passes, 2u);
+    EXPECT_EQ(curve->points().back().passes, 100u);
+    EXPECT_LE(curve->points().back().renderSeconds, bench.session->status().renderSeconds);
+    EXPECT_LT(curve->points().back().relativeError, curve->points()[10].relativeError);
+    for (const ConvergencePoint& point : curve->points()) {
+        EXPECT_LE(point.relativeErrorLow, point.relativeError);
+        EXPECT_GE(point.relativeErrorHigh, point.relativeError);
+    }
+    EXPECT_TRUE(bench.session->convergenceCurve(IntegratorKind::Sppm)->empty());
+
+    const auto capture = bench.session->capture();
+    ASSERT_TRUE(capture.has_value());
+    EXPECT_EQ(capture->curve.points().size(), curve->points().size());
+
+    bench.session->setLimits({.passes = 3});
+    bench.session->restart();
+    ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
+    EXPECT_EQ(bench.session->convergenceCurve(IntegratorKind::PathTracing)->points().size(), 2u);
+    EXPECT_EQ(curve->points().back().passes, 100u) << "the old one is not touched";
+}
+
+TEST(Session, ErrorMapsComeOnRequest) {
+    Bench bench;
+    bench.session->setLimits({.passes = 4});
+    bench.open(8, 8);
+    ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
+    EXPECT_TRUE(bench.session->snapshot()->errorBound.empty());
+    bench.session->requestErrorMaps(true);
+    ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
+    const auto snapshot = bench.session->snapshot();
+    EXPECT_EQ(snapshot->errorBound.size(), 64u);
+    EXPECT_TRUE(snapshot->bias.empty()) << "of SPPM alone";
+    EXPECT_EQ(bench.session->status().counters.filmRestarts, 1u);
 }
 
 TEST(Session, WishesNeverRestartTheFilm) {

@@ -6,8 +6,8 @@
 namespace glint {
 
 void addBenchCommand(CLI::App& app, int* exitCode) {
-    CLI::App* bench =
-        app.add_subcommand("bench", "Measures speed: rays, paths, photon passes, latency, loading, threads, kernels");
+    CLI::App* bench = app.add_subcommand(
+        "bench", "Measures speed: rays, paths, photon passes, latency, loading, threads, kernels");
     bench->require_subcommand(1);
     bench->footer("Figures are only worth something on a machine that does nothing else.");
     addBenchRays(*bench, exitCode);

@@ -1,4 +1,4 @@
-// The error falls with the root of the number of passes, which is what its forecast assumes.
+// Each limit says when it will be reached; the first one counts.
 #include "viewer/commands/progress.h"
 
 #include <algorithm>
@@ -14,10 +14,26 @@ constexpr int kBarWidth = 24;
 /// Without a terminal: a line at every tenth, but no more often than this.
 constexpr double kPlainInterval = 2.0;
 
-void consider(double fraction, double secondsLeft, Forecast* best) {
-    if (best->secondsLeft < 0.0 || secondsLeft < best->secondsLeft) {
-        *best = {std::clamp(fraction, 0.0, 1.0), std::max(0.0, secondsLeft)};
+/// A range that is narrower than this is one figure.
+constexpr double kWideRange = 1.25;
+
+void consider(double fraction, const ErrorForecast& ahead, Forecast* best) {
+    if (best->secondsLeft < 0.0 || ahead.secondsLeft < best->secondsLeft) {
+        *best = {std::clamp(fraction, 0.0, 1.0), std::max(0.0, ahead.secondsLeft),
+                 std::max(0.0, ahead.secondsLow), std::max(0.0, ahead.secondsHigh)};
     }
+}
+
+void consider(double fraction, double seconds, Forecast* best) {
+    consider(fraction, {.secondsLeft = seconds, .secondsLow = seconds, .secondsHigh = seconds}, best);
+}
+
+std::string describeError(const SessionStatus& status) {
+    if (!std::isfinite(status.relativeError)) {
+        return "?";
+    }
+    return fmt::format("{:.2f} % ({:.2f} to {:.2f})", 100.0 * status.relativeError,
+                       100.0 * status.relativeErrorLow, 100.0 * status.relativeErrorHigh);
 }
 
 std::string describe(const SessionStatus& status, const StopLimits& limits, const Forecast& ahead) {
@@ -25,15 +41,13 @@ std::string describe(const SessionStatus& status, const StopLimits& limits, cons
     if (limits.passes > 0) {
         passes += fmt::format("/{}", limits.passes);
     }
-    const std::string error =
-        std::isfinite(status.relativeError) ? fmt::format("{:.2f} %", 100.0 * status.relativeError) : "?";
     return fmt::format("{:3.0f} %  {}  {:.2f} Mpaths/s  error {}  left {}", 100.0 * ahead.fraction, passes,
-                       status.pathsPerSecond * 1e-6, error, formatSeconds(ahead.secondsLeft));
+                       status.pathsPerSecond * 1e-6, describeError(status), describeTimeLeft(ahead));
 }
 
 }  // namespace
 
-Forecast forecast(const SessionStatus& status, const StopLimits& limits) {
+Forecast forecast(const SessionStatus& status, const StopLimits& limits, const ConvergenceCurve& curve) {
     Forecast best;
     if (status.passes == 0 || status.passesPerSecond <= 0.0) {
         return best;
@@ -46,9 +60,8 @@ Forecast forecast(const SessionStatus& status, const StopLimits& limits) {
         consider(status.renderSeconds / limits.renderSeconds, limits.renderSeconds - status.renderSeconds,
                  &best);
     }
-    if (limits.relativeError > 0.0 && std::isfinite(status.relativeError) && status.relativeError > 0.0) {
-        const double needed = passes * std::pow(status.relativeError / limits.relativeError, 2.0);
-        consider(passes / needed, (needed - passes) / status.passesPerSecond, &best);
+    if (const auto ahead = forecastError(curve, limits.relativeError)) {
+        consider(status.renderSeconds / (status.renderSeconds + ahead->secondsLeft), *ahead, &best);
     }
     return best;
 }
@@ -63,10 +76,20 @@ std::string formatSeconds(double seconds) {
                      : fmt::format("{}:{:02}", minutes, whole % 60);
 }
 
+std::string describeTimeLeft(const Forecast& ahead) {
+    const std::string low = formatSeconds(ahead.secondsLow);
+    if (ahead.secondsHigh <= kWideRange * ahead.secondsLow || low == formatSeconds(ahead.secondsHigh)) {
+        return formatSeconds(ahead.secondsLeft);
+    }
+    const std::string high = formatSeconds(ahead.secondsHigh);
+    return high == "?" ? "more than " + low : low + " to " + high;
+}
+
 ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) == 1) {}
 
-void ProgressLine::update(const SessionStatus& status, const StopLimits& limits) {
-    const Forecast ahead = forecast(status, limits);
+void ProgressLine::update(const SessionStatus& status, const StopLimits& limits,
+                          const ConvergenceCurve& curve) {
+    const Forecast ahead = forecast(status, limits, curve);
     const std::string text = describe(status, limits, ahead);
     if (terminal_) {
         const int filled = static_cast<int>(std::lround(ahead.fraction * kBarWidth));

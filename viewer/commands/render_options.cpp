@@ -29,6 +29,8 @@ constexpr std::array<NamedAov, 6> kAovs{{{"albedo", kAovAlbedo},
                                          {"object-id", kAovObjectId},
                                          {"material-id", kAovMaterialId}}};
 constexpr std::string_view kStandardError = "standard-error";
+constexpr std::string_view kBias = "bias";
+constexpr std::string_view kErrorBound = "error-bound";
 
 void addLimits(CLI::App& command, RenderCommandOptions* o) {
     command
@@ -42,7 +44,9 @@ void addLimits(CLI::App& command, RenderCommandOptions* o) {
         ->check(aboveZero())
         ->type_name("SECONDS")
         ->group("When to stop");
-    command.add_option("--error", o->limits.relativeError, "Stop at this relative error, such as 0.01")
+    command
+        .add_option("--error", o->limits.relativeError,
+                    "Stop when the error is below E with 95 %; relative, such as 0.01")
         ->check(aboveZero())
         ->type_name("E")
         ->group("When to stop");
@@ -124,7 +128,7 @@ void addPictureOptions(CLI::App& command, RenderCommandOptions* o) {
     command
         .add_option("--aov", o->aovs,
                     "EXR: more layers: albedo, normal, geometric-normal, depth, object-id, material-id, "
-                    "standard-error")
+                    "standard-error, bias, error-bound")
         ->type_name("NAME,...")
         ->delimiter(',')
         ->group(group);
@@ -328,7 +332,7 @@ Status applyTo(const RenderCommandOptions& o, SceneDescription* scene) {
 }
 
 Result<AovChoice> chooseAovs(const std::vector<std::string>& names) {
-    std::vector<std::string_view> known{kStandardError};
+    std::vector<std::string_view> known{kStandardError, kBias, kErrorBound};
     for (const NamedAov& aov : kAovs) {
         known.push_back(aov.name);
     }
@@ -340,6 +344,8 @@ Result<AovChoice> chooseAovs(const std::vector<std::string>& names) {
             choice.aovs |= found->bit;
         } else if (name == kStandardError) {
             choice.standardError = true;
+        } else if (name == kBias || name == kErrorBound) {
+            choice.errorMaps = true;
         } else {
             return Error{fmt::format("--aov: there is no '{}'{}", name, didYouMean(name, known)), {}};
         }

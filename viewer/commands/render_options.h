@@ -66,11 +66,12 @@ constexpr uint32_t kDefaultPasses = 128;
 /// photon settings without photons.
 Status applyTo(const RenderCommandOptions& options, SceneDescription* scene);
 
-/// Bits of Aov, and whether the standard error is among the names. Error: an unknown name, naming the
-/// nearest.
+/// Bits of Aov, and whether the standard error and the maps of bias and bound are among the names. Error: an
+/// unknown name, naming the nearest.
 struct AovChoice {
     uint32_t aovs = 0;
     bool standardError = false;
+    bool errorMaps = false;  ///< of "bias" and "error-bound" both, since one needs the other
 };
 Result<AovChoice> chooseAovs(const std::vector<std::string>& names);
 

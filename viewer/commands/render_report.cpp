@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/log.h"
+#include "engine/render/error_estimate.h"
 #include "viewer/commands/json_output.h"
 
 namespace glint {
@@ -15,13 +16,20 @@ bool isSppm(const RenderReport& r) { return r.capture.scene->options.integrator 
 
 double pathCount(const Film& film) { return static_cast<double>(film.pixels().size()) * film.passes(); }
 
-void printSummary(const RenderReport& r, double relativeError) {
+std::string describe(const ErrorEstimate& error) {
+    if (!std::isfinite(error.relative)) {
+        return "unknown";
+    }
+    return fmt::format("{:.2f} % ({:.2f} to {:.2f})", 100.0 * error.relative, 100.0 * error.low,
+                       100.0 * error.high);
+}
+
+void printSummary(const RenderReport& r, const ErrorEstimate& error) {
     const Film& film = r.capture.film;
     const double seconds = r.capture.renderSeconds;
     fmt::print("{}: {}x{}, {} passes in {:.2f} s ({:.2f} Mpaths/s, {}, kernel {}), relative error {}\n",
                r.options.output, film.width(), film.height(), film.passes(), seconds,
-               pathCount(film) / seconds * 1e-6, r.status.backend, r.status.kernel,
-               std::isfinite(relativeError) ? fmt::format("{:.2f} %", 100.0 * relativeError) : "unknown");
+               pathCount(film) / seconds * 1e-6, r.status.backend, r.status.kernel, describe(error));
     if (isSppm(r)) {
         const auto emitted = static_cast<double>(r.capture.sppm.emittedPhotons);
         fmt::print("photons: {} a pass, {:.4g} in all ({:.3f} M/s)\n", r.photonsPerPass, emitted,
@@ -45,7 +53,33 @@ void reportFaults(const RenderReport& r) {
     }
 }
 
-nlohmann::ordered_json jsonReport(const RenderReport& r, double relativeError) {
+/// Null without --error, and while it cannot be known.
+nlohmann::ordered_json timeToError(const RenderReport& r) {
+    const auto ahead = forecastError(r.capture.curve, r.options.limits.relativeError);
+    if (!ahead) {
+        return nullptr;
+    }
+    return {{"target", r.options.limits.relativeError},
+            {"seconds_left", ahead->secondsLeft},
+            {"seconds_low", ahead->secondsLow},
+            {"seconds_high", ahead->secondsHigh},
+            {"slope", ahead->slope}};
+}
+
+nlohmann::ordered_json convergence(const ConvergenceCurve& curve) {
+    nlohmann::ordered_json points = nlohmann::ordered_json::array();
+    for (const ConvergencePoint& point : curve.points()) {
+        points.push_back({{"passes", point.passes},
+                          {"render_seconds", point.renderSeconds},
+                          {"relative_error", point.relativeError},
+                          {"relative_error_low", point.relativeErrorLow},
+                          {"relative_error_high", point.relativeErrorHigh},
+                          {"relative_bias", point.relativeBias}});
+    }
+    return points;
+}
+
+nlohmann::ordered_json jsonReport(const RenderReport& r, const ErrorEstimate& error) {
     const Film& film = r.capture.film;
     nlohmann::ordered_json faults = nlohmann::ordered_json::array();
     for (const FaultRecord& fault : film.faults()) {
@@ -63,7 +97,12 @@ nlohmann::ordered_json jsonReport(const RenderReport& r, double relativeError) {
                                      {"render_seconds", r.capture.renderSeconds},
                                      {"paths_per_second", pathCount(film) / r.capture.renderSeconds},
                                      {"rays", film.rays()},
-                                     {"relative_error", relativeError},
+                                     {"relative_error", error.relative},
+                                     {"relative_error_low", error.low},
+                                     {"relative_error_high", error.high},
+                                     {"relative_bias", error.bias},
+                                     {"time_to_error", timeToError(r)},
+                                     {"convergence", convergence(r.capture.curve)},
                                      {"backend", r.status.backend},
                                      {"kernel", r.status.kernel},
                                      {"seed", r.capture.scene->options.seed},
@@ -85,16 +124,15 @@ nlohmann::ordered_json jsonReport(const RenderReport& r, double relativeError) {
 }  // namespace
 
 Status reportRender(const RenderReport& r) {
-    const double relativeError = isSppm(r) ? r.capture.sppm.relativeErrorEstimate(r.capture.film)
-                                           : r.capture.film.relativeErrorEstimate(r.options.threads);
+    const ErrorEstimate error = estimateError(r.capture.film, &r.capture.sppm, r.options.threads);
     if (!jsonTakesOutput(r.options.json)) {
-        printSummary(r, relativeError);
+        printSummary(r, error);
     }
     reportFaults(r);
     if (const float clamp = r.capture.scene->options.fireflyClamp; clamp > 0.0f) {
         logWarning("samples were clamped to {} (firefly clamp): the picture is biased", clamp);
     }
-    return writeJson(r.options.json, jsonReport(r, relativeError));
+    return writeJson(r.options.json, jsonReport(r, error));
 }
 
 }  // namespace glint

@@ -131,7 +131,8 @@ class BatchRender {
             if (state == SessionState::Finished && goesOnAfterPicture()) {
                 finished = false;
             }
-            progress.update(session_->status(), limits_);
+            progress.update(session_->status(), limits_,
+                            *session_->convergenceCurve(scene_->options.integrator));
             const double sinceSave = std::chrono::duration<double>(Clock::now() - savedAt).count();
             if (!finished && saves_.seconds > 0.0 && sinceSave >= saves_.seconds) {
                 if (const auto capture = session_->capture()) {
@@ -185,7 +186,8 @@ class BatchRender {
     }
 
     Status writePicture(const SessionCapture& capture, const std::string& path) const {
-        auto snapshot = makeSnapshot(capture, {.standardError = aovs_.standardError}, options_.threads);
+        auto snapshot = makeSnapshot(
+            capture, {.standardError = aovs_.standardError, .errorMaps = aovs_.errorMaps}, options_.threads);
         snapshot->aovs = std::make_shared<AovFilm>(capture.aovs);
         PictureOptions picture;
         picture.exposureStops = options_.exposure;
