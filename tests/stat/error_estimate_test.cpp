@@ -154,7 +154,7 @@ TEST(ErrorEstimate, BitsDoNotDependOnThreads) {
     EXPECT_EQ(learnt.passes, 8u);
     EXPECT_EQ(learnt.factors, many.film().calibration().factors);
     EXPECT_EQ(learnt.correlatedPixels, many.film().calibration().correlatedPixels);
-    EXPECT_GT(learnt.correlatedPixels, 2.0) << "discs of four pixels share photons";
+    EXPECT_GT(learnt.correlatedPixels, 1.4) << "discs of four pixels share photons";
     const ErrorEstimate a = estimateError(one.film(), one.sppm(), 1);
     const ErrorEstimate b = estimateError(many.film(), many.sppm(), 3);
     EXPECT_EQ(a.relative, b.relative);
