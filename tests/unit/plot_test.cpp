@@ -177,6 +177,19 @@ TEST(Plot, OnePointIsAMarkerWithABar) {
     keep("one_point", chart);
 }
 
+TEST(Plot, TipsStayWithTheirPoints) {
+    LogLogChart chart = exampleChart();
+    chart.series = {{.name = "out of order",
+                     .points = {{.x = 2.0, .y = 0.1, .tip = "second"},
+                                {.x = 0.0, .y = 0.1, .tip = "left out"},
+                                {.x = 1.0, .y = 0.2, .tip = "<first>"}}}};
+    const std::string svg = chartSvg(chart);
+    const size_t first = svg.find("<title>&lt;first&gt;</title>");
+    ASSERT_NE(first, std::string::npos);
+    EXPECT_NE(svg.find("<title>second</title>", first), std::string::npos);
+    EXPECT_THAT(svg, Not(HasSubstr("left out")));
+}
+
 TEST(Plot, BandsThatReachZeroEndAtTheAxis) {
     LogLogChart chart = exampleChart();
     for (ChartPoint& point : chart.series[0].points) {
