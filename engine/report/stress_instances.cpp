@@ -73,7 +73,7 @@ StressCase transformCase(std::string grade, const Affine& map) {
     c.truth = "the same meshes without transforms";
     c.run = [=](const StressEffort& effort) {
         const SceneDescription room = inPlace(meshRoom());
-        return measurePathsAgainst(throughTransform(room, map), room, effort.passes(600), effort);
+        return measurePathsAgainst(throughTransform(room, map), room, effort.passes(480), effort);
     };
     return c;
 }

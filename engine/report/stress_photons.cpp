@@ -112,7 +112,7 @@ StressCase photonCountCase(uint32_t photons, uint32_t passes, uint32_t runs) {
     StressCase c = named(number(photons) + " photons a pass",
                          std::to_string(passes) + " passes of " + number(photons) + " photons",
                          "irradiance in closed form");
-    c.quick = photons >= 1000 && photons <= 1000000;
+    c.quick = photons == 1000;
     c.run = [=](const StressEffort& effort) {
         return measurePhotons(litFloor(photons == 1 ? 0.8f : 0.3f, photons), passes, effort.passes(runs, 12),
                               kFloorRadiance, effort);
