@@ -139,6 +139,11 @@ StressCase roomCase(const char* what, float amount) {
         scaled ? "a room whose unit of length is " + number(1.0 / static_cast<double>(amount)) + " units"
                : "a room " + number(static_cast<double>(amount)) + " times its size from the origin",
         "the same room in metres at the origin");
+    if (!scaled && amount > 3e4f) {
+        c.documented = StressVerdict::Degraded;
+        c.limit = "positions have steps of " + number(static_cast<double>(amount) * 0x1p-24) +
+                  " of the room's size there";
+    }
     c.run = [=](const StressEffort& effort) {
         SceneDescription room = stressRoom();
         room.resolution = {16, 16};

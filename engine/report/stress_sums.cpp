@@ -181,7 +181,7 @@ void addFilmCases(StressCases* cases) {
     cases->push_back(outlierCase(1e9f, 0.5, "in the middle"));
     cases->push_back(outlierCase(1e9f, 1.0, "last"));
     cases->push_back(outlierCase(3e38f, 0.5, "in the middle"));
-    for (size_t i = cases->size() - 4; i < cases->size(); ++i) (*cases)[i].quick = i + 1 == cases->size();
+    for (size_t i = cases->size() - 5; i < cases->size(); ++i) (*cases)[i].quick = i + 1 == cases->size();
 }
 
 void addRecurrenceCases(StressCases* cases) {
