@@ -35,6 +35,7 @@ Json fitJson(const VariantSummary& variant) {
             {"interval_method", fit.fromSeeds ? "student_over_seeds" : "regression_residuals"},
             {"curves", fit.curves},
             {"points", fit.points},
+            {"from_seconds", variant.fitFromSeconds},
             {"points_near_reference_left_out", variant.leftOutOfFit}};
 }
 

@@ -26,10 +26,10 @@ p { margin: .3rem 0; } .soft { color: var(--soft); } code { font-size: .9em; ove
 th, td { padding: .3rem .7rem; text-align: right; border-bottom: 1px solid var(--line); }
 th { font-weight: 600; background: var(--tint); } th:first-child, td:first-child { text-align: left; }
 svg { max-width: 100%; height: auto; display: block; border-radius: 6px; }
-svg polygon:hover { stroke: #000; stroke-width: 2; }
+svg polygon:has(title):hover { stroke: #000; stroke-width: 2; }
 .charts { display: grid; grid-template-columns: repeat(auto-fit, minmax(28rem, 1fr)); gap: 1rem; }
 .pictures { display: flex; flex-wrap: wrap; gap: 1rem; }
-figure { margin: 0; max-width: 22.5rem; } figure img { width: 100%; display: block; border-radius: 4px; image-rendering: pixelated; }
+figure { margin: 0; width: 15rem; } figure img { width: 100%; display: block; border-radius: 4px; image-rendering: pixelated; }
 figcaption { font-size: .85rem; color: var(--soft); } h3 { font-size: 1rem; margin: 1rem 0 .4rem; }
 .ramp { display: inline-block; width: 10rem; height: .8em; vertical-align: middle; border-radius: 3px; }
 )";
@@ -112,21 +112,20 @@ class Page {
     }
 
     std::string method() const {
-        return fmt::format(
-            "<h2>How it was measured</h2>\n<p>{}</p>\n<p>Each variant and seed starts from cold, on the same "
-            "threads. The first seed stops at about logarithmically spaced seconds, the others after the "
-            "same "
-            "passes. Seeds: {}.</p>\n<p>Relative error: RMSE over the mean of the reference. Slope: least "
-            "squares "
-            "on log-log axes for each seed; its interval is Student’s over the seeds (with one seed that of "
-            "the "
-            "regression, which is too narrow). Points whose MSE is less than {:g} times the reference’s own "
-            "are "
-            "left out of fits. Bias²: MSE of the mean of the seeds’ pictures, less variance / seeds, less "
-            "the "
-            "reference’s own; noise can make it negative.</p>\n<p>To repeat it: <code>{}</code></p>\n",
-            kSecondsMeaning, fmt::join(report_.plan.seeds, ", "), kFitMargin,
-            htmlText(report_.context.command));
+        constexpr const char* kText =
+            "<h2>How it was measured</h2>\n<p>{}</p>\n"
+            "<p>Each variant and seed starts from cold, on the same threads. The first seed stops at about\n"
+            "logarithmically spaced seconds, the others after the same passes. Seeds: {}.</p>\n"
+            "<p>Relative error: RMSE over the mean of the reference. Slope: least squares on log-log axes "
+            "over\n"
+            "the last tenfold of time, for each seed; its interval is Student’s over the seeds (with one "
+            "seed\n"
+            "that of the regression, which is too narrow). Points whose MSE is less than {:g} times the\n"
+            "reference’s own are left out of fits. Bias²: MSE of the mean of the seeds’ pictures, less\n"
+            "variance / seeds, less the reference’s own; noise can make it negative.</p>\n"
+            "<p>To repeat it: <code>{}</code></p>\n";
+        return fmt::format(kText, kSecondsMeaning, fmt::join(report_.plan.seeds, ", "), kFitMargin,
+                           htmlText(report_.context.command));
     }
 
     const ConvergenceReport& report_;

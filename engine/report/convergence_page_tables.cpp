@@ -33,8 +33,8 @@ std::string timeText(const TimeToReach& time) {
         case TimeToReach::Kind::Measured:
             return secondsText(time.seconds) + " s";
         case TimeToReach::Kind::Predicted:
-            return fmt::format("<span title=\"{} to {} s by the slope’s interval\">({} s)</span>", time.low,
-                               time.high, time.seconds);
+            return fmt::format("<span title=\"{} to {} s by the slope’s interval\">({} s)</span>",
+                               secondsText(time.low), secondsText(time.high), secondsText(time.seconds));
     }
     return "";
 }

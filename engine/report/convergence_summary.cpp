@@ -85,11 +85,27 @@ class Summarizer {
         return std::sqrt(mse) / reference_.mean;
     }
 
+    static double fitBegin(const std::vector<CurvePoint>& curve) {
+        if (curve.empty()) {
+            return 0.0;
+        }
+        const double begin = curve.back().seconds / kFitTimeRange;
+        const auto inside =
+            std::ranges::count_if(curve, [&](const CurvePoint& point) { return point.seconds >= begin; });
+        return inside >= kFewestFitPoints ? begin : curve.front().seconds;
+    }
+
     void fit(const MeasuredVariant& variant, VariantSummary* out) const {
+        out->fitFromSeconds = fitBegin(out->curve);
         std::vector<std::vector<CurvePoint>> curves;
         for (const MeasuredCurve& measured : variant.curves) {
             curves.emplace_back();
-            for (const MeasuredPoint& point : measured.points) {
+            // By the mean's seconds, so that all seeds have the same points.
+            for (size_t i = 0; i < measured.points.size(); ++i) {
+                const MeasuredPoint& point = measured.points[i];
+                if (out->curve[i].seconds < out->fitFromSeconds) {
+                    continue;
+                }
                 if (at(point.errors, ErrorMeasure::Mse) >= kFitMargin * reference_.mse) {
                     curves.back().push_back({point.seconds, errorOf(point)});
                 } else {

@@ -33,7 +33,8 @@ struct VariantSummary {
     std::vector<SummaryPoint> points;
     std::vector<CurvePoint> curve;  ///< mean seconds and the error that fit and targets go by
     std::optional<LogLogFit> fit;
-    int leftOutOfFit = 0;  ///< points too near to the reference's own error
+    double fitFromSeconds = 0.0;  ///< where the fitted part begins
+    int leftOutOfFit = 0;         ///< points too near to the reference's own error
     std::array<TimeToReach, kTargetErrors.size()> targets{};  ///< by kTargetErrors
     bool sameMethodAsReference = false;
     /// At the last point; NaN where it cannot be known.
@@ -54,11 +55,15 @@ struct ConvergenceSummary {
 /// withoutReference: fits and targets use sqrt(mse - reference mse) / mean instead of rmse / mean, which is
 /// what the error against a perfect reference would be: for a picture x and an independent reference r of the
 /// truth t, E (x - r)^2 = E (x - t)^2 + E (r - t)^2. A point enters the fit when its mse is at least
-/// kFitMargin times the reference's.
+/// kFitMargin times the reference's and it lies in the last tenfold of time, or anywhere when these are fewer
+/// than kFewestFitPoints: what comes before is often a different slope (photon maps' first radii, a light
+/// found late), and predictions go by where the curve is heading.
 ConvergenceSummary summarizeConvergence(const ConvergenceResult& result, const ReferencePicture& reference,
                                         bool withoutReference);
 
 /// With mse 9 times the floor, the floor makes the rmse 5 % too large.
 constexpr double kFitMargin = 9.0;
+constexpr double kFitTimeRange = 10.0;
+constexpr int kFewestFitPoints = 4;
 
 }  // namespace glint
