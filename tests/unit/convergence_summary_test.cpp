@@ -102,7 +102,9 @@ TEST(ConvergenceSummary, EveryOutputCarriesTheMarks) {
     plan.passes = 4096;
     SceneDescription scene;
     scene.resolution = {2, 2};
-    const ConvergenceContext context{.scene = "a & b.json", .threads = 2, .warnings = {"busy"}};
+    ConvergenceContext context;
+    context.scene = "a & b.json";
+    context.warnings = {"busy"};
     const ConvergenceReport report{context, plan, scene, against, result, summary};
     const std::vector<std::string> warnings = reportWarnings(report);
     EXPECT_EQ(warnings.size(), 6u) << "busy, interrupted, failed, clamped, same method, floor";
