@@ -145,12 +145,10 @@ TimeToReach timeToReach(std::span<const CurvePoint> curve, double target,
                 above.seconds * std::pow(below.seconds / above.seconds, std::clamp(share, 0.0, 1.0))};
     }
     const CurvePoint& last = curve.back();
-    if (!fit || !(fit->slope < 0.0) || !std::isfinite(last.error)) {
+    if (!fit || !(fit->slopeHigh < 0.0) || !std::isfinite(last.error)) {
         return {};
     }
-    const auto at = [&](double slope) {
-        return slope < 0.0 ? last.seconds * std::pow(last.error / target, -1.0 / slope) : kInfinity;
-    };
+    const auto at = [&](double slope) { return last.seconds * std::pow(last.error / target, -1.0 / slope); };
     return {TimeToReach::Kind::Predicted, at(fit->slope), at(fit->slopeLow), at(fit->slopeHigh)};
 }
 

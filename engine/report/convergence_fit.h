@@ -42,13 +42,13 @@ double studentQuantile(double probability, int degrees);
 /// When an error is reached for good.
 struct TimeToReach {
     enum class Kind {
-        Never,      ///< not reached, and there is no falling fit to predict with
+        Never,      ///< not reached, and there is no fit whose whole interval falls, to predict with
         Before,     ///< already at the first point: at most `seconds`
         Measured,   ///< interpolated
         Predicted,  ///< beyond the last point, by the fit's slope from there
     } kind = Kind::Never;
     double seconds = 0.0;
-    double low = 0.0;  ///< Predicted: with the ends of the slope's interval; high may be infinite
+    double low = 0.0;  ///< Predicted: with the ends of the slope's interval
     double high = 0.0;
 };
 

@@ -94,7 +94,7 @@ class ConvergeRun {
         const Result<bool> has = getReference();
         line_.finish();
         if (!has) {
-            return complain(has.error(), kExitBadInput);
+            return complain(has.error(), failureCode_);
         }
         if (!*has) {
             fmt::print(stderr, "interrupted before there was a reference: nothing was measured\n");
@@ -226,23 +226,24 @@ class ConvergeRun {
     }
 
     Result<bool> makeNew(ReferencePlan wanted) {
-        plan_.seeds = {scene_.options.seed};
-        wanted.relativeError = kReferenceShare * predictSmallestError(plan_, scene_, host_);
-        if (interrupt_.interrupted()) {
-            return false;
-        }
-        auto made = makeReference(wanted, scene_, host_);
-        if (!made) {
-            return made.error();
-        }
-        if (!*made) {
-            return false;
-        }
-        reference_ = std::move(**made);
-        reference_.path = folder_.reference();
+        // Now, and not after an hour: some folders can only be refused by trying.
         if (const Status folder = folder_.make(); !folder) {
             return folder.error();
         }
+        failureCode_ = kExitFailed;
+        plan_.seeds = {scene_.options.seed};
+        wanted.relativeError = kReferenceShare * predictSmallestError(plan_, scene_, host_);
+        if (interrupt_.interrupted()) {
+            folder_.removeIfEmpty();
+            return false;
+        }
+        auto made = makeReference(wanted, scene_, host_);
+        if (!made || !*made) {
+            folder_.removeIfEmpty();
+            return made ? Result<bool>(false) : Result<bool>(made.error());
+        }
+        reference_ = std::move(**made);
+        reference_.path = folder_.reference();
         const Status saved = saveReference(folder_.reference(), reference_, scene_, wanted.settings);
         return saved ? Result<bool>(true) : Result<bool>(saved.error());
     }
@@ -281,6 +282,7 @@ class ConvergeRun {
     ConvergenceHost host_;
     PartLine line_;
     InterruptGuard interrupt_;
+    ExitCode failureCode_ = kExitBadInput;  ///< of a reference: until it is rendered, the input is at fault
 };
 
 }  // namespace

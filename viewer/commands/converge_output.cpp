@@ -67,6 +67,11 @@ Status ConvergeFolder::make() const {
     return problem ? Status(cannotWrite(path_, problem.message())) : Status();
 }
 
+void ConvergeFolder::removeIfEmpty() const {
+    std::error_code ignored;
+    fs::remove(path_, ignored);  // leaves a folder that holds something
+}
+
 std::string ConvergeFolder::file(const std::string& name) const { return (fs::path(path_) / name).string(); }
 
 Status ConvergeFolder::write(const ConvergenceReport& report, ConvergenceResult* result) const {

@@ -17,6 +17,8 @@ class ConvergeFolder {
     Status check(bool overwrite) const;
     /// Makes it where it is missing, with the parents.
     Status make() const;
+    /// What make() made, when nothing came into it; parents stay.
+    void removeIfEmpty() const;
 
     std::string file(const std::string& name) const;
     std::string reference() const { return file("reference.exr"); }
