@@ -44,7 +44,7 @@ struct Bench {
         control->secondsPerPass = 1e6;
         return waitFor([&] {
             const int passes = control->passes;
-            std::this_thread::sleep_for(std::chrono::milliseconds(30));
+            std::this_thread::sleep_for(std::chrono::milliseconds(500));
             const int begun = static_cast<int>(control->begunPasses().size());
             return passes == control->passes && begun > control->passes + control->stopped;
         });
