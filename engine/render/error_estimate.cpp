@@ -31,7 +31,7 @@ constexpr double kHigherOrders = 1.35;
 double square(double x) { return x * x; }
 
 /// Pixels of about the same squared error, so that the worst can be left out without sorting: a bin is a
-/// float's exponent and the first three bits of its fraction.
+/// float's exponent.
 struct Bin {
     double noise = 0.0;  ///< sum of variances
     double noiseSquared = 0.0;
@@ -39,7 +39,7 @@ struct Bin {
     double bias = 0.0;  ///< sum of squared biases, less what their own noise adds
     uint64_t pixels = 0;
 };
-constexpr size_t kBins = 2048;
+constexpr size_t kBins = 256;
 
 struct Sums {
     std::vector<Bin> bins = std::vector<Bin>(kBins);
@@ -54,7 +54,7 @@ struct Sums {
         }
         const double bias = square(kHigherOrders) * (square(error.bias) - 3.0 * error.photonVariance);
         const auto squaredError = static_cast<float>(error.variance + std::max(0.0, bias));
-        Bin& bin = bins[std::bit_cast<uint32_t>(squaredError) >> 20];
+        Bin& bin = bins[std::bit_cast<uint32_t>(squaredError) >> 23];
         bin.noise += error.variance;
         bin.noiseSquared += square(error.variance);
         bin.photonSquared += square(error.photonVariance);
@@ -192,7 +192,8 @@ PixelError pixelError(const Film& film, const SppmState* sppm, size_t index) {
     PixelError error;
     const FilmPixel& pixel = film.pixels()[index];
     if (pixel.count > 1) {
-        error.variance = square(film.standardError(pixel));
+        const double n = pixel.count;
+        error.variance = std::max(0.0, pixel.luminanceM2) / ((n - 1.0) * n);
     } else if (!sppm) {
         error.variance = std::numeric_limits<double>::infinity();
     }

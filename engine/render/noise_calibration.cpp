@@ -52,10 +52,12 @@ double factorFromRatio(double ratio, double doublings) {
 
 int NoiseCalibration::classOf(double variancePerPass) const {
     const double relative = variancePerPass / square(meanLuminance);
-    if (!(relative > 0.0) || !std::isfinite(relative)) {
-        return relative > 0.0 ? kClasses - 1 : 0;
+    if (!(relative > 0.0)) {
+        return 0;
     }
-    return std::clamp(std::ilogb(relative) - kLowestExponent, 0, kClasses - 1);
+    // As std::ilogb, which is a call for every pixel; infinity has the largest exponent.
+    const int exponent = static_cast<int>(std::bit_cast<uint64_t>(relative) >> 52) - 1023;
+    return std::clamp(exponent - kLowestExponent, 0, kClasses - 1);
 }
 
 class NoiseCalibrator {
