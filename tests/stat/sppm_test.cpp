@@ -1,24 +1,18 @@
-// SPPM against path tracing, against its own formulas, and at its edges.
-//
-// Statistical checks compare blocks of pixels over independent seeds at a significance of 1e-6 each
-// (statistics.h).
+// SPPM against its own formulas, and at its edges: thin walls, mirrors only, no light, one-sided walls,
+// memory. Bits over threads, sums over look-ups. Agreement with path tracing is in sppm_agreement_test.cpp,
+// photons' power in sppm_energy_test.cpp.
 #include <cmath>
 #include <cstring>
 
 #include <gtest/gtest.h>
 
-#include "engine/build/emission_table.h"
 #include "engine/kernels/sppm_gather_kernel.h"
-#include "engine/math/color.h"
 #include "tests/support/render_scene.h"
 #include "tests/support/sppm_render.h"
-#include "tests/support/statistics.h"
 #include "tests/support/test_scenes.h"
 
 namespace glint::test {
 namespace {
-
-constexpr int kSeeds = 6;
 
 SceneDescription small(SceneDescription scene) {
     scene.resolution = {32, 32};
@@ -43,82 +37,11 @@ SceneDescription roughGlassBox() {
     return scene;
 }
 
-struct Comparison {
-    double meanDifference = 0.0;  ///< signed, of the whole picture, relative to the path tracer's mean
-    double standardError = 0.0;   ///< of meanDifference, from the seeds
-};
-
-/// Whole-picture means over seeds: of SPPM with `passes`, minus those of path tracing.
-Comparison compare(const SceneDescription& scene, SppmParams params, uint32_t passes) {
-    RunningMean sppm;
-    RunningMean paths;
-    const int width = scene.resolution.width;
-    for (uint32_t seed = 1; seed <= kSeeds; ++seed) {
-        params.pass.seed = seed;
-        sppm.add(blockMean(renderSppm(scene, params, passes).picture, width, 0, 0, width));
-        paths.add(blockMean(renderPaths(scene, 100 + seed, 64), width, 0, 0, width));
-    }
-    return {(sppm.mean() - paths.mean()) / paths.mean(),
-            std::hypot(sppm.standardError(), paths.standardError()) / paths.mean()};
-}
-
 SppmParams quickParams() {
     SppmParams params;
     params.photonsPerPass = 8000;
     params.radiusFootprints = 2.0f;
     return params;
-}
-
-/// What the kernel's finite radius may cost: near edges a disc of radius r loses or gains light over a strip
-/// of width r. With r of two pixels (shrinking) and edges over less than a quarter of a 32-pixel picture, a
-/// few percent of the photons' part.
-constexpr double kBiasBound = 0.03;
-
-class SppmAgainstPaths : public testing::TestWithParam<bool> {};
-
-TEST_P(SppmAgainstPaths, CornellBoxAgrees) {
-    SppmParams params = quickParams();
-    params.sampleDirectLight = GetParam();
-    const Comparison result = compare(small(cornellBox()), params, 12);
-    EXPECT_LT(std::fabs(result.meanDifference), kNormalQuantile * result.standardError + kBiasBound);
-    EXPECT_LT(result.standardError, 0.02) << "too noisy to tell";
-}
-
-TEST_P(SppmAgainstPaths, RoughGlassAgrees) {
-    SppmParams params = quickParams();
-    params.sampleDirectLight = GetParam();
-    const Comparison result = compare(roughGlassBox(), params, 12);
-    EXPECT_LT(std::fabs(result.meanDifference), kNormalQuantile * result.standardError + kBiasBound);
-    EXPECT_LT(result.standardError, 0.02) << "too noisy to tell";
-}
-
-TEST_P(SppmAgainstPaths, AllLampShapesAgree) {
-    SppmParams params = quickParams();
-    params.sampleDirectLight = GetParam();
-    const Comparison result = compare(small(lampShapes()), params, 12);
-    EXPECT_LT(std::fabs(result.meanDifference), kNormalQuantile * result.standardError + kBiasBound);
-}
-
-TEST_P(SppmAgainstPaths, FurnaceAgrees) {
-    SppmParams params = quickParams();
-    params.sampleDirectLight = GetParam();
-    params.photonsPerPass = 40000;
-    const Comparison result = compare(small(whiteFurnace()), params, 12);
-    EXPECT_LT(std::fabs(result.meanDifference), kNormalQuantile * result.standardError + kBiasBound);
-}
-
-INSTANTIATE_TEST_SUITE_P(DirectLight, SppmAgainstPaths, testing::Bool(),
-                         [](const auto& mode) { return mode.param ? "Sampled" : "Photons"; });
-
-TEST(Sppm, BiasShrinksWithTheRadius) {
-    SppmParams params = quickParams();
-    params.sampleDirectLight = false;
-    params.radiusFootprints = 8.0f;
-    const Comparison wide = compare(small(cornellBox()), params, 8);
-    params.radiusFootprints = 1.5f;
-    const Comparison narrow = compare(small(cornellBox()), params, 8);
-    EXPECT_GT(std::fabs(wide.meanDifference), 2.0 * wide.standardError) << "the wide radius must show a bias";
-    EXPECT_LT(std::fabs(narrow.meanDifference) + 2.0 * narrow.standardError, std::fabs(wide.meanDifference));
 }
 
 TEST(Sppm, StatisticsFollowThePaper) {
@@ -257,104 +180,6 @@ TEST(Sppm, ThinWallsDoNotLeak) {
     fromAbove.camera.position = Vec3(0, 0, 1.5f);
     const SppmRender above = renderSppm(fromAbove, params, 2);
     EXPECT_GT(blockMean(above.picture, 16, 4, 4, 8), 0.0) << "the lit face must be lit";
-}
-
-/// One light inside a closed diffuse sphere.
-SceneDescription closedSphere(const Material& lampMaterial, ShapeKind lampShape,
-                              const Affine& lampTransform) {
-    SceneDescription scene;
-    scene.resolution = {8, 8};
-    scene.options.maxDepth = 64;
-    Material wall;
-    wall.name = "wall";
-    wall.color.value = Vec3(0.6f);
-    scene.materials = {wall, lampMaterial};
-    Object shell;
-    shell.shape = ShapeKind::Sphere;
-    shell.objectToWorld = scale(Vec3(3.0f));
-    scene.objects.push_back(shell);
-    Object lamp;
-    lamp.shape = lampShape;
-    lamp.material = 1;
-    lamp.objectToWorld = lampTransform;
-    scene.objects.push_back(lamp);
-    scene.camera.position = Vec3(0, 0, 2.5f);
-    scene.camera.target = Vec3(0.0f);
-    return scene;
-}
-
-struct EnergyCase {
-    const char* name;
-    ShapeKind shape;
-    bool bothSides;
-    Affine transform;
-    double power;  ///< luminance, W
-};
-
-class PhotonEnergy : public testing::TestWithParam<EnergyCase> {};
-
-TEST_P(PhotonEnergy, EmittedPowerIsTheLampsAndNothingEscapes) {
-    const EnergyCase& lampCase = GetParam();
-    Material lamp;
-    lamp.name = "lamp";
-    lamp.color.value = Vec3(0.0f);
-    lamp.emission = Vec3(2.0f);
-    lamp.emitsBothSides = lampCase.bothSides;
-    SppmParams params;
-    params.photonsPerPass = 50000;
-    const SppmRender render = renderSppm(closedSphere(lamp, lampCase.shape, lampCase.transform), params, 1);
-    EXPECT_NEAR(render.lastPass.photons.emitted / params.photonsPerPass, lampCase.power,
-                0.01 * lampCase.power);
-    EXPECT_EQ(render.lastPass.photons.escaped, 0.0);
-    EXPECT_EQ(render.lastPass.photons.faulty, 0u);
-}
-
-constexpr double kPiD = 3.14159265358979323846;
-
-INSTANTIATE_TEST_SUITE_P(
-    Lamps, PhotonEnergy,
-    testing::Values(EnergyCase{"Sphere", ShapeKind::Sphere, false, scale(Vec3(0.5f)),
-                               2.0 * kPiD * 4.0 * kPiD * 0.25},
-                    EnergyCase{"Rectangle", ShapeKind::Rectangle, false, scale(Vec3(0.5f, 0.25f, 1.0f)),
-                               2.0 * kPiD * 0.5},
-                    EnergyCase{"RectangleBothSides", ShapeKind::Rectangle, true, scale(Vec3(0.5f)),
-                               2.0 * 2.0 * kPiD * 1.0},
-                    EnergyCase{"Disc", ShapeKind::Disc, false, scale(Vec3(0.5f)), 2.0 * kPiD* kPiD * 0.25},
-                    // A prolate spheroid with half axes 0.4, 0.4, 0.8: area 2 pi a^2 (1 + c / (a e) asin e),
-                    // e^2 = 1 - a^2 / c^2.
-                    EnergyCase{"Ellipsoid", ShapeKind::Sphere, false, scale(Vec3(0.4f, 0.4f, 0.8f)),
-                               2.0 * kPiD * 2.0 * kPiD * 0.16 *
-                                   (1.0 + 2.0 / std::sqrt(0.75) * std::asin(std::sqrt(0.75)))}),
-    [](const auto& lampCase) { return lampCase.param.name; });
-
-TEST(PhotonEnergyOf, PointSpotDirectionalAndEnvironment) {
-    Material dark;
-    dark.name = "dark";
-    dark.color.value = Vec3(0.0f);
-    SppmParams params;
-    params.photonsPerPass = 50000;
-    const SceneDescription empty = closedSphere(dark, ShapeKind::Sphere, scale(Vec3(0.1f)));
-    SceneDescription scene = empty;
-    scene.lights = {Light{}};
-    scene.lights[0].position = Vec3(0.0f, 1.0f, 0.0f);
-    const double point = renderSppm(scene, params, 1).lastPass.photons.emitted / params.photonsPerPass;
-    EXPECT_NEAR(point, 4.0 * kPiD, 1e-3);
-    scene.lights[0].kind = LightKind::Spot;
-    scene.lights[0].coneAngleDeg = 60.0f;
-    scene.lights[0].coneFalloffStartDeg = 60.0f;
-    const double spot = renderSppm(scene, params, 1).lastPass.photons.emitted / params.photonsPerPass;
-    EXPECT_NEAR(spot, 2.0 * kPiD * 0.5, 0.01);
-
-    // From outside: all photons of the bounding disc arrive on the shell or miss it.
-    scene.lights[0].kind = LightKind::Directional;
-    const SppmPassStats directional = renderSppm(scene, params, 1).lastPass;
-    EXPECT_GE(directional.photons.emitted / params.photonsPerPass, kPiD * 9.0 * 0.99)
-        << "the disc covers the shell";
-    scene.lights.clear();
-    scene.environment.color = Vec3(0.5f);
-    const SppmPassStats environment = renderSppm(scene, params, 1).lastPass;
-    EXPECT_NEAR(environment.photons.emitted / directional.photons.emitted, 0.5 * 4.0 * kPiD, 0.02)
-        << "L * 4 pi over the same disc as one unit of irradiance";
 }
 
 TEST(Sppm, MirrorsAndEscapesOnly) {
