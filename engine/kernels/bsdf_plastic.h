@@ -74,18 +74,20 @@ GLINT_HD inline LobeValue evaluatePlasticWith(const MaterialData& material, cons
 
 }  // namespace detail
 
-/// The base is softened towards the terminator ; ngLocal: the geometric normal on wo's side.
+/// baseScale multiplies the base: how much of it the shadow terminator leaves.
 GLINT_HD inline LobeValue evaluatePlastic(const MaterialData& material, const Vec3& color, const Vec3& wo,
-                                          const Vec3& wi, const Vec3& ngLocal) {
+                                          const Vec3& wi, float baseScale) {
     if (!(wi.z > 0.0f)) {
         return {};
     }
     return detail::evaluatePlasticWith(material, detail::plasticChoice(material, color, wo), wo, wi,
-                                       shadowTerminator(glm::dot(ngLocal, wi), wi.z, ngLocal.z));
+                                       baseScale);
 }
 
-GLINT_HD inline LobeSample samplePlastic(const MaterialData& material, const Vec3& color, const Vec3& wo,
-                                         const Vec3& ngLocal, float uLobe, Vec2 u) {
+/// baseScale(wiLocal): likewise, of the direction that is found.
+template <class BaseScale>
+GLINT_HD LobeSample samplePlastic(const MaterialData& material, const Vec3& color, const Vec3& wo,
+                                  float uLobe, Vec2 u, BaseScale&& baseScale) {
     const detail::PlasticChoice choice = detail::plasticChoice(material, color, wo);
     Vec3 wi;
     if (uLobe < choice.coatProbability) {
@@ -101,8 +103,7 @@ GLINT_HD inline LobeSample samplePlastic(const MaterialData& material, const Vec
     if (!(wi.z > 0.0f)) {
         return {};
     }
-    const LobeValue value = detail::evaluatePlasticWith(
-        material, choice, wo, wi, shadowTerminator(glm::dot(ngLocal, wi), wi.z, ngLocal.z));
+    const LobeValue value = detail::evaluatePlasticWith(material, choice, wo, wi, baseScale(wi));
     if (!(value.pdfSolidAngle > 0.0f)) {
         return {};
     }

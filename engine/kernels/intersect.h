@@ -22,6 +22,15 @@ struct Hit {
     Vec2 barycentric;
 };
 
+/// Whether the instance is a mesh; known beforehand where a mask has no other shapes, or no meshes.
+template <FeatureMask kMask>
+GLINT_HD inline bool isMesh(const InstanceData& instance) {
+    constexpr FeatureMask kOthers = kFeatureSphere | kFeaturePlane | kFeatureFlat;
+    if constexpr (!hasFeature<kMask>(kFeatureMesh)) return false;
+    if constexpr ((kMask & kOthers) == 0) return true;
+    return instance.shape == ShapeTag::Mesh;
+}
+
 namespace detail {
 
 /// A ray in an instance's object space; t keeps its meaning.
@@ -69,7 +78,7 @@ GLINT_HD inline float intersectAnalytic(ShapeTag shape, const Ray& local) {
 template <FeatureMask kMask, bool kAnyHit, bool kFrontOnly>
 GLINT_HD inline bool intersectInstanceSided(const SceneView& view, uint32_t index, const Ray& ray, Hit* hit) {
     const InstanceData& instance = view.geometry.instances[index];
-    if (hasFeature<kMask>(kFeatureMesh) && instance.shape == ShapeTag::Mesh) {
+    if (isMesh<kMask>(instance)) {
         const MeshView& mesh = view.geometry.meshes[instance.mesh];
         const bool transformed =
             hasFeature<kMask>(kFeatureTransforms) && !(instance.flags & kInstanceIdentity);
@@ -107,6 +116,9 @@ GLINT_HD inline bool intersectScene(const SceneView& view, const Ray& worldRay, 
         }
     }
     if (view.geometry.topNodes.empty()) return found;
+    if (view.geometry.topInstances.count == 1) {
+        return intersectInstance<kMask, kAnyHit>(view, view.geometry.topInstances[0], ray, hit) || found;
+    }
     traverse<kAnyHit>(view.geometry.topNodes.data, ray, [&](uint32_t first, uint32_t count, float* tMax) {
         bool foundHere = false;
         for (uint32_t i = first; i < first + count; ++i) {

@@ -110,6 +110,7 @@ GLINT_HD inline float fewImportanceSum(const LightView& lights, const LightConte
 
 GLINT_HD inline LightChoice chooseAmongFew(const LightView& lights, const LightContext& at, float sum,
                                            float u) {
+    if (lights.finiteCount == 1) return {0, 1.0f};
     LightChoice choice;
     float left = u * sum;
     for (uint32_t i = 0; i < lights.finiteCount; ++i) {
@@ -220,6 +221,7 @@ GLINT_HD inline float lightProbability(const LightView& lights, const LightConte
     }
     if (share <= 0.0f) return 0.0f;
     if (usesLightTree<kMask>(lights)) return share * treeProbability(lights, at, emitter);
+    if (lights.finiteCount == 1) return share;
     return share * lightImportance(lights.nodes[emitter], at) / finite;
 }
 

@@ -8,19 +8,26 @@
 namespace glint {
 
 constexpr FeatureMask kAnalyticShapes = kFeatureSphere | kFeaturePlane | kFeatureFlat;
+constexpr FeatureMask kMeshes = kFeatureMesh | kFeatureMeshNormals | kFeatureMeshColors;
 constexpr FeatureMask kSmoothMaterials =
     kFeatureDiffuse | kFeatureSpecular | kFeatureDielectric | kFeatureMixture;
 constexpr FeatureMask kFewLightKinds = kFeatureAreaLights | kFeatureDeltaLights | kFeatureEnvironmentConstant;
 
 /// A Cornell box: analytic shapes, diffuse, lit by a few of them.
-constexpr FeatureMask kMaskDiffuseShapes = kAnalyticShapes | kFeatureDiffuse | kFeatureAreaLights;
-/// The same with glass and mirrors, any kind of light but images, and a lens.
-constexpr FeatureMask kMaskSmoothShapes =
-    kAnalyticShapes | kFeatureFrontOnly | kSmoothMaterials | kFewLightKinds | kFeatureDepthOfField;
-/// Architecture and scans: textured diffuse meshes with any number of lights.
-constexpr FeatureMask kMaskDiffuseMeshes = kAnalyticShapes | kFeatureMesh | kFeatureMeshNormals |
-                                           kFeatureTransforms | kFeatureTextures | kFeatureDiffuse |
-                                           kFewLightKinds | kFeatureManyLights | kFeatureDepthOfField;
+constexpr FeatureMask kMaskDiffuseShapes =
+    kAnalyticShapes | kFeatureFrontOnly | kFeatureDiffuse | kFewLightKinds;
+/// The same with glass and mirrors, and a lens.
+constexpr FeatureMask kMaskSmoothShapes = kMaskDiffuseShapes | kSmoothMaterials | kFeatureDepthOfField;
+/// All materials on analytic shapes, any number of lights.
+constexpr FeatureMask kMaskShapes =
+    kMaskSmoothShapes | kFeatureTextures | kFeatureGlossy | kFeaturePlastic | kFeatureManyLights;
+/// A scan or a model from a file: diffuse meshes that stand where they were made.
+constexpr FeatureMask kMaskPlainMeshes = kMeshes | kFeatureDiffuse | kFewLightKinds | kFeatureManyLights;
+/// Architecture: textured diffuse meshes beside analytic shapes.
+constexpr FeatureMask kMaskDiffuseMeshes =
+    kMaskPlainMeshes | kMaskDiffuseShapes | kFeatureTransforms | kFeatureTextures | kFeatureDepthOfField;
+/// The same with glass and mirrors.
+constexpr FeatureMask kMaskSmoothMeshes = kMaskDiffuseMeshes | kSmoothMaterials;
 /// All shapes and materials, but no environment image and one sampler.
 constexpr FeatureMask kMaskNoEnvironmentImage =
     kAllFeatures & ~(kFeatureEnvironmentImage | kFeatureIndependentSampler);

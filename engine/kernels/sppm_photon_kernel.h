@@ -44,6 +44,7 @@ GLINT_HD inline Photon makePhoton(const SurfacePoint& surface, const Vec3& wo, c
 
 /// What shading normals do to flux and not to radiance: |wo.ns wi.ng| / |wo.ng wi.ns|.
 GLINT_HD inline float adjointCorrection(const SurfacePoint& surface, const Vec3& wo, const Vec3& wi) {
+    if (surface.ns == surface.ng) return 1.0f;
     const float above = absDot(wo, surface.ns) * absDot(wi, surface.ng);
     const float below = absDot(wo, surface.ng) * absDot(wi, surface.ns);
     return below > 0.0f ? above / below : 0.0f;

@@ -25,7 +25,7 @@ struct SurfacePoint {
               ///< the side a triangle is counter-clockwise from in object space (also under mirroring
               ///< transforms)
     Vec3 ns;  ///< unit shading normal on ng's side
-    Vec2 uv;
+    Vec2 uv;  ///< set where the mask has textures
     Vec3 vertexColor;  ///< interpolated; 1 without colours
     uint32_t instance;
     uint32_t primitive;
@@ -55,11 +55,19 @@ struct ObjectPoint {
     Vec2 uv{0.0f};
 };
 
+/// Whether object space is world space; known beforehand for meshes of masks without transforms.
+template <FeatureMask kMask>
+GLINT_HD inline bool isInWorldSpace(const InstanceData& instance) {
+    constexpr bool kMeshesStay = !hasFeature<kMask>(kFeatureTransforms);
+    return (kMeshesStay && isMesh<kMask>(instance)) || (instance.flags & kInstanceIdentity) != 0;
+}
+
 /// Applies the instance's transform. The error is that of the given point, of this transform, and of the
 /// transform that will take the next ray's origin back into object space (PBR, equation 6.28 and after).
+template <FeatureMask kMask>
 GLINT_HD inline void transformToWorld(const InstanceData& instance, const ObjectPoint& local,
                                       SurfacePoint* point) {
-    if (instance.flags & kInstanceIdentity) {
+    if (isInWorldSpace<kMask>(instance)) {
         point->p = local.p;
         point->pError = local.error;
         return;
@@ -73,14 +81,34 @@ GLINT_HD inline void transformToWorld(const InstanceData& instance, const Object
                     errorGamma(4) * (absMultiply(m.linear, absVec(local.p)) + absVec(m.translation));
 }
 
+/// The unit normals of both kinds in world space.
+template <FeatureMask kMask>
+GLINT_HD inline void normalsToWorld(const InstanceData& instance, const ObjectPoint& local, const Ray& ray,
+                                    SurfacePoint* point) {
+    const bool isThere = isInWorldSpace<kMask>(instance);
+    const auto toWorld = [&](const Vec3& n) {
+        return isThere ? n : transformNormal(instance.worldToObject.linear, n);
+    };
+    point->ng = normalizeOr(toWorld(local.ng), normalizeOr(-ray.direction, Vec3(0.0f, 0.0f, 1.0f)));
+    point->ns = point->ng;
+    if constexpr (hasFeature<kMask>(kFeatureMeshNormals)) {
+        if (isZero(local.ns)) return;
+        point->ns = normalizeOr(toWorld(local.ns), point->ng);
+        if (glm::dot(point->ns, point->ng) < 0.0f) point->ns = -point->ns;
+    }
+}
+
 /// The next p on the unit sphere, which the ray's own arithmetic missed by its rounding.
+template <FeatureMask kMask>
 GLINT_HD inline ObjectPoint sphereSurface(const Vec3& pRough) {
     ObjectPoint local;
     local.p = normalizeOr(pRough, Vec3(0.0f, 0.0f, 1.0f));
     local.error = errorGamma(6) * absVec(local.p) + Vec3(errorGamma(2));
     local.ng = local.p;
-    local.uv = Vec2(0.5f + std::atan2(local.p.x, local.p.z) / kTwoPi,
-                    0.5f + std::asin(clampf(local.p.y, -1.0f, 1.0f)) / kPi);
+    if constexpr (hasFeature<kMask>(kFeatureTextures)) {
+        local.uv = Vec2(0.5f + std::atan2(local.p.x, local.p.z) / kTwoPi,
+                        0.5f + std::asin(clampf(local.p.y, -1.0f, 1.0f)) / kPi);
+    }
     return local;
 }
 
@@ -146,7 +174,9 @@ GLINT_HD inline ObjectPoint triangleSurface(const MeshView& mesh, const Hit& hit
     if (hasFeature<kMask>(kFeatureMeshNormals) && mesh.normals) {
         local.ns = interpolate(mesh.normals, corner, weights);
     }
-    local.uv = mesh.uvs ? interpolate(mesh.uvs, corner, weights) : hit.barycentric;
+    if constexpr (hasFeature<kMask>(kFeatureTextures)) {
+        local.uv = mesh.uvs ? interpolate(mesh.uvs, corner, weights) : hit.barycentric;
+    }
     if (hasFeature<kMask>(kFeatureMeshColors) && mesh.colors) {
         point->vertexColor = interpolate(mesh.colors, corner, weights);
     }
@@ -185,20 +215,16 @@ GLINT_HD SurfacePoint surfaceAt(const SceneView& view, const Ray& ray, const Hit
     point.material = instance.material;
 
     detail::ObjectPoint local;
-    if (hasFeature<kMask>(kFeatureMesh) && instance.shape == ShapeTag::Mesh) {
+    if (isMesh<kMask>(instance)) {
         local =
             detail::triangleSurface<kMask>(view.geometry.meshes[instance.mesh], hit, instance, ray, &point);
     } else {
         const Vec3 pRough = detail::toObjectSpace(instance, ray).at(hit.t);
-        local = instance.shape == ShapeTag::Sphere ? detail::sphereSurface(pRough)
+        local = instance.shape == ShapeTag::Sphere ? detail::sphereSurface<kMask>(pRough)
                                                    : detail::flatSurface(pRough, instance.shape);
     }
-    detail::transformToWorld(instance, local, &point);
-    const Mat3& inverse = instance.worldToObject.linear;
-    point.ng = detail::normalizeOr(transformNormal(inverse, local.ng),
-                                   detail::normalizeOr(-ray.direction, Vec3(0.0f, 0.0f, 1.0f)));
-    point.ns = detail::normalizeOr(transformNormal(inverse, local.ns), point.ng);
-    if (glm::dot(point.ns, point.ng) < 0.0f) point.ns = -point.ns;
+    detail::transformToWorld<kMask>(instance, local, &point);
+    detail::normalsToWorld<kMask>(instance, local, ray, &point);
     point.uv = local.uv;
     return point;
 }

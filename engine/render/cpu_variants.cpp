@@ -18,7 +18,10 @@ std::span<const KernelVariant> kernelVariants() {
     static constexpr std::array kVariants = {
         variant<kMaskDiffuseShapes>("diffuse shapes"),
         variant<kMaskSmoothShapes>("smooth shapes"),
+        variant<kMaskShapes>("shapes"),
+        variant<kMaskPlainMeshes>("plain meshes"),
         variant<kMaskDiffuseMeshes>("diffuse meshes"),
+        variant<kMaskSmoothMeshes>("smooth meshes"),
         variant<kMaskNoEnvironmentImage>("no environment image"),
         variant<kAllFeatures>("full"),
     };

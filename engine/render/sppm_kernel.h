@@ -53,7 +53,10 @@ struct SppmVariant {
 template <FeatureMask kMask>
 SppmVariant sppmVariant(const char* name);
 
-/// The smallest variant whose mask holds all of `needed`.
+/// All variants from the smallest to the full one.
+std::span<const SppmVariant> sppmVariants();
+
+/// The first variant whose mask holds all of `needed`.
 const SppmVariant& chooseSppmVariant(FeatureMask needed);
 
 }  // namespace glint

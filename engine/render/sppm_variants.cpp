@@ -7,21 +7,30 @@
 namespace glint {
 
 extern template SppmVariant sppmVariant<kMaskSmoothShapes>(const char* name);
+extern template SppmVariant sppmVariant<kMaskShapes>(const char* name);
+extern template SppmVariant sppmVariant<kMaskSmoothMeshes>(const char* name);
 extern template SppmVariant sppmVariant<kMaskNoEnvironmentImage>(const char* name);
 extern template SppmVariant sppmVariant<kAllFeatures>(const char* name);
 
-const SppmVariant& chooseSppmVariant(FeatureMask needed) {
+std::span<const SppmVariant> sppmVariants() {
     static const std::array kVariants = {
         sppmVariant<kMaskSmoothShapes>("smooth shapes"),
+        sppmVariant<kMaskShapes>("shapes"),
+        sppmVariant<kMaskSmoothMeshes>("smooth meshes"),
         sppmVariant<kMaskNoEnvironmentImage>("no environment image"),
         sppmVariant<kAllFeatures>("full"),
     };
-    for (const SppmVariant& candidate : kVariants) {
+    return kVariants;
+}
+
+const SppmVariant& chooseSppmVariant(FeatureMask needed) {
+    const std::span<const SppmVariant> variants = sppmVariants();
+    for (const SppmVariant& candidate : variants) {
         if ((needed & ~candidate.mask) == 0) {
             return candidate;
         }
     }
-    return kVariants.back();
+    return variants.back();
 }
 
 }  // namespace glint

@@ -1,0 +1,184 @@
+// Every kernel variant that can render a scene gives the same bits as the full one: the path tracer's
+// samples, first-hit pictures and SPPM's statistics, over all scenes of scenes/ and all that tests make in
+// code.
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+#include <filesystem>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "engine/build/emission_table.h"
+#include "engine/io/scene_loader.h"
+#include "engine/render/cpu_sppm.h"
+#include "engine/render/pass_params.h"
+#include "tests/support/render_scene.h"
+#include "tests/support/test_scenes.h"
+
+namespace glint {
+namespace {
+
+constexpr int kSize = 40;
+constexpr uint32_t kPasses = 2;
+constexpr uint32_t kPhotons = 3000;
+const std::atomic<bool> kNever{false};
+
+struct VariantScene {
+    std::string name;
+    SceneDescription description;
+    std::shared_ptr<const BuiltScene> built;
+};
+
+/// The program's own scenes and those made in code, small; built once.
+const std::vector<VariantScene>& scenes() {
+    static const std::vector<VariantScene> all = [] {
+        std::vector<VariantScene> list;
+        for (const auto& entry : std::filesystem::directory_iterator(GLINT_SOURCE_DIR "/scenes")) {
+            const std::string file = entry.path().string();
+            if (!file.ends_with(".json") || file.ends_with(".schema.json")) {
+                continue;
+            }
+            Result<SceneDescription> scene = loadScene(file, {});
+            EXPECT_TRUE(scene.ok()) << file;
+            list.push_back({entry.path().stem().string(), std::move(*scene), nullptr});
+        }
+        for (test::NamedScene& made : test::allTestScenes()) {
+            list.push_back({made.name, std::move(made.scene), nullptr});
+        }
+        for (VariantScene& scene : list) {
+            scene.description.resolution = {kSize, kSize};
+            scene.description.sppm.photonsPerPass = kPhotons;
+            scene.built = test::buildAll(scene.description);
+        }
+        return list;
+    }();
+    return all;
+}
+
+/// Structures without padding between the fields that are compared.
+bool same(const Vec3& a, const Vec3& b) { return std::memcmp(&a, &b, sizeof(Vec3)) == 0; }
+bool same(const PixelSample& a, const PixelSample& b) {
+    return same(a.radiance, b.radiance) && a.fault == b.fault && a.rays == b.rays;
+}
+bool same(const AovSample& a, const AovSample& b) {
+    return same(a.albedo, b.albedo) && same(a.shadingNormal, b.shadingNormal) &&
+           same(a.geometricNormal, b.geometricNormal) && a.depth == b.depth && a.objectId == b.objectId &&
+           a.materialId == b.materialId;
+}
+bool same(const SppmPixel& a, const SppmPixel& b) {
+    return a.radiusSquared == b.radiusSquared && a.photonCount == b.photonCount &&
+           std::ranges::equal(a.flux, b.flux) && a.passMean == b.passMean && a.passM2 == b.passM2;
+}
+
+template <class Item>
+size_t countDifferent(const std::vector<Item>& a, const std::vector<Item>& b) {
+    size_t count = a.size() == b.size() ? 0 : std::max(a.size(), b.size());
+    for (size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+        count += same(a[i], b[i]) ? 0 : 1;
+    }
+    return count;
+}
+
+struct PathPictures {
+    std::vector<PixelSample> samples;
+    std::vector<AovSample> aovs;
+};
+
+PathPictures renderPaths(const VariantScene& scene, const KernelVariant& variant) {
+    PathPictures out;
+    PassParams params = passParamsOf(scene.description);
+    const SceneView view = scene.built->view();
+    constexpr size_t kPixels = size_t{kSize} * kSize;
+    std::vector<PixelSample> pass(kPixels);
+    out.aovs.resize(kPixels);
+    for (params.pass = 0; params.pass < kPasses; ++params.pass) {
+        variant.renderTile(view, params, {0, 0, kSize, kSize}, pass.data());
+        out.samples.insert(out.samples.end(), pass.begin(), pass.end());
+    }
+    params.pass = 0;
+    variant.renderAovTile(view, params, {0, 0, kSize, kSize}, out.aovs.data());
+    return out;
+}
+
+struct SppmPictures {
+    std::vector<PixelSample> direct;
+    SppmState state{kSize, kSize};
+};
+
+SppmPictures renderSppm(const VariantScene& scene, FeatureMask features) {
+    SppmPictures out;
+    const SceneView view = scene.built->view();
+    const EmissionTable emission = buildEmissionTable(view);
+    SppmParams params = sppmParamsOf(scene.description);
+    CpuSppm sppm(2);
+    std::vector<PixelSample> pass;
+    for (params.pass.pass = 0; params.pass.pass < kPasses; ++params.pass.pass) {
+        const auto done = sppm.renderPass(view, features, emission.view(), params, kNever, &out.state, &pass);
+        EXPECT_TRUE(done.ok() && *done);
+        out.direct.insert(out.direct.end(), pass.begin(), pass.end());
+    }
+    return out;
+}
+
+bool serves(FeatureMask compiled, const VariantScene& scene) {
+    return (scene.built->features & ~compiled) == 0;
+}
+
+bool isLit(const std::vector<PixelSample>& samples) {
+    return std::ranges::any_of(samples, [](const PixelSample& s) { return !isZero(s.radiance); });
+}
+
+TEST(VariantIdentity, PathTracing) {
+    std::set<std::string> compared;
+    for (const VariantScene& scene : scenes()) {
+        const PathPictures full = renderPaths(scene, kernelVariants().back());
+        EXPECT_EQ(isLit(full.samples), scene.name != "darkness") << scene.name;
+        for (const KernelVariant& variant : kernelVariants().first(kernelVariants().size() - 1)) {
+            if (!serves(variant.mask, scene)) {
+                continue;
+            }
+            compared.insert(variant.name);
+            const PathPictures own = renderPaths(scene, variant);
+            EXPECT_EQ(countDifferent(own.samples, full.samples), 0u) << scene.name << ", " << variant.name;
+            EXPECT_EQ(countDifferent(own.aovs, full.aovs), 0u) << scene.name << ", " << variant.name;
+        }
+    }
+    // Not the full one itself. A variant that no scene here can run is not tested.
+    EXPECT_EQ(compared.size(), kernelVariants().size() - 1);
+}
+
+TEST(VariantIdentity, Sppm) {
+    std::set<std::string> compared;
+    for (const VariantScene& scene : scenes()) {
+        const SppmPictures full = renderSppm(scene, kAllFeatures);
+        for (const SppmVariant& variant : sppmVariants().first(sppmVariants().size() - 1)) {
+            if (!serves(variant.mask, scene)) {
+                continue;
+            }
+            compared.insert(variant.name);
+            ASSERT_STREQ(chooseSppmVariant(variant.mask).name, variant.name);
+            const SppmPictures own = renderSppm(scene, variant.mask);
+            EXPECT_EQ(countDifferent(own.direct, full.direct), 0u) << scene.name << ", " << variant.name;
+            EXPECT_EQ(countDifferent(own.state.pixels, full.state.pixels), 0u)
+                << scene.name << ", " << variant.name;
+            EXPECT_EQ(own.state.emittedPhotons, full.state.emittedPhotons);
+        }
+    }
+    EXPECT_EQ(compared.size(), sppmVariants().size() - 1);
+}
+
+/// The smallest variant comes first: none is hidden behind one that serves all it serves.
+TEST(VariantIdentity, NoVariantIsHiddenByAnEarlierOne) {
+    for (const KernelVariant& variant : kernelVariants()) {
+        EXPECT_STREQ(chooseVariant(variant.mask).name, variant.name);
+    }
+    for (const SppmVariant& variant : sppmVariants()) {
+        EXPECT_STREQ(chooseSppmVariant(variant.mask).name, variant.name);
+    }
+    EXPECT_EQ(kernelVariants().back().mask, kAllFeatures);
+    EXPECT_EQ(sppmVariants().back().mask, kAllFeatures);
+}
+
+}  // namespace
+}  // namespace glint
