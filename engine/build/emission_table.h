@@ -14,6 +14,7 @@ struct EmissionTable {
 
     /// Host pointers into this object.
     EmissionView view() const;
+    size_t bytes() const { return cdf.size() * sizeof(float); }
 };
 
 /// Lights by their power (luminance): flat and round area lights pi times area times radiance, on both sides

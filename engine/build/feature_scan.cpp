@@ -1,6 +1,7 @@
 #include "engine/build/feature_scan.h"
 
 #include "engine/build/material_table.h"
+#include "engine/build/scene_use.h"
 
 namespace glint {
 namespace {

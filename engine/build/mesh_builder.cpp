@@ -192,4 +192,11 @@ std::shared_ptr<const BuiltMesh> buildMesh(std::shared_ptr<const MeshData> data,
     return mesh;
 }
 
+std::shared_ptr<const BuiltMesh> leaveMeshUnbuilt(std::shared_ptr<const MeshData> data) {
+    auto mesh = std::make_shared<BuiltMesh>();
+    mesh->data = std::move(data);
+    mesh->isReady = false;
+    return mesh;
+}
+
 }  // namespace glint

@@ -14,13 +14,15 @@ namespace glint {
 
 struct BuiltMesh {
     std::shared_ptr<const MeshData> data;
-    HugeVector<WideNode> nodes;  ///< empty when the mesh has no triangles
+    HugeVector<WideNode> nodes;  ///< empty when the mesh has no triangles or no object places it
     HugeVector<TriangleCluster> clusters;
     std::vector<uint32_t> clusterPrimitives;
     Bounds bounds;  ///< of the vertices that triangles use
 
     /// Host pointers into this object and its data.
     MeshView view() const;
+    /// Whether rays can meet what its data holds.
+    bool isReady = true;
     /// Memory of the acceleration structure, without the vertex arrays.
     size_t accelerationBytes() const;
 };
@@ -28,5 +30,8 @@ struct BuiltMesh {
 /// Deterministic for any number of threads (0: all). Any triangles are accepted: none at all, degenerate,
 /// duplicate.
 std::shared_ptr<const BuiltMesh> buildMesh(std::shared_ptr<const MeshData> data, int threads);
+
+/// The data without a structure, for meshes that no object places: rays never meet it.
+std::shared_ptr<const BuiltMesh> leaveMeshUnbuilt(std::shared_ptr<const MeshData> data);
 
 }  // namespace glint

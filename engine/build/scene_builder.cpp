@@ -3,6 +3,7 @@
 // camera, features.
 #include "engine/build/scene_builder.h"
 
+#include <algorithm>
 #include <chrono>
 #include <unordered_map>
 
@@ -11,6 +12,8 @@
 #include "engine/build/instance_builder.h"
 #include "engine/build/light_table.h"
 #include "engine/build/material_table.h"
+#include "engine/build/mesh_builder.h"
+#include "engine/build/scene_use.h"
 #include "engine/build/scene_validation.h"
 #include "engine/build/texture_table.h"
 
@@ -21,6 +24,17 @@ using BuiltMeshes = std::vector<std::shared_ptr<const BuiltMesh>>;
 
 constexpr EditKind kMaterials = EditKind::MaterialParameters | EditKind::MaterialKind;
 
+/// Whether an object now places a mesh that was left unbuilt because none did.
+bool placesUnbuiltMesh(const SceneDescription& scene, const BuiltScene& previous) {
+    const std::vector<bool> used = usedMeshes(scene);
+    for (size_t i = 0; i < used.size(); ++i) {
+        if (used[i] && !previous.meshes[i]->isReady) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /// What `edit` really concerns: everything, when parts appeared or vanished without its saying so.
 EditKind concernedKinds(const SceneEdit& edit, const BuiltScene* previous) {
     const SceneDescription& scene = *edit.scene;
@@ -28,7 +42,8 @@ EditKind concernedKinds(const SceneEdit& edit, const BuiltScene* previous) {
                           previous->textures && previous->lights;
     if (!complete || scene.objects.size() != previous->instances->instances.size() ||
         scene.meshes.size() != previous->meshes.size() ||
-        scene.materials.size() != previous->materials->materials.size()) {
+        scene.materials.size() != previous->materials->materials.size() ||
+        placesUnbuiltMesh(scene, *previous)) {
         return edit.kinds | EditKind::Everything;
     }
     return edit.kinds;
@@ -73,15 +88,19 @@ class SceneBuild {
         for (const auto& mesh : built_->meshes) {
             known[mesh->data.get()] = mesh;
         }
+        const std::vector<bool> used = usedMeshes(scene_);
         BuiltMeshes meshes;
-        for (const Mesh& mesh : scene_.meshes) {
+        for (size_t i = 0; i < scene_.meshes.size(); ++i) {
+            const Mesh& mesh = scene_.meshes[i];
             if (stop_ != nullptr && *stop_) {
                 return Error{"the build was given up", {}};
             }
             std::shared_ptr<const BuiltMesh>& built = known[mesh.data.get()];
-            if (!built) {
+            if (used[i] && (!built || !built->isReady)) {
                 built = buildMesh(mesh.data, threads_);
                 ++report_.meshesBuilt;
+            } else if (!built) {
+                built = leaveMeshUnbuilt(mesh.data);
             }
             meshes.push_back(built);
         }
@@ -112,6 +131,7 @@ class SceneBuild {
         }
         report_.materialsBuilt = *table != built_->materials;
         emissionChanged_ = !sameEmission(built_->materials.get(), **table);
+        materialFeaturesChanged_ = !sameFeatures(built_->materials.get(), **table);
         built_->materials = std::move(table).value();
         return {};
     }
@@ -154,7 +174,7 @@ class SceneBuild {
     /// that passes through zero does not switch kernels back and forth.
     Status features() {
         FeatureMask mask = concerns(EditKind::Everything) ? 0 : built_->features;
-        if (concerns(kMaterials | EditKind::ObjectTransform)) {
+        if (concerns(EditKind::ObjectTransform) || materialFeaturesChanged_) {
             mask |= scanFeatures(scene_);
             report_.featuresScanned = true;
         }
@@ -188,6 +208,15 @@ class SceneBuild {
         return true;
     }
 
+    /// Whether all materials need the same of the kernels: kind, roughness or none, texture or none.
+    static bool sameFeatures(const MaterialTable* before, const MaterialTable& after) {
+        const auto same = [](const MaterialData& a, const MaterialData& b) {
+            return a.kind == b.kind && (a.alpha > 0.0f) == (b.alpha > 0.0f) &&
+                   (a.colorTexture == kNone) == (b.colorTexture == kNone);
+        };
+        return before != nullptr && std::ranges::equal(before->materials, after.materials, same);
+    }
+
     const SceneDescription& scene_;
     EditKind kinds_;
     int threads_;
@@ -196,6 +225,7 @@ class SceneBuild {
     std::shared_ptr<BuiltScene> built_;
     bool emissionChanged_ = false;
     bool emittersMoved_ = false;
+    bool materialFeaturesChanged_ = false;
 };
 
 }  // namespace

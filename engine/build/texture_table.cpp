@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "engine/build/scene_use.h"
+
 namespace glint {
 namespace {
 
@@ -47,7 +49,9 @@ bool sameTable(const TextureTable& a, const TextureTable& b) {
 
 }  // namespace
 
-size_t TextureTable::bytes() const {
+size_t TextureTable::bytes() const { return imageBytes(images); }
+
+size_t imageBytes(const std::vector<ImageSource>& images) {
     std::set<const void*> counted;
     size_t sum = 0;
     for (const ImageSource& image : images) {
@@ -58,16 +62,6 @@ size_t TextureTable::bytes() const {
         }
     }
     return sum;
-}
-
-std::vector<bool> usedMaterials(const SceneDescription& scene) {
-    std::vector<bool> used(scene.materials.size(), false);
-    for (const Object& object : scene.objects) {
-        if (object.material >= 0 && static_cast<size_t>(object.material) < used.size()) {
-            used[static_cast<size_t>(object.material)] = true;
-        }
-    }
-    return used;
 }
 
 Result<std::shared_ptr<const TextureTable>> buildTextureTable(

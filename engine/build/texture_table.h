@@ -23,8 +23,8 @@ struct TextureTable {
     size_t bytes() const;
 };
 
-/// The materials that objects refer to, by index; out-of-range references are passed over.
-std::vector<bool> usedMaterials(const SceneDescription& scene);
+/// Memory of the images' pixels; an image that stands there several times counts once.
+size_t imageBytes(const std::vector<ImageSource>& images);
 
 /// `previous` (may be null) is returned itself where nothing changed. Error: a used material refers to a
 /// texture that does not exist, or a used texture has no pixels or a scale that is not finite.

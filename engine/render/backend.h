@@ -10,6 +10,7 @@
 #include "engine/build/built_scene.h"
 #include "engine/kernels/pass.h"
 #include "engine/render/film.h"
+#include "engine/render/memory_use.h"
 #include "engine/render/sppm_state.h"
 
 namespace glint {
@@ -27,6 +28,9 @@ class Backend {
 
     /// The kernel variant that the present scene runs, for status lines; empty before setScene().
     virtual std::string kernelName() const { return {}; }
+
+    /// What passes have made the back end allocate and it still holds, on the host; the scene not included.
+    virtual MemoryUse memory() const { return {}; }
 
     /// Renders one path for each pixel into `out`, which is resized as needed. Checks `stop` at least once a
     /// tile; returns false when it stopped early, and `out` is then to be thrown away.

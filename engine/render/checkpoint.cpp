@@ -288,9 +288,17 @@ std::string differences(const CheckpointInfo& info, const SceneDescription& scen
 
 }  // namespace
 
+size_t checkpointBytes(int width, int height, bool sppm) {
+    const size_t pixels = static_cast<size_t>(width) * static_cast<size_t>(height);
+    return pixels * (FilmCheckpoint::kBytesPerPixel + (sppm ? kSppmCheckpointBytesPerPixel : 0));
+}
+
 Status saveCheckpoint(const std::string& path, const SessionCapture& capture) {
     const SceneDescription& scene = *capture.scene;
     ByteWriter file;
+    // At once: growing would copy what is there already.
+    file.reserve(checkpointBytes(capture.film.width(), capture.film.height(), capture.sppm.passes > 0) +
+                 65536);
     file.writeRaw(kMagic);
     file.write(kFormatVersion);
     const size_t sizeAt = file.bytes().size();

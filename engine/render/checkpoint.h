@@ -29,6 +29,10 @@ struct CheckpointInfo {
 /// in moments.
 Status saveCheckpoint(const std::string& path, const SessionCapture& capture);
 
+/// About the size of a checkpoint of a picture of this size in memory while it is written; what is left out
+/// are settings, faults and the convergence curve.
+size_t checkpointBytes(int width, int height, bool sppm);
+
 /// The film and statistics to go on with. Error: not a checkpoint, another format version, cut off or
 /// damaged, or the scene or a setting differs from the checkpoint's: each difference is named ("maxDepth is 8
 /// in the checkpoint and 16 now").

@@ -38,6 +38,14 @@ class CpuBackend final : public Backend {
 
     std::string kernelName() const override { return scene_ ? chooseVariant(features()).name : ""; }
 
+    MemoryUse memory() const override {
+        MemoryUse use;
+        use[MemoryPart::Emission] = emission_ ? emission_->bytes() : 0;
+        use[MemoryPart::SppmVisiblePoints] = sppm_ ? sppm_->visiblePointBytes() : 0;
+        use[MemoryPart::Photons] = sppm_ ? sppm_->photonBytes() : 0;
+        return use;
+    }
+
     Result<bool> renderPass(const PassParams& params, const std::atomic<bool>& stop,
                             std::vector<PixelSample>* out) override {
         return run(params, stop, out, &KernelVariant::renderTile);

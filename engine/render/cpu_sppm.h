@@ -38,7 +38,8 @@ class CpuSppm {
 
     const SppmPassStats& stats() const { return stats_; }
     const SppmVariant& variant(const SppmParams& params, FeatureMask features) const;
-    size_t bytes() const { return pixels_.capacity() * sizeof(PassPixel) + photons_.bytes(); }
+    size_t visiblePointBytes() const { return pixels_.capacity() * sizeof(PassPixel); }
+    size_t photonBytes() const { return photons_.bytes(); }
 
   private:
     struct Job;

@@ -130,8 +130,14 @@ double Film::relativeErrorEstimate(int threads) const {
     return std::sqrt(total.squaredError / count) / (total.luminance / count);
 }
 
-size_t Film::bytes() const {
-    return pixels_.size() * sizeof(FilmPixel) + faults_.capacity() * sizeof(FaultRecord);
+size_t Film::bytes() const { return bytesFor(width_, height_) + faults_.capacity() * sizeof(FaultRecord); }
+
+size_t Film::bytesFor(int width, int height) {
+    return static_cast<size_t>(width) * static_cast<size_t>(height) * sizeof(FilmPixel);
+}
+
+size_t AovFilm::bytesFor(int width, int height) {
+    return static_cast<size_t>(width) * static_cast<size_t>(height) * sizeof(AovSample);
 }
 
 AovFilm::AovFilm(int width, int height)

@@ -59,6 +59,8 @@ class Film {
     double relativeErrorEstimate(int threads = 0) const;
 
     size_t bytes() const;
+    /// What a film of this size allocates, fault records aside.
+    static size_t bytesFor(int width, int height);
 
     static constexpr size_t kMaxFaultRecords = 1000;
 
@@ -95,6 +97,8 @@ class AovFilm {
     uint32_t passes() const { return passes_; }
     const std::vector<AovSample>& pixels() const { return pixels_; }
     size_t bytes() const { return pixels_.size() * sizeof(AovSample); }
+    /// What one of this size allocates.
+    static size_t bytesFor(int width, int height);
 
   private:
     int width_ = 0;

@@ -84,6 +84,7 @@ struct SessionStatus {
     int previewScale = 1;    ///< of the newest snapshot
     uint32_t aovPasses = 0;  ///< of kAovPasses, where AOVs were asked for
     size_t filmBytes = 0;
+    MemoryUse memory;               ///< all that is allocated: scene, films, SPPM, the back end's own
     std::string kernel;             ///< the kernel variant in use
     double lastBuildSeconds = 0.0;  ///< of the last edit
     uint64_t picturesAfterEdits =

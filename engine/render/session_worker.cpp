@@ -149,6 +149,7 @@ bool SessionWorker::rebuild(const SceneEdit& edit) {
         return false;
     }
     built_ = std::move(result).value();
+    sceneMemory_ = memoryOf(*built_);
     status_.kernel = backend_->kernelName();
     status_.lastBuildSeconds = secondsSince(began);
     return true;
@@ -277,6 +278,19 @@ SessionState SessionWorker::state() const {
     return limitReached(wishes_) ? SessionState::Finished : SessionState::Paused;
 }
 
+MemoryUse SessionWorker::memoryUse() const {
+    MemoryUse use = sceneMemory_;
+    use.add(backend_->memory());
+    for (const Track& kept : tracks_) {
+        use[MemoryPart::Film] += kept.film.bytes();
+        use[MemoryPart::SppmStatistics] += kept.sppm.bytes();
+    }
+    use[MemoryPart::PassSamples] = samples_.capacity() * sizeof(PixelSample);
+    use[MemoryPart::Preview] = preview_.bytes() + previewSppm_.bytes() + previewAovs_.bytes();
+    use[MemoryPart::Aovs] = aovFilm_.bytes() + aovSamples_.capacity() * sizeof(AovSample);
+    return use;
+}
+
 void SessionWorker::setStatus() {
     status_.state = state();
     status_.passes = filmPasses();
@@ -291,6 +305,7 @@ void SessionWorker::setStatus() {
     status_.relativeErrorLow = shown.error.low;
     status_.relativeErrorHigh = shown.error.high;
     status_.aovPasses = aovFilm_.passes();
+    status_.memory = memoryUse();
     status_.filmBytes = preview_.bytes() + previewSppm_.bytes() + aovFilm_.bytes() + previewAovs_.bytes();
     for (const Track& kept : tracks_) {
         status_.filmBytes += kept.film.bytes() + kept.sppm.bytes();

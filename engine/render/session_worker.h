@@ -94,6 +94,7 @@ class SessionWorker {
     void show(bool preview);
     void showOtherIfDue();
     std::shared_ptr<FilmSnapshot> snapshotOf(IntegratorKind kind, bool preview);
+    MemoryUse memoryUse() const;
     void setStatus();
     SessionState state() const;
 
@@ -107,6 +108,7 @@ class SessionWorker {
     std::vector<CapturePromise> captures_;
     std::shared_ptr<const SceneDescription> scene_;
     std::shared_ptr<const BuiltScene> built_;
+    MemoryUse sceneMemory_;  ///< of built_
     EditKind refusedKinds_ =
         EditKind::None;  ///< of edits that were refused: the next one has to make up for them
     bool failed_ = false;

@@ -6,8 +6,6 @@
 namespace glint {
 namespace {
 
-constexpr uint64_t kBytesPerPixel = 5 * sizeof(double) + 2 * sizeof(float);
-
 bool plausible(const SppmPixel& pixel) {
     const auto fine = [](double x) { return std::isfinite(x) && x >= 0.0; };
     return fine(pixel.radiusSquared) && fine(pixel.photonCount);
@@ -16,7 +14,7 @@ bool plausible(const SppmPixel& pixel) {
 }  // namespace
 
 void writeSppmState(const SppmState& state, ByteWriter* out) {
-    out->reserve(out->bytes().size() + state.pixels.size() * kBytesPerPixel + 64);
+    out->reserve(out->bytes().size() + state.pixels.size() * kSppmCheckpointBytesPerPixel + 64);
     out->write(static_cast<uint32_t>(state.width));
     out->write(static_cast<uint32_t>(state.height));
     out->write(state.passes);
@@ -39,7 +37,7 @@ bool readSppmState(ByteReader in, const Film& film, SppmState* state) {
     const auto emitted = in.read<uint64_t>();
     if (in.failed() || width != static_cast<uint32_t>(film.width()) ||
         height != static_cast<uint32_t>(film.height()) || passes != film.passes() ||
-        in.left() != uint64_t{width} * height * kBytesPerPixel) {
+        in.left() != uint64_t{width} * height * kSppmCheckpointBytesPerPixel) {
         return false;
     }
     SppmState out(film.width(), film.height());

@@ -10,6 +10,8 @@
 
 namespace glint {
 
+constexpr size_t kSppmCheckpointBytesPerPixel = 5 * sizeof(double) + 2 * sizeof(float);
+
 void writeSppmState(const SppmState& state, ByteWriter* out);
 
 /// False when the payload is not the statistics of `film`: another size or number of passes, or a radius

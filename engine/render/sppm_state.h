@@ -37,6 +37,10 @@ struct SppmState {
     double relativeErrorEstimate(const Film& film) const;
 
     size_t bytes() const { return pixels.capacity() * sizeof(SppmPixel); }
+    /// What the statistics of a picture of this size allocate.
+    static size_t bytesFor(int width, int height) {
+        return static_cast<size_t>(width) * static_cast<size_t>(height) * sizeof(SppmPixel);
+    }
 };
 
 /// What a render with these settings needs beyond the film, computed before anything is allocated.

@@ -80,6 +80,26 @@ TEST_F(SceneBuilder, AColourRebuildsTheMaterialTableOnly) {
     EXPECT_EQ(after.scene->textures, before->textures);
 }
 
+TEST_F(SceneBuilder, FeaturesAreScannedOnlyWhenAMaterialsKindOrRoughnessBegins) {
+    Material& metal = description.materials[0];
+    metal.kind = MaterialKind::Conductor;
+    metal.roughness = 0.3f;
+    const Edited rough = edit(EditKind::MaterialKind, before);
+    EXPECT_TRUE(rough.report.featuresScanned);
+    EXPECT_TRUE(rough.scene->features & kFeatureGlossy);
+    metal.roughness = 0.4f;
+    metal.eta *= 1.5f;
+    metal.metal.clear();
+    const Edited numbers = edit(EditKind::MaterialParameters | EditKind::MaterialKind, rough.scene);
+    EXPECT_TRUE(numbers.report.materialsBuilt);
+    EXPECT_FALSE(numbers.report.featuresScanned);
+    metal.roughness = 0.0f;
+    const Edited smooth = edit(EditKind::MaterialParameters, numbers.scene);
+    EXPECT_TRUE(smooth.report.featuresScanned);
+    EXPECT_TRUE(smooth.scene->features & kFeatureSpecular);
+    EXPECT_TRUE(smooth.scene->features & kFeatureGlossy) << "the mask never shrinks while a scene is edited";
+}
+
 TEST_F(SceneBuilder, AnEmissionRebuildsTheLightTableToo) {
     description.materials.back().emission = Vec3(2.0f);
     const Edited brighter = edit(EditKind::MaterialParameters, before);

@@ -10,6 +10,7 @@
 #include "engine/render/sppm_state.h"
 #include "viewer/commands/commands.h"
 #include "viewer/commands/json_output.h"
+#include "viewer/commands/memory_table.h"
 #include "viewer/commands/scene_report.h"
 
 namespace glint {
@@ -18,6 +19,7 @@ namespace {
 struct InfoOptions {
     std::string scene;
     bool allowMissing = false;
+    bool memory = false;
     std::string json;
 };
 
@@ -31,13 +33,6 @@ std::string listed(const std::vector<NamedCount>& counts) {
 
 std::string listed(const std::vector<std::string>& names) {
     return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
-}
-
-std::string formatBytes(uint64_t bytes) {
-    const double value = static_cast<double>(bytes);
-    return bytes < 10'000       ? fmt::format("{} B", bytes)
-           : bytes < 10'000'000 ? fmt::format("{:.1f} kB", value * 1e-3)
-                                : fmt::format("{:.1f} MB", value * 1e-6);
 }
 
 void printPhotons(const SceneDescription& scene, const SceneReport& report) {
@@ -69,13 +64,11 @@ void printReport(const SceneDescription& scene, const SceneReport& report) {
     fmt::print("textures   {}\n", report.textures);
     fmt::print("lights     {}\n", listed(report.lights));
     fmt::print("needs      {}\n", listed(report.features));
-    fmt::print("kernel     {}\n", report.kernel);
+    fmt::print("kernel     {}; photon mapping: {}\n", report.kernel, report.sppmKernel);
     fmt::print("left out   {}\n", listed(report.leftOut));
     printPhotons(scene, report);
-    fmt::print("memory     {}\n", formatBytes(report.memoryTotal));
-    for (const NamedCount& part : report.memory) {
-        fmt::print("  {:<36}{:>12}\n", part.name, formatBytes(part.count));
-    }
+    fmt::print("memory     {} in use, {} not allocated (--memory: by part)\n",
+               formatBytes(report.memory.used), formatBytes(report.memory.notAllocated));
     for (const std::string& warning : scene.warnings) {
         fmt::print("warning    {}\n", warning);
     }
@@ -85,6 +78,14 @@ nlohmann::ordered_json jsonOf(const std::vector<NamedCount>& counts) {
     nlohmann::ordered_json out = nlohmann::ordered_json::object();
     for (const NamedCount& item : counts) {
         out[item.name] = item.count;
+    }
+    return out;
+}
+
+nlohmann::ordered_json usedByPart(const MemoryTable& table) {
+    nlohmann::ordered_json out = nlohmann::ordered_json::object();
+    for (const MemoryRow& row : table.rows) {
+        out[row.part] = row.used;
     }
     return out;
 }
@@ -103,6 +104,7 @@ nlohmann::ordered_json jsonReport(const SceneDescription& scene, const SceneRepo
             {"lights", jsonOf(report.lights)},
             {"features", report.features},
             {"kernel", report.kernel},
+            {"sppm_kernel", report.sppmKernel},
             {"left_out", report.leftOut},
             {"integrator", scene.options.integrator == IntegratorKind::Sppm ? "sppm" : "path"},
             {"sppm",
@@ -112,8 +114,9 @@ nlohmann::ordered_json jsonReport(const SceneDescription& scene, const SceneRepo
               {"bytes_per_stored_photon", PhotonStore::kBytesPerPhoton},
               {"total_bytes", report.sppm.total()},
               {"has_caustic_caster", report.hasCausticCaster}}},
-            {"memory_bytes", jsonOf(report.memory)},
-            {"memory_total_bytes", report.memoryTotal},
+            {"memory_bytes", usedByPart(report.memory)},
+            {"memory_total_bytes", report.memory.used},
+            {"memory", memoryJson(report.memory)},
             {"warnings", scene.warnings}};
 }
 
@@ -130,6 +133,9 @@ int runInfo(const InfoOptions& options) {
     const SceneReport report = reportOf(*scene, **built);
     if (!jsonTakesOutput(options.json)) {
         printReport(*scene, report);
+        if (options.memory) {
+            printMemory(report.memory);
+        }
     }
     const Status written = writeJson(options.json, jsonReport(*scene, report));
     return written ? kExitDone : complain(written.error(), kExitFailed);
@@ -142,6 +148,8 @@ void addInfoCommand(CLI::App& app, int* exitCode) {
     const auto options = std::make_shared<InfoOptions>();
     command->add_option("scene", options->scene, "The scene")->required()->type_name("SCENE");
     command->add_flag("--allow-missing", options->allowMissing, "Go on when parts of the scene are missing");
+    command->add_flag("--memory", options->memory,
+                      "Memory by part: used, held unused, and not allocated because nothing needs it");
     addJsonOption(*command, &options->json);
     command->callback([options, exitCode] { *exitCode = runInfo(*options); });
 }

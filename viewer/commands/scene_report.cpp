@@ -1,16 +1,15 @@
-// Memory is what the parts themselves say, or elements times their size.
+// Counts what the description and the built scene say of themselves.
 #include "viewer/commands/scene_report.h"
 
 #include <algorithm>
 #include <array>
-#include <set>
 
-#include "engine/build/instance_builder.h"
+#include <fmt/format.h>
+
 #include "engine/build/light_table.h"
-#include "engine/build/material_table.h"
-#include "engine/build/texture_table.h"
+#include "engine/build/scene_use.h"
 #include "engine/render/cpu_variants.h"
-#include "engine/render/film.h"
+#include "engine/render/sppm_kernel.h"
 
 namespace glint {
 namespace {
@@ -68,12 +67,6 @@ std::vector<NamedCount> countByKind(const std::array<const char*, kCount>& names
 constexpr FeatureMask kCasters =
     kFeatureSpecular | kFeatureDielectric | kFeatureGlossy | kFeaturePlastic | kFeatureMixture;
 
-uint64_t vertexBytes(const MeshData& mesh) {
-    return mesh.positions.size() * sizeof(Vec3) + mesh.normals.size() * sizeof(Vec3) +
-           mesh.uvs.size() * sizeof(Vec2) + mesh.colors.size() * sizeof(Vec3) +
-           mesh.indices.size() * sizeof(uint32_t);
-}
-
 void countLights(const SceneDescription& scene, const BuiltScene& built, SceneReport* report) {
     report->lights = countByKind(kLightNames, scene.lights, [](const Light& light) { return light.kind; });
     const auto emissive = std::ranges::count_if(scene.objects, [&](const Object& object) {
@@ -89,43 +82,25 @@ void countLights(const SceneDescription& scene, const BuiltScene& built, SceneRe
     report->lights.push_back({"emitter in the light table", built.lights->emitters.size()});
 }
 
-void countMemory(const SceneDescription& scene, const BuiltScene& built, SceneReport* report) {
-    std::set<const BuiltMesh*> meshes;
-    uint64_t vertices = 0, structures = 0;
-    for (const auto& mesh : built.meshes) {
-        if (meshes.insert(mesh.get()).second) {
-            vertices += vertexBytes(*mesh->data);
-            structures += mesh->accelerationBytes();
-        }
-    }
-    const auto pixels =
-        static_cast<uint64_t>(scene.resolution.width) * static_cast<uint64_t>(scene.resolution.height);
-    report->memory = {{"vertices and indices", vertices},
-                      {"acceleration structures of meshes", structures},
-                      {"instances and top level", built.instances->bytes()},
-                      {"materials", built.materials->bytes()},
-                      {"textures", built.textures->bytes()},
-                      {"lights", built.lights->bytes()},
-                      {"film", pixels * sizeof(FilmPixel)},
-                      {"pass buffer", pixels * sizeof(PixelSample)}};
-    if (scene.options.integrator == IntegratorKind::Sppm) {
-        report->memory.push_back({"photon statistics and visible points", report->sppm.pixelBytes});
-        report->memory.push_back({"photons of a pass, about", report->sppm.photonBytes});
-    }
-    for (const NamedCount& part : report->memory) {
-        report->memoryTotal += part.count;
-    }
-}
-
 void listWhatIsLeftOut(FeatureMask compiled, const SceneDescription& scene, const BuiltScene& built,
                        SceneReport* report) {
     for (const std::string& name : featureNames(kAllFeatures & ~compiled)) {
         report->leftOut.push_back("kernel: " + name);
     }
-    const size_t unused =
-        scene.textures.size() - std::min(scene.textures.size(), built.textures->textures.size());
-    if (unused > 0) {
-        report->leftOut.push_back("textures that no object uses: " + std::to_string(unused));
+    const auto countUnused = [](const std::vector<bool>& used) {
+        return static_cast<size_t>(std::ranges::count(used, false));
+    };
+    const std::pair<const char*, size_t> unused[] = {
+        {"meshes that no object places", countUnused(usedMeshes(scene))},
+        {"materials that no object has", countUnused(usedMaterials(scene))},
+        {"textures that no object uses", countUnused(usedTextures(scene))}};
+    for (const auto& [what, count] : unused) {
+        if (count > 0) {
+            report->leftOut.push_back(fmt::format("{}: {}", what, count));
+        }
+    }
+    if (!built.lights->usesTree && !built.lights->emitters.empty()) {
+        report->leftOut.emplace_back("light tree: the few lights are weighed one by one");
     }
     report->leftOut.emplace_back("AOV buffers, until one is asked for");
     if (scene.options.integrator == IntegratorKind::PathTracing) {
@@ -165,10 +140,11 @@ SceneReport reportOf(const SceneDescription& scene, const BuiltScene& built) {
     report.features = featureNames(built.features);
     const KernelVariant& variant = chooseVariant(built.features);
     report.kernel = variant.name;
+    report.sppmKernel = chooseSppmVariant(built.features).name;
     report.sppm = planSppmMemory(scene);
     report.hasCausticCaster = (built.features & kCasters) != 0;
     listWhatIsLeftOut(variant.mask, scene, built, &report);
-    countMemory(scene, built, &report);
+    report.memory = memoryTableOf(scene, built);
     return report;
 }
 

@@ -9,6 +9,7 @@
 #include "engine/build/built_scene.h"
 #include "engine/render/sppm_state.h"
 #include "engine/scene/scene.h"
+#include "viewer/commands/memory_table.h"
 
 namespace glint {
 
@@ -27,10 +28,10 @@ struct SceneReport {
     uint64_t textures = 0;
     std::vector<std::string> features;
     std::vector<std::string>
-        leftOut;  ///< features that the kernel was compiled without, and data not allocated
-    std::string kernel;
-    std::vector<NamedCount> memory;  ///< bytes by part
-    uint64_t memoryTotal = 0;
+        leftOut;         ///< features that the kernel was compiled without, and data not allocated
+    std::string kernel;  ///< the path tracer's
+    std::string sppmKernel;
+    MemoryTable memory;
     SppmMemory sppm;                ///< what photon mapping needs here, whether or not it is the integrator
     bool hasCausticCaster = false;  ///< otherwise photon mapping gains nothing
 };

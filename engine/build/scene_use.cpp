@@ -1,0 +1,43 @@
+#include "engine/build/scene_use.h"
+
+namespace glint {
+namespace {
+
+void mark(int index, std::vector<bool>* used) {
+    if (index >= 0 && static_cast<size_t>(index) < used->size()) {
+        (*used)[static_cast<size_t>(index)] = true;
+    }
+}
+
+}  // namespace
+
+std::vector<bool> usedMaterials(const SceneDescription& scene) {
+    std::vector<bool> used(scene.materials.size(), false);
+    for (const Object& object : scene.objects) {
+        mark(object.material, &used);
+    }
+    return used;
+}
+
+std::vector<bool> usedTextures(const SceneDescription& scene) {
+    std::vector<bool> used(scene.textures.size(), false);
+    const std::vector<bool> materials = usedMaterials(scene);
+    for (size_t i = 0; i < scene.materials.size(); ++i) {
+        if (materials[i]) {
+            mark(scene.materials[i].color.texture, &used);
+        }
+    }
+    return used;
+}
+
+std::vector<bool> usedMeshes(const SceneDescription& scene) {
+    std::vector<bool> used(scene.meshes.size(), false);
+    for (const Object& object : scene.objects) {
+        if (object.shape == ShapeKind::Mesh) {
+            mark(object.mesh, &used);
+        }
+    }
+    return used;
+}
+
+}  // namespace glint

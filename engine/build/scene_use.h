@@ -1,0 +1,20 @@
+// What of a description is used at all: what no object refers to is not built. Called by the scene builder's
+// parts and by the memory report.
+//
+// References that are out of range are passed over; validateScene() refuses them.
+#pragma once
+
+#include <vector>
+
+#include "engine/scene/scene.h"
+
+namespace glint {
+
+/// For each material whether an object has it.
+std::vector<bool> usedMaterials(const SceneDescription& scene);
+/// For each texture whether one of those materials has it.
+std::vector<bool> usedTextures(const SceneDescription& scene);
+/// For each mesh whether an object places it.
+std::vector<bool> usedMeshes(const SceneDescription& scene);
+
+}  // namespace glint

@@ -1,0 +1,61 @@
+// Where a render's memory goes, by part: what is allocated, counted by the parts themselves, and what a
+// render will take, by the functions that the parts are sized with.
+//
+// Filled by the session for its status and by `glint info --memory`. Nothing is estimated here but what is
+// said to be.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "engine/build/built_scene.h"
+#include "engine/scene/scene.h"
+
+namespace glint {
+
+enum class MemoryPart : uint8_t {
+    Vertices,        ///< positions and indices
+    VertexShading,   ///< normals, texture coordinates, vertex colours
+    MeshStructures,  ///< acceleration structures of meshes
+    Instances,       ///< objects and the structure above them
+    Materials,
+    Textures,
+    Lights,       ///< emitters and how they are chosen
+    Environment,  ///< the image around the scene and its distribution
+    Film,
+    PassSamples,  ///< one pass before it is added to the film
+    Preview,      ///< low-resolution films after edits
+    Aovs,
+    SppmStatistics,  ///< radius, photons and flux of every pixel
+    SppmVisiblePoints,
+    Photons,   ///< with the structure that finds them
+    Emission,  ///< how photons choose their lights
+};
+constexpr size_t kMemoryPartCount = 16;
+
+struct MemoryUse {
+    std::array<uint64_t, kMemoryPartCount> bytes{};
+
+    uint64_t& operator[](MemoryPart part) { return bytes[static_cast<size_t>(part)]; }
+    uint64_t operator[](MemoryPart part) const { return bytes[static_cast<size_t>(part)]; }
+    uint64_t total() const;
+    void add(const MemoryUse& other);
+};
+
+/// "mesh acceleration structures" and the like, for tables.
+const char* memoryPartName(MemoryPart part);
+
+/// What the built scene holds and its kernels may read. Meshes and images that are shared count once.
+MemoryUse memoryOf(const BuiltScene& scene);
+
+/// What rendering takes beside the scene at its resolution, by one integrator, without previews. Photons are
+/// a guess before any is traced (planSppmMemory).
+MemoryUse plannedMemory(const SceneDescription& scene, IntegratorKind integrator, bool aovs);
+
+/// What the description holds and a render of these features never reads: meshes and textures that no object
+/// uses, other environment images, texture coordinates without a texture. It came with the file and stays for
+/// editing.
+MemoryUse unusedMemory(const SceneDescription& scene, FeatureMask features);
+
+}  // namespace glint
