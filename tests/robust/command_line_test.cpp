@@ -372,5 +372,34 @@ TEST_F(CommandLine, InfoReportsWhatIsThereAndWhatIsLeftOut) {
     EXPECT_TRUE(report["left_out"].is_array());
 }
 
+/// The table's rows add up, and an integrator moves its parts from "not allocated" to "used".
+TEST_F(CommandLine, InfoMemoryTellsUsedFromNotAllocated) {
+    const ProgramRun text = runProgram({"info", kCornell, "--memory"});
+    ASSERT_EQ(text.exitCode, 0) << text.err;
+    EXPECT_TRUE(says(text.out, "not allocated"));
+    EXPECT_TRUE(says(text.out, "SPPM: statistics of the pixels"));
+    const std::string caustics = GLINT_SOURCE_DIR "/scenes/sppm_ring.json";
+    for (const std::string& scene : {std::string(kCornell), caustics}) {
+        const auto report =
+            nlohmann::json::parse(runProgram({"info", scene, "--json", "-"}).out, nullptr, false);
+        ASSERT_FALSE(report.is_discarded());
+        const auto& memory = report["memory"];
+        uint64_t used = 0, unused = 0, notAllocated = 0;
+        for (const auto& row : memory["parts"]) {
+            used += row["used_bytes"].get<uint64_t>();
+            unused += row["held_unused_bytes"].get<uint64_t>();
+            notAllocated += row["not_allocated_bytes"].get<uint64_t>();
+            if (row["part"].get<std::string>().starts_with("SPPM")) {
+                EXPECT_EQ(row["used_bytes"].get<uint64_t>() > 0, scene == caustics) << row.dump();
+                EXPECT_EQ(row["not_allocated_bytes"].get<uint64_t>() > 0, scene != caustics) << row.dump();
+            }
+        }
+        EXPECT_EQ(used, memory["used_bytes"].get<uint64_t>());
+        EXPECT_EQ(unused, memory["held_unused_bytes"].get<uint64_t>());
+        EXPECT_EQ(notAllocated, memory["not_allocated_bytes"].get<uint64_t>());
+        EXPECT_GT(memory["checkpoint_peak_bytes"].get<uint64_t>(), 0u);
+    }
+}
+
 }  // namespace
 }  // namespace glint

@@ -76,7 +76,7 @@ void operator delete[](void* p, size_t, std::align_val_t a) noexcept { release(p
 namespace glint {
 namespace {
 
-constexpr int kSize = 160;
+constexpr int kSize = 128;
 
 /// What one render allocated.
 struct Measured {
@@ -89,6 +89,7 @@ SessionOptions batchOptions() {
     SessionOptions options;
     options.previews = false;
     options.snapshots = false;
+    options.lowPriority = false;
     options.threads = 2;
     return options;
 }
@@ -97,7 +98,7 @@ Measured render(const SceneDescription& description, IntegratorKind integrator, 
     auto scene = std::make_shared<SceneDescription>(description);
     scene->resolution = {kSize, kSize};
     scene->options.integrator = integrator;
-    scene->sppm.photonsPerPass = 20000;
+    scene->sppm.photonsPerPass = 5000;
     const size_t before = largeBytes;
     largePeak = before;
     RenderSession session(makeCpuBackend(2), batchOptions());
