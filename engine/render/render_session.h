@@ -59,7 +59,7 @@ enum class SessionState {
     Empty,     ///< no scene yet
     Building,  ///< an edit is being built
     Rendering,
-    Paused,    ///< by setPaused; after an edit only when there is one full pass to look at
+    Paused,    ///< by setPaused; after an edit only when every picture that is shown has a full pass
     Finished,  ///< a limit is reached, and the AOVs that were asked for are done
     Failed,    ///< no picture can be made: status.error says why. An edit or a restart tries again
 };

@@ -45,7 +45,8 @@ bool SessionWorker::previewsOnly(const Wishes& wishes) const {
 }
 
 bool SessionWorker::wantsFilmPass(const Wishes& wishes) const {
-    return filmPasses() == 0 || (!wishes.paused && !limitReached(wishes));
+    const bool otherIsMissing = wishes.compare && trackOf(otherIntegrator()).passes() == 0;
+    return filmPasses() == 0 || otherIsMissing || (!wishes.paused && !limitReached(wishes));
 }
 
 bool SessionWorker::limitReached(const Wishes& wishes) const {
@@ -125,7 +126,7 @@ PassInFlight SessionWorker::passInFlight(NextPass kind) const {
         pass.mustBeShown = shownGeneration_ + 1 < status_.generation;
         pass.previewSeconds = pace_.expectedSeconds(pixelCount(preview_.width(), preview_.height()));
     }
-    pass.mayWait = kind == NextPass::Film && filmPasses() > 0;
+    pass.mayWait = kind == NextPass::Film && filmPasses() > 0 && trackOf(passIntegrator_).passes() > 0;
     return pass;
 }
 

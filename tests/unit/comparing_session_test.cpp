@@ -117,6 +117,19 @@ TEST(ComparingSession, AFinishedPictureIsComparedWithOneOfAsMuchTime) {
     EXPECT_GE(other->renderSeconds, main->renderSeconds);
 }
 
+TEST(ComparingSession, PausedBothShowOnePassAfterAnEdit) {
+    Bench bench;
+    bench.session.setComparing(true);
+    bench.session.setPaused(true);
+    for (int edit = 0; edit < 2; ++edit) {
+        bench.post(edit == 0 ? EditKind::Everything : EditKind::Camera);
+        ASSERT_EQ(bench.session.wait(kPatience), SessionState::Paused);
+        ASSERT_NE(bench.session.otherSnapshot(), nullptr);
+        EXPECT_EQ(bench.session.otherSnapshot()->passes, 1u);
+        EXPECT_EQ(bench.session.snapshot()->passes, 1u);
+    }
+}
+
 TEST(ComparingSession, SpeedIsThatOfTheIntegratorThatIsShown) {
     Bench bench;
     bench.session.setComparing(true);

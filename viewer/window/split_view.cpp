@@ -36,8 +36,8 @@ void drawPlate(const std::string& text, Vec2 anchor, bool fromRight) {
     draw->AddText(im(corner + pad), ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
 }
 
-std::string sideLabel(const char* name, const FilmSnapshot* snapshot, bool paused) {
-    if (snapshot == nullptr) return fmt::format("{}   {}", name, paused ? "paused" : "first pass…");
+std::string sideLabel(const char* name, const FilmSnapshot* snapshot) {
+    if (snapshot == nullptr) return fmt::format("{}   first pass…", name);
     if (snapshot->previewScale > 1) return fmt::format("{}   preview", name);
     return fmt::format("{}   {} {}   {}", name, grouped(snapshot->passes),
                        snapshot->passes == 1 ? "pass" : "passes", duration(snapshot->renderSeconds));
@@ -50,7 +50,7 @@ struct Side {
 };
 
 /// The part of the side's picture between the shares `from` and `to` of the width.
-void drawSide(const Side& side, Vec2 min, Vec2 max, float from, float to, bool paused) {
+void drawSide(const Side& side, Vec2 min, Vec2 max, float from, float to) {
     const float width = max.x - min.x;
     const Vec2 partMin(min.x + width * from, min.y);
     const Vec2 partMax(min.x + width * to, max.y);
@@ -65,7 +65,7 @@ void drawSide(const Side& side, Vec2 min, Vec2 max, float from, float to, bool p
     }
     const float margin = kMarginUnits * ui::scale();
     const bool isRight = to == 1.0f && from > 0.0f;
-    drawPlate(sideLabel(side.name, side.snapshot, paused),
+    drawPlate(sideLabel(side.name, side.snapshot),
               {isRight ? partMax.x - margin : partMin.x + margin, min.y + margin}, isRight);
     draw->PopClipRect();
 }
@@ -83,8 +83,8 @@ void drawSplit(const ViewerModel& model, const Pictures& pictures, Vec2 min, Vec
     put(model.otherSnapshot().get(), *pictures.otherSource, pictures.other);
     const float x = dividerX(model.display, min, max);
     const float share = (x - min.x) / (max.x - min.x);
-    if (share > 0.0f) drawSide(left, min, max, 0.0f, share, model.paused);
-    if (share < 1.0f) drawSide(right, min, max, share, 1.0f, model.paused);
+    if (share > 0.0f) drawSide(left, min, max, 0.0f, share);
+    if (share < 1.0f) drawSide(right, min, max, share, 1.0f);
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const float half = std::max(1.0f, ui::scale());
     draw->AddRectFilled({x - 2.0f * half, min.y}, {x + 2.0f * half, max.y}, IM_COL32(0, 0, 0, 110));
