@@ -5,11 +5,12 @@
 // mask: a scene of diffuse surfaces only leaves nothing here but Lambert's law. Opaque materials scatter
 // alike on both sides. Emission is not looked at.
 //
-// Shading normals. ns is bent where the perfect reflection about it would fall below the surface (Keller et
-// al. 2017, "The Iray Light Transport Simulation and Rendering System", section 4.2), so that no facet turns
-// black at grazing angles. Whether a direction reflects or passes is decided by the geometric normal ng: what
-// ng and ns do not agree on carries nothing, so no light leaks through. Left out: the correction that
-// importance needs where ns differs from ng (Veach 1997, section 5.3).
+// Shading normals. Whether a direction reflects or passes is decided by the geometric normal ng: what ng and
+// ns do not agree on carries nothing, so no light leaks through. So that no facet turns black at grazing
+// angles, materials without a specular lobe bend ns where the perfect reflection about it would fall below
+// the surface (Keller et al. 2017, "The Iray Light Transport Simulation and Rendering System", section 4.2);
+// specular lobes fold directions at a plane instead, which a photon can undo: wo at that of ns before, and wi
+// at that of ng after the lobe. Photons scatter by bsdf_importance.h.
 #pragma once
 
 #include "engine/kernels/bsdf_evaluate.h"
@@ -99,8 +100,12 @@ GLINT_HD BsdfSample sample(const Bsdf<kMask>& bsdf, float uLobe, Vec2 u) {
     }
     BsdfSample result;
     result.wiWorld = detail::frameOf(bsdf).toWorld(lobe.wiLocal);
-    if (!(detail::geometricCosine(bsdf, result.wiWorld, lobe.wiLocal.z) * lobe.wiLocal.z > 0.0f)) {
-        return {};
+    const float ngWi = detail::geometricCosine(bsdf, result.wiWorld, lobe.wiLocal.z);
+    if (!(ngWi * lobe.wiLocal.z > 0.0f)) {
+        if (!lobe.isSpecular || ngWi == 0.0f) {
+            return {};
+        }
+        result.wiWorld -= 2.0f * ngWi * bsdf.ngWorld;
     }
     result.weight = lobe.weight;
     result.pdfSolidAngle = lobe.pdfSolidAngle;

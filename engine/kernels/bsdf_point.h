@@ -29,9 +29,9 @@ GLINT_HD constexpr bool usesLobeChoice() {
 /// What lobes other than the diffuse one need; nothing where there are none.
 template <bool kNeeded>
 struct BsdfLocalFrame {
-    Frame frame{};  ///< around nsWorld
-    Vec3 woLocal{0.0f};
-    float eta = 1.0f;  ///< dielectric: index beyond the surface over index on wo's side
+    Frame frame{};       ///< around nsWorld
+    Vec3 woLocal{0.0f};  ///< z >= 0, except for importance that comes from behind ns (bsdf_importance.h)
+    float eta = 1.0f;    ///< dielectric: index beyond the surface over index on wo's side
     TransportMode transport = TransportMode::Radiance;
 };
 template <>
@@ -71,6 +71,38 @@ GLINT_HD inline bool isSmooth(const MaterialData& material) { return material.al
 template <FeatureMask kMask>
 GLINT_HD MaterialTag kindOf(const MaterialData& material) {
     return isDiffuseOnly<kMask>() ? MaterialTag::Diffuse : material.kind;
+}
+
+/// Whether some lobe reflects or refracts in one direction only. Such materials keep ns as it is; sample()
+/// folds what falls on the wrong side of the surface back instead.
+template <FeatureMask kMask>
+GLINT_HD bool hasSpecularLobe(const MaterialData& material) {
+    switch (kindOf<kMask>(material)) {
+        case MaterialTag::Diffuse:
+            return false;
+        case MaterialTag::Conductor:
+        case MaterialTag::Plastic:
+            return isSmooth(material);
+        case MaterialTag::Dielectric:
+            return isSmooth(material) || (material.flags & kMaterialThin) != 0;
+        case MaterialTag::Mirror:
+        case MaterialTag::Mixture:
+            return true;
+    }
+    return false;
+}
+
+/// The shading normal that a BSDF uses; ng and ns on wo's side. Power that comes from wo leaves diffuse
+/// surfaces in every direction above them, however a path that looks at them bends ns.
+template <FeatureMask kMask>
+GLINT_HD Vec3 usedShadingNormal(const MaterialData& material, const Vec3& wo, const Vec3& ng, const Vec3& ns,
+                                TransportMode transport) {
+    if (hasSpecularLobe<kMask>(material)) {
+        return ns;
+    }
+    const bool anyDirection =
+        transport == TransportMode::Importance && kindOf<kMask>(material) == MaterialTag::Diffuse;
+    return anyDirection ? ng : bendShadingNormal(wo, ng, ns);
 }
 
 /// The colour at a point: the texture or else the material's, times the vertex colour.
@@ -141,13 +173,20 @@ GLINT_HD Bsdf<kMask> makeBsdf(const View<MaterialData>& materials, const View<Te
     bsdf.ngWorld = outside ? surface.ng : -surface.ng;
     bsdf.nsWorld = bsdf.ngWorld;
     if constexpr (hasFeature<kMask>(kFeatureMeshNormals)) {
-        bsdf.nsWorld = detail::bendShadingNormal(woWorld, bsdf.ngWorld, outside ? surface.ns : -surface.ns);
+        bsdf.nsWorld = detail::usedShadingNormal<kMask>(*bsdf.material, woWorld, bsdf.ngWorld,
+                                                        outside ? surface.ns : -surface.ns, transport);
         bsdf.ngNs = bsdf.nsWorld == bsdf.ngWorld ? 1.0f : glm::dot(bsdf.ngWorld, bsdf.nsWorld);
     }
     if constexpr (!isDiffuseOnly<kMask>()) {
         bsdf.frame = Frame::fromNormal(bsdf.nsWorld);
         bsdf.woLocal = bsdf.frame.toLocal(woWorld);
-        bsdf.woLocal.z = maxf(bsdf.woLocal.z, 0.0f);
+        if (bsdf.ngNs < 1.0f && detail::hasSpecularLobe<kMask>(*bsdf.material)) {
+            if (transport == TransportMode::Radiance) {
+                bsdf.woLocal.z = std::fabs(bsdf.woLocal.z);
+            }
+        } else {
+            bsdf.woLocal.z = maxf(bsdf.woLocal.z, 0.0f);
+        }
         bsdf.eta = outside ? bsdf.material->ior : 1.0f / bsdf.material->ior;
         bsdf.transport = transport;
     }

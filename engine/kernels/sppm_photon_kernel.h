@@ -2,11 +2,10 @@
 // backends.
 //
 // A photon is stored at every surface that can hold a visible point, before it is scattered there. Flux, not
-// radiance, is transported: refraction does not scale it, and shading normals need the adjoint's correction
-// (Veach 1997, section 5.3).
+// radiance, is transported: bsdf_importance.h.
 #pragma once
 
-#include "engine/kernels/bsdf.h"
+#include "engine/kernels/bsdf_importance.h"
 #include "engine/kernels/intersect.h"
 #include "engine/kernels/light_emission.h"
 #include "engine/kernels/sampler.h"
@@ -42,25 +41,15 @@ GLINT_HD inline Photon makePhoton(const SurfacePoint& surface, const Vec3& wo, c
     return photon;
 }
 
-/// What shading normals do to flux and not to radiance: |wo.ns wi.ng| / |wo.ng wi.ns|.
-GLINT_HD inline float adjointCorrection(const SurfacePoint& surface, const Vec3& wo, const Vec3& wi) {
-    if (surface.ns == surface.ng) return 1.0f;
-    const float above = absDot(wo, surface.ns) * absDot(wi, surface.ng);
-    const float below = absDot(wo, surface.ng) * absDot(wi, surface.ns);
-    return below > 0.0f ? above / below : 0.0f;
-}
-
 /// Scatters the photon; false: it was absorbed. The roulette keeps its flux about constant.
 template <FeatureMask kMask>
-GLINT_HD bool scatterPhoton(const Sampler& sampler, const SurfacePoint& surface, const Bsdf<kMask>& bsdf,
-                            const Vec3& wo, int depth, Ray* ray, Vec3* flux) {
+GLINT_HD bool scatterPhoton(const SceneView& view, const Sampler& sampler, const SurfacePoint& surface,
+                            const Bsdf<kMask>& bsdf, const Vec3& wo, int depth, Ray* ray, Vec3* flux) {
     const float uLobe = get1D<kMask>(sampler, dimension(BounceDimension::Lobe, depth));
     const Vec2 u = get2D<kMask>(sampler, dimension(BounceDimension::Direction, depth));
-    const BsdfSample next = sample(bsdf, uLobe, u);
+    const BsdfSample next = sampleImportance<kMask>(view, surface, bsdf, wo, uLobe, u);
     if (!next.valid) return false;
-    Vec3 scattered = *flux * next.weight;
-    if constexpr (hasFeature<kMask>(kFeatureMeshNormals))
-        scattered *= adjointCorrection(surface, wo, next.wiWorld);
+    const Vec3 scattered = *flux * next.weight;
     const float chance = minf(1.0f, maxComponent(scattered) / maxComponent(*flux));
     if (!(chance > 0.0f)) return false;
     if (chance < 1.0f && get1D<kMask>(sampler, dimension(BounceDimension::Roulette, depth)) >= chance)
@@ -113,7 +102,7 @@ GLINT_HD PhotonTally tracePhoton(const SceneView& view, const EmissionView& emis
         if (depth >= firstStored && storedLobes(bsdf, params.storeAlpha).probability() > 0.0f) {
             store(makePhoton(surface, wo, flux, depth));
         }
-        if (!scatterPhoton<kMask>(sampler, surface, bsdf, wo, depth, &ray, &flux)) return tally;
+        if (!scatterPhoton<kMask>(view, sampler, surface, bsdf, wo, depth, &ray, &flux)) return tally;
     }
     return tally;
 }
