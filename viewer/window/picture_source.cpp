@@ -123,6 +123,12 @@ ShownPicture pictureOf(const FilmSnapshot& snapshot, ShownPicture wanted, const 
     return isOfSppm(wanted) && !isSppm ? ShownPicture::Radiance : wanted;
 }
 
+std::string instead(const FilmSnapshot& snapshot, ShownPicture wanted) {
+    if (!isOfSppm(wanted) || snapshot.integrator == IntegratorKind::Sppm) return "";
+    return wanted == ShownPicture::Bias ? "Path tracing has no bias: its radiance"
+                                        : "Path tracing has no photons: its radiance";
+}
+
 float errorAgainst(const ReferencePicture& reference, const FilmSnapshot& snapshot, size_t pixel) {
     const float* t = snapshot.radiance.data() + 3 * pixel;
     const float* r = reference.image.rgb.data() + 3 * pixel;

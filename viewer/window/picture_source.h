@@ -3,6 +3,7 @@
 // Runs on the UI thread, once for each new snapshot; how numbers become colours is engine/report/heat_map's.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "engine/report/heat_map.h"
@@ -46,6 +47,10 @@ class PictureSource {
 /// What is shown of this snapshot: its radiance where it has not what is wanted, as path tracing has no
 /// photons, or where the reference is missing or of another size.
 ShownPicture pictureOf(const FilmSnapshot& snapshot, ShownPicture wanted, const ReferencePicture* reference);
+
+/// What a snapshot of path tracing shows instead of `wanted`, and why, for the picture's corner; "" when it
+/// shows what is wanted.
+std::string instead(const FilmSnapshot& snapshot, ShownPicture wanted);
 
 /// Mean of |t - r| over the three channels of a pixel of both pictures.
 float errorAgainst(const ReferencePicture& reference, const FilmSnapshot& snapshot, size_t pixel);

@@ -157,6 +157,24 @@ void drawScales(const ViewerModel& model, const Pictures& pictures, Vec2 min, Ve
     drawScale(source, min, max, !isOfBoth && source.shownIntegrator() == IntegratorKind::Sppm);
 }
 
+/// In the lower left corner: path tracing is the left side, or alone.
+void drawNote(const ViewerModel& model, Vec2 min, Vec2 max) {
+    const bool isSplit = model.display.split;
+    const float right = isSplit ? dividerX(model.display, min, max) : max.x;
+    const float margin = kMarginUnits * ui::scale();
+    const float height = ImGui::GetFontSize() + 6.0f * ui::scale();
+    const Vec2 corner(min.x + margin, max.y - margin - height);
+    for (const auto& snapshot : {model.snapshot(), model.otherSnapshot()}) {
+        if (!snapshot) continue;
+        const std::string note = instead(*snapshot, model.display.shown);
+        if (note.empty() || right <= corner.x) continue;
+        ImGui::PushClipRect(im(min), {right, max.y}, true);
+        drawPlate(note, corner, false);
+        ImGui::PopClipRect();
+        ui::area("Note", corner, {right, corner.y + height}, note);
+    }
+}
+
 }  // namespace
 
 bool dragDivider(DisplaySettings* settings, Vec2 pictureMin, Vec2 pictureMax) {
@@ -184,6 +202,7 @@ void drawPictures(const ViewerModel& model, const Pictures& pictures, Vec2 min, 
             reinterpret_cast<ImTextureID>(static_cast<intptr_t>(pictures.main->texture())), im(min), im(max));
     }
     drawScales(model, pictures, min, max);
+    drawNote(model, min, max);
 }
 
 }  // namespace glint

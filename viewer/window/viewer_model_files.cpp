@@ -23,8 +23,8 @@
 namespace glint {
 namespace {
 
-std::shared_ptr<FilmSnapshot> pictureOf(const RenderSession::Capture& capture) {
-    auto picture = makeSnapshot(capture, {.standardError = true}, 0);
+std::shared_ptr<FilmSnapshot> pictureOf(const RenderSession::Capture& capture, bool errorMaps) {
+    auto picture = makeSnapshot(capture, {.standardError = true, .errorMaps = errorMaps}, 0);
     if (capture.aovs.passes() > 0) picture->aovs = std::make_shared<const AovFilm>(capture.aovs);
     return picture;
 }
@@ -79,7 +79,7 @@ void ViewerModel::savePng() {
     const PictureOptions options{.exposureStops = display.exposureStops, .toneMap = display.toneMap};
     const std::string path = files.png;
     saveCaptured(path, [path, options](const Capture& capture) {
-        return savePicture(path, *pictureOf(capture), *capture.scene, options);
+        return savePicture(path, *pictureOf(capture, false), *capture.scene, options);
     });
 }
 
@@ -102,8 +102,8 @@ void ViewerModel::startExr() {
             kAovAlbedo | kAovShadingNormal | kAovGeometricNormal | kAovDepth | kAovObjectId | kAovMaterialId;
     }
     const std::string path = files.exr;
-    saveCaptured(path, [path, options](const Capture& capture) {
-        return savePicture(path, *pictureOf(capture), *capture.scene, options);
+    saveCaptured(path, [path, options, layers = files.exrLayers](const Capture& capture) {
+        return savePicture(path, *pictureOf(capture, layers), *capture.scene, options);
     });
 }
 
