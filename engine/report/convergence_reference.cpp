@@ -101,6 +101,7 @@ Result<std::optional<ReferencePicture>> makeReference(const ReferencePlan& plan,
     StopLimits limits{.renderSeconds = plan.renderSeconds / replicates,
                       .relativeError = plan.relativeError * std::sqrt(static_cast<double>(replicates))};
     ReferencePicture made;
+    made.timeLimitSeconds = plan.renderSeconds;
     Replicates sum;
     for (int i = 0; i < replicates; ++i) {
         const std::string part =

@@ -23,6 +23,7 @@ struct ReferencePicture {
     std::optional<IntegratorKind> integrator;
     std::vector<uint32_t> seeds;       ///< empty: not known
     double renderSeconds = 0.0;        ///< of all replicates; 0: not known
+    double timeLimitSeconds = 0.0;     ///< what it was allowed to take; 0: not known
     uint64_t passes = 0;               ///< of all replicates; 0: not known
     std::string endedBy;               ///< "precision" or "time", of makeReference(); empty: not known
     bool cached = false;               ///< made by an earlier run
@@ -68,7 +69,8 @@ Result<std::optional<ReferencePicture>> makeReference(const ReferencePlan& plan,
 
 /// Float R, G, B, standardError.R/G/B, and .Y of the luminance with the channels' errors taken as one; and as
 /// attributes what `glint render` writes and referenceMethod, referenceSeeds, referenceSeconds,
-/// referencePasses, referenceEndedBy, referenceStandardError and referenceRelativeError. `settings` made it.
+/// referenceTimeLimit, referencePasses, referenceEndedBy, referenceStandardError and referenceRelativeError.
+/// `settings` made it.
 Status saveReference(const std::string& path, const ReferencePicture& reference, SceneDescription scene,
                      const VariantSettings& settings);
 

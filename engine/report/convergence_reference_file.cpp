@@ -132,6 +132,7 @@ void readMetadata(const Attributes& a, ReferencePicture* out) {
     out->method = method.empty() ? out->method : method;
     out->seeds = seedsOf(a);
     out->endedBy = attribute(a, "referenceEndedBy");
+    out->timeLimitSeconds = numberOr(attribute(a, "referenceTimeLimit"), 0.0);
     out->renderSeconds =
         numberOr(attribute(a, "referenceSeconds"), numberOr(attribute(a, "renderSeconds"), 0.0));
     out->passes = numberOr(attribute(a, "referencePasses"), numberOr(attribute(a, "passes"), uint64_t{0}));
@@ -154,6 +155,7 @@ Attributes attributesOf(const ReferencePicture& reference, const SceneDescriptio
                    {"referenceMethod", reference.method},
                    {"referenceSeeds", fmt::format("{}", fmt::join(reference.seeds, " "))},
                    {"referenceSeconds", fmt::to_string(reference.renderSeconds)},
+                   {"referenceTimeLimit", fmt::to_string(reference.timeLimitSeconds)},
                    {"referencePasses", fmt::to_string(reference.passes)},
                    {"referenceEndedBy", reference.endedBy},
                    {"referenceStandardError", fmt::to_string(reference.rmse())},

@@ -90,13 +90,13 @@ TEST(Mailbox, PausingStopsOnlyPassesThatAgree) {
     mailbox.change([](Wishes& wishes) { wishes.paused = true; });
     EXPECT_FALSE(mailbox.stopFlag());
     mailbox.endPass();
-    mailbox.beginPass({.stopsOnPause = true});
+    mailbox.beginPass({.mayWait = true});
     EXPECT_TRUE(mailbox.stopFlag());
 }
 
 TEST(Mailbox, LimitsAndCapturesStopNothing) {
     Mailbox mailbox;
-    mailbox.beginPass({.stopsOnPause = true});
+    mailbox.beginPass({.mayWait = true});
     mailbox.change([](Wishes& wishes) { wishes.limits.passes = 3; });
     mailbox.postCapture({});
     EXPECT_FALSE(mailbox.stopFlag());

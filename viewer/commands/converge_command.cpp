@@ -210,12 +210,11 @@ class ConvergeRun {
             return Error{fmt::format("{}; expected another folder, or --overwrite", old.error().format()),
                          {}};
         }
-        constexpr double kAsLong = 0.95;
         const bool same = old->method == wanted.variant.text && old->knowsItsError();
-        const bool enough = old->renderSeconds >= kAsLong * wanted.renderSeconds;
+        const bool enough = old->timeLimitSeconds >= wanted.renderSeconds;
         if (!same || !enough) {
-            fmt::print(stderr, "{} is replaced: made by {} in {:.3g} s\n", folder_.reference(),
-                       old->method.empty() ? "something else" : old->method, old->renderSeconds);
+            fmt::print(stderr, "{} is replaced: made by {} with a limit of {:.3g} s\n", folder_.reference(),
+                       old->method.empty() ? "something else" : old->method, old->timeLimitSeconds);
             return false;
         }
         fmt::print(stderr, "{} is used again ({:.3g} s by {})\n", folder_.reference(), old->renderSeconds,
