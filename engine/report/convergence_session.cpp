@@ -50,6 +50,10 @@ Result<std::unique_ptr<MeasuredSession>> MeasuredSession::start(const SceneDescr
 }
 
 MeasuredSession::Outcome MeasuredSession::runTo(const StopLimits& limits, const std::string& progressPrefix) {
+    // Also here: work may come in pieces so small that none of them is waited for below.
+    if (host_.mustStop()) {
+        return Outcome::Interrupted;
+    }
     session_->setLimits(limits);
     if (!posted_) {
         session_->post({scene_, EditKind::Everything});
