@@ -71,8 +71,7 @@ void SessionWorker::runOnce(Mail mail) {
     showIfDue();  // what is there already, before a pass that may take long
     const NextPass kind = nextPass(wishes_);
     if (kind != NextPass::None) {
-        status_.state = SessionState::Rendering;
-        bulletin_->set(status_, ticket_);
+        setStatus();
         runPass(kind);
     }
     serveCaptures();

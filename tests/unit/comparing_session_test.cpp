@@ -62,6 +62,10 @@ TEST(ComparingSession, ASwitchShowsBothKeptPicturesBeforeAnyFurtherPass) {
         return main && other && main->integrator == IntegratorKind::Sppm &&
                other->integrator == IntegratorKind::PathTracing && other->generation == main->generation;
     }));
+    EXPECT_TRUE(Bench::waitFor([&] {
+        const SessionStatus status = bench.session.status();
+        return status.integrator == IntegratorKind::Sppm && status.passes == bench.session.snapshot()->passes;
+    })) << "its figures come with it";
     EXPECT_EQ(bench.control->passes, passes);
 }
 
