@@ -350,6 +350,16 @@ TEST_F(CommandLine, InfoTellsWhatPhotonMappingNeedsAndWhereItGainsNothing) {
     EXPECT_LE(report["sppm"]["bytes_per_stored_photon"].get<int>(), 48);
 }
 
+TEST_F(CommandLine, InfoTellsThatInfinitePlanesSendNoPhotons) {
+    const auto scene = [&](const char* shape) {
+        return folder.write(std::string(shape) + ".json",
+                            std::string(R"({"glint": 1, "objects": [{"type": ")") + shape +
+                                R"(", "material": {"type": "diffuse", "emission": 1}}]})");
+    };
+    EXPECT_TRUE(says(runProgram({"info", scene("plane")}).out, "send no photons"));
+    EXPECT_EQ(runProgram({"info", scene("disc")}).out.find("send no photons"), std::string::npos);
+}
+
 TEST_F(CommandLine, ReplayPrintsThePathOfOnePixel) {
     const ProgramRun run =
         runProgram({"render", kCornell, "--size", "32x32", "--pixel", "16,20", "--pass", "5"});

@@ -51,6 +51,11 @@ void printPhotons(const SceneDescription& scene, const SceneReport& report) {
             "           gains nothing here: no mirror, glass, metal or coating gathers light into "
             "caustics\n");
     }
+    if (report.hasGlowingPlane) {
+        fmt::print(
+            "           infinite planes that shine send no photons: what they light only by way of other "
+            "surfaces stays dark; a large rectangle does it\n");
+    }
 }
 
 void printReport(const SceneDescription& scene, const SceneReport& report) {
@@ -113,7 +118,8 @@ nlohmann::ordered_json jsonReport(const SceneDescription& scene, const SceneRepo
               {"bytes_per_pixel", kSppmBytesPerPixel},
               {"bytes_per_stored_photon", PhotonStore::kBytesPerPhoton},
               {"total_bytes", report.sppm.total()},
-              {"has_caustic_caster", report.hasCausticCaster}}},
+              {"has_caustic_caster", report.hasCausticCaster},
+              {"has_glowing_plane", report.hasGlowingPlane}}},
             {"memory_bytes", usedByPart(report.memory)},
             {"memory_total_bytes", report.memory.used},
             {"memory", memoryJson(report.memory)},

@@ -143,6 +143,11 @@ SceneReport reportOf(const SceneDescription& scene, const BuiltScene& built) {
     report.sppmKernel = chooseSppmVariant(built.features).name;
     report.sppm = planSppmMemory(scene);
     report.hasCausticCaster = (built.features & kCasters) != 0;
+    report.hasGlowingPlane =
+        std::any_of(scene.objects.begin(), scene.objects.end(), [&](const Object& object) {
+            return object.shape == ShapeKind::Plane && object.material >= 0 &&
+                   scene.materials[static_cast<size_t>(object.material)].emissive();
+        });
     listWhatIsLeftOut(variant.mask, scene, built, &report);
     report.memory = memoryTableOf(scene, built);
     return report;
