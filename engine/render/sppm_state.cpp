@@ -32,27 +32,6 @@ double SppmState::photonStandardError(size_t index) const {
     return std::sqrt(static_cast<double>(pixels[index].passM2) / (n - 1.0) / n);
 }
 
-double SppmState::relativeErrorEstimate(const Film& film) const {
-    if (film.passes() < 2 || passes < 2) {
-        return std::numeric_limits<double>::infinity();
-    }
-    double squaredErrors = 0.0;
-    double sum = 0.0;
-    for (size_t i = 0; i < pixels.size(); ++i) {
-        const FilmPixel& direct = film.pixels()[i];
-        const double ownError = direct.count > 1 ? film.standardError(direct) : 0.0;
-        const double photonError = photonStandardError(i);
-        squaredErrors += ownError * ownError + photonError * photonError;
-        sum += 0.2126 * direct.mean[0] + 0.7152 * direct.mean[1] + 0.0722 * direct.mean[2] +
-               static_cast<double>(luminance(photonRadiance(i)));
-    }
-    if (squaredErrors == 0.0) {
-        return 0.0;
-    }
-    const double count = static_cast<double>(pixels.size());
-    return std::sqrt(squaredErrors / count) / (sum / count);
-}
-
 SppmMemory planSppmMemory(const SceneDescription& scene) {
     return planSppmMemory(scene.resolution.width, scene.resolution.height, scene.sppm.photonsPerPass,
                           kExpectedStores, size_t{scene.sppm.memoryBudgetMiB} << 20);

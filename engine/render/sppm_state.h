@@ -32,10 +32,6 @@ struct SppmState {
     /// estimates. Infinite with fewer than two passes.
     double photonStandardError(size_t index) const;
 
-    /// Film::relativeErrorEstimate of both parts together: the film's own light and the photons'. Their
-    /// errors are taken as independent; the bias of the finite radius is not in it.
-    double relativeErrorEstimate(const Film& film) const;
-
     size_t bytes() const { return pixels.capacity() * sizeof(SppmPixel); }
     /// What the statistics of a picture of this size allocate.
     static size_t bytesFor(int width, int height) {

@@ -7,31 +7,17 @@
 
 #include <bit>
 
-#include "cuda/cuda_backend.h"
 #include "cuda/cuda_variant.h"
-#include "engine/build/scene_builder.h"
 #include "engine/render/cpu_variants.h"
 #include "engine/render/pass_params.h"
-#include "tests/support/host_device.h"
+#include "tests/support/host_cuda.h"
 #include "tests/support/test_scenes.h"
 
 namespace glint {
 namespace {
 
-using test::HostDevice;
-using test::HostDeviceControl;
-
-std::shared_ptr<const BuiltScene> build(const SceneDescription& description) {
-    const SceneEdit edit{std::make_shared<SceneDescription>(description), EditKind::Everything};
-    auto scene = buildScene(edit, nullptr, 0, nullptr, nullptr);
-    EXPECT_TRUE(scene) << scene.error().message;
-    return *scene;
-}
-
-struct TestBackend {
-    std::shared_ptr<HostDeviceControl> control = std::make_shared<HostDeviceControl>();
-    std::unique_ptr<Backend> backend = makeCudaBackend(std::make_unique<HostDevice>(control));
-};
+using test::build;
+using test::HostCuda;
 
 /// Bits, so that NaN equals itself and -0 does not equal 0.
 auto bitsOf(const Vec3& v) {
@@ -74,7 +60,7 @@ TEST_P(CudaScenes, SamplesEqualTheCpusBitForBit) {
     const bool independent = params.sampler == SamplerTag::Independent;
     const FeatureMask mask =
         chooseCudaVariant(scene->features | (independent ? FeatureMask{kFeatureIndependentSampler} : 0)).mask;
-    TestBackend cuda;
+    HostCuda cuda;
     ASSERT_TRUE(cuda.backend->setScene(scene));
 
     const std::atomic<bool> stop{false};
@@ -106,7 +92,7 @@ TEST(CudaBackend, TheTestScenesNeedEveryFeature) {
 }
 
 TEST(CudaBackend, TheSmallestVariantRuns) {
-    TestBackend cuda;
+    HostCuda cuda;
     const std::atomic<bool> stop{false};
     std::vector<PixelSample> out;
     const SceneDescription cornell = test::cornellBox();
@@ -132,7 +118,7 @@ TEST(CudaBackend, EveryVariantHoldsTheOneBefore) {
 }
 
 TEST(CudaBackend, AStopDiscardsThePassAfterTheLaunchInFlight) {
-    TestBackend cuda;
+    HostCuda cuda;
     SceneDescription description = test::darkness();
     description.resolution = {512, 512};
     ASSERT_TRUE(cuda.backend->setScene(build(description)));
@@ -147,7 +133,7 @@ TEST(CudaBackend, AStopDiscardsThePassAfterTheLaunchInFlight) {
 }
 
 TEST(CudaBackend, AFailedLaunchIsAnErrorAndTheNextPassMayWork) {
-    TestBackend cuda;
+    HostCuda cuda;
     const SceneDescription description = test::cornellBox();
     const std::atomic<bool> stop{false};
     std::vector<PixelSample> out;
@@ -161,7 +147,7 @@ TEST(CudaBackend, AFailedLaunchIsAnErrorAndTheNextPassMayWork) {
 }
 
 TEST(CudaBackend, APictureThatDoesNotFitIsAnErrorBeforeItIsTaken) {
-    TestBackend cuda;
+    HostCuda cuda;
     SceneDescription description = test::cornellBox();
     description.resolution = {1024, 1024};
     ASSERT_TRUE(cuda.backend->setScene(build(description)));
@@ -176,7 +162,7 @@ TEST(CudaBackend, APictureThatDoesNotFitIsAnErrorBeforeItIsTaken) {
 }
 
 TEST(CudaBackend, GivesAllMemoryBack) {
-    TestBackend cuda;
+    HostCuda cuda;
     const SceneDescription description = test::meshInstances();
     const std::atomic<bool> stop{false};
     std::vector<PixelSample> out;

@@ -8,36 +8,22 @@
 
 #include <cstring>
 
-#include "cuda/cuda_backend.h"
 #include "cuda/sppm_variant.h"
-#include "engine/build/scene_builder.h"
 #include "engine/render/checkpoint.h"
 #include "engine/render/pass_params.h"
 #include "engine/render/photon_store.h"
 #include "engine/render/render_session.h"
-#include "tests/support/host_device.h"
+#include "tests/support/host_cuda.h"
 #include "tests/support/temp_folder.h"
 #include "tests/support/test_scenes.h"
 
 namespace glint {
 namespace {
 
-using test::HostDevice;
-using test::HostDeviceControl;
+using test::build;
+using test::HostCuda;
 using test::ThreadOrder;
 using testing::HasSubstr;
-
-std::shared_ptr<const BuiltScene> build(const SceneDescription& description) {
-    const SceneEdit edit{std::make_shared<SceneDescription>(description), EditKind::Everything};
-    auto scene = buildScene(edit, nullptr, 0, nullptr, nullptr);
-    EXPECT_TRUE(scene) << scene.error().message;
-    return *scene;
-}
-
-struct TestBackend {
-    std::shared_ptr<HostDeviceControl> control = std::make_shared<HostDeviceControl>();
-    std::unique_ptr<Backend> backend = makeCudaBackend(std::make_unique<HostDevice>(control));
-};
 
 /// A Cornell box with a glass sphere, so that photons do what paths cannot.
 SceneDescription glassBox() {
@@ -135,7 +121,7 @@ TEST_P(CudaSppmScenes, StatisticsEqualTheCpusBitForBit) {
     for (const bool sampleDirectLight : {true, false}) {
         description.sppm.sampleDirectLight = sampleDirectLight;
         const SppmParams params = sppmParamsOf(description);
-        TestBackend cuda;
+        HostCuda cuda;
         ASSERT_TRUE(cuda.backend->setScene(scene));
         const Photons photons = render(*cuda.backend, params, 2);
         expectSame(photons, renderOnCpu(scene, params, 2));
@@ -175,7 +161,7 @@ TEST_P(CudaSppmSettings, StatisticsEqualTheCpusBitForBit) {
     params.radiusFootprints = settings.radiusFootprints;
     params.alpha = settings.alpha;
     params.pass.maxDepth = settings.maxDepth;
-    TestBackend cuda;
+    HostCuda cuda;
     ASSERT_TRUE(cuda.backend->setScene(scene));
     expectSame(render(*cuda.backend, params, 3), renderOnCpu(scene, params, 3));
 }
@@ -209,7 +195,7 @@ TEST(CudaSppm, TheOrderOfThreadsDoesNotMatter) {
         const Photons expected = renderOnCpu(scene, params, 2);
         for (const ThreadOrder order : {ThreadOrder::Forwards, ThreadOrder::Backwards, ThreadOrder::AtOnce}) {
             for (const bool sortIntoOther : {false, true}) {
-                TestBackend cuda;
+                HostCuda cuda;
                 cuda.control->order = order;
                 cuda.control->sortIntoOther = sortIntoOther;
                 ASSERT_TRUE(cuda.backend->setScene(scene));
@@ -223,7 +209,7 @@ TEST(CudaSppm, APassWithMorePhotonsThanRoomIsTracedAgain) {
     const SceneDescription description = whiteRoom();
     const auto scene = build(description);
     const SppmParams params = sppmParamsOf(description);
-    TestBackend cuda;
+    HostCuda cuda;
     ASSERT_TRUE(cuda.backend->setScene(scene));
     const Photons first = render(*cuda.backend, params, 1);
     EXPECT_EQ(cuda.control->threadsOf["photons"], 2u * params.photonsPerPass) << "the scene needs more room";
@@ -239,7 +225,7 @@ TEST(CudaSppm, AStopAtAnyStageLeavesTheStatisticsAlone) {
     const SppmParams params = sppmParamsOf(description);
     const Photons expected = renderOnCpu(scene, params, 3);
     for (const char* const step : {"camera", "photons", "gather"}) {
-        TestBackend cuda;
+        HostCuda cuda;
         ASSERT_TRUE(cuda.backend->setScene(scene));
         Photons photons = render(*cuda.backend, params, 2);
         const SppmState before = photons.state;
@@ -274,7 +260,7 @@ TEST(CudaSppm, AFailureOfAnyLaunchLeavesTheStatisticsAlone) {
     const SceneDescription description = glassBox();
     const auto scene = build(description);
     SppmParams params = sppmParamsOf(description);
-    TestBackend cuda;
+    HostCuda cuda;
     ASSERT_TRUE(cuda.backend->setScene(scene));
     Photons photons = render(*cuda.backend, params, 1);
     const SppmState before = photons.state;
@@ -301,7 +287,7 @@ TEST(CudaSppm, GoesOnFromTheCpusStatisticsAndBack) {
     const SppmParams params = sppmParamsOf(description);
     const auto cpu = makeCpuBackend(2);
     ASSERT_TRUE(cpu->setScene(scene));
-    TestBackend cuda;
+    HostCuda cuda;
     ASSERT_TRUE(cuda.backend->setScene(scene));
     Photons photons = render(*cpu, params, 2);
     renderPasses(*cuda.backend, params, 2, &photons);
@@ -335,11 +321,11 @@ TEST(CudaSppm, ASessionResumedFromACheckpointEqualsTheCpusWithoutABreak) {
     const SessionCapture whole = renderSession(makeCpuBackend(2), scene, 4);
     const test::TempFolder folder;
     const std::string path = folder.path("half.checkpoint");
-    TestBackend first;
+    HostCuda first;
     ASSERT_TRUE(saveCheckpoint(path, renderSession(std::move(first.backend), scene, 2)));
     Result<ResumePoint> loaded = loadCheckpoint(path, scene);
     ASSERT_TRUE(loaded) << loaded.error().format();
-    TestBackend second;
+    HostCuda second;
     const SessionCapture resumed = renderSession(std::move(second.backend), scene, 4, std::move(*loaded));
     EXPECT_EQ(resumed.sppm.passes, 4u);
     EXPECT_EQ(differingPixels(resumed.sppm, whole.sppm), 0u);
@@ -351,7 +337,7 @@ TEST(CudaSppm, ASwitchOfIntegratorsAndBackLosesNothing) {
     SceneDescription scene = glassBox();
     scene.options.integrator = IntegratorKind::Sppm;
     const SessionCapture whole = renderSession(makeCpuBackend(2), scene, 4);
-    TestBackend cuda;
+    HostCuda cuda;
     RenderSession session(std::move(cuda.backend), {.previews = false, .snapshots = false, .threads = 2});
     const auto renderTo = [&](IntegratorKind integrator, uint32_t passes, EditKind kinds) {
         scene.options.integrator = integrator;
@@ -369,7 +355,7 @@ TEST(CudaSppm, ASwitchOfIntegratorsAndBackLosesNothing) {
 }
 
 TEST(CudaSppm, TheSmallestVariantRuns) {
-    TestBackend cuda;
+    HostCuda cuda;
     const SceneDescription box = glassBox();
     ASSERT_TRUE(cuda.backend->setScene(build(box)));
     SppmParams params = sppmParamsOf(box);
@@ -395,7 +381,7 @@ TEST(CudaSppm, EveryVariantHoldsTheOneBefore) {
 }
 
 TEST(CudaSppm, TheTreeIsRefusedByName) {
-    TestBackend cuda;
+    HostCuda cuda;
     SceneDescription description = glassBox();
     description.sppm.lookup = PhotonLookupKind::Tree;
     ASSERT_TRUE(cuda.backend->setScene(build(description)));
@@ -411,7 +397,7 @@ TEST(CudaSppm, TheTreeIsRefusedByName) {
 
 struct MemoryTest : testing::Test {
     SceneDescription description = glassBox();
-    TestBackend cuda;
+    HostCuda cuda;
     std::atomic<bool> stop{false};
     Photons photons{SppmState(200, 150)};
     SppmParams params;
@@ -432,7 +418,7 @@ struct MemoryTest : testing::Test {
 
 TEST_F(MemoryTest, PathTracingAloneTakesNothingForPhotons) {
     const size_t pixels = photons.state.pixels.size();
-    TestBackend paths;
+    HostCuda paths;
     ASSERT_TRUE(paths.backend->setScene(build(description)));
     const size_t scene = paths.control->taken();
     std::vector<PixelSample> out;
@@ -473,7 +459,7 @@ TEST_F(MemoryTest, AFailedAllocationIsAnErrorAndTheNextPassMayWork) {
     int failures = 0;
     for (int failing = 0;; ++failing) {
         ASSERT_LT(failing, 100);
-        TestBackend fresh;
+        HostCuda fresh;
         ASSERT_TRUE(fresh.backend->setScene(build(description)));
         Photons own{SppmState(200, 150)};
         params.pass.pass = 0;
@@ -510,7 +496,7 @@ TEST_F(MemoryTest, ARetraceThatDoesNotFitIsAnErrorAndLessPhotonsWork) {
 
 TEST_F(MemoryTest, AGridThatDoesNotFitIsAnError) {
     // The first pass takes all but the tables.
-    TestBackend probe;
+    HostCuda probe;
     ASSERT_TRUE(probe.backend->setScene(build(description)));
     std::optional<size_t> beforeTables;
     probe.control->onLaunch = [&] {
@@ -541,7 +527,7 @@ TEST_F(MemoryTest, MorePhotonsThanAnyStoreHoldsIsAnErrorOnBoth) {
 TEST_F(MemoryTest, ASceneThatNeedsTheMemoryGetsIt) {
     ASSERT_TRUE(renderPass());
     const auto meshes = build(test::meshInstances());
-    TestBackend alone;
+    HostCuda alone;
     ASSERT_TRUE(alone.backend->setScene(meshes));
     const size_t pictureBytes = photons.state.pixels.size() * sizeof(PixelSample);
     cuda.control->memoryBytes = alone.control->taken() + pictureBytes;

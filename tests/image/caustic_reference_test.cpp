@@ -20,7 +20,7 @@ constexpr int kSize = 32;
 constexpr int kBlock = 4;
 constexpr int kAcross = kSize / kBlock;
 constexpr int kSeeds = 12;
-constexpr double kStudentQuantile = 7.3;  // t(11) at 7.8e-6 above is 7.2
+constexpr double kStudentQuantile = 7.3;  // t(11) at 7.7e-6 above
 /// Blocks at the lamp's edges, seen or mirrored, stay noisy; most others, and the caustic's, must be known so
 /// well.
 constexpr double kSharp = 0.02;

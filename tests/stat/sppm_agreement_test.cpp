@@ -10,6 +10,7 @@
 
 #include "tests/support/render_scene.h"
 #include "tests/support/sppm_render.h"
+#include "tests/support/sppm_scenes.h"
 #include "tests/support/statistics.h"
 #include "tests/support/test_scenes.h"
 
@@ -20,29 +21,6 @@ constexpr int kSeeds = 12;
 constexpr double kStudentQuantile = 6.3;  // t(11) at 2.9e-5 above
 constexpr int kBlocks = 4;                // an axis
 constexpr int kBlockPixels = 8;
-
-SceneDescription small(SceneDescription scene) {
-    scene.resolution = {32, 32};
-    scene.options.maxDepth = 8;
-    return scene;
-}
-
-/// A box of diffuse walls with a lamp, and a ball of rough glass in it.
-SceneDescription roughGlassBox() {
-    SceneDescription scene = small(cornellBox());
-    Material glass;
-    glass.name = "rough glass";
-    glass.kind = MaterialKind::Dielectric;
-    glass.color.value = Vec3(1.0f);
-    glass.roughness = 0.3f;
-    scene.materials.push_back(glass);
-    for (Object& object : scene.objects) {
-        if (object.shape == ShapeKind::Sphere) {
-            object.material = static_cast<int>(scene.materials.size()) - 1;
-        }
-    }
-    return scene;
-}
 
 SppmParams paramsFor(bool sampleDirectLight) {
     SppmParams params;

@@ -9,33 +9,11 @@
 #include "engine/kernels/sppm_gather_kernel.h"
 #include "tests/support/render_scene.h"
 #include "tests/support/sppm_render.h"
+#include "tests/support/sppm_scenes.h"
 #include "tests/support/test_scenes.h"
 
 namespace glint::test {
 namespace {
-
-SceneDescription small(SceneDescription scene) {
-    scene.resolution = {32, 32};
-    scene.options.maxDepth = 8;
-    return scene;
-}
-
-/// A box of diffuse walls with a lamp, and a ball of rough glass in it.
-SceneDescription roughGlassBox() {
-    SceneDescription scene = small(cornellBox());
-    Material glass;
-    glass.name = "rough glass";
-    glass.kind = MaterialKind::Dielectric;
-    glass.color.value = Vec3(1.0f);
-    glass.roughness = 0.3f;
-    scene.materials.push_back(glass);
-    for (Object& object : scene.objects) {
-        if (object.shape == ShapeKind::Sphere) {
-            object.material = static_cast<int>(scene.materials.size()) - 1;
-        }
-    }
-    return scene;
-}
 
 SppmParams quickParams() {
     SppmParams params;

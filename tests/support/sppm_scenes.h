@@ -1,0 +1,14 @@
+// Small scenes for tests of photon mapping.
+#pragma once
+
+#include "engine/scene/scene.h"
+
+namespace glint::test {
+
+/// The scene at 32x32 pixels with at most eight scattering events.
+SceneDescription small(SceneDescription scene);
+
+/// A box of diffuse walls with a lamp, and a ball of rough glass in it; small.
+SceneDescription roughGlassBox();
+
+}  // namespace glint::test
