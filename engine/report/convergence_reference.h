@@ -5,6 +5,7 @@
 // only their spread is an honest error bar for low-discrepancy points and for photons alike.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,6 +47,11 @@ struct ReferencePicture {
 /// (unless `anyScene`, which makes it a remark) made of another scene or with settings that change the
 /// expectation.
 Result<ReferencePicture> loadReference(const std::string& path, const SceneDescription& scene, bool anyScene);
+
+/// What keeps a picture that says so much about itself (the attributes of its EXR file) from being a
+/// reference of `scene`: "" when nothing does. Without a "sceneHash" there is nothing to go by: ask for that
+/// first.
+std::string referenceDifference(const std::map<std::string, std::string>& attributes, SceneDescription scene);
 
 struct ReferencePlan {
     ConvergenceVariant variant;

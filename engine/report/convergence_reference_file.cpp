@@ -57,22 +57,6 @@ void takeNoiseSettings(const Attributes& a, SceneDescription* scene) {
     sppm.lookup = is("lookup", "tree") ? PhotonLookupKind::Tree : PhotonLookupKind::Grid;
 }
 
-/// What keeps the file from being a reference of this scene; empty: nothing.
-std::string difference(const Attributes& attributes, SceneDescription scene) {
-    const std::vector<Setting> own = renderSettings(scene);
-    for (const char* name : {"maxDepth", "filter", "filterRadius"}) {
-        const std::string theirs = attribute(attributes, std::string("setting.") + name);
-        for (const Setting& setting : own) {
-            if (setting.name == name && setting.value != theirs) {
-                return fmt::format("it was rendered with {} {}, and this scene has {}", name, theirs,
-                                   setting.value);
-            }
-        }
-    }
-    takeNoiseSettings(attributes, &scene);
-    return sceneHash(scene).hex() == attribute(attributes, "sceneHash") ? "" : "it shows another scene";
-}
-
 Error inFile(const std::string& path, std::string problem) { return {std::move(problem), {.file = path}}; }
 
 bool hasSize(const ExrChannel* channel, size_t pixels) {
@@ -168,6 +152,21 @@ Attributes attributesOf(const ReferencePicture& reference, const SceneDescriptio
 
 }  // namespace
 
+std::string referenceDifference(const Attributes& attributes, SceneDescription scene) {
+    const std::vector<Setting> own = renderSettings(scene);
+    for (const char* name : {"maxDepth", "filter", "filterRadius"}) {
+        const std::string theirs = attribute(attributes, std::string("setting.") + name);
+        for (const Setting& setting : own) {
+            if (setting.name == name && setting.value != theirs) {
+                return fmt::format("it was rendered with {} {}, and this scene has {}", name, theirs,
+                                   setting.value);
+            }
+        }
+    }
+    takeNoiseSettings(attributes, &scene);
+    return sceneHash(scene).hex() == attribute(attributes, "sceneHash") ? "" : "it shows another scene";
+}
+
 Result<ReferencePicture> loadReference(const std::string& path, const SceneDescription& scene,
                                        bool anyScene) {
     const Result<ExrPicture> exr = loadExr(path);
@@ -189,7 +188,7 @@ Result<ReferencePicture> loadReference(const std::string& path, const SceneDescr
     }
     if (attribute(exr->attributes, "sceneHash").empty()) {
         out.remarks.push_back("The reference does not say which scene it shows: nothing vouches for it.");
-    } else if (const std::string problem = difference(exr->attributes, scene); !problem.empty()) {
+    } else if (const std::string problem = referenceDifference(exr->attributes, scene); !problem.empty()) {
         if (!anyScene) {
             return inFile(
                 path, fmt::format("not a reference of this scene: {}; --any-reference compares all the same",

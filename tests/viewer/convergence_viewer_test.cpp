@@ -201,6 +201,57 @@ expect widget "Convergence/In use"
     EXPECT_THAT(ran.output, HasSubstr("missing.exr"));
 }
 
+TEST(ConvergenceViewer, AReferenceOfAnotherViewIsNotMeasuredAgainst) {
+    makeReference("view.exr", 2);
+    const Ran ran = play(R"(
+drop "view.exr"
+wait jobs
+wait passes 4
+wait jobs
+set "Shown" "Error against reference"
+wait picture
+wait frames 3
+expect no-widget "Convergence/Mismatch"
+print "Convergence/Path tracing"
+drag 500 300 560 320
+wait passes 4
+wait frames 3
+print "Convergence/Mismatch"
+print "Convergence/Path tracing"
+expect no-widget "Scale"
+print "Note"
+key home
+wait passes 4
+wait jobs
+wait frames 3
+expect no-widget "Convergence/Mismatch"
+expect widget "Scale"
+set "Measured as" MAPE
+open "Picture"
+wait frames 2
+set "Seed" 5
+set "Max depth" 3
+wait passes 4
+wait frames 3
+print "Convergence/Mismatch"
+set "Use anyway" on
+wait passes 6
+wait jobs
+wait frames 3
+print "Convergence/Path tracing"
+)");
+    expectPlayed(ran);
+    EXPECT_THAT(
+        printed(ran, "Convergence/Mismatch"),
+        testing::ElementsAre(HasSubstr("the camera has changed"), HasSubstr("the max depth has changed")));
+    EXPECT_THAT(printed(ran, "Note"), testing::ElementsAre(HasSubstr("No reference that fits")));
+    const auto errors = printed(ran, "Convergence/Path tracing");
+    ASSERT_EQ(errors.size(), 3u) << ran.output;
+    EXPECT_THAT(errors[0], HasSubstr("passes"));
+    EXPECT_THAT(errors[1], HasSubstr("–")) << "the estimate with its band";
+    EXPECT_THAT(errors[2], HasSubstr("passes"));
+}
+
 TEST(ConvergenceViewer, ADroppedSceneIsOpened) {
     std::string other = kScene;
     other.replace(other.find("[64, 48]"), 8, "[32, 16]");

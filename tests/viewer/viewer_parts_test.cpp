@@ -1,8 +1,10 @@
 // The viewer's parts that draw nothing: which edit a change is, camera moves, and what scripts may say.
 #include <cmath>
+#include <cstdio>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "viewer/window/camera_controller.h"
 #include "viewer/window/scene_diff.h"
@@ -141,6 +143,16 @@ TEST(Script, ErrorsNameTheirPlace) {
         ASSERT_FALSE(script) << c.text;
         EXPECT_THAT(script.error().format(), testing::StartsWith(c.beginning)) << c.text;
         EXPECT_THAT(script.error().format(), testing::HasSubstr(c.part)) << c.text;
+    }
+}
+
+TEST(Script, AFileThatIsNoneIsRefusedAtOnce) {
+    std::remove("script.pipe");
+    ASSERT_EQ(mkfifo("script.pipe", 0600), 0);
+    for (const char* name : {"script.pipe", ".", "no-such-script.txt"}) {
+        const auto script = loadScript(name);
+        ASSERT_FALSE(script) << name;
+        EXPECT_THAT(script.error().format(), testing::StartsWith(std::string(name) + ": "));
     }
 }
 

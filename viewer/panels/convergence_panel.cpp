@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -24,10 +25,7 @@ constexpr std::array<const char*, 2> kForecastNames{"PT to target", "SPPM to tar
 // Orange and sky blue: told apart with any common colour blindness (Okabe and Ito 2002).
 const std::array<Vec3, 2> kColors{Vec3(0.902f, 0.624f, 0.0f), Vec3(0.337f, 0.706f, 0.914f)};
 
-bool hasReference(const ViewerModel& model) {
-    const Resolution& size = model.draft().resolution;
-    return model.reference.picture() && model.reference.mismatch(size.width, size.height).empty();
-}
+bool hasReference(const ViewerModel& model) { return model.usableReference() != nullptr; }
 
 double targetOf(const ViewerModel& model) {
     return model.limits.relativeError > 0.0 ? model.limits.relativeError : model.convergence.targetError;
@@ -56,6 +54,7 @@ LogLogPlot plotOf(const ViewerModel& model) {
     for (size_t kind = 0; kind < kBoth.size(); ++kind)
         plot.curves.push_back(reference ? referenceOf(model, kind) : estimateOf(model, kind));
     plot.yTitle = reference ? "error, %" : "estimated error, %";
+    if (model.reference.picture() && !reference) plot.warning = "the reference does not fit: see below";
     plot.nothing = reference ? "measuring…" : "from the second pass on";
     if (!reference || model.convergence.metric != ReferenceMetric::RmseOverMean) return plot;
     for (size_t kind = 0; kind < kBoth.size(); ++kind) {
@@ -182,9 +181,27 @@ void warn(const char* label, const std::string& text) {
     ui::itemArea(label, text);
 }
 
+/// Why nothing can be measured against the reference, or why that is doubtful.
+std::string whyUnfit(const ViewerModel& model) {
+    const Resolution& size = model.draft().resolution;
+    const std::string mismatch = model.reference.mismatch(size.width, size.height);
+    const ReferenceFit& fit = model.referenceFit;
+    if (!mismatch.empty() || fit.fits()) return mismatch;
+    if (fit.checking()) return "Checking whether the reference shows this scene…";
+    return fmt::format(
+        "The reference does not fit: {}. {}", fit.difference(),
+        fit.useAnyway ? "The errors are measured all the same." : "Until it does, the error is estimated.");
+}
+
+void drawOwnError(const LoadedReference& reference) {
+    const auto found = reference.attributes.find("referenceRelativeError");
+    if (found == reference.attributes.end()) return;
+    ui::value("Its own error", percent(std::strtod(found->second.c_str(), nullptr)),
+              "RMSE / mean of the reference itself. Errors close to it say little");
+}
+
 void drawReferenceState(const ViewerModel& model) {
     const ReferenceErrors& reference = model.reference;
-    const Resolution& size = model.draft().resolution;
     if (reference.loadError()) warn("Load error", reference.loadError()->format());
     if (!reference.picture()) {
         if (!reference.loading() && !reference.loadError())
@@ -192,13 +209,22 @@ void drawReferenceState(const ViewerModel& model) {
                 "Without a reference the error is estimated. Drop an EXR, HDR or PNG file on the window.");
         return;
     }
-    const std::string mismatch = reference.mismatch(size.width, size.height);
+    const std::string mismatch = whyUnfit(model);
     ui::value("In use",
               fmt::format("{} × {} px", reference.picture()->image.width, reference.picture()->image.height),
               reference.picture()->path.c_str());
     if (!mismatch.empty()) warn("Mismatch", mismatch);
+    drawOwnError(*reference.picture());
     if (reference.picture()->isEightBit)
         warn("Note", "An 8-bit reference knows no values above 1: lamps will seem wrong.");
+}
+
+/// It has the right size, and shows something else.
+bool isDoubtful(const ViewerModel& model) {
+    const Resolution& size = model.draft().resolution;
+    const ReferenceFit& fit = model.referenceFit;
+    return model.reference.picture() && model.reference.mismatch(size.width, size.height).empty() &&
+           !fit.fits() && !fit.checking();
 }
 
 void drawReference(ViewerModel* model) {
@@ -214,6 +240,9 @@ void drawReference(ViewerModel* model) {
     ImGui::SameLine();
     if (ui::button("Clear", half, "Back to the estimate")) model->reference.clear();
     drawReferenceState(*model);
+    if (isDoubtful(*model))
+        ui::toggle("Use anyway", &model->referenceFit.useAnyway,
+                   "Measures against it although it seems to show something else");
     int metric = static_cast<int>(model->convergence.metric);
     if (hasReference(*model) &&
         ui::choice(

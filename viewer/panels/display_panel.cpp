@@ -37,9 +37,7 @@ const char* missing(const ViewerModel& model) {
         return "Path tracing has no bias: choose SPPM as the integrator.";
     if (display.shown != ShownPicture::ReferenceError) return nullptr;
     if (!model.reference.picture()) return "Load a reference in the Convergence panel first.";
-    const Resolution& size = model.draft().resolution;
-    const bool isComparable = model.reference.mismatch(size.width, size.height).empty();
-    return isComparable ? nullptr : "The reference has another size than the picture.";
+    return model.usableReference() ? nullptr : "The reference does not fit: see the Convergence panel.";
 }
 constexpr std::array<std::string_view, 2> kSizes{"Fit the window", "1:1 pixels"};
 

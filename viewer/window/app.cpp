@@ -153,7 +153,7 @@ void App::drawFrame() {
     if (!held || seconds(now - lastEdit_) > kMotionEndSeconds) model_.finishMotion();
     ImGui::Render();
     const auto built = Clock::now();
-    const auto& reference = model_.reference.picture();
+    const auto reference = model_.usableReference();
     source_.show(model_.snapshot(), model_.display, reference, nullptr, display_.get());
     if (model_.display.split) {
         otherSource_.show(model_.otherSnapshot(), model_.display, reference, &source_, otherDisplay_.get());

@@ -162,6 +162,13 @@ void drawTarget(const Axes& axes, double target, ImDrawList* draw) {
         draw->AddLine({x, y}, {std::min(x + dash, axes.max.x), y}, kTargetColor, ui::scale());
 }
 
+/// In the plot's last line, up to `right`.
+void drawBelow(const std::string& text, ImU32 color, float right, float bottom, ImDrawList* draw) {
+    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    const float margin = kMarginUnits * ui::scale();
+    draw->AddText({right - width, bottom - ImGui::GetFontSize() - margin * 0.5f}, color, text.c_str());
+}
+
 /// One row above the axes: a line's piece and its name for each curve, and the titles.
 void drawTitles(const LogLogPlot& plot, const Axes& axes, Vec2 min, Vec2 max, ImDrawList* draw) {
     const float scale = ui::scale();
@@ -181,8 +188,7 @@ void drawTitles(const LogLogPlot& plot, const Axes& axes, Vec2 min, Vec2 max, Im
         draw->AddCircleFilled({right - 11.5f * scale, y}, 2.6f * scale, color);
         right -= 28.0f * scale;
     }
-    const float width = ImGui::CalcTextSize(plot.xTitle.c_str()).x;
-    draw->AddText({axes.max.x - width, max.y - line - margin * 0.5f}, dim, plot.xTitle.c_str());
+    if (plot.warning.empty()) drawBelow(plot.xTitle, dim, axes.max.x, max.y, draw);
 }
 
 PlotHover hoverOf(const LogLogPlot& plot, const Axes& axes) {
@@ -234,6 +240,7 @@ PlotHover drawLogLogPlot(const LogLogPlot& plot, Vec2 min, Vec2 max) {
     const float margin = kMarginUnits * scale;
     const float line = ImGui::GetFontSize();
     draw->AddRectFilled({min.x, min.y}, {max.x, max.y}, ImGui::GetColorU32(ImGuiCol_FrameBg), 3.0f * scale);
+    drawBelow(plot.warning, ImGui::GetColorU32(theme::kTextWarning), max.x - 2.0f * margin, max.y, draw);
     Axes axes;
     if (!findRanges(plot, &axes)) {
         const ImVec2 size = ImGui::CalcTextSize(plot.nothing.c_str());

@@ -35,6 +35,7 @@ struct LogLogPlot {
     std::string xTitle{};
     std::string yTitle{};
     std::string nothing{};  ///< shown while there is no point to draw
+    std::string warning{};  ///< shown below, in place of the horizontal axis' title
 };
 
 /// For each curve the point that is nearest to the mouse along x; nothing where the curve does not reach.

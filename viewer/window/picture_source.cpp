@@ -88,7 +88,7 @@ std::vector<float> signedColors(const std::vector<float>& values, float largest)
     return rgb;
 }
 
-std::vector<float> errorsAgainst(const ReferencePicture& reference, const FilmSnapshot& snapshot) {
+std::vector<float> errorsAgainst(const LoadedReference& reference, const FilmSnapshot& snapshot) {
     std::vector<float> errors(snapshot.radiance.size() / 3);
     for (size_t i = 0; i < errors.size(); ++i) errors[i] = errorAgainst(reference, snapshot, i);
     return errors;
@@ -115,7 +115,7 @@ std::vector<float> visiblePointColors(const std::vector<float>& radii) {
 
 }  // namespace
 
-ShownPicture pictureOf(const FilmSnapshot& snapshot, ShownPicture wanted, const ReferencePicture* reference) {
+ShownPicture pictureOf(const FilmSnapshot& snapshot, ShownPicture wanted, const LoadedReference* reference) {
     const bool isComparable = reference != nullptr && reference->image.width == snapshot.width &&
                               reference->image.height == snapshot.height;
     if (wanted == ShownPicture::ReferenceError && !isComparable) return ShownPicture::Radiance;
@@ -123,20 +123,22 @@ ShownPicture pictureOf(const FilmSnapshot& snapshot, ShownPicture wanted, const 
     return isOfSppm(wanted) && !isSppm ? ShownPicture::Radiance : wanted;
 }
 
-std::string instead(const FilmSnapshot& snapshot, ShownPicture wanted) {
+std::string instead(const FilmSnapshot& snapshot, ShownPicture wanted, const LoadedReference* reference) {
+    if (wanted == ShownPicture::ReferenceError && reference == nullptr)
+        return "No reference that fits: the radiance";
     if (!isOfSppm(wanted) || snapshot.integrator == IntegratorKind::Sppm) return "";
     return wanted == ShownPicture::Bias ? "Path tracing has no bias: its radiance"
                                         : "Path tracing has no photons: its radiance";
 }
 
-float errorAgainst(const ReferencePicture& reference, const FilmSnapshot& snapshot, size_t pixel) {
+float errorAgainst(const LoadedReference& reference, const FilmSnapshot& snapshot, size_t pixel) {
     const float* t = snapshot.radiance.data() + 3 * pixel;
     const float* r = reference.image.rgb.data() + 3 * pixel;
     return (std::fabs(t[0] - r[0]) + std::fabs(t[1] - r[1]) + std::fabs(t[2] - r[2])) / 3.0f;
 }
 
 std::vector<float> falseColors(const FilmSnapshot& snapshot, ShownPicture shown,
-                               const ReferencePicture* reference, MapScale* scale) {
+                               const LoadedReference* reference, MapScale* scale) {
     if (shown == ShownPicture::StandardError) return mapColors(snapshot.standardError, shown, scale);
     if (shown == ShownPicture::Bias) return mapColors(snapshot.bias, shown, scale);
     if (shown == ShownPicture::ErrorBound) return mapColors(snapshot.errorBound, shown, scale);
@@ -159,7 +161,7 @@ std::vector<float> falseColors(const FilmSnapshot& snapshot, ShownPicture shown,
 }
 
 void PictureSource::show(const std::shared_ptr<const FilmSnapshot>& snapshot, const DisplaySettings& settings,
-                         const std::shared_ptr<const ReferencePicture>& reference,
+                         const std::shared_ptr<const LoadedReference>& reference,
                          const PictureSource* alongside, ImageDisplay* display) {
     const bool isNew = snapshot != shown_ || settings.shown != wantedKind_ || reference != reference_;
     if (snapshot && snapshot->width > 0 && isNew) {

@@ -26,7 +26,7 @@ class PictureSource {
     /// `reference` may be null. `alongside`: the source of the picture beside it, whose scale it takes so
     /// that the same colours mean the same; may be null.
     void show(const std::shared_ptr<const FilmSnapshot>& snapshot, const DisplaySettings& settings,
-              const std::shared_ptr<const ReferencePicture>& reference, const PictureSource* alongside,
+              const std::shared_ptr<const LoadedReference>& reference, const PictureSource* alongside,
               ImageDisplay* display);
 
     /// What is on the display, and the scale of its colours.
@@ -36,7 +36,7 @@ class PictureSource {
 
   private:
     std::shared_ptr<const FilmSnapshot> shown_;
-    std::shared_ptr<const ReferencePicture> reference_;
+    std::shared_ptr<const LoadedReference> reference_;
     ShownPicture wantedKind_ = ShownPicture::Radiance;
     ShownPicture shownKind_ = ShownPicture::Radiance;
     IntegratorKind shownIntegrator_ = IntegratorKind::PathTracing;
@@ -46,18 +46,18 @@ class PictureSource {
 
 /// What is shown of this snapshot: its radiance where it has not what is wanted, as path tracing has no
 /// photons, or where the reference is missing or of another size.
-ShownPicture pictureOf(const FilmSnapshot& snapshot, ShownPicture wanted, const ReferencePicture* reference);
+ShownPicture pictureOf(const FilmSnapshot& snapshot, ShownPicture wanted, const LoadedReference* reference);
 
-/// What a snapshot of path tracing shows instead of `wanted`, and why, for the picture's corner; "" when it
-/// shows what is wanted.
-std::string instead(const FilmSnapshot& snapshot, ShownPicture wanted);
+/// What a snapshot shows instead of `wanted`, and why, for the picture's corner; "" when it shows what is
+/// wanted.
+std::string instead(const FilmSnapshot& snapshot, ShownPicture wanted, const LoadedReference* reference);
 
 /// Mean of |t - r| over the three channels of a pixel of both pictures.
-float errorAgainst(const ReferencePicture& reference, const FilmSnapshot& snapshot, size_t pixel);
+float errorAgainst(const LoadedReference& reference, const FilmSnapshot& snapshot, size_t pixel);
 
 /// 3 display values a pixel. Empty when the snapshot does not carry that picture (yet). `scale` goes in as
 /// the one to use, or {} to find one, and comes back as the one that was used.
 std::vector<float> falseColors(const FilmSnapshot& snapshot, ShownPicture shown,
-                               const ReferencePicture* reference, MapScale* scale);
+                               const LoadedReference* reference, MapScale* scale);
 
 }  // namespace glint

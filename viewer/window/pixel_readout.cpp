@@ -66,7 +66,7 @@ std::string mapText(const std::vector<float>& values, size_t index, const char* 
 
 }  // namespace
 
-std::string pixelReadout(const FilmSnapshot& snapshot, ShownPicture wanted, const ReferencePicture* reference,
+std::string pixelReadout(const FilmSnapshot& snapshot, ShownPicture wanted, const LoadedReference* reference,
                          Vec2i filmPixel) {
     if (snapshot.width <= 0 || snapshot.height <= 0) return "";
     const size_t index = indexOf(snapshot, filmPixel);

@@ -8,6 +8,8 @@
 
 #include "engine/base/log.h"
 #include "engine/base/thread_priority.h"
+#include "engine/io/atomic_file.h"
+#include "engine/io/exr_io.h"
 #include "engine/io/image_io.h"
 #include "engine/report/metrics.h"
 
@@ -22,18 +24,39 @@ double meanOf(const ImageF& image) {
     return image.rgb.empty() ? 0.0 : sum / static_cast<double>(image.rgb.size());
 }
 
-Result<std::shared_ptr<const ReferencePicture>> loadReference(const std::string& path) {
-    auto source = loadImage(path);
-    if (!source) return source.error();
-    const bool isEightBit = source->bytes != nullptr;
-    auto image = isEightBit ? loadImageF(path) : Result<std::shared_ptr<const ImageF>>(source->floats);
+Status readExr(std::string_view bytes, LoadedReference* picture) {
+    auto exr = decodeExr(bytes, picture->path);
+    if (!exr) return exr.error();
+    auto image = exrColor(*exr, picture->path);
     if (!image) return image.error();
-    auto picture = std::make_shared<ReferencePicture>(ReferencePicture{path, **image, 0.0, isEightBit});
-    picture->mean = meanOf(picture->image);
-    return std::shared_ptr<const ReferencePicture>(std::move(picture));
+    picture->image = std::move(*image);
+    picture->attributes = std::move(exr->attributes);
+    return {};
 }
 
-Result<ReferencePoint> compare(const FilmSnapshot& snapshot, const ReferencePicture& reference) {
+Status readOther(LoadedReference* picture) {
+    const auto source = loadImage(picture->path);
+    if (!source) return source.error();
+    picture->isEightBit = source->bytes != nullptr;
+    const auto image = picture->isEightBit ? loadImageF(picture->path)
+                                           : Result<std::shared_ptr<const ImageF>>(source->floats);
+    if (!image) return image.error();
+    picture->image = **image;
+    return {};
+}
+
+Result<std::shared_ptr<const LoadedReference>> loadReference(const std::string& path) {
+    auto bytes = readFile(path);
+    if (!bytes) return bytes.error();
+    auto picture = std::make_shared<LoadedReference>();
+    picture->path = path;
+    if (Status read = looksLikeExr(*bytes) ? readExr(*bytes, picture.get()) : readOther(picture.get()); !read)
+        return read.error();
+    picture->mean = meanOf(picture->image);
+    return std::shared_ptr<const LoadedReference>(std::move(picture));
+}
+
+Result<ReferencePoint> compare(const FilmSnapshot& snapshot, const LoadedReference& reference) {
     const ImageF test{snapshot.width, snapshot.height, snapshot.radiance};
     const auto metrics = comparePictures(test, reference.image, {.ssim = false, .flip = false, .threads = 1});
     if (!metrics) return metrics.error();
@@ -53,15 +76,20 @@ double ReferencePoint::error(ReferenceMetric metric) const {
 }
 
 void ReferenceErrors::load(const std::string& path) {
-    if (loading_ || path.empty()) return;
+    if (path.empty()) return;
+    if (loading_) {
+        next_ = path;
+        return;
+    }
     loading_ = true;
     loadError_.reset();
     jobs_.start(
         [this, path]() -> JobQueue::Completion {
             auto loaded =
-                std::make_shared<Result<std::shared_ptr<const ReferencePicture>>>(loadReference(path));
+                std::make_shared<Result<std::shared_ptr<const LoadedReference>>>(loadReference(path));
             return [this, loaded] {
                 loading_ = false;
+                if (!next_.empty()) return load(std::exchange(next_, ""));
                 if (!*loaded) {
                     loadError_ = loaded->error();
                     logError("{}", loaded->error().format());
@@ -77,6 +105,7 @@ void ReferenceErrors::load(const std::string& path) {
 }
 
 void ReferenceErrors::clear() {
+    next_.clear();
     picture_.reset();
     loadError_.reset();
     for (Track& track : tracks_) track.points.clear();

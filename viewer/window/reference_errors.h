@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,11 +18,12 @@
 
 namespace glint {
 
-struct ReferencePicture {
+struct LoadedReference {
     std::string path;
     ImageF image;
-    double mean = 0.0;        ///< of all its values
-    bool isEightBit = false;  ///< values above 1 are missing in it
+    double mean = 0.0;                              ///< of all its values
+    bool isEightBit = false;                        ///< values above 1 are missing in it
+    std::map<std::string, std::string> attributes;  ///< what an EXR file says about itself
 };
 
 /// What the error against the reference is measured as; all are relative, 0.01 for 1 %.
@@ -45,13 +47,13 @@ struct ReferencePoint {
 class ReferenceErrors {
   public:
     /// Loads EXR, HDR, PNG, JPEG, BMP or TGA in the background; loadError() says if it could not. Until it is
-    /// there, the one before stays.
+    /// there, the one before stays. Of several asked for at once, the last counts.
     void load(const std::string& path);
     void clear();
     bool loading() const { return loading_; }
     const std::optional<Error>& loadError() const { return loadError_; }
     /// Null without one.
-    const std::shared_ptr<const ReferencePicture>& picture() const { return picture_; }
+    const std::shared_ptr<const LoadedReference>& picture() const { return picture_; }
     /// Why it cannot be compared with a picture of this size; "" when it can, or when there is none.
     std::string mismatch(int width, int height) const;
 
@@ -76,9 +78,10 @@ class ReferenceErrors {
     void measure(std::shared_ptr<const FilmSnapshot> snapshot, Track* track);
 
     JobQueue jobs_;
-    std::shared_ptr<const ReferencePicture> picture_;
+    std::shared_ptr<const LoadedReference> picture_;
     std::optional<Error> loadError_;
     bool loading_ = false;
+    std::string next_;  ///< to be loaded after the one that is being loaded
     std::array<Track, 2> tracks_;
 };
 

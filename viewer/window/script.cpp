@@ -1,7 +1,6 @@
 #include "viewer/window/script.h"
 
 #include <cstdlib>
-#include <fstream>
 #include <optional>
 #include <span>
 #include <sstream>
@@ -9,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "engine/base/nearest_name.h"
+#include "engine/io/atomic_file.h"
 #include "viewer/window/key_codes.h"
 
 namespace glint {
@@ -191,11 +191,9 @@ Result<std::vector<ScriptStatement>> parseScript(std::string_view text, const st
 }
 
 Result<std::vector<ScriptStatement>> loadScript(const std::string& file) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) return Error{"the script cannot be opened", SourcePlace{file, 0, 0, ""}};
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return parseScript(text.str(), file);
+    const auto text = readFile(file);
+    if (!text) return text.error();
+    return parseScript(*text, file);
 }
 
 }  // namespace glint

@@ -131,7 +131,7 @@ void Shell::drawStatusLine(const ViewerModel& model, float y) {
         if (const auto& pixel = view_.hoveredPixel(); pixel && snapshot && snapshot->width > 0) {
             left += fmt::format(
                 "    ({}, {})  {}", pixel->x, pixel->y,
-                pixelReadout(*snapshot, model.display.shown, model.reference.picture().get(), *pixel));
+                pixelReadout(*snapshot, model.display.shown, model.usableReference().get(), *pixel));
         }
         right = fmt::format("{} passes    {}    error {}    F1: help", grouped(status.passes),
                             duration(status.renderSeconds),

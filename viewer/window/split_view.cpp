@@ -166,12 +166,13 @@ void drawNote(const ViewerModel& model, Vec2 min, Vec2 max) {
     const Vec2 corner(min.x + margin, max.y - margin - height);
     for (const auto& snapshot : {model.snapshot(), model.otherSnapshot()}) {
         if (!snapshot) continue;
-        const std::string note = instead(*snapshot, model.display.shown);
+        const std::string note = instead(*snapshot, model.display.shown, model.usableReference().get());
         if (note.empty() || right <= corner.x) continue;
         ImGui::PushClipRect(im(min), {right, max.y}, true);
         drawPlate(note, corner, false);
         ImGui::PopClipRect();
         ui::area("Note", corner, {right, corner.y + height}, note);
+        break;
     }
 }
 

@@ -1,6 +1,7 @@
 #include "viewer/window/viewer_model.h"
 
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -66,7 +67,6 @@ void ViewerModel::adopt(SceneDescription scene) {
     for (const std::string& warning : scene.warnings) logWarning("{}: {}", scene.path, warning);
     logInfo("Opened {}: {} objects, {} materials, {} lights, {}x{} pixels", scene.path, scene.objects.size(),
             scene.materials.size(), scene.lights.size(), scene.resolution.width, scene.resolution.height);
-    if (scene.path != draft_.path) reference.clear();  // a picture of another scene
     draft_ = std::move(scene);
     posted_ = std::make_shared<const SceneDescription>(draft_);
     cameraOfFile_ = draft_.camera;
@@ -86,7 +86,11 @@ void ViewerModel::adopt(SceneDescription scene) {
 }
 
 void ViewerModel::open(const std::string& path) {
-    if (opening_ || path.empty()) return;
+    if (path.empty()) return;
+    if (opening_) {
+        openNext_ = path;
+        return;
+    }
     opening_ = true;
     openError_.reset();
     jobs_.start(
@@ -94,6 +98,7 @@ void ViewerModel::open(const std::string& path) {
             auto loaded = std::make_shared<Result<SceneDescription>>(loadScene(path));
             return [this, loaded] {
                 opening_ = false;
+                if (!openNext_.empty()) return open(std::exchange(openNext_, ""));
                 if (*loaded) {
                     adopt(std::move(loaded->value()));
                 } else {
@@ -136,10 +141,20 @@ void ViewerModel::refreshConvergence() {
         curves_[static_cast<size_t>(kind)] = session_.convergenceCurve(kind);
         reference.follow(kind, *curve(kind));
     }
+    referenceFit.check(reference.picture(), posted_, !postedInteracting_);
+    if (awaitsEdit_ || !usableReference()) return;  // what is shown may be of the scene before an edit
     const bool resting = status_.state == SessionState::Finished || status_.state == SessionState::Paused;
     for (const auto& shown : {snapshot_, otherSnapshot_}) {
         if (shown) reference.observe(shown, resting);
     }
+}
+
+std::shared_ptr<const LoadedReference> ViewerModel::usableReference() const {
+    const auto& picture = reference.picture();
+    const Resolution& size = draft_.resolution;
+    const bool isUsable = picture && reference.mismatch(size.width, size.height).empty() &&
+                          (referenceFit.fits() || referenceFit.useAnyway);
+    return isUsable ? picture : nullptr;
 }
 
 void ViewerModel::finishMotion() { setInteracting(false); }

@@ -16,6 +16,7 @@
 #include "engine/render/tonemap.h"
 #include "viewer/window/job_queue.h"
 #include "viewer/window/reference_errors.h"
+#include "viewer/window/reference_fit.h"
 
 namespace glint {
 
@@ -87,7 +88,8 @@ class ViewerModel {
     const Camera& cameraOfFile() const { return cameraOfFile_; }
     const Bounds& bounds() const { return bounds_; }
     void adopt(SceneDescription scene);
-    /// Loads in the background. A scene that cannot be opened sets openError() and changes nothing else.
+    /// Loads in the background. A scene that cannot be opened sets openError() and changes nothing else. Of
+    /// several asked for at once, the last counts.
     void open(const std::string& path);
     bool opening() const { return opening_; }
     const std::optional<Error>& openError() const { return openError_; }
@@ -145,6 +147,10 @@ class ViewerModel {
     DisplaySettings display;
     ConvergenceSettings convergence;
     ReferenceErrors reference;
+    ReferenceFit referenceFit;
+    /// The reference where errors may be measured against it: it has the picture's size, and shows the scene
+    /// as it is now (or the user vouches for it). Null otherwise, and without one.
+    std::shared_ptr<const LoadedReference> usableReference() const;
     FileSettings files;
     bool focusFollowsTarget = true;
     int selectedMaterial = 0;
@@ -169,6 +175,7 @@ class ViewerModel {
     Camera cameraOfFile_;
     Bounds bounds_;
     bool opening_ = false;
+    std::string openNext_;  ///< asked for while another scene was being opened
     std::optional<Error> openError_;
 
     JobQueue jobs_;  // before the session, whose end answers the jobs that wait for a picture
