@@ -197,7 +197,11 @@ Result<std::shared_ptr<const ImageF>> loadImageF(const std::string& path) {
     if (!source) {
         return source.error();
     }
-    return source->floats ? source->floats : decodedFromSrgb(*source->bytes);
+    return linearColors(*source);
+}
+
+std::shared_ptr<const ImageF> linearColors(const ImageSource& image) {
+    return image.floats ? image.floats : decodedFromSrgb(*image.bytes);
 }
 
 Result<ImageSource> loadImage(const std::string& path) {

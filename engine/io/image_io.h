@@ -24,6 +24,9 @@ Result<std::shared_ptr<const Image8>> loadImage8(const std::string& path);
 /// finite.
 Result<std::shared_ptr<const ImageF>> loadImageF(const std::string& path);
 
+/// What loadImageF() makes of an image that loadImage() has read.
+std::shared_ptr<const ImageF> linearColors(const ImageSource& image);
+
 /// Either of the two, as the file's content asks for; `path` is set to the given path, which the caller may
 /// replace.
 Result<ImageSource> loadImage(const std::string& path);

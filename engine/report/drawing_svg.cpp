@@ -2,32 +2,10 @@
 #include <fmt/format.h>
 
 #include "engine/report/drawing.h"
+#include "engine/report/html_text.h"
 
 namespace glint {
 namespace {
-
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            default:
-                out += c;
-        }
-    }
-    return out;
-}
 
 std::string number(double value) {
     std::string text = fmt::format("{:.2f}", value);
@@ -68,7 +46,7 @@ struct SvgWriter {
                                                                              number(polygon.outlineWidth))
                                                                : "";
         const std::string end =
-            polygon.tip.empty() ? "/>" : fmt::format("><title>{}</title></polygon>", escaped(polygon.tip));
+            polygon.tip.empty() ? "/>" : fmt::format("><title>{}</title></polygon>", htmlText(polygon.tip));
         out += fmt::format("<polygon points=\"{}\"{}{}{}\n", pointList(polygon.points),
                            paint("fill", polygon.fill), outline, end);
     }
@@ -81,7 +59,7 @@ struct SvgWriter {
         const std::string turn = label.upwards ? fmt::format(" transform=\"rotate(-90 {} {})\"", x, y) : "";
         out += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\"{}{}{}{}>{}</text>\n", x, y,
                            number(label.size), label.bold ? " font-weight=\"bold\"" : "", anchor,
-                           paint("fill", label.ink), turn, escaped(label.text));
+                           paint("fill", label.ink), turn, htmlText(label.text));
     }
 };
 
@@ -94,7 +72,7 @@ std::string drawingSvg(const Drawing& drawing) {
         "role=\"img\" font-weight=\"500\" font-family=\"Roboto, 'DejaVu Sans', Arial, sans-serif\" "
         "stroke-linejoin=\"round\">\n"
         "<title>{2}</title>\n<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
-        drawing.width, drawing.height, escaped(drawing.title));
+        drawing.width, drawing.height, htmlText(drawing.title));
     for (const auto& shape : drawing.shapes) {
         std::visit(writer, shape);
     }

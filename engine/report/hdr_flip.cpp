@@ -44,6 +44,14 @@ ImageF shownAt(const ImageF& image, double exposureStops, int threads) {
     return shown;
 }
 
+/// Of an even count: the mean of the two in the middle.
+double medianOf(std::vector<double>* values) {
+    const size_t half = values->size() / 2;
+    const auto upper = values->begin() + static_cast<std::ptrdiff_t>(half);
+    std::ranges::nth_element(*values, upper);
+    return values->size() % 2 == 1 ? *upper : 0.5 * (*upper + *std::max_element(values->begin(), upper));
+}
+
 }  // namespace
 
 ExposureRange hdrFlipExposures(const ImageF& reference) {
@@ -57,9 +65,7 @@ ExposureRange hdrFlipExposures(const ImageF& reference) {
     if (!(largest > 0.0)) {
         return {};
     }
-    const auto middle = luminances.begin() + static_cast<std::ptrdiff_t>((luminances.size() - 1) / 2);
-    std::ranges::nth_element(luminances, middle);
-    const double median = std::max(*middle, kLeastMedian * largest);
+    const double median = std::max(medianOf(&luminances), kLeastMedian * largest);
     const double shown = filmicInverse(kShownAs);
     ExposureRange range{.start = std::log2(shown / largest), .stop = std::log2(shown / median), .count = 2};
     range.count = std::max(2, static_cast<int>(std::ceil(range.stop - range.start)));

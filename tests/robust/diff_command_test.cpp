@@ -116,6 +116,53 @@ TEST_F(DiffCommand, WritesMapsWithALegend) {
     }
 }
 
+TEST_F(DiffCommand, MapsOfOneRangeCanBeCompared) {
+    const ImageF half = test::flatPicture(8, 8, 0.5f);
+    const std::string reference = exr("reference.exr", half);
+    const auto colorOf = [&](float value, std::vector<std::string> ranges, const std::string& map) {
+        const std::string folder_ = folder.path("maps" + std::to_string(value));
+        std::vector<std::string> words = {"diff", exr("test.exr", test::flatPicture(8, 8, value)), reference,
+                                          "--maps", folder_};
+        words.insert(words.end(), ranges.begin(), ranges.end());
+        const ProgramRun run = runProgram(words);
+        EXPECT_EQ(run.exitCode, 0) << run.err;
+        const auto picture = loadImage8(folder_ + "/" + map + ".png");
+        EXPECT_TRUE(picture);
+        return std::pair(picture ? std::vector<uint8_t>((*picture)->rgb.begin(), (*picture)->rgb.begin() + 3)
+                                 : std::vector<uint8_t>(),
+                         run.out);
+    };
+    const std::vector<std::string> ranges = {"--map-range", "absolute=0.001:1", "--map-range", "signed=0.5"};
+    // Chosen for each picture, the range hides that one error is a hundred times the other.
+    EXPECT_EQ(colorOf(0.51f, {}, "absolute").first, colorOf(0.501f, {}, "absolute").first);
+    const auto small = colorOf(0.501f, ranges, "absolute"), large = colorOf(0.6f, ranges, "absolute");
+    EXPECT_NE(small.first, large.first);
+    EXPECT_TRUE(says(small.second, "absolute.png: colours from 0.001 to 1, logarithmic"));
+    EXPECT_TRUE(says(small.second, "signed.png: colours from -0.5 to 0.5"));
+    EXPECT_TRUE(says(small.second, "flip.png: colours from 0 to 1"));
+    // The same error has the same colour, whatever else is in the picture.
+    EXPECT_EQ(colorOf(0.6f, ranges, "absolute").first, colorOf(0.4f, ranges, "absolute").first);
+}
+
+TEST_F(DiffCommand, EightBitsBesideFloatsAreWarnedOf) {
+    const Image8 bytes{.width = 8, .height = 8, .rgb = std::vector<uint8_t>(3 * 64, 188)};
+    ASSERT_TRUE(savePng(folder.path("a.png"), bytes));
+    ImageF bright = test::flatPicture(8, 8, 0.5f);
+    bright.rgb[0] = bright.rgb[1] = 7.0f;
+    const std::string floats = exr("b.exr", bright);
+    for (const auto& [a, b] :
+         {std::pair(folder.path("a.png"), floats), std::pair(floats, folder.path("a.png"))}) {
+        const ProgramRun run = runProgram({"diff", a, b, "--json", "-"});
+        EXPECT_EQ(run.exitCode, 0);
+        EXPECT_TRUE(says(run.err, "a.png has 8 bits a channel"));
+        EXPECT_TRUE(says(run.err, "2 of 192"));
+        EXPECT_EQ(nlohmann::json::parse(run.out)["warnings"].size(), 1u);
+    }
+    for (const std::string& same : {folder.path("a.png"), floats}) {
+        EXPECT_EQ(runProgram({"diff", same, same}).err, "");
+    }
+}
+
 TEST_F(DiffCommand, ComparesKindsAsLinearColours) {
     // 188 / 255 in sRGB is 0.5029 linear.
     Image8 bytes{.width = 16, .height = 16, .rgb = std::vector<uint8_t>(3 * 256, 188)};
@@ -167,6 +214,14 @@ TEST_F(DiffCommand, BadOptionsAreRefused) {
         {"--json", "/none/a.json"},
         {"--maps", "/proc/maps-of-glint"},
         {"--maps", ""},
+        {"--map-range", "absolute=0.1:1"},
+        {"--maps", folder.path("m"), "--map-range", "absolute=1:0.1"},
+        {"--maps", folder.path("m"), "--map-range", "absolute=0:1"},
+        {"--maps", folder.path("m"), "--map-range", "absolute=nan:1"},
+        {"--maps", folder.path("m"), "--map-range", "absolute=0.1"},
+        {"--maps", folder.path("m"), "--map-range", "absolute"},
+        {"--maps", folder.path("m"), "--map-range", "signed=-1"},
+        {"--maps", folder.path("m"), "--map-range", "flip=0:0.5"},
     };
     for (const auto& options : bad) {
         std::vector<std::string> arguments = {"diff", good, good};
@@ -176,6 +231,9 @@ TEST_F(DiffCommand, BadOptionsAreRefused) {
         EXPECT_NE(run.err, "") << options[0];
     }
     EXPECT_TRUE(says(runProgram({"diff", good, good, "--max-relms", "1"}).err, "--max-relmse"));
+    EXPECT_TRUE(
+        says(runProgram({"diff", good, good, "--maps", folder.path("m"), "--map-range", "absolut=1:2"}).err,
+             "did you mean 'absolute'"));
 }
 
 }  // namespace

@@ -121,8 +121,8 @@ def hdr_flip(test, reference):
     """Andersson et al. 2021, with the tone curve of Narkowicz 2015."""
     numerator, denominator = np.poly1d([0.36 * 2.51, 0.018, 0]), np.poly1d([0.36 * 2.43, 0.354, 0.14])
     bright = max((numerator - 0.85 * denominator).roots.real)
-    luminance = np.sort((reference @ np.array([0.2126, 0.7152, 0.0722])).ravel())
-    start, stop = np.log2(bright / luminance[-1]), np.log2(bright / luminance[(luminance.size - 1) // 2])
+    luminance = (reference @ np.array([0.2126, 0.7152, 0.0722])).ravel()
+    start, stop = np.log2(bright / luminance.max()), np.log2(bright / np.median(luminance))
     worst = np.zeros(reference.shape[:2])
     for stops in np.linspace(start, stop, max(2, int(np.ceil(stop - start)))):
         shown = [np.clip(numerator(p) / denominator(p), 0, 1) for p in

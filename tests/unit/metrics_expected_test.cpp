@@ -56,6 +56,33 @@ TEST(MetricsExpected, AtAnotherExposureAndViewingDistance) {
     EXPECT_NEAR(metrics->ssim, 0.962474647109, kTolerance);
 }
 
+/// Flat fields pass the filters unchanged and have no features: what is left is Hunt's L*a*b*, the distance
+/// HyAB and its redistribution. With c = 203.3017^0.7, the distance of green and blue, 0.95 + 0.05 (100^0.7 -
+/// 0.4 c) / (0.6 c) for black and white.
+TEST(MetricsExpected, FlipOfFlatFieldsByHand) {
+    const auto metrics = comparePictures(test::flatPicture(9, 9, 1.0f), test::flatPicture(9, 9, 0.0f));
+    ASSERT_TRUE(metrics);
+    const double c = std::pow(203.30165461, 0.7);
+    EXPECT_NEAR(metrics->flip, 0.95 + 0.05 * (std::pow(100.0, 0.7) - 0.4 * c) / (0.6 * c), kTolerance);
+}
+
+/// The authors' program says of its own example that it spans -12.5423 to 0.9427 stops in 14 exposures. A
+/// picture whose largest and median luminance (the mean of the two in the middle) are as far apart has as
+/// many.
+TEST(MetricsExpected, HdrFlipExposuresAsPublished) {
+    ImageF picture = test::flatPicture(2, 2, 0.0f);
+    const double ratio = std::exp2(12.5423 + 0.9427);
+    const float values[] = {1.0f, 3.0f, 0.5f, static_cast<float>(2.0 * ratio)};
+    for (size_t i = 0; i < picture.rgb.size(); ++i) {
+        picture.rgb[i] = values[i / 3];
+    }
+    const ExposureRange range = hdrFlipExposures(picture);
+    EXPECT_EQ(range.count, 14);
+    EXPECT_NEAR(range.stop - range.start, std::log2(ratio), 1e-6);
+    // The curve of Narkowicz, before its scale of 0.6, takes 1.2713234 to 0.85.
+    EXPECT_NEAR(0.6 * 2.0 * std::exp2(range.stop), 1.2713234, 1e-6);
+}
+
 /// 1024 times the sixth power: values that span more than three stops between the median and the largest.
 ImageF stretched(ImageF image) {
     for (float& value : image.rgb) {

@@ -2,8 +2,8 @@
 //
 // The metrics are engine/report's. Pictures of different kinds are compared as linear colours: PNG and its
 // like are decoded from sRGB.
+#include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <memory>
 
@@ -11,19 +11,16 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "engine/base/log.h"
 #include "engine/io/image_io.h"
-#include "engine/report/error_maps.h"
-#include "engine/report/map_legend.h"
 #include "engine/report/metric_table.h"
 #include "viewer/commands/commands.h"
+#include "viewer/commands/diff_maps.h"
 #include "viewer/commands/json_output.h"
 #include "viewer/commands/option_checks.h"
-#include "viewer/commands/output_files.h"
 
 namespace glint {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr const char* kFooter =
     R"(Both are compared as linear Rec.709 colours: EXR and HDR as stored, PNG, JPEG, BMP and TGA decoded from sRGB.
@@ -37,7 +34,8 @@ With t the picture, r the reference, and means over all pixels and channels:
   SSIM           structural similarity of the luminance as shown on a screen (Wang et al. 2004); 1 is equal
   FLIP           the difference a viewer sees (Andersson et al. 2020, LDR-FLIP as sRGB clipped at --exposure)
   HDR-FLIP       the same at the worst of a range of exposures (Andersson et al. 2021)
---maps writes relative-squared.png, absolute.png, signed.png and flip.png, each with a legend.
+--maps writes relative-squared.png, absolute.png, signed.png and flip.png, each with a legend. Maps of several pictures
+can be compared when they span one range: --map-range absolute=0.001:1 --map-range signed=0.2. FLIP spans 0 to 1.
 
 Exit codes: 0 within all limits, 1 the input or the options are wrong, 2 a file cannot be written,
 3 the pictures differ by more than a limit allows.)";
@@ -47,8 +45,39 @@ struct DiffOptions {
     MetricOptions metrics;
     std::map<std::string, double> limits;  ///< by the metric's key
     std::string maps;
+    MapRanges ranges;
     std::string json;
 };
+
+/// A picture and whether its file has 8 bits a channel.
+struct LoadedPicture {
+    std::shared_ptr<const ImageF> colors;
+    bool eightBits = false;
+};
+
+Result<LoadedPicture> loadPicture(const std::string& path) {
+    const Result<ImageSource> image = loadImage(path);
+    if (!image) {
+        return image.error();
+    }
+    return LoadedPicture{linearColors(*image), image->bytes != nullptr};
+}
+
+/// What 8 bits lack beside a picture of floats; nothing where both are of one kind.
+std::vector<std::string> kindWarnings(const DiffOptions& options, const LoadedPicture& test,
+                                      const LoadedPicture& reference) {
+    if (test.eightBits == reference.eightBits) {
+        return {};
+    }
+    const ImageF& floats = test.eightBits ? *reference.colors : *test.colors;
+    const auto brighter = std::ranges::count_if(floats.rgb, [](float value) { return value > 1.0f; });
+    const std::string& bytesFile = test.eightBits ? options.test : options.reference;
+    const std::string& floatsFile = test.eightBits ? options.reference : options.test;
+    return {fmt::format(
+        "{} has 8 bits a channel and {} has floats: values above 1 ({} of {} here) and a rounding "
+        "of up to half of 1/255 count as errors, and so does any exposure or tone curve",
+        bytesFile, floatsFile, brighter, floats.rgb.size())};
+}
 
 bool isWithin(const MetricInfo& metric, double value, double limit) {
     return metric.largerIsBetter ? value >= limit : (metric.isSigned ? std::abs(value) : value) <= limit;
@@ -85,6 +114,25 @@ void printMetrics(const DiffOptions& options, const PictureMetrics& metrics, con
     }
 }
 
+nlohmann::ordered_json mapsJson(const std::vector<WrittenMap>& maps) {
+    nlohmann::ordered_json out = nlohmann::ordered_json::array();
+    for (const WrittenMap& map : maps) {
+        out.push_back({{"map", errorMapName(map.kind)},
+                       {"file", map.file},
+                       {"low", map.range.low},
+                       {"high", map.range.high},
+                       {"logarithmic", map.range.logarithmic}});
+    }
+    return out;
+}
+
+void printMaps(const std::vector<WrittenMap>& maps) {
+    for (const WrittenMap& map : maps) {
+        fmt::print("{}: colours from {:g} to {:g}{}\n", map.file, map.range.low, map.range.high,
+                   map.range.logarithmic ? ", logarithmic" : "");
+    }
+}
+
 nlohmann::ordered_json jsonReport(const DiffOptions& options, const PictureMetrics& metrics,
                                   const ImageF& picture, bool within) {
     nlohmann::ordered_json values, limits = nlohmann::ordered_json::array();
@@ -111,39 +159,6 @@ nlohmann::ordered_json jsonReport(const DiffOptions& options, const PictureMetri
             {"within_limits", within}};
 }
 
-std::string mapPath(const DiffOptions& options, ErrorMapKind kind) {
-    return (fs::path(options.maps) / fmt::format("{}.png", errorMapName(kind))).string();
-}
-
-/// Makes the folder, so that a wrong name is refused before anything is computed.
-Status prepareMaps(const DiffOptions& options) {
-    if (options.maps.empty()) {
-        return {};
-    }
-    std::error_code problem;
-    fs::create_directories(options.maps, problem);
-    if (problem) {
-        return Error{fmt::format("--maps {}: cannot make that folder: {}", options.maps, problem.message()),
-                     {}};
-    }
-    return checkWritable(mapPath(options, ErrorMapKind::Flip));
-}
-
-Status writeMaps(const DiffOptions& options, const ImageF& test, const ImageF& reference) {
-    for (int i = 0; i < kErrorMapKindCount && !options.maps.empty(); ++i) {
-        const auto kind = static_cast<ErrorMapKind>(i);
-        const Result<ErrorMap> map = errorMap(kind, test, reference, options.metrics);
-        if (!map) {
-            return map.error();
-        }
-        if (Status saved = savePng(mapPath(options, kind), mapWithLegend(*map, readableRange(*map)));
-            !saved) {
-            return saved;
-        }
-    }
-    return {};
-}
-
 bool allWithin(const DiffOptions& options, const PictureMetrics& metrics) {
     bool within = true;
     for (const auto& [key, limit] : options.limits) {
@@ -153,34 +168,55 @@ bool allWithin(const DiffOptions& options, const PictureMetrics& metrics) {
     return within;
 }
 
+/// Prints and writes everything; the maps after the numbers, which must not be lost with them.
+Status report(const DiffOptions& options, const PictureMetrics& metrics, const ImageF& test,
+              const ImageF& reference, const std::vector<std::string>& warnings) {
+    const bool printed = !jsonTakesOutput(options.json);
+    if (printed) {
+        printMetrics(options, metrics, test);
+    }
+    Result<std::vector<WrittenMap>> maps = std::vector<WrittenMap>();
+    if (!options.maps.empty()) {
+        maps = writeMaps(options.maps, options.ranges, test, reference, options.metrics);
+    }
+    if (printed && maps) {
+        printMaps(*maps);
+    }
+    nlohmann::ordered_json json = jsonReport(options, metrics, test, allWithin(options, metrics));
+    json["maps"] = mapsJson(maps ? *maps : std::vector<WrittenMap>());
+    json["warnings"] = warnings;
+    const Status written = writeJson(options.json, json);
+    return maps ? written : Status(maps.error());
+}
+
 int runDiff(const DiffOptions& options) {
-    const auto test = loadImageF(options.test);
+    const auto test = loadPicture(options.test);
     if (!test) {
         return complain(test.error(), kExitBadInput);
     }
-    const auto reference = loadImageF(options.reference);
+    const auto reference = loadPicture(options.reference);
     if (!reference) {
         return complain(reference.error(), kExitBadInput);
     }
-    const Result<PictureMetrics> metrics = comparePictures(**test, **reference, options.metrics);
+    const Result<PictureMetrics> metrics =
+        comparePictures(*test->colors, *reference->colors, options.metrics);
     if (!metrics) {
         return complain(metrics.error(), kExitBadInput);
     }
-    if (const Status prepared = prepareMaps(options); !prepared) {
-        return complain(prepared.error(), kExitBadInput);
+    if (!options.maps.empty()) {
+        if (const Status prepared = prepareMapFolder(options.maps); !prepared) {
+            return complain(prepared.error(), kExitBadInput);
+        }
     }
-    const bool within = allWithin(options, *metrics);
-    if (!jsonTakesOutput(options.json)) {
-        printMetrics(options, *metrics, **test);
+    const std::vector<std::string> warnings = kindWarnings(options, *test, *reference);
+    for (const std::string& warning : warnings) {
+        logWarning("{}", warning);
     }
-    Status written = writeJson(options.json, jsonReport(options, *metrics, **test, within));
-    if (written) {
-        written = writeMaps(options, **test, **reference);
-    }
+    const Status written = report(options, *metrics, *test->colors, *reference->colors, warnings);
     if (!written) {
         return complain(written.error(), kExitFailed);
     }
-    return within ? kExitDone : kExitBeyondLimit;
+    return allWithin(options, *metrics) ? kExitDone : kExitBeyondLimit;
 }
 
 void addLimitOptions(CLI::App* command, DiffOptions* options) {
@@ -218,6 +254,21 @@ void addDiffCommand(CLI::App& app, int* exitCode) {
                 return folder.empty() ? std::string("expected a folder's name") : std::string();
             },
             ""));
+    command
+        ->add_option_function<std::vector<std::string>>(
+            "--map-range",
+            [options](const std::vector<std::string>& ranges) {
+                for (const std::string& range : ranges) {
+                    if (const Status added = addMapRange(range, &options->ranges); !added) {
+                        throw CLI::ValidationError("--map-range", added.error().message);
+                    }
+                }
+            },
+            "What a map's colours span, so that several maps can be compared: absolute=LOW:HIGH, "
+            "relative-squared=LOW:HIGH or signed=LIMIT; chosen from the picture by default")
+        ->type_name("MAP=RANGE")
+        ->allow_extra_args(false)
+        ->needs("--maps");
     addJsonOption(*command, &options->json);
     MetricOptions& metrics = options->metrics;
     command->add_option("--epsilon", metrics.relativeEpsilon, "Added to the denominators of relative errors")
