@@ -149,11 +149,9 @@ expect message "Saved before.csv"
                       "--passes 14"));
     expectPlayed(play(R"(
 wait finished
-open "Checkpoint"
-wait frames 2
-set "Checkpoint file" curve.glintfilm
-click "Resume"
+drop "curve.glintfilm"
 wait jobs
+expect message "Resumed curve.glintfilm"
 wait finished
 wait frames 2
 set "CSV file" after.csv

@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <memory>
@@ -183,6 +184,78 @@ void askToClose(const std::string& display, unsigned long window) {
     XSendEvent(connection, window, False, NoEventMask, &event);
     XCloseDisplay(connection);
 }
+
+/// Another program that files are dragged from, by the XDND protocol (version 5, as a file manager speaks
+/// it).
+class DragSource {
+  public:
+    explicit DragSource(const std::string& display) : display_(XOpenDisplay(display.c_str())) {
+        window_ = XCreateSimpleWindow(display_, DefaultRootWindow(display_), 0, 0, 1, 1, 0, 0, 0);
+    }
+    DragSource(const DragSource&) = delete;
+    DragSource& operator=(const DragSource&) = delete;
+    ~DragSource() { XCloseDisplay(display_); }
+
+    /// Drops what `uriList` names in the target's middle; true when the target said that it took it.
+    bool drop(::Window target, const std::string& uriList) {
+        XSetSelectionOwner(display_, atom("XdndSelection"), window_, CurrentTime);
+        const long list = static_cast<long>(atom("text/uri-list"));
+        say(target, "XdndEnter", {5L << 24, list, 0, 0});
+        const long copy = static_cast<long>(atom("XdndActionCopy"));
+        say(target, "XdndPosition", {0, (300L << 16) | 300, CurrentTime, copy});
+        if (!answered("XdndStatus", uriList)) return false;
+        say(target, "XdndDrop", {0, CurrentTime, 0, 0});
+        return answered("XdndFinished", uriList);
+    }
+
+  private:
+    Atom atom(const char* name) { return XInternAtom(display_, name, False); }
+
+    void say(::Window target, const char* message, const std::array<long, 4>& data) {
+        XEvent event{};
+        event.xclient.type = ClientMessage;
+        event.xclient.window = target;
+        event.xclient.message_type = atom(message);
+        event.xclient.format = 32;
+        event.xclient.data.l[0] = static_cast<long>(window_);
+        for (size_t i = 0; i < data.size(); ++i) event.xclient.data.l[i + 1] = data[i];
+        XSendEvent(display_, target, False, NoEventMask, &event);
+        XFlush(display_);
+    }
+
+    /// Hands out the list when asked, until the answer arrives that is waited for.
+    bool answered(const char* message, const std::string& uriList) {
+        const Atom wanted = atom(message);
+        bool isThere = false;
+        return until([&] {
+            while (!isThere && XPending(display_) > 0) {
+                XEvent event{};
+                XNextEvent(display_, &event);
+                if (event.type == SelectionRequest) handOut(event.xselectionrequest, uriList);
+                isThere = event.type == ClientMessage && event.xclient.message_type == wanted;
+            }
+            return isThere;
+        });
+    }
+
+    void handOut(const XSelectionRequestEvent& request, const std::string& uriList) {
+        XChangeProperty(display_, request.requestor, request.property, request.target, 8, PropModeReplace,
+                        reinterpret_cast<const unsigned char*>(uriList.data()),
+                        static_cast<int>(uriList.size()));
+        XEvent event{};
+        event.xselection.type = SelectionNotify;
+        event.xselection.requestor = request.requestor;
+        event.xselection.selection = request.selection;
+        event.xselection.target = request.target;
+        event.xselection.property = request.property;
+        event.xselection.time = request.time;
+        XSendEvent(display_, request.requestor, False, NoEventMask, &event);
+        XFlush(display_);
+    }
+
+    ::Display* display_;
+    ::Window window_ = 0;
+};
 #endif
 
 class RealWindow : public testing::Test {
@@ -272,6 +345,33 @@ TEST_F(RealWindow, AClickPausesADragMovesTheCameraAndClosingEndsIt) {
     // Orbiting keeps the distance to the target.
     EXPECT_GT(std::abs(position[0]), 0.1);
     EXPECT_NEAR(std::hypot(position[0], position[1] - 1.0, position[2]), 4.0, 1e-3);
+#else
+    GTEST_SKIP() << "Xlib's headers are not installed";
+#endif
+}
+
+TEST_F(RealWindow, FilesAreDroppedOnIt) {
+#if GLINT_TEST_HAS_XLIB
+    openWindow();
+    if (HasFatalFailure()) return;
+    write("another scene.json", kScene);
+    write("broken.json", "{\n  \"glint\": 1,\n  \"camra\": 3\n}\n");
+    write("no picture.png", "hello");
+    const std::string folder = "file://" + std::filesystem::current_path().string() + "/";
+    const ::Window target = std::stoul(window_);
+    DragSource source(display_->name());
+    const auto logSays = [](const char* what) {
+        return until([&] { return read("glint.log").find(what) != std::string::npos; });
+    };
+    EXPECT_TRUE(source.drop(target, folder + "broken.json\r\n"));
+    EXPECT_TRUE(logSays("camra")) << read("glint.log");
+    EXPECT_TRUE(source.drop(target, folder + "no%20picture.png\r\n" + folder + "\r\n"));
+    EXPECT_TRUE(logSays("no picture.png: ")) << read("glint.log");
+    EXPECT_TRUE(logSays("is a folder; expected a scene file")) << read("glint.log");
+    EXPECT_TRUE(source.drop(target, folder + "another%20scene.json\r\n"));
+    EXPECT_TRUE(titleSays("another scene.json")) << read("glint.log");
+    askToClose(display_->name(), target);
+    EXPECT_EQ(glint_->exitCode(), 0) << read("glint.log");
 #else
     GTEST_SKIP() << "Xlib's headers are not installed";
 #endif

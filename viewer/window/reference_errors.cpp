@@ -89,10 +89,10 @@ void ReferenceErrors::load(const std::string& path) {
                 std::make_shared<Result<std::shared_ptr<const LoadedReference>>>(loadReference(path));
             return [this, loaded] {
                 loading_ = false;
+                if (!*loaded) logError("{}", loaded->error().format());
                 if (!next_.empty()) return load(std::exchange(next_, ""));
                 if (!*loaded) {
                     loadError_ = loaded->error();
-                    logError("{}", loaded->error().format());
                     return;
                 }
                 picture_ = std::move(loaded->value());

@@ -98,12 +98,12 @@ void ViewerModel::open(const std::string& path) {
             auto loaded = std::make_shared<Result<SceneDescription>>(loadScene(path));
             return [this, loaded] {
                 opening_ = false;
+                if (!*loaded) logError("{}", loaded->error().format());
                 if (!openNext_.empty()) return open(std::exchange(openNext_, ""));
                 if (*loaded) {
                     adopt(std::move(loaded->value()));
                 } else {
                     openError_ = loaded->error();
-                    logError("{}", loaded->error().format());
                 }
             };
         },

@@ -109,8 +109,8 @@ class ViewerModel {
     void saveSceneFile();
     /// The curves of both integrators as a table (convergence_csv.h).
     void saveConvergenceCsv();
-    /// A file that was dropped on the window: a picture becomes the reference, anything else is opened as a
-    /// scene.
+    /// A file that was dropped on the window: a picture becomes the reference, a checkpoint (.glintfilm) is
+    /// resumed, anything else is opened as a scene.
     void takeDroppedFile(const std::string& path);
     /// The result of the last save, load or resume, for the panel.
     const std::string& fileMessage() const { return fileMessage_; }

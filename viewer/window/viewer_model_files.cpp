@@ -167,6 +167,9 @@ void ViewerModel::takeDroppedFile(const std::string& path) {
     if (isPicture(path)) {
         files.reference = path;
         reference.load(path);
+    } else if (posted_ && path.ends_with(".glintfilm")) {
+        files.checkpoint = path;
+        resumeCheckpoint();
     } else {
         files.scene = path;
         open(path);
