@@ -5,6 +5,7 @@
 #pragma once
 
 #include "engine/kernels/pass.h"
+#include "engine/math/log.h"
 #include "engine/math/warp.h"
 
 namespace glint {
@@ -42,7 +43,7 @@ GLINT_HD inline float inverseErf(float v, float minusLog) {
 
 /// -log(1 - v^2) for |v| <= 1, finite.
 GLINT_HD inline float minusLogOneMinusSquare(float v) {
-    return -std::log(maxf((1.0f - v) * (1.0f + v), 1e-12f));
+    return -naturalLog(maxf((1.0f - v) * (1.0f + v), 1e-12f));
 }
 
 /// Gaussian with a standard deviation of a third of the support's half, cut off there: density ~ exp(-9/2

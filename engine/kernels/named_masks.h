@@ -28,8 +28,7 @@ constexpr FeatureMask kMaskDiffuseMeshes =
     kMaskPlainMeshes | kMaskDiffuseShapes | kFeatureTransforms | kFeatureTextures | kFeatureDepthOfField;
 /// The same with glass and mirrors.
 constexpr FeatureMask kMaskSmoothMeshes = kMaskDiffuseMeshes | kSmoothMaterials;
-/// All shapes and materials, but no environment image and one sampler.
-constexpr FeatureMask kMaskNoEnvironmentImage =
-    kAllFeatures & ~(kFeatureEnvironmentImage | kFeatureIndependentSampler);
+/// Everything, but one sampler.
+constexpr FeatureMask kMaskOneSampler = kAllFeatures & ~kFeatureIndependentSampler;
 
 }  // namespace glint

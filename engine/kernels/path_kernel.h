@@ -287,14 +287,13 @@ GLINT_HD inline PixelSample finishSample(const PassParams& params, const PathSta
     return result;
 }
 
-/// Traces the path of pixel (x, y) in params.pass. The log sees every event; the result does not depend on
+/// Traces the path that sets out along `cameraRay`. The log sees every event; the result does not depend on
 /// it.
 template <FeatureMask kMask, class Log>
-GLINT_HD PixelSample tracePixelLogged(const SceneView& view, const PassParams& params, int x, int y,
-                                      Log* log) {
-    const Sampler sampler = makeSampler(params, x, y);
+GLINT_HD PixelSample tracePathLogged(const SceneView& view, const PassParams& params, const Sampler& sampler,
+                                     const Ray& cameraRay, Log* log) {
     PathState path;
-    path.ray = pixelRay<kMask>(view.camera, params, sampler, x, y);
+    path.ray = cameraRay;
     if constexpr (Log::kEnabled) {
         PathEvent event;
         event.kind = PathEventKind::Camera;
@@ -314,6 +313,15 @@ GLINT_HD PixelSample tracePixelLogged(const SceneView& view, const PassParams& p
         log->add(event);
     }
     return result;
+}
+
+/// Traces the path of pixel (x, y) in params.pass.
+template <FeatureMask kMask, class Log>
+GLINT_HD PixelSample tracePixelLogged(const SceneView& view, const PassParams& params, int x, int y,
+                                      Log* log) {
+    const Sampler sampler = makeSampler(params, x, y);
+    return tracePathLogged<kMask>(view, params, sampler, pixelRay<kMask>(view.camera, params, sampler, x, y),
+                                  log);
 }
 
 template <FeatureMask kMask>

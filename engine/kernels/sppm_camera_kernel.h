@@ -72,20 +72,28 @@ GLINT_HD bool followToVisiblePoint(const SceneView& view, const SppmParams& para
 
 }  // namespace detail
 
-/// Traces pixel (x, y) of params.pass. Returns its emission and sampled direct light; *point is where it
-/// rests (throughput 0: nowhere).
+/// Traces the path that sets out along `cameraRay`. Returns its emission and sampled direct light; *point is
+/// where it rests (throughput 0: nowhere).
 template <FeatureMask kMask>
-GLINT_HD PixelSample traceVisiblePoint(const SceneView& view, const SppmParams& params, int x, int y,
-                                       VisiblePoint* point) {
-    const Sampler sampler = makeSampler(params.pass, x, y);
+GLINT_HD PixelSample traceVisiblePoint(const SceneView& view, const SppmParams& params,
+                                       const Sampler& sampler, const Ray& cameraRay, VisiblePoint* point) {
     PathState path;
-    path.ray = pixelRay<kMask>(view.camera, params.pass, sampler, x, y);
+    path.ray = cameraRay;
     *point = VisiblePoint{};
     if (!detail::followToVisiblePoint<kMask>(view, params, sampler, &path, point) ||
         !isFinite(point->throughput) || !isFinite(point->p)) {
         point->throughput = Vec3(0.0f);
     }
     return finishSample(params.pass, path);
+}
+
+/// The same for pixel (x, y) of params.pass.
+template <FeatureMask kMask>
+GLINT_HD PixelSample traceVisiblePoint(const SceneView& view, const SppmParams& params, int x, int y,
+                                       VisiblePoint* point) {
+    const Sampler sampler = makeSampler(params.pass, x, y);
+    const Ray ray = pixelRay<kMask>(view.camera, params.pass, sampler, x, y);
+    return traceVisiblePoint<kMask>(view, params, sampler, ray, point);
 }
 
 }  // namespace glint

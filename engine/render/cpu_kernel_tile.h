@@ -4,16 +4,19 @@
 
 #include "engine/kernels/aov_kernel.h"
 #include "engine/kernels/path_kernel.h"
+#include "engine/render/cpu_camera_rays.h"
 #include "engine/render/cpu_kernel.h"
 
 namespace glint {
 
 template <FeatureMask kMask>
 void renderTile(const SceneView& view, const PassParams& params, const PixelRect& tile, PixelSample* image) {
-    for (int y = tile.y0; y < tile.y1; ++y) {
-        PixelSample* row = image + static_cast<size_t>(y) * static_cast<size_t>(params.width);
-        for (int x = tile.x0; x < tile.x1; ++x) row[x] = tracePixel<kMask>(view, params, x, y);
-    }
+    NoPathLog log;
+    forEachCameraRay<kMask>(
+        view.camera, params, tile, [&](int x, int y, const Sampler& sampler, const Ray& ray) {
+            image[static_cast<size_t>(y) * static_cast<size_t>(params.width) + static_cast<size_t>(x)] =
+                tracePathLogged<kMask>(view, params, sampler, ray, &log);
+        });
 }
 
 template <FeatureMask kMask>

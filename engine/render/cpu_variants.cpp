@@ -22,7 +22,7 @@ std::span<const KernelVariant> kernelVariants() {
         variant<kMaskPlainMeshes>("plain meshes"),
         variant<kMaskDiffuseMeshes>("diffuse meshes"),
         variant<kMaskSmoothMeshes>("smooth meshes"),
-        variant<kMaskNoEnvironmentImage>("no environment image"),
+        variant<kMaskOneSampler>("one sampler"),
         variant<kAllFeatures>("full"),
     };
     return kVariants;

@@ -4,6 +4,7 @@
 #include "engine/kernels/sppm_camera_kernel.h"
 #include "engine/kernels/sppm_pass_steps.h"
 #include "engine/kernels/sppm_photon_kernel.h"
+#include "engine/render/cpu_camera_rays.h"
 #include "engine/render/sppm_kernel.h"
 
 namespace glint {
@@ -12,13 +13,12 @@ namespace detail {
 template <FeatureMask kMask>
 void traceVisiblePoints(const SceneView& view, const SppmParams& params, const PixelRect& tile,
                         PixelSample* image, PassPixel* pixels) {
-    for (int y = tile.y0; y < tile.y1; ++y) {
-        const size_t row = static_cast<size_t>(y) * static_cast<size_t>(params.pass.width);
-        for (int x = tile.x0; x < tile.x1; ++x) {
-            const size_t pixel = row + static_cast<size_t>(x);
-            image[pixel] = traceVisiblePoint<kMask>(view, params, x, y, &pixels[pixel].visiblePoint);
-        }
-    }
+    forEachCameraRay<kMask>(
+        view.camera, params.pass, tile, [&](int x, int y, const Sampler& sampler, const Ray& ray) {
+            const size_t pixel =
+                static_cast<size_t>(y) * static_cast<size_t>(params.pass.width) + static_cast<size_t>(x);
+            image[pixel] = traceVisiblePoint<kMask>(view, params, sampler, ray, &pixels[pixel].visiblePoint);
+        });
 }
 
 template <FeatureMask kMask>

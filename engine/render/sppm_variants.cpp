@@ -9,7 +9,7 @@ namespace glint {
 extern template SppmVariant sppmVariant<kMaskSmoothShapes>(const char* name);
 extern template SppmVariant sppmVariant<kMaskShapes>(const char* name);
 extern template SppmVariant sppmVariant<kMaskSmoothMeshes>(const char* name);
-extern template SppmVariant sppmVariant<kMaskNoEnvironmentImage>(const char* name);
+extern template SppmVariant sppmVariant<kMaskOneSampler>(const char* name);
 extern template SppmVariant sppmVariant<kAllFeatures>(const char* name);
 
 std::span<const SppmVariant> sppmVariants() {
@@ -17,7 +17,7 @@ std::span<const SppmVariant> sppmVariants() {
         sppmVariant<kMaskSmoothShapes>("smooth shapes"),
         sppmVariant<kMaskShapes>("shapes"),
         sppmVariant<kMaskSmoothMeshes>("smooth meshes"),
-        sppmVariant<kMaskNoEnvironmentImage>("no environment image"),
+        sppmVariant<kMaskOneSampler>("one sampler"),
         sppmVariant<kAllFeatures>("full"),
     };
     return kVariants;

@@ -1,0 +1,60 @@
+// The loop is written so that GCC makes vector code of it: everything inlined, what is constant over the tile
+// chosen outside, no structure copied as a whole but the ray.
+#include "engine/render/cpu_camera_rays.h"
+
+namespace glint {
+namespace {
+
+template <FilterTag kFilter>
+__attribute__((flatten)) void fillPinhole(const CameraData& sceneCamera, PassParams params, int x0, int y0,
+                                          CameraTile* tile) {
+    params.filter = kFilter;
+    const CameraData camera = sceneCamera;
+#pragma omp simd
+    for (int i = 0; i < kCameraTilePixels; ++i) {
+        const int x = x0 + i % kCameraTileSize;
+        const int y = y0 + i / kCameraTileSize;
+        const Sampler sampler = makeSampler(params, x, y);
+        const Ray ray = pixelRay<FeatureMask{0}>(camera, params, sampler, x, y);
+        tile->pixelKey[i] = sampler.pixelKey;
+        tile->originX[i] = camera.position.x;
+        tile->originY[i] = camera.position.y;
+        tile->originZ[i] = camera.position.z;
+        tile->directionX[i] = ray.direction.x;
+        tile->directionY[i] = ray.direction.y;
+        tile->directionZ[i] = ray.direction.z;
+    }
+}
+
+/// Rays from all over the lens: one by one.
+void fillLens(const CameraData& camera, const PassParams& params, int x0, int y0, CameraTile* tile) {
+    for (int i = 0; i < kCameraTilePixels; ++i) {
+        const int x = x0 + i % kCameraTileSize;
+        const int y = y0 + i / kCameraTileSize;
+        const Sampler sampler = makeSampler(params, x, y);
+        const Ray ray = pixelRay<kFeatureDepthOfField>(camera, params, sampler, x, y);
+        tile->pixelKey[i] = sampler.pixelKey;
+        tile->originX[i] = ray.origin.x;
+        tile->originY[i] = ray.origin.y;
+        tile->originZ[i] = ray.origin.z;
+        tile->directionX[i] = ray.direction.x;
+        tile->directionY[i] = ray.direction.y;
+        tile->directionZ[i] = ray.direction.z;
+    }
+}
+
+}  // namespace
+
+void fillCameraTile(const CameraData& camera, const PassParams& params, int x0, int y0, CameraTile* tile) {
+    if (camera.lensRadius > 0.0f) return fillLens(camera, params, x0, y0, tile);
+    switch (params.filter) {
+        case FilterTag::Box:
+            return fillPinhole<FilterTag::Box>(camera, params, x0, y0, tile);
+        case FilterTag::Gaussian:
+            return fillPinhole<FilterTag::Gaussian>(camera, params, x0, y0, tile);
+        case FilterTag::BlackmanHarris:
+            return fillPinhole<FilterTag::BlackmanHarris>(camera, params, x0, y0, tile);
+    }
+}
+
+}  // namespace glint
