@@ -4,9 +4,12 @@
 #include "engine/build/instance_builder.h"
 #include "engine/build/light_table.h"
 #include "engine/build/material_table.h"
+#include "engine/build/recentring.h"
 #include "engine/build/texture_table.h"
 
 namespace glint {
+
+Vec3 BuiltScene::origin() const { return recentring ? recentring->origin : Vec3(0.0f); }
 
 SceneView BuiltScene::view() const {
     SceneView scene;

@@ -11,6 +11,7 @@
 namespace glint {
 
 struct BuiltMesh;      // build/mesh_builder.h: one mesh with its acceleration structure
+struct Recentring;     // build/recentring.h: where a scene far from the origin was moved to
 struct InstanceTable;  // build/instance_builder.h: instances and the top-level structure
 struct MaterialTable;  // build/material_table.h
 struct TextureTable;   // build/texture_table.h
@@ -24,7 +25,10 @@ struct BuiltScene {
     std::shared_ptr<const LightTable> lights;
     FeatureMask features = 0;
     CameraData camera;
+    std::shared_ptr<const Recentring> recentring;  ///< null: kernels see world coordinates (nearly always)
 
+    /// World coordinates of what the view calls (0, 0, 0): added to every place that a user gets to see.
+    Vec3 origin() const;
     /// Host pointers into this object's parts: valid while it lives.
     SceneView view() const;
 };

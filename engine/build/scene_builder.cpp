@@ -1,6 +1,6 @@
 // The edit table in code: each part asks whether an edit concerns it, and is shared with the previous scene
-// otherwise. The order is that of the parts' dependencies: meshes, textures, materials, lights, instances,
-// camera, features.
+// otherwise. The order is that of the parts' dependencies: origin, meshes, textures, materials, lights,
+// instances, camera, features.
 #include "engine/build/scene_builder.h"
 
 #include <algorithm>
@@ -13,6 +13,7 @@
 #include "engine/build/light_table.h"
 #include "engine/build/material_table.h"
 #include "engine/build/mesh_builder.h"
+#include "engine/build/recentring.h"
 #include "engine/build/scene_use.h"
 #include "engine/build/scene_validation.h"
 #include "engine/build/texture_table.h"
@@ -53,7 +54,7 @@ class SceneBuild {
   public:
     SceneBuild(const SceneEdit& edit, const BuiltScene* previous, int threads, const std::atomic<bool>* stop,
                BuildReport* report)
-        : scene_(*edit.scene),
+        : scene_(edit.scene.get()),
           kinds_(concernedKinds(edit, previous)),
           threads_(threads),
           stop_(stop),
@@ -63,8 +64,9 @@ class SceneBuild {
 
     Result<std::shared_ptr<const BuiltScene>> run() {
         for (Status (SceneBuild::*step)() :
-             {&SceneBuild::validate, &SceneBuild::meshes, &SceneBuild::textures, &SceneBuild::materials,
-              &SceneBuild::lights, &SceneBuild::instances, &SceneBuild::camera, &SceneBuild::features}) {
+             {&SceneBuild::validate, &SceneBuild::recentre, &SceneBuild::meshes, &SceneBuild::textures,
+              &SceneBuild::materials, &SceneBuild::lights, &SceneBuild::instances, &SceneBuild::camera,
+              &SceneBuild::features}) {
             if (stop_ != nullptr && *stop_) {
                 return Error{"the build was given up", {}};
             }
@@ -78,7 +80,23 @@ class SceneBuild {
   private:
     bool concerns(EditKind kinds) const { return has(kinds_, kinds | EditKind::Everything); }
 
-    Status validate() { return validateScene(scene_, kinds_); }
+    Status validate() { return validateScene(*scene_, kinds_); }
+
+    /// All that follows sees the moved description.
+    Status recentre() {
+        if (concerns(EditKind::ObjectTransform)) {
+            auto found = findRecentring(*scene_, built_->recentring.get());
+            if (!samePlaces(found.get(), built_->recentring.get())) {
+                kinds_ |= EditKind::Everything;
+            }
+            built_->recentring = std::move(found);
+        }
+        if (built_->recentring) {
+            moved_ = recentred(*scene_, *built_->recentring);
+            scene_ = &moved_;
+        }
+        return {};
+    }
 
     Status meshes() {
         if (!concerns(EditKind::Everything)) {
@@ -88,10 +106,10 @@ class SceneBuild {
         for (const auto& mesh : built_->meshes) {
             known[mesh->data.get()] = mesh;
         }
-        const std::vector<bool> used = usedMeshes(scene_);
+        const std::vector<bool> used = usedMeshes(*scene_);
         BuiltMeshes meshes;
-        for (size_t i = 0; i < scene_.meshes.size(); ++i) {
-            const Mesh& mesh = scene_.meshes[i];
+        for (size_t i = 0; i < scene_->meshes.size(); ++i) {
+            const Mesh& mesh = scene_->meshes[i];
             if (stop_ != nullptr && *stop_) {
                 return Error{"the build was given up", {}};
             }
@@ -112,7 +130,7 @@ class SceneBuild {
         if (!concerns(EditKind::MaterialKind)) {
             return {};
         }
-        auto table = buildTextureTable(scene_, built_->textures);
+        auto table = buildTextureTable(*scene_, built_->textures);
         if (!table) {
             return table.error();
         }
@@ -125,7 +143,7 @@ class SceneBuild {
         if (!concerns(kMaterials)) {
             return {};
         }
-        auto table = buildMaterialTable(scene_, *built_->textures, built_->materials);
+        auto table = buildMaterialTable(*scene_, *built_->textures, built_->materials);
         if (!table) {
             return table.error();
         }
@@ -141,7 +159,7 @@ class SceneBuild {
         if (!concerns(EditKind::Lights) && !lampsMoved && !emissionChanged_) {
             return {};
         }
-        auto table = buildLightTable(scene_, built_->lights.get(), threads_);
+        auto table = buildLightTable(*scene_, built_->lights.get(), threads_);
         emittersMoved_ = !built_->lights || table->firstEmitter != built_->lights->firstEmitter;
         built_->lights = std::move(table);
         report_.lightsBuilt = true;
@@ -150,7 +168,7 @@ class SceneBuild {
 
     Status instances() {
         if (concerns(EditKind::ObjectTransform) || emittersMoved_) {
-            built_->instances = buildInstances(scene_, built_->meshes, built_->lights->firstEmitter);
+            built_->instances = buildInstances(*scene_, built_->meshes, built_->lights->firstEmitter);
             report_.topLevelBuilt = true;
         }
         return {};
@@ -161,8 +179,8 @@ class SceneBuild {
             return {};
         }
         const float aspect =
-            static_cast<float>(scene_.resolution.width) / static_cast<float>(scene_.resolution.height);
-        auto camera = buildCamera(scene_.camera, aspect);
+            static_cast<float>(scene_->resolution.width) / static_cast<float>(scene_->resolution.height);
+        auto camera = buildCamera(scene_->camera, aspect);
         if (!camera) {
             return camera.error();
         }
@@ -175,7 +193,7 @@ class SceneBuild {
     Status features() {
         FeatureMask mask = concerns(EditKind::Everything) ? 0 : built_->features;
         if (concerns(EditKind::ObjectTransform) || materialFeaturesChanged_) {
-            mask |= scanFeatures(scene_);
+            mask |= scanFeatures(*scene_);
             report_.featuresScanned = true;
         }
         if (built_->camera.lensRadius > 0.0f) {
@@ -186,7 +204,7 @@ class SceneBuild {
     }
 
     bool shapesEmit() const {
-        for (const Material& material : scene_.materials) {
+        for (const Material& material : scene_->materials) {
             if (material.emissive()) {
                 return true;
             }
@@ -217,7 +235,8 @@ class SceneBuild {
         return before != nullptr && std::ranges::equal(before->materials, after.materials, same);
     }
 
-    const SceneDescription& scene_;
+    const SceneDescription* scene_;
+    SceneDescription moved_;  ///< what scene_ points to where the scene is far from the origin
     EditKind kinds_;
     int threads_;
     const std::atomic<bool>* stop_;

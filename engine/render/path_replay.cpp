@@ -10,6 +10,9 @@ namespace {
 
 std::string format(const Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
 
+/// All digits that a place far from the origin has.
+std::string formatPlace(const Vec3& p) { return fmt::format("({:.7g}, {:.7g}, {:.7g})", p.x, p.y, p.z); }
+
 bool isFaulty(const Vec3& value) { return findFault(value) != SampleFault::None; }
 
 const char* faultName(SampleFault fault) {
@@ -34,21 +37,22 @@ std::string formatHitLight(const char* what, const PathEvent& e) {
 std::string formatVertex(const PathEvent& e) {
     return fmt::format(
         "vertex {}: object {} triangle {} material {}\n  position {} normal {}\n  throughput {}\n", e.depth,
-        e.instance, e.primitive, e.material, format(e.position), format(e.normal), format(e.throughput));
+        e.instance, e.primitive, e.material, formatPlace(e.position), format(e.normal), format(e.throughput));
 }
 
 std::string formatLight(const PathEvent& e) {
     return fmt::format(
         "  light {}{} adds {}\n    towards {} at {}\n    pdf by light {:.6g}, by BSDF {:.6g} per sr, weight "
         "{:.6g}\n",
-        e.emitter, e.flag ? " (shadowed)" : "", format(e.value), format(e.direction), format(e.position),
+        e.emitter, e.flag ? " (shadowed)" : "", format(e.value), format(e.direction), formatPlace(e.position),
         e.pdfLight, e.pdfBsdf, e.weight);
 }
 
 std::string formatEvent(const PathEvent& e) {
     switch (e.kind) {
         case PathEventKind::Camera:
-            return fmt::format("camera ray from {} towards {}\n", format(e.position), format(e.direction));
+            return fmt::format("camera ray from {} towards {}\n", formatPlace(e.position),
+                               format(e.direction));
         case PathEventKind::Vertex:
             return formatVertex(e);
         case PathEventKind::Emission:

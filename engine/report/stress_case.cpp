@@ -6,7 +6,13 @@
 namespace glint {
 
 uint32_t StressEffort::passes(uint32_t full, uint32_t least) const {
+    if (touchOnly) return std::min(full, 2u);
     return quick ? std::min(full, std::max(least, full / 6)) : full;
+}
+
+uint32_t StressEffort::steps(uint32_t full, uint32_t quickSteps) const {
+    if (touchOnly) return std::min(full, 100u);
+    return quick ? quickSteps : full;
 }
 
 uint64_t StressOutcome::dropped() const { return std::accumulate(faults.begin(), faults.end(), uint64_t{0}); }

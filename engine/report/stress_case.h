@@ -21,9 +21,12 @@ struct StressEffort {
     bool quick = false;                       ///< a fraction of the samples: wider intervals, the same rule
     int threads = 0;                          ///< 0: all
     const std::atomic<bool>* stop = nullptr;  ///< raised: the running case ends with an error
+    bool touchOnly = false;  ///< so few samples that verdicts mean nothing: for sanitizers, not for users
 
     /// `full` in a full run, a sixth of it, but at least `least`, in a quick one.
     uint32_t passes(uint32_t full, uint32_t least = 4) const;
+    /// Steps of a sum: `full`, or `quickSteps` in a quick run.
+    uint32_t steps(uint32_t full, uint32_t quickSteps) const;
     bool stopped() const { return stop != nullptr && stop->load(); }
 };
 

@@ -14,6 +14,7 @@ void addOffsetCases(StressCases* cases);  ///< stress_scale.cpp: distance from t
 void addMeshCases(StressCases* cases);    ///< stress_mesh.cpp: needles, faulty triangles, sheets, ratios
 void addGlossCases(StressCases* cases);   ///< stress_gloss.cpp: roughness and grazing angles
 void addLampCases(StressCases* cases);    ///< stress_lamp.cpp: small, bright, touching and narrow lamps
+void addSpotCases(StressCases* cases);    ///< stress_spot.cpp: narrow cones; part of the lamps
 void addGlassCases(StressCases* cases);   ///< stress_glass.cpp: indices of refraction, slabs, critical angle
 void addAlbedoCases(StressCases* cases);  ///< stress_albedo.cpp: long paths between white walls
 void addCameraCases(StressCases* cases);  ///< stress_camera.cpp: lenses and fields of view

@@ -16,11 +16,12 @@ body { font: 15px/1.5 system-ui, sans-serif; color: #1d2733; background: #fff; m
 h1 { font-size: 1.5rem; margin-bottom: .2rem } h2 { font-size: 1.1rem; margin: 2rem 0 .2rem } p { margin: .3rem 0; color: #4a5866 }
 table { border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nums }
 th { text-align: left; font-weight: 600; border-bottom: 2px solid #c8d1da; padding: .25rem .6rem }
-td { border-bottom: 1px solid #e4e9ee; padding: .25rem .6rem; vertical-align: top } td.n { text-align: right; white-space: nowrap }
-.ok { color: #14713d } .degraded { color: #8a5a00; background: #fff6dc } .broken { color: #b3261e; background: #fdebe9 }
+td { border-bottom: 1px solid #e4e9ee; padding: .25rem .6rem; vertical-align: top } td.n, th.n { text-align: right; white-space: nowrap }
+td:first-child { white-space: nowrap } .short { width: auto } th.v, td.v { width: 22% }
+tr.ok td.v { color: #14713d } .degraded { color: #8a5a00; background: #fff6dc } .broken { color: #b3261e; background: #fdebe9 }
 td.v { font-weight: 600 } small { color: #4a5866; font-weight: 400 } svg { display: block }
 @media (prefers-color-scheme: dark) { body { color: #dde5ec; background: #14191f } p, small { color: #9fb0bf }
-th { border-color: #3a4754 } td { border-color: #28323c } .ok { color: #6fd39b } .degraded { color: #f0c25e; background: #2e2716 } .broken { color: #ff9d94; background: #361b1a } }
+th { border-color: #3a4754 } td { border-color: #28323c } tr.ok td.v { color: #6fd39b } .degraded { color: #f0c25e; background: #2e2716 } .broken { color: #ff9d94; background: #361b1a } }
 )";
 
 std::string escaped(const std::string& text) {
@@ -72,7 +73,8 @@ std::string row(const StressResult& result) {
 
 std::string summaryTable(const std::vector<StressResult>& results) {
     std::string text =
-        "<table><tr><th>family</th><th>ok</th><th>degraded</th><th>broken</th><th>not ok</th></tr>\n";
+        "<table class=\"short\"><tr><th>family</th><th class=\"n\">ok</th><th class=\"n\">degraded</th>"
+        "<th class=\"n\">broken</th><th>not ok</th></tr>\n";
     for (const StressFamilySummary& f : summarizeStress(results)) {
         text += fmt::format(
             "<tr><td><a href=\"#{}\">{}</a></td><td class=\"n\">{}</td><td class=\"n\">{}</td>"
@@ -106,7 +108,9 @@ std::string stressHtml(const std::vector<StressResult>& results, bool quick) {
             const std::string anchor = c.family != family ? " id=\"" + escaped(c.family) + "\"" : "";
             page += fmt::format(
                 "<h2{}>{}</h2>\n<p>Truth: {}.</p>\n<table><tr><th>case</th><th>what is extreme</th>"
-                "<th>error</th><th></th><th>tolerance</th><th>dropped</th><th>verdict</th><th>s</th></tr>\n",
+                "<th class=\"n\">error</th><th>10<sup>-6</sup> … 1</th><th class=\"n\">tolerance</th>"
+                "<th class=\"n\">not finite or negative</th><th class=\"v\">verdict</th><th "
+                "class=\"n\">s</th></tr>\n",
                 anchor, escaped(c.family), escaped(c.truth));
             family = c.family;
             truth = c.truth;

@@ -203,7 +203,8 @@ StressCase sheetCase(float gap) {
               "two sheets with a gap of " + number(gap) + " of their size", "the upper sheet alone");
     if (gap < 1e-7f) {
         c.documented = StressVerdict::Broken;
-        c.limit = "closer than float's last place: either sheet may be met first";
+        c.limit =
+            "both sheets have the same vertices in float: which of two faces in one place is met is open";
     }
     c.run = [=](const StressEffort& effort) {
         constexpr float kHeight = 0.75f;
@@ -229,6 +230,24 @@ StressCase doubledSheetCase() {
     return c;
 }
 
+/// Two squares in one plane and one mesh, the second turned and shifted: their triangles overlap in part.
+/// Whichever is met, it is the same surface, and neither may lie in the other's shadow.
+StressCase overlapCase(float slope) {
+    StressCase c = named("coplanar", "overlapping faces" + std::string(slope != 0.0f ? ", sloping" : ""),
+                         "two faces of one mesh that overlap in one plane", "albedo under an even sky");
+    c.run = [=](const StressEffort& effort) {
+        MeshData mesh = plainFloor(1.0f, 0.0f, slope);
+        const auto corner = [&](float angle) {
+            const float x = 0.05f + 0.4f * std::cos(angle);
+            return Vec3(x, slope * x, 0.4f * std::sin(angle) - 0.03f);
+        };
+        addQuad(&mesh, corner(0.3f), corner(0.3f - 0.5f * kPi), corner(0.3f - kPi),
+                corner(0.3f - 1.5f * kPi));
+        return measurePaths(skyOverFloor(std::move(mesh), 1.2f, false), effort.passes(64), kGrey, effort, 4);
+    };
+    return c;
+}
+
 }  // namespace
 
 void addMeshCases(StressCases* cases) {
@@ -242,6 +261,8 @@ void addMeshCases(StressCases* cases) {
     cases->push_back(faultyLampCase("every triangle twice", addDuplicates));
     for (const float gap : {1e-2f, 1e-4f, 1e-5f, 1e-6f, 1e-7f, 1e-8f}) cases->push_back(sheetCase(gap));
     cases->push_back(doubledSheetCase());
+    cases->push_back(overlapCase(0.0f));
+    cases->push_back(overlapCase(0.37f));
     for (const float slope : {0.0f, 0.37f}) {
         for (const float size : {1.0f, 1e2f, 1e4f, 1e6f, 1e7f})
             cases->push_back(largeFloorCase(size, 0.0f, slope));

@@ -133,6 +133,15 @@ void addBox(MeshData* mesh, const Vec3& lo, const Vec3& hi, bool inward) {
     side({lo.x, lo.y, lo.z}, {hi.x, lo.y, lo.z}, {hi.x, lo.y, hi.z}, {lo.x, lo.y, hi.z});
 }
 
+SceneDescription closeUpOfFloor(const Vec3& from, const Vec3& target, float width) {
+    const float fov = 2.0f * std::atan(0.5f * width / glm::length(target - from)) * 180.0f / kPi;
+    SceneDescription scene = emptyStressScene(from, target, fov);
+    addShape(&scene, ShapeKind::Plane, placeFlatShape({0, 0, 0}, {0, 1, 0}, 1, 1),
+             diffuseStress(kFloorAlbedo));
+    scene.options.maxDepth = 1;
+    return scene;
+}
+
 SceneDescription stressRoom() {
     SceneDescription scene = emptyStressScene({0.1f, 1.4f, 5.5f}, {0.1f, 1.2f, 0.0f}, 42.0f, 32);
     scene.camera.apertureDiameter = 0.06f;
@@ -151,6 +160,27 @@ SceneDescription stressRoom() {
     plastic.roughness = 0.1f;
     addMesh(&scene, block({-0.4f, 0.0f, -0.5f}, {0.4f, 0.5f, 0.5f}),
             translate({-0.7f, 0.01f, 0.8f}) * rotate({0, 1, 0}, 0.4f), plastic);
+    return scene;
+}
+
+SceneDescription gridRoom() {
+    SceneDescription scene = emptyStressScene({0, 1.5f, 5.5f}, {0, 1, 0}, 42.0f, 32);
+    scene.camera.apertureDiameter = 0.06f;
+    scene.camera.focalDistance = 5.4f;
+    scene.options.maxDepth = 6;
+    addMesh(&scene, roomWalls(), {}, diffuseStress(0.7f));
+    addShape(&scene, ShapeKind::Rectangle, placeFlatShape({0.5f, 2.5f, -0.5f}, {0, -1, 0}, 0.6f, 0.5f),
+             emitterStress(12.0f));
+    addShape(&scene, ShapeKind::Sphere, translate({1, 1, 0.5f}) * scale(Vec3(0.6f)), glass(1.5f));
+    Material gold = diffuseStress(1.0f);
+    gold.kind = MaterialKind::Conductor;
+    gold.roughness = 0.3f;
+    addMesh(&scene, block({-1.5f, 0.5f, -2}, {-0.5f, 2, -1}), {}, gold);
+    Material plastic = diffuseStress(0.4f);
+    plastic.kind = MaterialKind::Plastic;
+    plastic.roughness = 0.1f;
+    addMesh(&scene, block({-0.4f, 0.0f, -0.5f}, {0.4f, 0.5f, 0.5f}),
+            translate({-0.5f, 0.5f, 1}) * rotate({0, 1, 0}, 0.4f), plastic);
     return scene;
 }
 

@@ -34,9 +34,18 @@ void addQuad(MeshData* mesh, const Vec3& a, const Vec3& b, const Vec3& c, const 
 /// Appends the six inward- or outward-facing sides of the box.
 void addBox(MeshData* mesh, const Vec3& lo, const Vec3& hi, bool inward);
 
+constexpr float kFloorAlbedo = 0.5f;
+/// The infinite grey plane y = 0 around `target`, direct light only, in a picture that covers next to nothing
+/// of it: `width` across.
+SceneDescription closeUpOfFloor(const Vec3& from, const Vec3& target, float width);
+
 /// A room with a lamp, a glass ball, a rough gold block and a plastic one, five units across and not
 /// symmetric, seen through a lens in focus on the ball.
 SceneDescription stressRoom();
+
+/// The same kind of room with every place on a grid of half a unit, a tenth of its size: floats hold it
+/// exactly up to a million times its size from the origin, so that moving it rounds nothing.
+SceneDescription gridRoom();
 
 /// How a scene changes its unit or its place: the vertices themselves, or the objects' transforms.
 enum class StressChange { Vertices, Transforms };

@@ -36,7 +36,7 @@ StressCase outlierCase(float outlier, double share, const char* where) {
               "ten million samples of 0.1 and one of " + number(static_cast<double>(outlier)) + ", " + where,
               "exact mean and variance", 1e-9);
     c.run = [=](const StressEffort& effort) -> Result<StressOutcome> {
-        const uint32_t count = effort.quick ? 1000000 : 10000000;
+        const uint32_t count = effort.steps(10000000, 1000000);
         const auto place = static_cast<uint32_t>(share * (count - 1));
         Film film(1, 1);
         std::vector<PixelSample> samples(1);
@@ -72,7 +72,7 @@ StressCase steadyCase(uint32_t photons, double alpha) {
         named("recurrence", number(photons) + " photons a pass, alpha " + number(alpha),
               "a million passes with " + number(photons) + " photons each", "Gamma functions", 1e-6);
     c.run = [=](const StressEffort& effort) -> Result<StressOutcome> {
-        const uint32_t passes = effort.quick ? 100000 : 1000000;
+        const uint32_t passes = effort.steps(1000000, 100000);
         SppmPixel pixel;
         pixel.radiusSquared = 0.04;
         Gathered gathered;
@@ -132,9 +132,9 @@ StressCase densityCase(double photonsAtFirst, double alpha) {
               "a million passes at an even photon density, " + number(photonsAtFirst) + " in the first",
               "the asymptotic law and the true radiance", 0.005);
     c.run = [=](const StressEffort& effort) -> Result<StressOutcome> {
-        const uint32_t passes = effort.quick ? 20000 : 1000000;
+        const uint32_t passes = effort.steps(1000000, 20000);
         const uint32_t early = passes / 10;
-        const uint32_t runs = effort.quick ? 24 : 32;
+        const uint32_t runs = effort.steps(32, 24);
         std::vector<double> radiance;
         std::vector<double> shrink;
         for (uint32_t run = 0; run < runs; ++run) {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <glm/ext/matrix_double3x3.hpp>
-#include <glm/ext/vector_double3.hpp>
+
+#include "engine/scene/object_box.h"
 
 namespace glint {
 namespace {
@@ -20,55 +20,6 @@ constexpr double kShortestLength = 1e-12;
 constexpr double kLargestSpan = 1e7;
 constexpr double kBrightestRadiance = 1e30;
 
-struct Box {
-    glm::dvec3 lo{INFINITY};
-    glm::dvec3 hi{-INFINITY};
-
-    void grow(const glm::dvec3& p) {
-        lo = glm::min(lo, p);
-        hi = glm::max(hi, p);
-    }
-    bool empty() const { return lo.x > hi.x; }
-    double size() const { return std::max({hi.x - lo.x, hi.y - lo.y, hi.z - lo.z}); }
-    double farthest() const {
-        const glm::dvec3 a = glm::max(glm::abs(lo), glm::abs(hi));
-        return std::max({a.x, a.y, a.z});
-    }
-};
-
-Box meshBox(const MeshData& mesh) {
-    Box box;
-    for (const uint32_t index : mesh.indices) box.grow(glm::dvec3(mesh.positions[index]));
-    return box;
-}
-
-std::vector<Box> meshBoxes(const SceneDescription& scene) {
-    std::vector<Box> boxes;
-    for (const Mesh& mesh : scene.meshes) boxes.push_back(mesh.data ? meshBox(*mesh.data) : Box{});
-    return boxes;
-}
-
-/// In world space; empty for planes, which have no end, and for empty meshes.
-Box objectBox(const Object& object, const std::vector<Box>& meshes) {
-    Box local{glm::dvec3(-1.0), glm::dvec3(1.0)};
-    if (object.shape == ShapeKind::Plane) return {};
-    if (object.shape == ShapeKind::Mesh) {
-        const auto index = static_cast<size_t>(object.mesh);
-        local = object.mesh >= 0 && index < meshes.size() ? meshes[index] : Box{};
-    } else if (object.shape != ShapeKind::Sphere) {
-        local.lo.z = local.hi.z = 0.0;
-    }
-    if (local.empty()) return {};
-    Box box;
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 p((corner & 1) != 0 ? local.hi.x : local.lo.x,
-                           (corner & 2) != 0 ? local.hi.y : local.lo.y,
-                           (corner & 4) != 0 ? local.hi.z : local.lo.z);
-        box.grow(glm::dmat3(object.objectToWorld.linear) * p + glm::dvec3(object.objectToWorld.translation));
-    }
-    return box;
-}
-
 std::string nameOf(const SceneDescription& scene, size_t index) {
     const std::string& name = scene.objects[index].name;
     return name.empty() ? fmt::format("object {}", index + 1) : fmt::format("object '{}'", name);
@@ -77,8 +28,14 @@ std::string nameOf(const SceneDescription& scene, size_t index) {
 class Search {
   public:
     explicit Search(const SceneDescription& scene) : scene_(scene) {
-        const std::vector<Box> meshes = meshBoxes(scene);
-        for (const Object& object : scene.objects) boxes_.push_back(objectBox(object, meshes));
+        std::vector<WideBox> meshes;
+        for (const Mesh& mesh : scene.meshes) meshes.push_back(mesh.data ? meshBox(*mesh.data) : WideBox{});
+        for (const Object& object : scene.objects) {
+            const auto index = static_cast<size_t>(object.mesh);
+            const bool isMesh = object.shape == ShapeKind::Mesh && index < meshes.size();
+            boxes_.push_back(
+                placedBox(object.shape, object.objectToWorld, isMesh ? meshes[index] : WideBox{}));
+        }
         for (size_t i = 0; i < boxes_.size(); ++i) {
             if (boxes_[i].empty() || !(boxes_[i].size() > 0.0)) continue;
             if (smallest_ < 0 || boxes_[i].size() < box(smallest_).size()) smallest_ = static_cast<int>(i);
@@ -97,7 +54,7 @@ class Search {
     }
 
   private:
-    const Box& box(int index) const { return boxes_[static_cast<size_t>(index)]; }
+    const WideBox& box(int index) const { return boxes_[static_cast<size_t>(index)]; }
     std::string name(int index) const { return nameOf(scene_, static_cast<size_t>(index)); }
 
     void checkLengths() {
@@ -132,13 +89,13 @@ class Search {
             if (count++ == 0) first = i;
         }
         if (count == 0) return;
-        const double steps = boxes_[first].size() / (boxes_[first].farthest() * 0x1p-24);
-        warnings_.push_back(
-            fmt::format("{} lies {:.2g} times its size from the origin, so that it is only {:.2g} steps of "
-                        "float across{}; "
-                        "move the scene towards the origin",
-                        nameOf(scene_, first), boxes_[first].farthest() / boxes_[first].size(), steps,
-                        count > 1 ? fmt::format(" (and {} more objects)", count - 1) : ""));
+        const double step = std::exp2(std::floor(std::log2(boxes_[first].farthest())) - 23.0);
+        warnings_.push_back(fmt::format(
+            "{} lies {:.2g} times its size from the origin, where float holds coordinates in "
+            "steps of {:.2g} units, {:.2g} of them across it{}; subtract an offset in the "
+            "program that writes the file",
+            nameOf(scene_, first), boxes_[first].farthest() / boxes_[first].size(), step,
+            boxes_[first].size() / step, count > 1 ? fmt::format(" (and {} more objects)", count - 1) : ""));
     }
 
     void checkBrightness() {
@@ -153,7 +110,7 @@ class Search {
     }
 
     const SceneDescription& scene_;
-    std::vector<Box> boxes_;
+    std::vector<WideBox> boxes_;
     int smallest_ = -1;
     int largest_ = -1;
     std::vector<std::string> warnings_;

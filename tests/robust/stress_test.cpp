@@ -1,5 +1,6 @@
 // `glint stress --quick` as a test: no case may be worse than its documented limit, and limits may not be
-// added in passing. Also the command's options.
+// added in passing. Under the sanitizers the same scenes are rendered with so few samples that only what they
+// find counts. Also the command's options.
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -20,6 +21,23 @@ class Stress : public testing::Test {
     }
 };
 
+#ifdef __SANITIZE_ADDRESS__
+TEST_F(Stress, EveryQuickCaseRunsUnderTheSanitizers) {
+    std::vector<StressCase> cases = stressCases();
+    std::erase_if(cases, [](const StressCase& c) { return !c.quick; });
+    size_t measured = 0;
+    StressEffort effort;
+    effort.quick = effort.touchOnly = true;
+    const Status done = runStressCases(cases, effort, [&](const StressResult& result) {
+        const std::string name = result.stressCase->family + "/" + result.stressCase->grade;
+        EXPECT_FALSE(result.outcome.values.empty()) << name << ": " << result.judgement.reason;
+        EXPECT_EQ(result.outcome.dropped(), 0u) << name;
+        ++measured;
+    });
+    EXPECT_TRUE(done);
+    EXPECT_EQ(measured, cases.size());
+}
+#else
 TEST_F(Stress, QuickSuiteIsAsDocumented) {
     const test::ProgramRun run = test::runProgram({"stress", "--quick", "--json", "-"});
     const json report = json::parse(run.out, nullptr, false);
@@ -29,14 +47,15 @@ TEST_F(Stress, QuickSuiteIsAsDocumented) {
     }
     EXPECT_EQ(report["unexpected"], 0);
     EXPECT_EQ(run.exitCode, 0) << run.err;
-    EXPECT_GT(report["ok"].get<int>(), 200);
+    EXPECT_GT(report["ok"].get<int>(), 300);
 }
+#endif
 
 /// Families in which nothing but ok will do: their grades are what users' scenes are made of.
 TEST_F(Stress, CommonFamiliesHaveNoDocumentedLimit) {
     for (const StressCase& c : stressCases()) {
         for (const char* family :
-             {"needles", "grazing", "roughness", "albedo", "camera", "environment", "film"}) {
+             {"offset", "needles", "grazing", "roughness", "albedo", "camera", "environment", "film"}) {
             if (c.family == family) {
                 EXPECT_EQ(c.documented, StressVerdict::Ok) << family << "/" << c.grade;
             }

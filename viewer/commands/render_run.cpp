@@ -248,7 +248,8 @@ int runReplay(const SceneDescription& scene, const RenderCommandOptions& options
     }
     PassParams params = passParamsOf(scene);
     params.pass = options.replayPass.value_or(0);
-    const PathReplay replay = replayPath((*built)->view(), (*built)->features, params, pixel->x, pixel->y);
+    PathReplay replay = replayPath((*built)->view(), (*built)->features, params, pixel->x, pixel->y);
+    for (PathEvent& event : replay.events) event.position += (*built)->origin();
     fmt::print("{}", formatPathLog(replay, params, pixel->x, pixel->y));
     return kExitDone;
 }
