@@ -45,7 +45,7 @@ StressCase furnaceCase(float albedo, int maxDepth, bool box, bool roulette) {
         SceneDescription scene = furnace(albedo, maxDepth, box);
         if (!roulette) {
             scene.options.rouletteStartDepth = maxDepth + 1;
-            return measurePaths(scene, 4, truth, effort);
+            return measurePaths(scene, 2, truth, effort);
         }
         const uint32_t passes = maxDepth <= 100 ? 900 : maxDepth <= 1000 ? 400 : 64;
         return measurePaths(scene, effort.passes(passes, 200), truth, effort, maxDepth <= 100 ? 2 : 1);

@@ -32,7 +32,7 @@ double reflectance(double sine, double n) {
 }
 
 /// The steeper, the fewer paths get through.
-uint32_t passesFor(double angleRad) { return angleRad > 1.5705 ? 60000 : angleRad > 1.56 ? 16384 : 4096; }
+uint32_t passesFor(double angleRad) { return angleRad > 1.5705 ? 60000 : angleRad > 1.55 ? 16384 : 4096; }
 
 /// An interface at height z: above it the index `above`, below it `below`.
 struct Interface {
@@ -62,7 +62,7 @@ Result<StressOutcome> measureStack(const std::vector<Interface>& stack, double a
         sum += r / (1.0 - r);
     }
     addShape(&scene, ShapeKind::Plane, placeFlatShape({0, 0, -4}, {0, 0, 1}, 1, 1), emitterStress(1.0f));
-    return measurePaths(scene, effort.passes(passesFor(angleRad), 2048), 1.0 / (1.0 + sum), effort);
+    return measurePaths(scene, effort.passes(passesFor(angleRad), 512), 1.0 / (1.0 + sum), effort);
 }
 
 StressCase glassCase(std::string grade, std::string extreme, std::string truth) {

@@ -68,7 +68,7 @@ StressCase smallLampCase(LampShape shape, float radius) {
     c.grade = std::string(shapeName(shape)) + " of size " + gradeNumber(static_cast<double>(radius));
     c.extreme = "a lamp of " + gradeNumber(static_cast<double>(radius)) + " times its distance";
     c.truth = "irradiance in closed form";
-    c.quick = shape != LampShape::Rectangle;
+    c.quick = shape == LampShape::Disc || shape == LampShape::Triangles;
     c.run = [=](const StressEffort& effort) {
         SceneDescription scene = closeUpOfFloor({0.1f, 0.6f, 0.4f}, {0, 0, 0}, 1e-3f);
         const double scale = std::min(1.0, 1.0 / static_cast<double>(radius));
@@ -125,7 +125,7 @@ StressCase restingBallCase(float distance, bool turned) {
     c.grade = "ball touches at " + gradeNumber(static_cast<double>(distance)) + (turned ? ", turned" : "");
     c.extreme = "a ball lamp rests on the surface, " + gradeNumber(static_cast<double>(distance)) +
                 " radii from the point that is looked at";
-    if (turned && distance < 3e-4f) {
+    if (distance < 3e-4f) {
         c.documented = StressVerdict::Broken;
         c.limit = "the gap of x^2 / 2 is less than the last place of the coordinates of either surface";
     }
@@ -156,7 +156,8 @@ StressCase ellipsoidCase(float along, float across) {
         const double b = static_cast<double>(across);
         const double sine2 = b * b / (b * b + 1.0 - a * a);
         const auto radiance = static_cast<float>(1.0 / sine2);
-        SceneDescription scene = closeUpOfFloor({0.1f, 0.6f, 0.4f}, {0, 0, 0}, 1e-3f);
+        SceneDescription scene =
+            closeUpOfFloor({0.1f, 0.6f, 0.4f}, {0, 0, 0}, 1e-2f * std::min(across, 0.1f));
         addShape(&scene, ShapeKind::Sphere, translate({0, 1, 0}) * scale({across, along, across}),
                  emitterStress(radiance));
         scene.objects.back().frontOnly = true;
@@ -211,7 +212,7 @@ void addLampCases(StressCases* cases) {
     }
     cases->push_back(ellipsoidCase(0.5f, 0.1f));
     cases->push_back(ellipsoidCase(0.5f, 1e-3f));
-    cases->push_back(ellipsoidCase(0.9f, 1e-6f));
+    cases->push_back(ellipsoidCase(0.9f, 1e-5f));
     cases->push_back(ellipsoidCase(1e-3f, 0.5f));
     cases->push_back(ellipsoidCase(1e-6f, 0.5f));
     cases->push_back(ellipsoidCase(1e-3f, 1e3f));

@@ -238,12 +238,12 @@ StressCase overlapCase(float slope) {
     c.run = [=](const StressEffort& effort) {
         MeshData mesh = plainFloor(1.0f, 0.0f, slope);
         const auto corner = [&](float angle) {
-            const float x = 0.05f + 0.4f * std::cos(angle);
-            return Vec3(x, slope * x, 0.4f * std::sin(angle) - 0.03f);
+            const float x = 0.02f + 0.15f * std::cos(angle);
+            return Vec3(x, slope * x, 0.15f * std::sin(angle) - 0.03f);
         };
         addQuad(&mesh, corner(0.3f), corner(0.3f - 0.5f * kPi), corner(0.3f - kPi),
                 corner(0.3f - 1.5f * kPi));
-        return measurePaths(skyOverFloor(std::move(mesh), 1.2f, false), effort.passes(64), kGrey, effort, 4);
+        return measurePaths(skyOverFloor(std::move(mesh), 0.5f, false), effort.passes(64), kGrey, effort, 4);
     };
     return c;
 }

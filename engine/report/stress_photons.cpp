@@ -142,12 +142,12 @@ StressCase roomCase(const char* what, float amount) {
     c.run = [=](const StressEffort& effort) {
         SceneDescription room = scaled ? stressRoom() : gridRoom();
         room.resolution = {16, 16};
-        room.sppm.photonsPerPass = 5000;
+        room.sppm.photonsPerPass = 2500;
         const SceneDescription extreme =
             scaled ? scaledScene(room, amount, StressChange::Vertices)
                    : movedScene(room, glm::round(amount * 5.0f * Vec3(0.7f, 0.3f, -0.65f)),
                                 StressChange::Vertices);
-        return measurePhotonsAgainst(extreme, room, 4, effort.passes(24, 12), effort);
+        return measurePhotonsAgainst(extreme, room, 4, effort.passes(24, 10), effort);
     };
     return c;
 }

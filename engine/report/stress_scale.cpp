@@ -45,7 +45,7 @@ StressCase offsetCase(float distance, StressChange change) {
     c.run = [=](const StressEffort& effort) {
         const SceneDescription room = gridRoom();
         const Vec3 offset = glm::round(distance * kRoomSize * Vec3(0.7f, 0.3f, -0.65f));
-        return measurePathsAgainst(movedScene(room, offset, change), room, effort.passes(1800), effort, 2);
+        return measurePathsAgainst(movedScene(room, offset, change), room, effort.passes(600), effort, 2);
     };
     return c;
 }
