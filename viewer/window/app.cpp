@@ -193,7 +193,9 @@ double App::pause(Clock::time_point now) const {
                        state == SessionState::Empty || state == SessionState::Failed) &&
                       !model_.busy() && !model_.opening() && !model_.awaitsEdit() && !options_.headless;
     if (idle) return kIdleFrameSeconds;
-    return std::max(0.0, kFrameSeconds - seconds(now - lastDrawn_));
+    // A loop that had nothing to draw sleeps as well: without that it would take a core from the renderer.
+    const double sinceDrawn = seconds(now - lastDrawn_);
+    return sinceDrawn < kFrameSeconds ? kFrameSeconds - sinceDrawn : kFrameSeconds;
 }
 
 Status App::run(bool* scriptFailed) {
