@@ -4,7 +4,7 @@
 
 uniform sampler2D radiance;   // linear Rec.709; row 0 is the picture's top row
 uniform float exposureStops;
-uniform int toneMap;          // same order as ToneMap; -1: the texture holds display values already
+uniform int toneMap;          // same order as ToneMap
 
 out vec4 displayColor;
 
@@ -38,10 +38,6 @@ float toneInput(float value) {
 
 void main() {
     vec3 value = texelFetch(radiance, ivec2(gl_FragCoord.xy), 0).rgb;
-    if (toneMap < 0) {
-        displayColor = vec4(value, 1.0);
-        return;
-    }
     vec3 rgb = vec3(toneInput(value.r), toneInput(value.g), toneInput(value.b));
     if (toneMap == 0) {
         rgb = clamp(rgb, 0.0, 1.0);

@@ -98,15 +98,14 @@ constexpr int kRowsAboveScale = kHeight - 6;
 /// The picture's pixels in the screenshot have the colours of these values.
 void expectColors(const std::string& screenshot, const FilmSnapshot& snapshot, ShownPicture shown) {
     MapScale scale;
-    const std::vector<float> colors = falseColors(snapshot, shown, nullptr, &scale);
+    const std::vector<uint8_t> colors = falseColors(snapshot, shown, nullptr, &scale);
     const auto image = loadImage8(screenshot);
     ASSERT_TRUE(image);
     int wrong = 0;
     for (int i = 0; i < kWidth * kRowsAboveScale; ++i) {
         const uint8_t* color = colorOf(**image, i % kWidth, i / kWidth);
         for (int c = 0; c < 3; ++c) {
-            const float want = colors[static_cast<size_t>(i * 3 + c)] * 255.0f;
-            wrong += std::abs(static_cast<float>(color[c]) - want) > 2.0f;
+            wrong += std::abs(color[c] - colors[static_cast<size_t>(i * 4 + c)]) > 2;
         }
     }
     EXPECT_EQ(wrong, 0) << screenshot;

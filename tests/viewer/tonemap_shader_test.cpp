@@ -42,7 +42,7 @@ TEST(ToneMapShader, AgreesWithTheProcessorsToOneStep) {
     for (int map = 0; map < kToneMapCount; ++map) {
         for (const float stops : {-10.0f, -1.5f, 0.0f, 0.3333f, 3.0f, 10.0f}) {
             const auto toneMap = static_cast<ToneMap>(map);
-            (*display)->update({stops, toneMap, false});
+            (*display)->update({stops, toneMap});
             const std::vector<uint8_t> shown = (*display)->readBack();
             const Image8 saved = toneMapPicture(picture.data(), kWidth, kHeight, stops, toneMap, 1);
             ASSERT_EQ(shown.size(), saved.rgb.size());
@@ -55,17 +55,22 @@ TEST(ToneMapShader, AgreesWithTheProcessorsToOneStep) {
     }
 }
 
-TEST(ToneMapShader, DisplayValuesPassUnchanged) {
+TEST(ToneMapShader, ColorsPassUnchangedAndRadianceComesBack) {
     const auto surface = makeHeadlessSurface({.width = 64, .height = 64});
     ASSERT_TRUE(surface) << surface.error().format();
     const auto display = ImageDisplay::create((*surface)->gl());
     ASSERT_TRUE(display) << display.error().format();
-    const std::vector<float> values{0.0f, 0.25f, 1.0f, 0.5f, 0.75f, 0.1f};
-    (*display)->upload(values.data(), 2, 1, false);
-    (*display)->update({5.0f, ToneMap::Filmic, true});
-    const std::vector<uint8_t> shown = (*display)->readBack();
-    ASSERT_EQ(shown.size(), values.size());
-    for (size_t i = 0; i < values.size(); ++i) EXPECT_NEAR(shown[i], values[i] * 255.0f, 0.51f) << i;
+    EXPECT_TRUE((*display)->isSoftware());
+    const std::vector<uint8_t> rgba{0, 64, 255, 255, 128, 191, 26, 255};
+    const std::vector<float> radiance{1.0f, 1.0f, 1.0f, 0.0f, 0.0f, 0.0f};
+    for (int turn = 0; turn < 2; ++turn) {
+        (*display)->uploadColors(rgba.data(), 2, 1, false);
+        (*display)->update({5.0f, ToneMap::Filmic});
+        EXPECT_THAT((*display)->readBack(), testing::ElementsAre(0, 64, 255, 128, 191, 26));
+        (*display)->upload(radiance.data(), 2, 1, false);
+        (*display)->update({0.0f, ToneMap::Clamp});
+        EXPECT_THAT((*display)->readBack(), testing::ElementsAre(255, 255, 255, 0, 0, 0));
+    }
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ class App {
   private:
     void fitToScreen();
     void drawFrame();
-    bool worthDrawing(Clock::time_point now) const;
+    bool worthDrawing(Clock::time_point now);
     double pause(Clock::time_point now) const;
     std::string currentTitle() const;
     bool headlessDone();
@@ -154,10 +154,16 @@ void App::drawFrame() {
     ImGui::Render();
     const auto built = Clock::now();
     const auto reference = model_.usableReference();
-    source_.show(model_.snapshot(), model_.display, reference, nullptr, display_.get());
+    PictureSource::Wanted wanted{model_.snapshot(),
+                                 model_.display.shown,
+                                 reference,
+                                 {model_.display.exposureStops, model_.display.toneMap}};
+    source_.show(wanted, nullptr, display_.get());
     if (model_.display.split) {
-        otherSource_.show(model_.otherSnapshot(), model_.display, reference, &source_, otherDisplay_.get());
+        wanted.snapshot = model_.otherSnapshot();
+        otherSource_.show(wanted, &source_, otherDisplay_.get());
     }
+    model_.displayIsBehind = source_.isBehind() || (model_.display.split && otherSource_.isBehind());
     drawnSnapshot_ = model_.snapshot();
     drawnOther_ = model_.otherSnapshot();
     if (!options_.frameStats.empty()) surface_->gl().Finish();
@@ -174,10 +180,10 @@ void App::drawFrame() {
                 wakeMs_});
 }
 
-bool App::worthDrawing(Clock::time_point now) const {
+bool App::worthDrawing(Clock::time_point now) {
     if (player_ || !options_.frameStats.empty()) return true;
     if (seconds(now - lastInput_) < kLivelySeconds || model_.snapshot() != drawnSnapshot_ ||
-        model_.otherSnapshot() != drawnOther_)
+        model_.otherSnapshot() != drawnOther_ || source_.isReady() || otherSource_.isReady())
         return true;
     const bool active = model_.status().state == SessionState::Rendering ||
                         model_.status().state == SessionState::Building || model_.busy() ||
@@ -191,7 +197,8 @@ double App::pause(Clock::time_point now) const {
                       seconds(now - lastInput_) >= kLivelySeconds &&
                       (state == SessionState::Finished || state == SessionState::Paused ||
                        state == SessionState::Empty || state == SessionState::Failed) &&
-                      !model_.busy() && !model_.opening() && !model_.awaitsEdit() && !options_.headless;
+                      !model_.busy() && !model_.opening() && !model_.awaitsEdit() &&
+                      !model_.displayIsBehind && !options_.headless;
     if (idle) return kIdleFrameSeconds;
     // A loop that had nothing to draw sleeps as well: without that it would take a core from the renderer.
     const double sinceDrawn = seconds(now - lastDrawn_);
@@ -237,7 +244,7 @@ bool App::headlessDone() {
     const bool over = status.state == SessionState::Failed ||
                       (status.state == SessionState::Finished && !model_.awaitsEdit() && model_.snapshot() &&
                        model_.snapshot()->passes == status.passes);
-    settled_ = over && model_.snapshot() == drawnSnapshot_ ? settled_ + 1 : 0;
+    settled_ = over && model_.snapshot() == drawnSnapshot_ && !model_.displayIsBehind ? settled_ + 1 : 0;
     if (over) lastInput_ = Clock::now();  // draw the frames that are left without pause
     return settled_ > kSettleFrames;
 }

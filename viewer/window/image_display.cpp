@@ -1,5 +1,9 @@
 #include "viewer/window/image_display.h"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include <fmt/format.h>
 
 #include "viewer/window/shader_sources.h"
@@ -43,6 +47,16 @@ Result<GLuint> linkProgram(const GlApi& gl) {
     return Error{fmt::format("the driver cannot link the tone-mapping shader: {}", log), {}};
 }
 
+/// Mesa's software drivers, and Microsoft's and Google's.
+bool runsOnProcessor(const GlApi& gl) {
+    const auto* text = reinterpret_cast<const char*>(gl.GetString(GL_RENDERER));
+    const std::string_view name = text != nullptr ? text : "";
+    constexpr std::array<std::string_view, 5> kNames{"llvmpipe", "softpipe", "swrast", "SwiftShader",
+                                                     "GDI Generic"};
+    return std::ranges::any_of(
+        kNames, [&](std::string_view part) { return name.find(part) != std::string_view::npos; });
+}
+
 GLuint makeTexture(const GlApi& gl, GLint filter) {
     GLuint texture = 0;
     gl.GenTextures(1, &texture);
@@ -72,6 +86,7 @@ Status ImageDisplay::init() {
     gl_.GenFramebuffers(1, &framebuffer_);
     radianceTexture_ = makeTexture(gl_, GL_NEAREST);
     displayTexture_ = makeTexture(gl_, GL_LINEAR);
+    isSoftware_ = runsOnProcessor(gl_);
     return {};
 }
 
@@ -83,29 +98,45 @@ ImageDisplay::~ImageDisplay() {
     if (program_ != 0) gl_.DeleteProgram(program_);
 }
 
-void ImageDisplay::upload(const float* rgb, int width, int height, bool smooth) {
-    gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    gl_.BindTexture(GL_TEXTURE_2D, radianceTexture_);
-    if (width == width_ && height == height_) {
-        gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGB, GL_FLOAT, rgb);
-    } else {
-        gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, width, height, 0, GL_RGB, GL_FLOAT, rgb);
-        gl_.BindTexture(GL_TEXTURE_2D, displayTexture_);
+void ImageDisplay::shape(int width, int height, bool smooth) {
+    gl_.BindTexture(GL_TEXTURE_2D, displayTexture_);
+    if (width != width_ || height != height_) {
         gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
         gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
         gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, displayTexture_, 0);
         gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
     }
-    gl_.BindTexture(GL_TEXTURE_2D, displayTexture_);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, smooth ? GL_LINEAR : GL_NEAREST);
-    gl_.BindTexture(GL_TEXTURE_2D, 0);
     width_ = width;
     height_ = height;
+}
+
+void ImageDisplay::upload(const float* rgb, int width, int height, bool smooth) {
+    gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    gl_.BindTexture(GL_TEXTURE_2D, radianceTexture_);
+    if (width == radianceWidth_ && height == radianceHeight_) {
+        gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGB, GL_FLOAT, rgb);
+    } else {
+        gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, width, height, 0, GL_RGB, GL_FLOAT, rgb);
+        radianceWidth_ = width;
+        radianceHeight_ = height;
+    }
+    shape(width, height, smooth);
+    gl_.BindTexture(GL_TEXTURE_2D, 0);
     stale_ = true;
+    hasRadiance_ = true;
+}
+
+void ImageDisplay::uploadColors(const uint8_t* rgba, int width, int height, bool smooth) {
+    gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    shape(width, height, smooth);
+    gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+    gl_.BindTexture(GL_TEXTURE_2D, 0);
+    hasRadiance_ = false;
 }
 
 void ImageDisplay::update(const Look& look) {
-    if (width_ == 0 || (!stale_ && look == look_)) return;
+    if (!hasRadiance_ || (!stale_ && look == look_)) return;
     look_ = look;
     stale_ = false;
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
@@ -113,7 +144,7 @@ void ImageDisplay::update(const Look& look) {
     for (const GLenum state : {GL_BLEND, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_CULL_FACE}) gl_.Disable(state);
     gl_.UseProgram(program_);
     gl_.Uniform1f(exposureLocation_, look.exposureStops);
-    gl_.Uniform1i(toneMapLocation_, look.displayValues ? -1 : static_cast<int>(look.toneMap));
+    gl_.Uniform1i(toneMapLocation_, static_cast<int>(look.toneMap));
     gl_.ActiveTexture(GL_TEXTURE0);
     gl_.BindTexture(GL_TEXTURE_2D, radianceTexture_);
     gl_.BindVertexArray(vertexArray_);

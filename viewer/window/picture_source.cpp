@@ -1,190 +1,131 @@
 #include "viewer/window/picture_source.h"
 
-#include <algorithm>
-#include <cmath>
+#include <utility>
+
+#include "engine/base/thread_priority.h"
 
 namespace glint {
 namespace {
 
-const Vec3 kVisiblePoint(0.72f, 0.80f, 0.72f);
-const Vec3 kNoVisiblePoint(0.22f, 0.09f, 0.20f);
+// About 4 ms of colouring, and 50 ms of drawing where OpenGL runs on the processor.
+constexpr size_t kColoredAtOnce = size_t{1} << 17;
+constexpr size_t kDrawnAtOnce = size_t{1} << 20;
 
-Vec3 screenColor(const Vec3& linear) { return toneMapped(linear, 0.0f, ToneMap::Srgb); }
-
-Vec3 falseColor(const AovSample& sample, ShownPicture shown, const DepthRange& range) {
-    switch (shown) {
-        case ShownPicture::Albedo:
-            return screenColor(sample.albedo);
-        case ShownPicture::ShadingNormal:
-            return normalColor(sample.shadingNormal);
-        case ShownPicture::GeometricNormal:
-            return normalColor(sample.geometricNormal);
-        case ShownPicture::Depth:
-            return depthColor(sample.depth, range.nearest, range.farthest);
-        case ShownPicture::ObjectId:
-            return idColor(sample.objectId);
-        case ShownPicture::MaterialId:
-            return idColor(sample.materialId);
-        case ShownPicture::Radiance:
-        case ShownPicture::StandardError:
-        case ShownPicture::Bias:
-        case ShownPicture::ErrorBound:
-        case ShownPicture::ReferenceError:
-        case ShownPicture::Radius:
-        case ShownPicture::PhotonCount:
-        case ShownPicture::VisiblePoints:
-            break;
-    }
-    return Vec3(0.0f);
+size_t pixelsOf(const FilmSnapshot& snapshot) {
+    return static_cast<size_t>(snapshot.width) * static_cast<size_t>(snapshot.height);
 }
 
-DepthRange rangeOf(const std::vector<AovSample>& samples) {
-    std::vector<float> depths;
-    depths.reserve(samples.size());
-    for (const AovSample& sample : samples) depths.push_back(sample.depth);
-    return depthRange(depths);
+/// The shader would take too long over this picture.
+bool isForProcessor(const FilmSnapshot& snapshot, const ImageDisplay& display) {
+    return display.isSoftware() && pixelsOf(snapshot) > kDrawnAtOnce;
 }
 
-/// From four decades below nearly the largest value up to it: a few fireflies must not set the scale.
-HeatScale scaleWithoutOutliers(const std::vector<float>& values) {
-    constexpr size_t kSamples = 16384;
-    constexpr double kShare = 0.999;
-    constexpr float kDecades = 1e-4f;
-    std::vector<float> sizes;
-    const size_t step = std::max<size_t>(1, values.size() / kSamples);
-    for (size_t i = 0; i < values.size(); i += step) {
-        const float size = std::fabs(values[i]);
-        if (size > 0.0f && std::isfinite(size)) sizes.push_back(size);
-    }
-    if (sizes.empty()) return {};
-    const auto high = sizes.begin() + static_cast<ptrdiff_t>(kShare * static_cast<double>(sizes.size() - 1));
-    std::nth_element(sizes.begin(), high, sizes.end());
-    const float largest = *high;
-    const float smallest = *std::min_element(sizes.begin(), sizes.end());
-    return {std::max(smallest, largest * kDecades), largest};
-}
-
-std::vector<float> heatColors(const std::vector<float>& values, const HeatScale& heat) {
-    const float lowest = std::log2(heat.smallest);
-    const float span = std::log2(heat.largest) - lowest;
-    std::vector<float> rgb;
-    rgb.reserve(values.size() * 3);
-    for (const float value : values) {
-        const bool isThere = value > 0.0f && std::isfinite(value);
-        const float share = span > 1e-6f ? (std::log2(value) - lowest) / span : 0.5f;
-        const Vec3 color = isThere ? heatColor(share) : Vec3(0.0f);
-        rgb.insert(rgb.end(), {color.x, color.y, color.z});
-    }
-    return rgb;
-}
-
-std::vector<float> signedColors(const std::vector<float>& values, float largest) {
-    std::vector<float> rgb;
-    rgb.reserve(values.size() * 3);
-    for (const float value : values) {
-        const Vec3 color = std::isfinite(value) && largest > 0.0f ? signedColor(value / largest) : Vec3(0.0f);
-        rgb.insert(rgb.end(), {color.x, color.y, color.z});
-    }
-    return rgb;
-}
-
-std::vector<float> errorsAgainst(const LoadedReference& reference, const FilmSnapshot& snapshot) {
-    std::vector<float> errors(snapshot.radiance.size() / 3);
-    for (size_t i = 0; i < errors.size(); ++i) errors[i] = errorAgainst(reference, snapshot, i);
-    return errors;
-}
-
-std::vector<float> mapColors(const std::vector<float>& values, ShownPicture shown, MapScale* scale) {
-    scale->isSigned = shown == ShownPicture::Bias;
-    if (!scale->isThere()) {
-        const bool holdsAll = shown == ShownPicture::Radius || shown == ShownPicture::PhotonCount;
-        scale->heat = holdsAll ? heatScale(values) : scaleWithoutOutliers(values);
-    }
-    return scale->isSigned ? signedColors(values, scale->heat.largest) : heatColors(values, scale->heat);
-}
-
-std::vector<float> visiblePointColors(const std::vector<float>& radii) {
-    std::vector<float> rgb;
-    rgb.reserve(radii.size() * 3);
-    for (const float radius : radii) {
-        const Vec3 color = radius > 0.0f ? kVisiblePoint : kNoVisiblePoint;
-        rgb.insert(rgb.end(), {color.x, color.y, color.z});
-    }
-    return rgb;
+bool isSame(const MapScale& a, const MapScale& b) {
+    return a.heat.smallest == b.heat.smallest && a.heat.largest == b.heat.largest && a.isSigned == b.isSigned;
 }
 
 }  // namespace
 
-ShownPicture pictureOf(const FilmSnapshot& snapshot, ShownPicture wanted, const LoadedReference* reference) {
-    const bool isComparable = reference != nullptr && reference->image.width == snapshot.width &&
-                              reference->image.height == snapshot.height;
-    if (wanted == ShownPicture::ReferenceError && !isComparable) return ShownPicture::Radiance;
-    const bool isSppm = snapshot.integrator == IntegratorKind::Sppm;
-    return isOfSppm(wanted) && !isSppm ? ShownPicture::Radiance : wanted;
-}
-
-std::string instead(const FilmSnapshot& snapshot, ShownPicture wanted, const LoadedReference* reference) {
-    if (wanted == ShownPicture::ReferenceError && reference == nullptr)
-        return "No reference that fits: the radiance";
-    if (!isOfSppm(wanted) || snapshot.integrator == IntegratorKind::Sppm) return "";
-    return wanted == ShownPicture::Bias ? "Path tracing has no bias: its radiance"
-                                        : "Path tracing has no photons: its radiance";
-}
-
-float errorAgainst(const LoadedReference& reference, const FilmSnapshot& snapshot, size_t pixel) {
-    const float* t = snapshot.radiance.data() + 3 * pixel;
-    const float* r = reference.image.rgb.data() + 3 * pixel;
-    return (std::fabs(t[0] - r[0]) + std::fabs(t[1] - r[1]) + std::fabs(t[2] - r[2])) / 3.0f;
-}
-
-std::vector<float> falseColors(const FilmSnapshot& snapshot, ShownPicture shown,
-                               const LoadedReference* reference, MapScale* scale) {
-    if (shown == ShownPicture::StandardError) return mapColors(snapshot.standardError, shown, scale);
-    if (shown == ShownPicture::Bias) return mapColors(snapshot.bias, shown, scale);
-    if (shown == ShownPicture::ErrorBound) return mapColors(snapshot.errorBound, shown, scale);
-    if (shown == ShownPicture::Radius) return mapColors(snapshot.radiusWorld, shown, scale);
-    if (shown == ShownPicture::PhotonCount) return mapColors(snapshot.photonCount, shown, scale);
-    if (shown == ShownPicture::ReferenceError)
-        return mapColors(errorsAgainst(*reference, snapshot), shown, scale);
-    *scale = {};
-    if (shown == ShownPicture::VisiblePoints) return visiblePointColors(snapshot.radiusWorld);
-    if (!snapshot.aovs || snapshot.aovs->passes() == 0) return {};
-    const std::vector<AovSample>& samples = snapshot.aovs->pixels();
-    const DepthRange range = shown == ShownPicture::Depth ? rangeOf(samples) : DepthRange{};
-    std::vector<float> rgb;
-    rgb.reserve(samples.size() * 3);
-    for (const AovSample& sample : samples) {
-        const Vec3 color = falseColor(sample, shown, range);
-        rgb.insert(rgb.end(), {color.x, color.y, color.z});
+PictureSource::Colors PictureSource::colored(Wanted of, ShownPicture kind, MapScale scale) {
+    Colors colors{std::move(of), kind, scale, {}};
+    if (kind == ShownPicture::Radiance) {
+        const ImageDisplay::Look& look = colors.of.look;
+        colors.rgba = toneMappedColors(*colors.of.snapshot, look.exposureStops, look.toneMap);
+    } else {
+        colors.rgba = falseColors(*colors.of.snapshot, kind, colors.of.reference.get(), &colors.scale);
     }
-    return rgb;
+    return colors;
 }
 
-void PictureSource::show(const std::shared_ptr<const FilmSnapshot>& snapshot, const DisplaySettings& settings,
-                         const std::shared_ptr<const LoadedReference>& reference,
-                         const PictureSource* alongside, ImageDisplay* display) {
-    const bool isNew = snapshot != shown_ || settings.shown != wantedKind_ || reference != reference_;
-    if (snapshot && snapshot->width > 0 && isNew) {
-        const ShownPicture kind = pictureOf(*snapshot, settings.shown, reference.get());
-        const bool radiance = kind == ShownPicture::Radiance;
-        MapScale scale;
-        if (alongside != nullptr && alongside->shownKind() == kind) scale = alongside->scale();
-        if (!radiance) falseColors_ = falseColors(*snapshot, kind, reference.get(), &scale);
-        const bool isMissing = !radiance && falseColors_.empty();
-        // What has not been made yet leaves the picture before on the screen, but not another integrator's.
-        const bool standsIn = isMissing && snapshot->integrator != shownIntegrator_;
-        const std::vector<float>& rgb = radiance || standsIn ? snapshot->radiance : falseColors_;
-        if (rgb.size() == static_cast<size_t>(snapshot->width) * static_cast<size_t>(snapshot->height) * 3) {
-            display->upload(rgb.data(), snapshot->width, snapshot->height, snapshot->previewScale > 1);
-            shownKind_ = standsIn ? ShownPicture::Radiance : kind;
-            shownIntegrator_ = snapshot->integrator;
-            scale_ = radiance || standsIn ? MapScale{} : scale;
+void PictureSource::start(const Wanted& wanted, ShownPicture kind, const MapScale& scale) {
+    isColoring_ = true;
+    jobs_.start(
+        [this, wanted, kind, scale]() -> JobQueue::Completion {
+            lowerThreadPriority();
+            auto colors = std::make_shared<Colors>(colored(wanted, kind, scale));
+            return [this, colors] {
+                isColoring_ = false;
+                ready_ = std::move(*colors);
+            };
+        },
+        false);
+}
+
+bool PictureSource::isReady() {
+    jobs_.runCompletions();
+    return ready_.has_value();
+}
+
+void PictureSource::putRadiance(const Wanted& wanted, ImageDisplay* display) {
+    const FilmSnapshot& snapshot = *wanted.snapshot;
+    display->upload(snapshot.radiance.data(), snapshot.width, snapshot.height, snapshot.previewScale > 1);
+    shownKind_ = ShownPicture::Radiance;
+    shownIntegrator_ = snapshot.integrator;
+    scale_ = {};
+    shown_ = wanted;
+}
+
+/// What has not been made yet leaves the picture before on the screen, but not another integrator's.
+void PictureSource::put(Colors colors, ImageDisplay* display) {
+    const FilmSnapshot& snapshot = *colors.of.snapshot;
+    if (colors.rgba.size() == pixelsOf(snapshot) * 4) {
+        display->uploadColors(colors.rgba.data(), snapshot.width, snapshot.height, snapshot.previewScale > 1);
+        shownKind_ = colors.kind;
+        shownIntegrator_ = snapshot.integrator;
+        scale_ = colors.kind == ShownPicture::Radiance ? MapScale{} : colors.scale;
+    } else if (snapshot.integrator != shownIntegrator_) {
+        putRadiance(colors.of, display);
+    }
+    shown_ = std::move(colors.of);
+}
+
+bool PictureSource::isNew(const Wanted& wanted, ShownPicture kind, const PictureSource* alongside,
+                          const ImageDisplay& display) const {
+    if (wanted.snapshot != shown_.snapshot || wanted.shown != shown_.shown ||
+        wanted.reference != shown_.reference)
+        return true;
+    if (kind == ShownPicture::Radiance)
+        return isForProcessor(*wanted.snapshot, display) && !(wanted.look == shown_.look);
+    return alongside != nullptr && alongside->shownKind() == kind && shownKind_ == kind &&
+           alongside->scale().isThere() && !isSame(alongside->scale(), scale_);
+}
+
+void PictureSource::bringUp(const Wanted& wanted, ShownPicture kind, const MapScale& scale,
+                            ImageDisplay* display) {
+    const bool isRadiance = kind == ShownPicture::Radiance;
+    if (isRadiance && !isForProcessor(*wanted.snapshot, *display)) {
+        putRadiance(wanted, display);
+    } else if (!isRadiance && pixelsOf(*wanted.snapshot) <= kColoredAtOnce) {
+        put(colored(wanted, kind, scale), display);
+    } else {
+        isBehind_ = true;
+        if (!isColoring_) start(wanted, kind, scale);
+    }
+}
+
+void PictureSource::show(const Wanted& wanted, const PictureSource* alongside, ImageDisplay* display) {
+    isBehind_ = false;
+    if (isReady()) {
+        // Of an older generation or another choice: the picture on the display is newer.
+        const bool isWanted = wanted.snapshot && ready_->of.shown == wanted.shown &&
+                              ready_->of.reference == wanted.reference &&
+                              ready_->of.snapshot->generation == wanted.snapshot->generation &&
+                              ready_->of.snapshot->integrator == wanted.snapshot->integrator;
+        if (isWanted) put(std::move(*ready_), display);
+        ready_.reset();
+    }
+    if (wanted.snapshot && wanted.snapshot->width > 0) {
+        const ShownPicture kind = pictureOf(*wanted.snapshot, wanted.shown, wanted.reference.get());
+        if (isNew(wanted, kind, alongside, *display)) {
+            if (alongside != nullptr && alongside->isBehind()) {
+                isBehind_ = true;  // its scale is not known yet
+            } else {
+                const bool shares = alongside != nullptr && alongside->shownKind() == kind;
+                bringUp(wanted, kind, shares ? alongside->scale() : MapScale{}, display);
+            }
         }
-        shown_ = snapshot;
-        wantedKind_ = settings.shown;
-        reference_ = reference;
     }
-    display->update({settings.exposureStops, settings.toneMap, shownKind_ != ShownPicture::Radiance});
+    display->update(wanted.look);
 }
 
 }  // namespace glint

@@ -189,7 +189,7 @@ Result<ScriptPlayer::Progress> ScriptPlayer::runWait(const ScriptStatement& stat
         met = !model_->awaitsEdit() && status.passes >= static_cast<uint32_t>(statement.number(1));
     if (what == "picture") {
         met = attempts_ > 1 && !model_->awaitsEdit() && model_->pictureIsCurrent() &&
-              model_->carriesShownPicture();
+              model_->carriesShownPicture() && !model_->displayIsBehind;
     }
     if (what == "jobs") met = attempts_ > 1 && !model_->busy() && !model_->opening();
     if (what == "finished") met = !model_->awaitsEdit() && status.state == SessionState::Finished;

@@ -145,6 +145,8 @@ class ViewerModel {
     }
 
     DisplaySettings display;
+    /// Set by who draws: what is on the screen is not of the newest snapshots yet.
+    bool displayIsBehind = false;
     ConvergenceSettings convergence;
     ReferenceErrors reference;
     ReferenceFit referenceFit;

@@ -1,0 +1,193 @@
+#include "viewer/window/false_colors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glint {
+namespace {
+
+const Vec3 kVisiblePoint(0.72f, 0.80f, 0.72f);
+const Vec3 kNoVisiblePoint(0.22f, 0.09f, 0.20f);
+
+constexpr size_t kChannels = 4;
+constexpr size_t kRampSteps = 1024;
+
+/// Writes pixels one after another.
+class ColorWriter {
+  public:
+    explicit ColorWriter(size_t pixels) : rgba_(pixels * kChannels, 255), next_(rgba_.data()) {}
+    void add(const Vec3& display) {
+        for (int c = 0; c < 3; ++c)
+            next_[c] =
+                display[c] > 0.0f ? static_cast<uint8_t>(std::min(display[c], 1.0f) * 255.0f + 0.5f) : 0;
+        next_ += kChannels;
+    }
+    std::vector<uint8_t> take() { return std::move(rgba_); }
+
+  private:
+    std::vector<uint8_t> rgba_;
+    uint8_t* next_;
+};
+
+Vec3 screenColor(const Vec3& linear) { return toneMapped(linear, 0.0f, ToneMap::Srgb); }
+
+Vec3 falseColor(const AovSample& sample, ShownPicture shown, const DepthRange& range) {
+    switch (shown) {
+        case ShownPicture::Albedo:
+            return screenColor(sample.albedo);
+        case ShownPicture::ShadingNormal:
+            return normalColor(sample.shadingNormal);
+        case ShownPicture::GeometricNormal:
+            return normalColor(sample.geometricNormal);
+        case ShownPicture::Depth:
+            return depthColor(sample.depth, range.nearest, range.farthest);
+        case ShownPicture::ObjectId:
+            return idColor(sample.objectId);
+        case ShownPicture::MaterialId:
+            return idColor(sample.materialId);
+        case ShownPicture::Radiance:
+        case ShownPicture::StandardError:
+        case ShownPicture::Bias:
+        case ShownPicture::ErrorBound:
+        case ShownPicture::ReferenceError:
+        case ShownPicture::Radius:
+        case ShownPicture::PhotonCount:
+        case ShownPicture::VisiblePoints:
+            break;
+    }
+    return Vec3(0.0f);
+}
+
+DepthRange rangeOf(const std::vector<AovSample>& samples) {
+    std::vector<float> depths;
+    depths.reserve(samples.size());
+    for (const AovSample& sample : samples) depths.push_back(sample.depth);
+    return depthRange(depths);
+}
+
+/// From four decades below nearly the largest value up to it: a few fireflies must not set the scale.
+HeatScale scaleWithoutOutliers(const std::vector<float>& values) {
+    constexpr size_t kSamples = 16384;
+    constexpr double kShare = 0.999;
+    constexpr float kDecades = 1e-4f;
+    std::vector<float> sizes;
+    const size_t step = std::max<size_t>(1, values.size() / kSamples);
+    for (size_t i = 0; i < values.size(); i += step) {
+        const float size = std::fabs(values[i]);
+        if (size > 0.0f && std::isfinite(size)) sizes.push_back(size);
+    }
+    if (sizes.empty()) return {};
+    const auto high = sizes.begin() + static_cast<ptrdiff_t>(kShare * static_cast<double>(sizes.size() - 1));
+    std::nth_element(sizes.begin(), high, sizes.end());
+    const float largest = *high;
+    const float smallest = *std::min_element(sizes.begin(), sizes.end());
+    return {std::max(smallest, largest * kDecades), largest};
+}
+
+/// The heat ramp as a table: a picture asks for millions of its colours.
+std::vector<Vec3> heatRamp() {
+    std::vector<Vec3> ramp(kRampSteps);
+    for (size_t i = 0; i < kRampSteps; ++i)
+        ramp[i] = heatColor(static_cast<float>(i) / static_cast<float>(kRampSteps - 1));
+    return ramp;
+}
+
+std::vector<uint8_t> heatColors(const std::vector<float>& values, const HeatScale& heat) {
+    static const std::vector<Vec3> kRamp = heatRamp();
+    const float lowest = std::log2(heat.smallest);
+    const float span = std::log2(heat.largest) - lowest;
+    ColorWriter colors(values.size());
+    for (const float value : values) {
+        const bool isThere = value > 0.0f && std::isfinite(value);
+        if (!isThere) {
+            colors.add(Vec3(0.0f));
+            continue;
+        }
+        const float share = span > 1e-6f ? (std::log2(value) - lowest) / span : 0.5f;
+        const float step = std::clamp(share, 0.0f, 1.0f) * static_cast<float>(kRampSteps - 1);
+        colors.add(kRamp[static_cast<size_t>(step + 0.5f)]);
+    }
+    return colors.take();
+}
+
+std::vector<uint8_t> signedColors(const std::vector<float>& values, float largest) {
+    ColorWriter colors(values.size());
+    for (const float value : values)
+        colors.add(std::isfinite(value) && largest > 0.0f ? signedColor(value / largest) : Vec3(0.0f));
+    return colors.take();
+}
+
+std::vector<float> errorsAgainst(const LoadedReference& reference, const FilmSnapshot& snapshot) {
+    std::vector<float> errors(snapshot.radiance.size() / 3);
+    for (size_t i = 0; i < errors.size(); ++i) errors[i] = errorAgainst(reference, snapshot, i);
+    return errors;
+}
+
+std::vector<uint8_t> mapColors(const std::vector<float>& values, ShownPicture shown, MapScale* scale) {
+    scale->isSigned = shown == ShownPicture::Bias;
+    if (!scale->isThere()) {
+        const bool holdsAll = shown == ShownPicture::Radius || shown == ShownPicture::PhotonCount;
+        scale->heat = holdsAll ? heatScale(values) : scaleWithoutOutliers(values);
+    }
+    return scale->isSigned ? signedColors(values, scale->heat.largest) : heatColors(values, scale->heat);
+}
+
+std::vector<uint8_t> visiblePointColors(const std::vector<float>& radii) {
+    ColorWriter colors(radii.size());
+    for (const float radius : radii) colors.add(radius > 0.0f ? kVisiblePoint : kNoVisiblePoint);
+    return colors.take();
+}
+
+}  // namespace
+
+ShownPicture pictureOf(const FilmSnapshot& snapshot, ShownPicture wanted, const LoadedReference* reference) {
+    const bool isComparable = reference != nullptr && reference->image.width == snapshot.width &&
+                              reference->image.height == snapshot.height;
+    if (wanted == ShownPicture::ReferenceError && !isComparable) return ShownPicture::Radiance;
+    const bool isSppm = snapshot.integrator == IntegratorKind::Sppm;
+    return isOfSppm(wanted) && !isSppm ? ShownPicture::Radiance : wanted;
+}
+
+std::string instead(const FilmSnapshot& snapshot, ShownPicture wanted, const LoadedReference* reference) {
+    if (wanted == ShownPicture::ReferenceError && reference == nullptr)
+        return "No reference that fits: the radiance";
+    if (!isOfSppm(wanted) || snapshot.integrator == IntegratorKind::Sppm) return "";
+    return wanted == ShownPicture::Bias ? "Path tracing has no bias: its radiance"
+                                        : "Path tracing has no photons: its radiance";
+}
+
+float errorAgainst(const LoadedReference& reference, const FilmSnapshot& snapshot, size_t pixel) {
+    const float* t = snapshot.radiance.data() + 3 * pixel;
+    const float* r = reference.image.rgb.data() + 3 * pixel;
+    return (std::fabs(t[0] - r[0]) + std::fabs(t[1] - r[1]) + std::fabs(t[2] - r[2])) / 3.0f;
+}
+
+std::vector<uint8_t> falseColors(const FilmSnapshot& snapshot, ShownPicture shown,
+                                 const LoadedReference* reference, MapScale* scale) {
+    if (shown == ShownPicture::StandardError) return mapColors(snapshot.standardError, shown, scale);
+    if (shown == ShownPicture::Bias) return mapColors(snapshot.bias, shown, scale);
+    if (shown == ShownPicture::ErrorBound) return mapColors(snapshot.errorBound, shown, scale);
+    if (shown == ShownPicture::Radius) return mapColors(snapshot.radiusWorld, shown, scale);
+    if (shown == ShownPicture::PhotonCount) return mapColors(snapshot.photonCount, shown, scale);
+    if (shown == ShownPicture::ReferenceError)
+        return mapColors(errorsAgainst(*reference, snapshot), shown, scale);
+    *scale = {};
+    if (shown == ShownPicture::VisiblePoints) return visiblePointColors(snapshot.radiusWorld);
+    if (!snapshot.aovs || snapshot.aovs->passes() == 0) return {};
+    const std::vector<AovSample>& samples = snapshot.aovs->pixels();
+    const DepthRange range = shown == ShownPicture::Depth ? rangeOf(samples) : DepthRange{};
+    ColorWriter colors(samples.size());
+    for (const AovSample& sample : samples) colors.add(falseColor(sample, shown, range));
+    return colors.take();
+}
+
+std::vector<uint8_t> toneMappedColors(const FilmSnapshot& snapshot, float exposureStops, ToneMap map) {
+    ColorWriter colors(snapshot.radiance.size() / 3);
+    for (size_t i = 0; i + 2 < snapshot.radiance.size(); i += 3) {
+        const Vec3 radiance(snapshot.radiance[i], snapshot.radiance[i + 1], snapshot.radiance[i + 2]);
+        colors.add(toneMapped(radiance, exposureStops, map));
+    }
+    return colors.take();
+}
+
+}  // namespace glint
