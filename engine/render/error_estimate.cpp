@@ -2,12 +2,12 @@
 #include "engine/render/error_estimate.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 
 #include "engine/base/parallel.h"
 #include "engine/math/color.h"
+#include "engine/render/error_sums.h"
 #include "engine/render/film.h"
 #include "engine/render/sppm_state.h"
 
@@ -20,81 +20,17 @@ constexpr double kNormal95 = 1.6448536269514722;
 /// Standard deviation of the logarithm of the mean squared error from what is assumed of stratification (how
 /// it goes on between powers of two), for one doubling of passes and so much less for many; the same before
 /// there is a calibration; and of a picture that is all bias, whose estimate misses what edges cut off.
-constexpr double kModelSpread = 1.5;
+constexpr double kModelSpread = 0.6;
 constexpr double kUncalibratedSpread = 1.2;
-constexpr double kBiasSpread = 0.6;
-
-/// The estimate of the bias is of second order in the radius; what edges and peaks narrower than a disc add
-/// to it, measured on a Cornell box and on glass caustics at 20 x 20 pixels with discs of four pixels.
-constexpr double kHigherOrders = 1.35;
+constexpr double kBiasSpread = 0.5;
 
 double square(double x) { return x * x; }
 
-/// Pixels of about the same squared error, so that the worst can be left out without sorting: a bin is a
-/// float's exponent.
-struct Bin {
-    double noise = 0.0;  ///< sum of variances
-    double noiseSquared = 0.0;
-    double photonSquared = 0.0;
-    double bias = 0.0;  ///< sum of squared biases, less what their own noise adds
-    uint64_t pixels = 0;
-};
-constexpr size_t kBins = 256;
-
-struct Sums {
-    std::vector<Bin> bins = std::vector<Bin>(kBins);
-    double luminance = 0.0;
-
-    /// A pixel of which nothing is known, since its samples were dropped, counts as one of the worst.
-    void add(const PixelError& error, double pixelLuminance) {
-        luminance += pixelLuminance;
-        if (!std::isfinite(error.variance)) {
-            ++bins.back().pixels;
-            return;
-        }
-        const double bias = square(kHigherOrders) * (square(error.bias) - 3.0 * error.photonVariance);
-        const auto squaredError = static_cast<float>(error.variance + std::max(0.0, bias));
-        Bin& bin = bins[std::bit_cast<uint32_t>(squaredError) >> 23];
-        bin.noise += error.variance;
-        bin.noiseSquared += square(error.variance);
-        bin.photonSquared += square(error.photonVariance);
-        bin.bias += bias;
-        ++bin.pixels;
-    }
-
-    void add(const Sums& other) {
-        for (size_t i = 0; i < kBins; ++i) {
-            bins[i].noise += other.bins[i].noise;
-            bins[i].noiseSquared += other.bins[i].noiseSquared;
-            bins[i].photonSquared += other.bins[i].photonSquared;
-            bins[i].bias += other.bins[i].bias;
-            bins[i].pixels += other.bins[i].pixels;
-        }
-        luminance += other.luminance;
-    }
-
-    /// All pixels but the `worst` with the largest errors; of the bin in which the cut falls, a share.
-    Bin totalWithout(double worst) const {
-        Bin total;
-        for (size_t i = kBins; i-- > 0;) {
-            const auto pixels = static_cast<double>(bins[i].pixels);
-            const double dropped = std::min(worst, pixels);
-            worst -= dropped;
-            const double share = pixels > 0.0 ? 1.0 - dropped / pixels : 0.0;
-            total.noise += share * bins[i].noise;
-            total.noiseSquared += share * bins[i].noiseSquared;
-            total.photonSquared += share * bins[i].photonSquared;
-            total.bias += share * bins[i].bias;
-        }
-        return total;
-    }
-};
-
-Sums sumPixels(const Film& film, const SppmState* sppm, int threads) {
+ErrorSums sumPixels(const Film& film, const SppmState* sppm, int threads) {
     const auto pixels = static_cast<int64_t>(film.pixels().size());
-    std::vector<Sums> partial(static_cast<size_t>((pixels + kChunkPixels - 1) / kChunkPixels));
+    std::vector<ErrorSums> partial(static_cast<size_t>((pixels + kChunkPixels - 1) / kChunkPixels));
     parallelChunks(pixels, kChunkPixels, threads, [&](int64_t begin, int64_t end) {
-        Sums& sums = partial[static_cast<size_t>(begin / kChunkPixels)];
+        ErrorSums& sums = partial[static_cast<size_t>(begin / kChunkPixels)];
         for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
             sums.add(pixelError(film, sppm, i), pixelLuminance(film, sppm, i));
         }
@@ -107,20 +43,18 @@ Sums sumPixels(const Film& film, const SppmState* sppm, int threads) {
 
 /// Standard deviation of the logarithm of the mean squared error about its estimate: of the error itself, of
 /// the variances that were measured, and of the bias.
-double logSpread(const Film& film, const Bin& total) {
+double logSpread(const Film& film, const TrimmedErrors& total) {
     const NoiseCalibration& calibration = film.calibration();
     const bool isCalibrated = calibration.passes >= 4;
     const double passes = film.passes();
-    const double meanSquare = total.noise + std::max(0.0, total.bias);
-    const double ofNoise = 2.0 * total.noiseSquared * (1.0 + 1.0 / (passes - 1.0));
-    const double ofCalibration = isCalibrated ? 2.0 * total.noiseSquared : 0.0;
+    const double ofVariances =
+        2.0 * total.varianceSquared * ((isCalibrated ? 1.0 : 0.0) + 1.0 / (passes - 1.0));
     // b^2 of a normal b with variance 3v: 2 (3v)^2 + 4 B^2 3v, and 4 B^2 v of the product of error and bias.
-    const double ofBias =
-        18.0 * total.photonSquared + 16.0 * std::max(0.0, total.bias) * std::sqrt(total.photonSquared);
-    const double sampling =
-        calibration.correlatedPixels * (ofNoise + ofCalibration + ofBias) / square(meanSquare);
+    const double ofBias = 18.0 * total.photonSquared + 16.0 * std::max(0.0, total.biasTimesPhotons);
+    const double sampling = calibration.correlatedPixels * (total.noiseVariance + ofVariances + ofBias) /
+                            square(total.squaredError());
     const double model = isCalibrated ? kModelSpread / std::log2(passes) : kUncalibratedSpread;
-    const double biasModel = kBiasSpread * std::max(0.0, total.bias) / meanSquare;
+    const double biasModel = kBiasSpread * total.bias / total.squaredError();
     return std::sqrt(sampling + square(model) + square(biasModel));
 }
 
@@ -171,17 +105,16 @@ ErrorEstimate estimateError(const Film& film, const SppmState* sppm, int threads
     if (film.passes() < 2 || film.pixels().empty() || (sppm && sppm->passes < 2)) {
         return estimate;
     }
-    const Sums sums = sumPixels(film, sppm, threads);
+    const ErrorSums sums = sumPixels(film, sppm, threads);
     const auto pixels = static_cast<double>(film.pixels().size());
-    const Bin total = sums.totalWithout(kTrimmedShare * pixels);
+    const TrimmedErrors total = withoutWorst(sums, kTrimmedShare * pixels);
     if (!(total.noise > 0.0)) {
         return {.relative = 0.0, .low = 0.0, .high = 0.0};
     }
     const double kept = (1.0 - kTrimmedShare) * pixels;
-    const double bias = std::max(0.0, total.bias);
     const double mean = sums.luminance / pixels;
-    estimate.relative = std::sqrt((total.noise + bias) / kept) / mean;
-    estimate.bias = std::sqrt(bias / kept) / mean;
+    estimate.relative = std::sqrt(total.squaredError() / kept) / mean;
+    estimate.bias = std::sqrt(total.bias / kept) / mean;
     const double half = 0.5 * kNormal95 * logSpread(film, total);
     estimate.low = estimate.relative * std::exp(-half);
     estimate.high = estimate.relative * std::exp(half);

@@ -77,18 +77,22 @@ LogLogChart errorChart(const ConvergenceReport& report, ErrorMeasure measure) {
             ? std::string(report.summary.withoutReference ? "relative error, the reference's own subtracted"
                                                           : "relative error (RMSE over the picture's mean)")
             : fmt::format("{}{}", name.title, name.unit.empty() ? "" : fmt::format(", {}", name.unit));
-    chart.note = "Bands: one standard deviation over the seeds.";
+    chart.note =
+        "Seconds of rendering alone: building, evaluating and saving are not in them. Bands: one standard "
+        "deviation.";
     bool marked = false;
     for (size_t i = 0; i < report.result.variants.size(); ++i) {
         chart.series.push_back(seriesOf(report, i, measure));
         marked = marked || report.summary.variants[i].sameMethodAsReference;
     }
     if (marked) {
-        chart.note += " * The reference was made by the same method.";
+        chart.note += " * Reference by the same method.";
     }
     if (const double floor = floorOf(report, measure); floor > 0.0) {
-        chart.levels.push_back({floor, report.summary.withoutReference ? "reference's own error, subtracted"
-                                                                       : "reference's own error"});
+        const bool biased = report.reference.integrator == IntegratorKind::Sppm;
+        chart.levels.push_back(
+            {floor, fmt::format("reference's own {}{}", biased ? "noise (bias unknown)" : "error",
+                                report.summary.withoutReference ? ", subtracted" : "")});
     }
     return chart;
 }

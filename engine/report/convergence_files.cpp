@@ -181,10 +181,14 @@ std::vector<std::string> reportWarnings(const ConvergenceReport& report) {
             report.reference.method));
     }
     if (report.summary.floorRatio > 0.1) {
-        out.push_back(
-            fmt::format("The reference's own error is {:.0f} % of the smallest error measured, more "
-                        "than a tenth: small errors are overstated.",
-                        100.0 * report.summary.floorRatio));
+        const double times = std::pow(10.0 * report.summary.floorRatio, 2.0);
+        const double needed = times * report.reference.renderSeconds;
+        out.push_back(fmt::format(
+            "The reference's own error is {:.0f} % of the smallest error measured, more than a tenth: small "
+            "errors are "
+            "overstated.{}",
+            100.0 * report.summary.floorRatio,
+            needed > 0.0 ? fmt::format(" A tenth would take one of about {} s.", secondsText(needed)) : ""));
     }
     return out;
 }

@@ -44,7 +44,7 @@ class PagePictures {
             legend_.low, rampStops(), legend_.high);
         out += figure("pictures/reference.png", "the reference");
         if (report_.reference.knowsItsError()) {
-            out += figure("pictures/reference-error.png", "its own squared standard error");
+            out += figure("pictures/reference-error.png", "its own squared standard error, relative");
         }
         out += "</div>\n";
         for (size_t i = 0; i < report_.result.variants.size(); ++i) {

@@ -118,7 +118,8 @@ std::string pageMetricsTable(const ConvergenceReport& report) {
                        [](const auto& v) { return figures(v.variance); });
     rows += variantRow(report, labelled("bias²", "radiance²"),
                        [](const auto& v) { return figures(v.biasSquared); });
-    rows += variantRow(report, "efficiency", [](const auto& v) { return figures(v.efficiency); });
+    rows += variantRow(report, labelled("efficiency", "1/(radiance² s)"),
+                       [](const auto& v) { return figures(v.efficiency); });
     rows += variantRow(report, "relative efficiency",
                        [](const auto& v) { return figures(v.relativeEfficiency); });
     return "<h2>All measures</h2>\n" + table(rows) +

@@ -1,4 +1,4 @@
-// Replicates by turns in one session: the scene is built once.
+// The mean of replicates, and their spread as its error.
 #include "engine/report/convergence_reference.h"
 
 #include <algorithm>
@@ -31,12 +31,14 @@ class Replicates {
     }
     int count() const { return count_; }
 
+    /// The picture and its figures; needs two.
     void store(ReferencePicture* out) const {
         out->picture.rgb.assign(mean_.begin(), mean_.end());
-        out->variance.reserve(squares_.size());
+        out->variance.clear();
         for (const double sum : squares_) {
             out->variance.push_back(static_cast<float>(sum / weight_ / (count_ - 1)));
         }
+        out->summarize();
     }
 
   private:
@@ -49,7 +51,15 @@ int replicatesOf(IntegratorKind integrator) {
     return integrator == IntegratorKind::Sppm ? kPhotonReplicates : kPathReplicates;
 }
 
-void addRemarks(const ReferencePlan& plan, const SessionCapture& last, ReferencePicture* out) {
+uint64_t droppedIn(const Film& film) {
+    uint64_t dropped = 0;
+    for (int fault = 1; fault < kSampleFaultCount; ++fault) {
+        dropped += film.faultCounts()[static_cast<size_t>(fault)];
+    }
+    return dropped;
+}
+
+void addRemarks(const ReferencePlan& plan, uint64_t dropped, ReferencePicture* out) {
     if (plan.variant.integrator == IntegratorKind::Sppm) {
         out->remarks.push_back(
             "The reference is by photon mapping: the bias of its finite radius is not in its error bar.");
@@ -58,13 +68,103 @@ void addRemarks(const ReferencePlan& plan, const SessionCapture& last, Reference
         out->remarks.push_back(fmt::format("The reference's samples were clamped to {}: it is biased.",
                                            plan.settings.options.fireflyClamp));
     }
-    const auto& faults = last.film.faultCounts();
-    if (const uint64_t dropped = faults[1] + faults[2] + faults[3]; dropped > 0) {
+    if (dropped > 0) {
         out->remarks.push_back(fmt::format(
-            "{} samples of the reference's last replicate were not finite or negative and were dropped.",
-            dropped));
+            "{} samples of the reference were not finite or negative and were dropped.", dropped));
     }
 }
+
+/// Replicates by turns in one session: the scene is built once.
+class ReferenceMaker {
+  public:
+    ReferenceMaker(const ReferencePlan& plan, const SceneDescription& scene, const ConvergenceHost& host,
+                   MeasuredSession& session)
+        : plan_(plan), host_(host), session_(session), planned_(replicatesOf(plan.variant.integrator)) {
+        made_.timeLimitSeconds = plan.renderSeconds;
+        made_.picture.width = scene.resolution.width;
+        made_.picture.height = scene.resolution.height;
+        made_.method = plan.variant.text;
+        made_.integrator = plan.variant.integrator;
+    }
+
+    Result<std::optional<ReferencePicture>> make() {
+        // A replicate's own error is the root of R times the mean's.
+        StopLimits limits{.renderSeconds = plan_.renderSeconds / planned_,
+                          .relativeError = plan_.relativeError * std::sqrt(static_cast<double>(planned_))};
+        while (wantsMore()) {
+            const auto outcome = addReplicate(limits);
+            if (outcome == MeasuredSession::Outcome::Failed) {
+                return Error{fmt::format("the reference cannot be rendered: {}", session_.status().error),
+                             {}};
+            }
+            if (outcome == MeasuredSession::Outcome::Interrupted) {
+                break;
+            }
+            limits = {.passes = passesEach_};
+        }
+        if (sum_.count() < 2) {
+            return std::optional<ReferencePicture>();
+        }
+        made_.endedBy = isPrecise() ? "precision" : "time";
+        addRemarks(plan_, dropped_, &made_);
+        return std::optional<ReferencePicture>(std::move(made_));
+    }
+
+  private:
+    bool isPrecise() const {
+        return plan_.relativeError > 0.0 && made_.relativeError() <= plan_.relativeError;
+    }
+
+    /// The planned ones always; then more while their spread is too large and another one fits into the time.
+    bool wantsMore() const {
+        if (sum_.count() < planned_) {
+            return true;
+        }
+        const double each = made_.renderSeconds / sum_.count();
+        return plan_.relativeError > 0.0 && !isPrecise() && made_.renderSeconds + each <= plan_.renderSeconds;
+    }
+
+    MeasuredSession::Outcome addReplicate(const StopLimits& limits) {
+        const int index = sum_.count();
+        const std::string part =
+            index < planned_
+                ? fmt::format("reference by {}, replicate {} of {}", plan_.variant.name, index + 1, planned_)
+                : fmt::format("reference by {}, replicate {}: its error is {:.3g} %, wanted is {:.3g} %",
+                              plan_.variant.name, index + 1, 100.0 * made_.relativeError(),
+                              100.0 * plan_.relativeError);
+        if (host_.onPart) {
+            host_.onPart(part);
+        }
+        const uint32_t seed = plan_.firstSeed + static_cast<uint32_t>(index);
+        if (index > 0) {
+            session_.restartWithSeed(seed);
+        }
+        const auto outcome = session_.runTo(limits, part);
+        if (outcome == MeasuredSession::Outcome::Reached) {
+            const auto capture = session_.capture();
+            const auto picture = makeSnapshot(*capture, {}, plan_.settings.threads);
+            sum_.add(*picture);
+            made_.seeds.push_back(seed);
+            made_.renderSeconds += capture->renderSeconds;
+            made_.passes += picture->passes;
+            passesEach_ = picture->passes;
+            dropped_ += droppedIn(capture->film);
+            if (sum_.count() >= 2) {
+                sum_.store(&made_);
+            }
+        }
+        return outcome;
+    }
+
+    const ReferencePlan& plan_;
+    const ConvergenceHost& host_;
+    MeasuredSession& session_;
+    int planned_;
+    uint32_t passesEach_ = 0;
+    uint64_t dropped_ = 0;
+    Replicates sum_;
+    ReferencePicture made_;
+};
 
 }  // namespace
 
@@ -90,59 +190,13 @@ void ReferencePicture::summarize() {
 Result<std::optional<ReferencePicture>> makeReference(const ReferencePlan& plan,
                                                       const SceneDescription& scene,
                                                       const ConvergenceHost& host) {
-    const int replicates = replicatesOf(plan.variant.integrator);
     VariantSettings settings = plan.settings;
     settings.options.seed = plan.firstSeed;
     auto session = MeasuredSession::start(scene, settings, host);
     if (!session) {
         return session.error();
     }
-    // A replicate's own error is the root of R times the mean's.
-    StopLimits limits{.renderSeconds = plan.renderSeconds / replicates,
-                      .relativeError = plan.relativeError * std::sqrt(static_cast<double>(replicates))};
-    ReferencePicture made;
-    made.timeLimitSeconds = plan.renderSeconds;
-    Replicates sum;
-    for (int i = 0; i < replicates; ++i) {
-        const std::string part =
-            fmt::format("reference by {}, replicate {} of {}", plan.variant.name, i + 1, replicates);
-        if (host.onPart) {
-            host.onPart(part);
-        }
-        if (i > 0) {
-            (*session)->restartWithSeed(plan.firstSeed + static_cast<uint32_t>(i));
-        }
-        const auto outcome = (*session)->runTo(limits, part);
-        if (outcome == MeasuredSession::Outcome::Failed) {
-            return Error{fmt::format("the reference cannot be rendered: {}", (*session)->status().error), {}};
-        }
-        if (outcome == MeasuredSession::Outcome::Interrupted) {
-            break;
-        }
-        const auto capture = (*session)->capture();
-        const auto picture = makeSnapshot(*capture, {}, settings.threads);
-        sum.add(*picture);
-        made.seeds.push_back(plan.firstSeed + static_cast<uint32_t>(i));
-        made.renderSeconds += capture->renderSeconds;
-        made.passes += picture->passes;
-        if (i == 0) {
-            made.endedBy = capture->renderSeconds >= limits.renderSeconds ? "time" : "precision";
-        }
-        limits = {.passes = picture->passes};
-        if (i + 1 == replicates) {
-            addRemarks(plan, *capture, &made);
-        }
-    }
-    if (sum.count() < 2) {
-        return std::optional<ReferencePicture>();
-    }
-    made.picture.width = scene.resolution.width;
-    made.picture.height = scene.resolution.height;
-    sum.store(&made);
-    made.method = plan.variant.text;
-    made.integrator = plan.variant.integrator;
-    made.summarize();
-    return std::optional<ReferencePicture>(std::move(made));
+    return ReferenceMaker(plan, scene, host, **session).make();
 }
 
 }  // namespace glint

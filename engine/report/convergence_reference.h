@@ -56,26 +56,28 @@ std::string referenceDifference(const std::map<std::string, std::string>& attrib
 struct ReferencePlan {
     ConvergenceVariant variant;
     VariantSettings settings;    ///< with the variant applied
-    double renderSeconds = 0.0;  ///< the most it may take
-    double relativeError = 0.0;  ///< it ends sooner when its own is that small; 0: never
+    double renderSeconds = 0.0;  ///< the most it may take, but for the last passes of each replicate
+    double relativeError = 0.0;  ///< it ends sooner when its own, as measured, is that small; 0: never
     uint32_t firstSeed = 0;
 };
 
-/// Replicates of a path-traced reference, and of one by photon mapping: fewer, since its bias shrinks only
-/// within a replicate.
+/// Replicates of a path-traced reference at least, and of one by photon mapping: fewer, since its bias
+/// shrinks only within a replicate.
 constexpr int kPathReplicates = 8;
 constexpr int kPhotonReplicates = 2;
 
-/// The first replicate decides by the limits how many passes each has. Weighted by passes, the mean m of x_j
-/// has the variance estimate sum w_j (x_j - m)^2 / (R - 1), sum w_j = 1. Nothing: interrupted before there
-/// were two. Error: nothing could be rendered.
+/// The first replicate decides by the limits, and by its own estimate of its error, how many passes each has;
+/// then there are as many as above, and more of them while their spread says that the reference is not as
+/// precise as wanted. Weighted by passes, the mean m of x_j has the variance estimate sum w_j (x_j - m)^2 /
+/// (R - 1), sum w_j = 1. Nothing: interrupted before there were two. Error: nothing could be rendered.
 Result<std::optional<ReferencePicture>> makeReference(const ReferencePlan& plan,
                                                       const SceneDescription& scene,
                                                       const ConvergenceHost& host);
 
 /// Float R, G, B, standardError.R/G/B, and .Y of the luminance with the channels' errors taken as one; and as
 /// attributes what `glint render` writes and referenceMethod, referenceSeeds, referenceSeconds,
-/// referenceTimeLimit, referencePasses, referenceEndedBy, referenceStandardError and referenceRelativeError.
+/// referenceTimeLimit, referencePasses, referenceEndedBy, referenceStandardError, referenceRelativeError and
+/// referenceRemarks.
 /// `settings` made it.
 Status saveReference(const std::string& path, const ReferencePicture& reference, SceneDescription scene,
                      const VariantSettings& settings);

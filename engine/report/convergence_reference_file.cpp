@@ -143,7 +143,8 @@ Attributes attributesOf(const ReferencePicture& reference, const SceneDescriptio
                    {"referencePasses", fmt::to_string(reference.passes)},
                    {"referenceEndedBy", reference.endedBy},
                    {"referenceStandardError", fmt::to_string(reference.rmse())},
-                   {"referenceRelativeError", fmt::to_string(reference.relativeError())}};
+                   {"referenceRelativeError", fmt::to_string(reference.relativeError())},
+                   {"referenceRemarks", fmt::format("{}", fmt::join(reference.remarks, " "))}};
     for (const Setting& setting : renderSettings(scene)) {
         out["setting." + setting.name] = setting.value;
     }

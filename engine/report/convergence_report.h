@@ -32,7 +32,7 @@ struct ConvergenceReport {
     const ConvergenceSummary& summary;
 };
 
-/// What the seconds are: said in every output.
+/// What the seconds are: said in every output but the CSV files, which hold numbers only.
 constexpr const char* kSecondsMeaning =
     "Seconds are render seconds: the passes alone. Loading, building the scene, adding a pass to the film, "
     "evaluating the error and saving are not in them.";

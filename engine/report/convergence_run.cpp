@@ -18,9 +18,6 @@ using Outcome = MeasuredSession::Outcome;
 /// A later seed that takes so many times the first one's time is given up: something else runs on this
 /// machine.
 constexpr double kMostSlowdown = 4.0;
-/// Of the whole time: enough to know a variant's speed and noise.
-constexpr double kPilotShare = 0.02;
-constexpr double kLeastPilotSeconds = 0.1;
 
 /// Mean and spread over the seeds of each value of the last picture (Welford 1962).
 struct PictureMoments {
@@ -48,8 +45,12 @@ class VariantRunner {
         : plan_(plan), scene_(scene), reference_(reference), host_(host) {
         result.variant = variant;
         result.settings = variant.applyTo(plan.defaults);
+        moments_ = plan.pictureMoments;
+        if (moments_.empty()) {
+            moments_ = decadesOf(plan.seconds > 0.0 ? plan.seconds : plan.passes, plan.pictures);
+        }
         if (plan.seconds == 0.0) {
-            stops_ = spacedPasses(plan.passes, plan.points);
+            stops_ = spacedPasses(plan.passes, plan.points, plan.pictureMoments);
         }
     }
 
@@ -90,7 +91,7 @@ class VariantRunner {
 
   private:
     Outcome runByTime(MeasuredSession& session) {
-        const SecondsSchedule schedule(plan_.seconds, plan_.points);
+        const SecondsSchedule schedule(plan_.seconds, plan_.points, plan_.pictureMoments);
         Outcome outcome = session.runTo({.passes = 1}, part_);
         double firstPass = 0.0;
         while (outcome == Outcome::Reached) {
@@ -161,21 +162,19 @@ class VariantRunner {
         return values;
     }
 
-    /// Pictures of a hundredth, a tenth and the whole of the work; the last point's always.
+    /// The first picture at or after each moment; the last point's always.
     void keep(const MeasuredPoint& point, const ImageF& picture) {
-        const double done = plan_.seconds > 0.0
-                                ? point.seconds / plan_.seconds
-                                : static_cast<double>(point.passes) / static_cast<double>(plan_.passes);
+        const double now = plan_.seconds > 0.0 ? point.seconds : static_cast<double>(point.passes);
         const size_t index = result.curves.back().points.size() - 1;
         if (keptForGood_ < result.pictures.size()) {
             result.pictures.pop_back();
         }
-        if (plan_.pictures == 0) {
+        if (moments_.empty()) {
             return;
         }
         result.pictures.push_back({index, picture});
         bool due = false;
-        while (wanted_ < plan_.pictures && done >= std::pow(10.0, wanted_ + 1 - plan_.pictures)) {
+        while (wanted_ < moments_.size() && now >= moments_[wanted_]) {
             ++wanted_;
             due = true;
         }
@@ -208,8 +207,9 @@ class VariantRunner {
     std::vector<uint32_t> stops_;  ///< pass counts
     ImageF last_;
     PictureMoments finals_;
-    int wanted_ = 0;          ///< pictures whose time has come
-    size_t keptForGood_ = 0;  ///< the one after them is the newest, kept until the next
+    std::vector<double> moments_;  ///< of pictures that are kept
+    size_t wanted_ = 0;            ///< moments that have come
+    size_t keptForGood_ = 0;       ///< the one after them is the newest, kept until the next
 };
 
 }  // namespace
@@ -237,40 +237,6 @@ ConvergenceResult runConvergence(const ConvergencePlan& plan, const SceneDescrip
         result.variants.push_back(std::move(runner.result));
     }
     return result;
-}
-
-double predictSmallestError(const ConvergencePlan& plan, const SceneDescription& scene,
-                            const ConvergenceHost& host) {
-    double smallest = 0.0;
-    for (const ConvergenceVariant& variant : plan.variants) {
-        VariantSettings settings = variant.applyTo(plan.defaults);
-        settings.options.seed = plan.seeds[0];
-        auto session = MeasuredSession::start(scene, settings, host);
-        if (!session) {
-            continue;
-        }
-        if (host.onPart) {
-            host.onPart(fmt::format("pilot of {}", variant.name));
-        }
-        const double share = kPilotShare * plan.seconds;
-        // An error bar needs two passes.
-        Outcome outcome = (*session)->runTo({.passes = plan.seconds > 0.0 ? 2 : std::min(plan.passes, 16u)});
-        if (outcome == Outcome::Reached && plan.seconds > 0.0) {
-            outcome = (*session)->runTo({.renderSeconds = std::max(kLeastPilotSeconds, share)});
-        }
-        const auto capture = outcome == Outcome::Reached ? (*session)->capture() : std::nullopt;
-        if (!capture) {
-            continue;
-        }
-        const double done = plan.seconds > 0.0 ? capture->renderSeconds / plan.seconds
-                                               : static_cast<double>(capture->film.passes()) / plan.passes;
-        const double error =
-            makeSnapshot(*capture, {}, settings.threads)->relativeError * std::sqrt(std::min(1.0, done));
-        if (std::isfinite(error) && error > 0.0) {
-            smallest = smallest > 0.0 ? std::min(smallest, error) : error;
-        }
-    }
-    return smallest;
 }
 
 std::vector<uint32_t> seedsBeside(const std::vector<uint32_t>& taken, uint32_t first, int count) {

@@ -25,7 +25,9 @@ struct ConvergencePlan {
     uint32_t passes = 0;
     int points = 16;
     int pictures =
-        3;  ///< kept of the first seed: the last one, and those of a tenth, a hundredth ... of the work
+        3;  ///< kept of the first seed: the end's, and those of a tenth, a hundredth ... of the work
+    std::vector<double>
+        pictureMoments{};        ///< instead of these: seconds (or passes), rising; the end's is kept too
     double exposureStops = 0.0;  ///< at which SSIM and FLIP look
 };
 
@@ -72,12 +74,6 @@ struct ConvergenceResult {
 /// A variant that fails is recorded and the others go on.
 ConvergenceResult runConvergence(const ConvergencePlan& plan, const SceneDescription& scene,
                                  const ReferencePicture& reference, const ConvergenceHost& host);
-
-/// The smallest relative error that the plan's end is likely to have: renders a pilot of each variant and
-/// takes its error to fall with the root of time. 0: not known (interrupted, nothing rendered, no time
-/// limit).
-double predictSmallestError(const ConvergencePlan& plan, const SceneDescription& scene,
-                            const ConvergenceHost& host);
 
 /// `count` seeds from `first` on, without those in `taken`: a picture of the reference's own seeds would
 /// share its noise.

@@ -1,6 +1,7 @@
 // `glint converge` as its users meet it: what it writes, marks, refuses and keeps. Tiny pictures and counted
 // passes, so that nothing depends on the machine's speed.
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <sstream>
 
@@ -133,7 +134,7 @@ TEST_F(ConvergeCommand, WritesEverythingAndItAgrees) {
     }
     EXPECT_EQ(readCsv(file("summary.csv")).size(), 3u * 4u);
     EXPECT_TRUE(loadImage8(file("plot.png")));
-    EXPECT_TRUE(says(TempFolder::read(file("plot.svg")), "reference's own error"));
+    EXPECT_TRUE(says(TempFolder::read(file("plot.svg")), "own error: "));
 }
 
 TEST_F(ConvergeCommand, ThePageNeedsNothingElse) {
@@ -225,6 +226,17 @@ TEST_F(ConvergeCommand, WrongReferencesAreRefusedOrWarnedOf) {
     const ProgramRun depth = with(rendered("depth.exr", {"--size", "16x12", "--depth", "2"}));
     EXPECT_EQ(depth.exitCode, 1);
     EXPECT_TRUE(says(depth.err, "maxDepth 2"));
+    ExrPicture broken;
+    broken.width = 16;
+    broken.height = 12;
+    for (const char* name : {"R", "G", "B"}) {
+        broken.channels.push_back({.name = name, .type = ExrPixelType::Float, .floats = {}, .ids = {}});
+        broken.channels.back().floats.assign(16 * 12, std::numeric_limits<float>::quiet_NaN());
+    }
+    ASSERT_TRUE(saveExr(folder.path("nan.exr"), broken));
+    const ProgramRun notFinite = with(folder.path("nan.exr"));
+    EXPECT_EQ(notFinite.exitCode, 1);
+    EXPECT_TRUE(says(notFinite.err, "is nan"));
     const std::string moved = rendered("moved.exr", {"--size", "16x12", "--fov", "20"});
     const ProgramRun other = with(moved);
     EXPECT_EQ(other.exitCode, 1);
@@ -299,6 +311,10 @@ TEST_F(ConvergeCommand, BadInputHasOneMessageAndLeavesNothing) {
         with({"--json", folder.path("no/such/a.json")}),
         {"--reference-variant", "pt", "--reference", "a.exr"},
         {"--make-reference", "1", "--time", "-2"},
+        with({"--picture-times", "7"}),
+        with({"--picture-times", "0"}),
+        with({"--picture-times", "nan"}),
+        with({"--picture-times", "2", "--pictures", "1"}),
     };
     for (const auto& options : bad) {
         const ProgramRun run = converge(options);
@@ -337,6 +353,76 @@ TEST_F(ConvergeCommand, CtrlCBeforeThereIsAReferenceMeasuresNothing) {
     EXPECT_FALSE(std::filesystem::exists(folder.path("run")));
 }
 
+TEST_F(ConvergeCommand, TheReferenceIsAsPreciseAsItSaysOrSaysHowFarItCame) {
+    // Precise enough: by its own spread, which is what the file carries.
+    const ProgramRun precise = converge({"--make-reference", "1000", "--passes", "4", "--seeds", "2",
+                                         "--integrators", "pt", "--points", "2", "--pictures", "0"});
+    ASSERT_EQ(precise.exitCode, 0) << precise.err;
+    EXPECT_EQ(summary()["reference"]["ended_by"], "precision");
+    EXPECT_LT(summary()["reference"]["ratio_to_smallest_error"].get<double>(), 0.2) << "a tenth was foretold";
+    EXPECT_TRUE(says(precise.err, "the reference's own error is"));
+    EXPECT_FALSE(says(precise.err, "would take"));
+    // Out of time: that, and what a tenth would take.
+    const ProgramRun hurried = converge({"--make-reference", "0.001", "--passes", "64", "--seeds", "2",
+                                         "--integrators", "pt", "--points", "2", "--pictures", "0"},
+                                        "hurried");
+    ASSERT_EQ(hurried.exitCode, 0) << hurried.err;
+    EXPECT_EQ(summary("hurried")["reference"]["ended_by"], "time");
+    EXPECT_TRUE(says(hurried.err, "which would take about"));
+    EXPECT_TRUE(says(hurried.out, "more than a tenth"));
+    EXPECT_TRUE(says(hurried.out, "A tenth would take one of about"));
+}
+
+TEST_F(ConvergeCommand, ABiasedReferenceIsMarkedEverywhere) {
+    const ProgramRun run =
+        converge({"--make-reference", "0.05", "--reference-variant", "sppm:photons=500", "--passes", "2",
+                  "--seeds", "1", "--integrators", "pt", "--pictures", "0"});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const std::string mark = "bias of its finite radius is not in its error bar";
+    EXPECT_TRUE(says(run.out, mark));
+    EXPECT_TRUE(says(TempFolder::read(file("summary.json")), mark));
+    EXPECT_NE(TempFolder::read(file("index.html")).find(mark), std::string::npos);
+    EXPECT_TRUE(says(TempFolder::read(file("plot.svg")), "reference&#39;s own noise (bias unknown)"));
+    const auto reference = loadExr(file("reference.exr"));
+    ASSERT_TRUE(reference);
+    EXPECT_TRUE(says(reference->attributes.at("referenceRemarks"), mark));
+}
+
+TEST_F(ConvergeCommand, EveryOutputSaysWhatTheSecondsAre) {
+    const ProgramRun run = converge(with({"--integrators", "pt"}));
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    for (const std::string& text :
+         {run.out, TempFolder::read(file("summary.json")), TempFolder::read(file("index.html")),
+          TempFolder::read(file("plot.svg"))}) {
+        EXPECT_NE(text.find("saving are not in them"), std::string::npos);
+    }
+}
+
+TEST_F(ConvergeCommand, PicturesAtChosenTimes) {
+    const ProgramRun run = converge({"--make-reference", "0.05", "--passes", "9", "--points", "2", "--seeds",
+                                     "1", "--integrators", "pt", "--picture-times", "7,3"});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    std::vector<int> passes;
+    const json all = summary();
+    for (const json& picture : all["variants"][0]["pictures"]) {
+        passes.push_back(picture["passes"].get<int>());
+        EXPECT_TRUE(loadImage8(file(picture["file"].get<std::string>())));
+        EXPECT_TRUE(loadImage8(file(picture["error_file"].get<std::string>())));
+    }
+    EXPECT_EQ(passes, (std::vector<int>{3, 7, 9}));
+}
+
+TEST_F(ConvergeCommand, WhatWasMeasuredIsPrintedWhenItCannotBeWritten) {
+    ASSERT_EQ(converge(with({"--integrators", "pt"})).exitCode, 0);
+    removeResults();
+    // A folder where a file has to go: nobody may write that, not even root.
+    std::filesystem::create_directories(file("curve.csv") + "/x");
+    const ProgramRun run = converge(with({"--integrators", "pt", "--overwrite"}));
+    EXPECT_EQ(run.exitCode, 2) << run.err;
+    EXPECT_TRUE(says(run.err, "curve.csv"));
+    EXPECT_TRUE(says(run.out, "slope"));
+}
+
 TEST_F(ConvergeCommand, EverySceneAndFormatWorks) {
     std::vector<std::string> scenes;
     for (const auto& entry : std::filesystem::directory_iterator(kScenes)) {
@@ -358,6 +444,10 @@ TEST_F(ConvergeCommand, EverySceneAndFormatWorks) {
              "--integrators", "pt,sppm:photons=200", "--reference-variant", "pt", "--out", out});
         EXPECT_EQ(run.exitCode, 0) << scene << ": " << run.err;
         EXPECT_TRUE(std::filesystem::exists(out + "/index.html")) << scene;
+        const ProgramRun diff = test::runProgram(
+            {"diff", out + "/pictures/pt-2.png", out + "/reference.exr", "--json", "-", "--hdr-flip"});
+        EXPECT_EQ(diff.exitCode, 0) << scene << ": " << diff.err;
+        EXPECT_TRUE(json::parse(diff.out, nullptr, false).contains("metrics")) << scene;
     }
 }
 

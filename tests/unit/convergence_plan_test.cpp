@@ -98,6 +98,18 @@ TEST(Schedule, SlowPassesSkipStops) {
     EXPECT_FALSE(SecondsSchedule(1.0, 5).next(2.0, 2.0)) << "the first pass took longer than all of it";
 }
 
+TEST(Schedule, StopsAtChosenMomentsToo) {
+    const SecondsSchedule schedule(10.0, 3, {0.5, 4.0});
+    std::vector<double> stops{0.1};
+    while (const auto next = schedule.next(0.1, stops.back())) {
+        stops.push_back(*next);
+    }
+    EXPECT_EQ(stops, (std::vector<double>{0.1, 0.5, 1.0, 4.0, 10.0}));
+    EXPECT_EQ(spacedPasses(16, 3, {5.0, 4.0}), (std::vector<uint32_t>{1, 4, 5, 16}));
+    EXPECT_EQ(decadesOf(20.0, 3), (std::vector<double>{0.2, 2.0, 20.0}));
+    EXPECT_TRUE(decadesOf(20.0, 0).empty());
+}
+
 TEST(Schedule, PassesAreSpacedAndEachOnce) {
     EXPECT_EQ(spacedPasses(1, 16), (std::vector<uint32_t>{1}));
     EXPECT_EQ(spacedPasses(16, 5), (std::vector<uint32_t>{1, 2, 4, 8, 16}));

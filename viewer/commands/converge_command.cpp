@@ -16,6 +16,7 @@
 #include "engine/build/scene_builder.h"
 #include "engine/io/atomic_file.h"
 #include "engine/io/scene_loader.h"
+#include "engine/report/convergence_pilot.h"
 #include "viewer/commands/commands.h"
 #include "viewer/commands/converge_options.h"
 #include "viewer/commands/converge_output.h"
@@ -243,26 +244,47 @@ class ConvergeRun {
         }
         reference_ = std::move(**made);
         reference_.path = folder_.reference();
-        const Status saved = saveReference(folder_.reference(), reference_, scene_, wanted.settings);
-        return saved ? Result<bool>(true) : Result<bool>(saved.error());
+        if (const Status saved = saveReference(folder_.reference(), reference_, scene_, wanted.settings);
+            !saved) {
+            folder_.removeIfEmpty();
+            return saved.error();
+        }
+        announce(wanted);
+        return true;
+    }
+
+    /// Before hours are spent on comparing with it.
+    void announce(const ReferencePlan& wanted) {
+        line_.finish();
+        const double own = reference_.relativeError();
+        fmt::print(stderr, "the reference's own error is {:.3g} % after {} s", 100.0 * own,
+                   secondsText(reference_.renderSeconds));
+        if (wanted.relativeError > 0.0 && own > wanted.relativeError) {
+            const double times = std::pow(own / wanted.relativeError, 2.0);
+            fmt::print(stderr,
+                       "; a tenth of the smallest error expected is {:.3g} %, which would take about {} s",
+                       100.0 * wanted.relativeError, secondsText(times * reference_.renderSeconds));
+        }
+        fmt::print(stderr, "\n");
     }
 
     int report(ConvergenceResult* result) {
         const ConvergenceSummary summary =
             summarizeConvergence(*result, reference_, options_.subtractReference);
         const ConvergenceReport report{context_, plan_, scene_, reference_, *result, summary};
-        if (const Status made = folder_.make(); !made) {
-            return complain(made.error(), kExitFailed);
+        Status written = folder_.make();
+        if (written) {
+            written = folder_.write(report, result);
         }
-        if (const Status written = folder_.write(report, result); !written) {
-            return complain(written.error(), kExitFailed);
-        }
+        // Also when the disk is full: what was measured must not be lost.
         if (!jsonTakesOutput(options_.json)) {
             printReport(report);
         }
+        if (!written) {
+            return complain(written.error(), kExitFailed);
+        }
         if (!options_.json.empty()) {
-            const Status written =
-                writeJson(options_.json, nlohmann::ordered_json::parse(summaryJson(report)));
+            written = writeJson(options_.json, nlohmann::ordered_json::parse(summaryJson(report)));
             if (!written) {
                 return complain(written.error(), kExitFailed);
             }

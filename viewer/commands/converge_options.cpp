@@ -1,5 +1,7 @@
 #include "viewer/commands/converge_options.h"
 
+#include <algorithm>
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
@@ -30,10 +32,10 @@ void addReferenceOptions(CLI::App& command, ConvergeOptions* o) {
         ->type_name("REF.exr")
         ->group(group);
     command
-        .add_option(
-            "--make-reference", o->makeReference,
-            "Render one until its standard error is a tenth of the smallest error to be reported, or for "
-            "SECONDS; OUT/reference.exr is used again by the next run")
+        .add_option("--make-reference", o->makeReference,
+                    "Render one until its standard error is a tenth of the smallest error to be reported, "
+                    "but at most for "
+                    "SECONDS, and say how far it came; OUT/reference.exr is used again by the next run")
         ->check(aboveZero())
         ->type_name("SECONDS")
         ->group(group);
@@ -83,6 +85,15 @@ void addMeasuringOptions(CLI::App& command, ConvergeOptions* o) {
                     "Pictures of each variant: of the end, a tenth, a hundredth ...")
         ->check(CLI::Range(0, 8))
         ->capture_default_str()
+        ->group(group);
+    command
+        .add_option("--picture-times", o->pictureTimes,
+                    "Pictures at these seconds (with --passes: passes) instead, and at the end")
+        ->delimiter(',')
+        ->check(aboveZero())
+        ->type_name("T,...")
+        ->expected(1, 32)
+        ->excludes("--pictures")
         ->group(group);
     command.add_option("--exposure", o->exposure, "Stops at which pictures are shown and SSIM and FLIP look")
         ->check(between(-60.0, 60.0))
@@ -178,6 +189,14 @@ Result<ConvergencePlan> planOf(const ConvergeOptions& o, const SceneDescription&
     plan.seconds = o.passes > 0 ? 0.0 : o.seconds > 0.0 ? o.seconds : kDefaultConvergeSeconds;
     plan.points = o.points;
     plan.pictures = o.pictures;
+    plan.pictureMoments = o.pictureTimes;
+    std::ranges::sort(plan.pictureMoments);
+    if (const double whole = plan.seconds > 0.0 ? plan.seconds : plan.passes;
+        !o.pictureTimes.empty() && plan.pictureMoments.back() > whole) {
+        return Error{fmt::format("--picture-times: {:g} lies beyond the end at {:g}",
+                                 plan.pictureMoments.back(), whole),
+                     {}};
+    }
     plan.exposureStops = static_cast<double>(o.exposure);
     return plan;
 }

@@ -30,6 +30,7 @@ struct ConvergeOptions {
     int seeds = 4;
     int points = 16;
     int pictures = 3;
+    std::vector<double> pictureTimes;  ///< empty: as `pictures` says
     std::string size;
     std::optional<int> depth;
     std::optional<uint32_t> seed;

@@ -73,6 +73,7 @@ void printReport(const ConvergenceReport& report) {
     for (size_t i = 0; i < report.result.variants.size(); ++i) {
         printVariant(report.result.variants[i], report.summary.variants[i]);
     }
+    fmt::print("{}\n", kSecondsMeaning);
     fmt::print(
         "seconds to an error: ~ not reached, predicted by the fit; < already at the first measurement\n");
     const ReferencePicture& reference = report.reference;

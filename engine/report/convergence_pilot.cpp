@@ -1,0 +1,91 @@
+// Errors are the estimates of error_estimate.h: there is no reference yet.
+#include "engine/report/convergence_pilot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "engine/render/error_estimate.h"
+
+namespace glint {
+namespace {
+
+using Outcome = MeasuredSession::Outcome;
+
+constexpr double kPilotShare = 0.1;
+constexpr double kLeastPilotSeconds = 0.1;
+/// An error bar needs two passes, and one to go by more.
+constexpr uint32_t kLeastPilotPasses = 16;
+
+struct PilotPoint {
+    double work = 0.0;  ///< seconds or passes
+    double error = 0.0;
+};
+
+class Pilot {
+  public:
+    Pilot(const ConvergencePlan& plan, MeasuredSession& session, int threads)
+        : plan_(plan), session_(session), threads_(threads) {}
+
+    /// The error at the plan's end; nothing: not known.
+    std::optional<double> predict() {
+        const double whole = plan_.seconds > 0.0 ? plan_.seconds : plan_.passes;
+        const auto first = pointAt(0.5 * kPilotShare);
+        const auto second = pointAt(kPilotShare);
+        if (!second || !std::isfinite(second->error) || !(second->error > 0.0)) {
+            return std::nullopt;
+        }
+        double slope = 0.5;
+        if (first && std::isfinite(first->error) && second->work > first->work) {
+            slope = std::log(first->error / second->error) / std::log(second->work / first->work);
+        }
+        return second->error * std::pow(std::min(1.0, second->work / whole), std::clamp(slope, 0.5, 1.0));
+    }
+
+  private:
+    std::optional<PilotPoint> pointAt(double share) {
+        const bool byTime = plan_.seconds > 0.0;
+        const auto passes =
+            std::min(plan_.passes, std::max(kLeastPilotPasses, static_cast<uint32_t>(share * plan_.passes)));
+        Outcome outcome = session_.runTo({.passes = byTime ? 2 : passes});
+        if (outcome == Outcome::Reached && byTime) {
+            outcome = session_.runTo({.renderSeconds = std::max(kLeastPilotSeconds, share * plan_.seconds)});
+        }
+        const auto capture = outcome == Outcome::Reached ? session_.capture() : std::nullopt;
+        if (!capture) {
+            return std::nullopt;
+        }
+        return PilotPoint{byTime ? capture->renderSeconds : static_cast<double>(capture->film.passes()),
+                          estimateError(capture->film, &capture->sppm, threads_).relative};
+    }
+
+    const ConvergencePlan& plan_;
+    MeasuredSession& session_;
+    int threads_;
+};
+
+}  // namespace
+
+double predictSmallestError(const ConvergencePlan& plan, const SceneDescription& scene,
+                            const ConvergenceHost& host) {
+    double smallest = 0.0;
+    for (const ConvergenceVariant& variant : plan.variants) {
+        VariantSettings settings = variant.applyTo(plan.defaults);
+        settings.options.seed = plan.seeds[0];
+        auto session = MeasuredSession::start(scene, settings, host);
+        if (!session) {
+            continue;
+        }
+        if (host.onPart) {
+            host.onPart(fmt::format("pilot of {}", variant.name));
+        }
+        if (const auto error = Pilot(plan, **session, settings.threads).predict()) {
+            smallest = smallest > 0.0 ? std::min(smallest, *error) : *error;
+        }
+    }
+    return smallest;
+}
+
+}  // namespace glint

@@ -1,0 +1,18 @@
+// How precise a reference has to be: the smallest error that a convergence run will report, foretold by short
+// renders of its variants.
+//
+// Used by `glint converge` before it makes a reference. What comes out is a plan: whether the reference was
+// precise enough is measured afterwards (ConvergenceSummary::floorRatio).
+#pragma once
+
+#include "engine/report/convergence_run.h"
+
+namespace glint {
+
+/// Renders each variant for a tenth of the plan, and takes its error to go on falling as it did in the second
+/// half of that, but neither slower than time^-0.5 nor faster than 1 / time. 0: not known (interrupted,
+/// nothing rendered).
+double predictSmallestError(const ConvergencePlan& plan, const SceneDescription& scene,
+                            const ConvergenceHost& host);
+
+}  // namespace glint
