@@ -22,9 +22,9 @@ void PreviewScale::measured(int64_t paths, double seconds) {
     secondsPerPath_ = known() ? 0.5 * secondsPerPath_ + 0.5 * now : now;
 }
 
-int PreviewScale::choose(int width, int height, int present) const {
+int PreviewScale::choose(int width, int height, int present, double targetSeconds) const {
     const double perPath = known() ? secondsPerPath_ : kUnknownSecondsPerPath;
-    const double affordable = std::max(1.0, kTargetSeconds / perPath);
+    const double affordable = std::max(1.0, targetSeconds / perPath);
     const double pixels = static_cast<double>(width) * static_cast<double>(height);
     const double exact = std::sqrt(pixels / affordable);
     if (exact <= 1.0) {

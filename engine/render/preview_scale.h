@@ -22,7 +22,7 @@ class PreviewScale {
 
     /// Film pixels per preview pixel in each direction; 1: a whole pass is quick enough. `present` (0: none)
     /// is kept when it is nearly right, so that the picture does not flicker between two sizes.
-    int choose(int width, int height, int present) const;
+    int choose(int width, int height, int present, double targetSeconds = kTargetSeconds) const;
 
   private:
     double secondsPerPath_ = 0.0;

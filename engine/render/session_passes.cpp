@@ -21,6 +21,10 @@ SessionWorker::NextPass SessionWorker::nextPass(const Wishes& wishes) const {
     if (!built_ || failed_) {
         return NextPass::None;
     }
+    const bool isBare = (previewing_ ? preview_.passes() : filmPasses()) == 0;  // the picture that is shown
+    if (!isBare && otherPreviewIsDue(wishes)) {
+        return NextPass::OtherPreview;
+    }
     if (previewsOnly(wishes)) {
         const bool aovTurn = wishes.aovs != 0 &&
                              previewAovs_.passes() < std::min(RenderSession::kAovPasses, preview_.passes());
@@ -42,6 +46,15 @@ bool SessionWorker::previewsOnly(const Wishes& wishes) const {
     }
     const bool incomplete = preview_.passes() == 0 || (wishes.aovs != 0 && previewAovs_.passes() == 0);
     return incomplete || (wishes.interacting && captures_.empty());
+}
+
+/// One at least, and then in turn with the other preview while something moves.
+bool SessionWorker::otherPreviewIsDue(const Wishes& wishes) const {
+    if (!wishes.compare || !otherPreviewing_ || trackOf(otherIntegrator()).passes() > 0) {
+        return false;
+    }
+    const bool isBehind = previewing_ && wishes.interacting && otherPreview_.passes() < preview_.passes();
+    return otherPreview_.passes() == 0 || isBehind;
 }
 
 bool SessionWorker::wantsFilmPass(const Wishes& wishes) const {
@@ -67,6 +80,11 @@ PassParams SessionWorker::passParams(NextPass kind) const {
             params.height = preview_.height();
             params.pass = kind == NextPass::Preview ? preview_.passes() : previewAovs_.passes();
             break;
+        case NextPass::OtherPreview:
+            params.width = otherPreview_.width();
+            params.height = otherPreview_.height();
+            params.pass = otherPreview_.passes();
+            break;
         case NextPass::Film:
             params.pass = tracks_[static_cast<size_t>(passIntegrator_)].passes();
             break;
@@ -83,7 +101,7 @@ PassParams SessionWorker::passParams(NextPass kind) const {
 SppmParams SessionWorker::sppmParams(NextPass kind) const {
     SppmParams params = sppmParamsOf(*scene_);
     params.pass = passParams(kind);
-    if (kind == NextPass::Preview) {
+    if (kind == NextPass::Preview || kind == NextPass::OtherPreview) {
         const double share =
             static_cast<double>(pixelCount(params.pass.width, params.pass.height)) /
             static_cast<double>(pixelCount(scene_->resolution.width, scene_->resolution.height));
@@ -115,7 +133,7 @@ Result<bool> SessionWorker::renderInto(NextPass kind) {
     }
     const SppmParams params = sppmParams(kind);
     SppmState& state =
-        kind == NextPass::Preview ? previewSppm_ : tracks_[static_cast<size_t>(IntegratorKind::Sppm)].sppm;
+        kind != NextPass::Film ? previewSppm_ : tracks_[static_cast<size_t>(IntegratorKind::Sppm)].sppm;
     prepareSppm(params.pass.width, params.pass.height, params.pass.pass, &state);
     return backend_->renderSppmPass(params, mailbox_->stopFlag(), &state, &samples_);
 }
@@ -124,7 +142,11 @@ PassInFlight SessionWorker::passInFlight(NextPass kind) const {
     PassInFlight pass;
     if (kind == NextPass::Preview) {
         pass.mustBeShown = shownGeneration_ + 1 < status_.generation;
-        pass.previewSeconds = pace_.expectedSeconds(pixelCount(preview_.width(), preview_.height()));
+        pass.previewSeconds = pace().expectedSeconds(pixelCount(preview_.width(), preview_.height()));
+    } else if (kind == NextPass::OtherPreview) {
+        pass.mustBeShown = shownOther_.generation + 1 < status_.generation;
+        pass.previewSeconds = paceOf(otherIntegrator())
+                                  .expectedSeconds(pixelCount(otherPreview_.width(), otherPreview_.height()));
     }
     pass.mayWait = kind == NextPass::Film && filmPasses() > 0 && trackOf(passIntegrator_).passes() > 0;
     return pass;
@@ -132,7 +154,9 @@ PassInFlight SessionWorker::passInFlight(NextPass kind) const {
 
 void SessionWorker::runPass(NextPass kind) {
     const bool aov = kind == NextPass::PreviewAov || kind == NextPass::FilmAov;
-    passIntegrator_ = kind == NextPass::Film ? nextIntegrator(wishes_) : integrator();
+    passIntegrator_ = kind == NextPass::Film           ? nextIntegrator(wishes_)
+                      : kind == NextPass::OtherPreview ? otherIntegrator()
+                                                       : integrator();
     const auto began = SessionClock::now();
     mailbox_->beginPass(passInFlight(kind));
     const Result<bool> done =
@@ -150,8 +174,14 @@ void SessionWorker::runPass(NextPass kind) {
 }
 
 void SessionWorker::commitPass(NextPass kind, double seconds) {
-    shownIsOld_ = true;
+    shownIsOld_ = shownIsOld_ || kind != NextPass::OtherPreview;
     switch (kind) {
+        case NextPass::OtherPreview:
+            otherPreview_.commit(samples_, otherPreview_.passes(), options_.threads);
+            paceOf(passIntegrator_)
+                .measured(pixelCount(otherPreview_.width(), otherPreview_.height()), seconds);
+            ++status_.counters.previewPasses;
+            break;
         case NextPass::Preview:
             preview_.commit(samples_, preview_.passes(), options_.threads);
             ++status_.counters.previewPasses;
@@ -176,7 +206,11 @@ void SessionWorker::commitPass(NextPass kind, double seconds) {
 }
 
 void SessionWorker::commitFilmPass(double seconds) {
-    previewing_ = false;
+    if (passIntegrator_ == integrator()) {
+        previewing_ = false;
+    } else {
+        otherPreviewing_ = false;
+    }
     Track& rendered = tracks_[static_cast<size_t>(passIntegrator_)];
     prepareFilm(&rendered);
     const uint64_t raysBefore = rendered.film.rays();
@@ -187,9 +221,7 @@ void SessionWorker::commitFilmPass(double seconds) {
     rendered.secondsPerPass =
         rendered.secondsPerPass == 0.0 ? seconds : 0.8 * rendered.secondsPerPass + 0.2 * seconds;
     rendered.raysOfPass = rendered.film.rays() - raysBefore;
-    if (passIntegrator_ == integrator()) {
-        pace_.measured(paths, seconds);
-    }
+    paceOf(passIntegrator_).measured(paths, seconds);
     recordError(passIntegrator_);
 }
 
@@ -219,19 +251,19 @@ void SessionWorker::publishCurve(IntegratorKind kind) {
 
 void SessionWorker::refinePreview(double seconds) {
     const Resolution& size = scene_->resolution;
-    pace_.measured(pixelCount(preview_.width(), preview_.height()), seconds);
+    paceOf(integrator()).measured(pixelCount(preview_.width(), preview_.height()), seconds);
     showIfDue();
     if (wishes_.interacting) {
-        const int better = pace_.choose(size.width, size.height, previewScale_);
+        const int better = previewScaleNow(previewScale_);
         if (2 * better <= previewScale_) {
             startPreview(better);
         }
         return;
     }
-    const bool passIsSlow =
-        wishes_.aovs == 0 && pace_.expectedSeconds(pixelCount(size.width, size.height)) > kRefineAboveSeconds;
+    const bool passIsSlow = wishes_.aovs == 0 &&
+                            pace().expectedSeconds(pixelCount(size.width, size.height)) > kRefineAboveSeconds;
     if (passIsSlow && previewScale_ > 3) {
-        startPreview(std::max(2, std::min(previewScale_ / 2, pace_.choose(size.width, size.height, 0))));
+        startPreview(std::max(2, std::min(previewScale_ / 2, pace().choose(size.width, size.height, 0))));
     }
 }
 
@@ -298,7 +330,8 @@ void SessionWorker::show(bool preview) {
 
 std::shared_ptr<FilmSnapshot> SessionWorker::snapshotOf(IntegratorKind kind, bool preview) {
     const Track& of = trackOf(kind);
-    const Film& film = preview ? preview_ : of.film;
+    const bool isOther = kind != integrator();
+    const Film& film = !preview ? of.film : isOther ? otherPreview_ : preview_;
     const SppmState& sppm = preview ? previewSppm_ : of.sppm;
     const bool hasPhotons = kind == IntegratorKind::Sppm && sppm.passes > 0;
     auto snapshot =
@@ -306,12 +339,14 @@ std::shared_ptr<FilmSnapshot> SessionWorker::snapshotOf(IntegratorKind kind, boo
                      {wishes_.standardError, wishes_.photonStatistics, wishes_.errorMaps}, options_.threads);
     snapshot->generation = status_.generation;
     snapshot->integrator = kind;
-    snapshot->previewScale = preview ? previewScale_ : 1;
+    snapshot->previewScale = !preview ? 1 : isOther ? otherPreviewScale_ : previewScale_;
     snapshot->renderSeconds = of.renderSeconds;
     setError(preview ? ErrorEstimate{} : of.error, snapshot.get());
-    const AovFilm& aovs = preview ? previewAovs_ : aovFilm_;
-    if (wishes_.aovs != 0 && aovs.passes() > 0) {
-        if (!shownAovs_) {
+    // While comparing both pictures share them: they are of the camera, not of an integrator.
+    const AovFilm& aovs = previewing_ ? previewAovs_ : aovFilm_;
+    const bool fits = aovs.width() == snapshot->width && aovs.height() == snapshot->height;
+    if (wishes_.aovs != 0 && aovs.passes() > 0 && fits) {
+        if (!shownAovs_ || shownAovs_->width() != aovs.width() || shownAovs_->height() != aovs.height()) {
             shownAovs_ = std::make_shared<AovFilm>(aovs);
         }
         snapshot->aovs = shownAovs_;
@@ -322,11 +357,20 @@ std::shared_ptr<FilmSnapshot> SessionWorker::snapshotOf(IntegratorKind kind, boo
 /// While comparing: the film of the integrator that is not shown, kept beside the one that is.
 void SessionWorker::showOtherIfDue() {
     Track& other = trackOf(otherIntegrator());
-    if (!options_.snapshots || !wishes_.compare || previewing_ || other.passes() == 0) {
+    const bool preview = other.passes() == 0;
+    const uint32_t passes = !preview ? other.passes() : otherPreviewing_ ? otherPreview_.passes() : 0;
+    if (!options_.snapshots || !wishes_.compare || passes == 0 || shownGeneration_ != status_.generation) {
         return;
     }
-    const ShownOther now{status_.generation,    otherIntegrator(),        other.passes(),   aovFilm_.passes(),
-                         wishes_.standardError, wishes_.photonStatistics, wishes_.errorMaps};
+    const ShownOther now{status_.generation,
+                         otherIntegrator(),
+                         preview,
+                         other.restarts,
+                         passes,
+                         aovFilm_.passes(),
+                         wishes_.standardError,
+                         wishes_.photonStatistics,
+                         wishes_.errorMaps};
     ShownOther before = shownOther_;
     if (now == before) {
         return;
@@ -337,8 +381,21 @@ void SessionWorker::showOtherIfDue() {
     if (onlyMorePasses && secondsSince(shownOtherAt_) < kSnapshotInterval) {
         return;
     }
-    other.error = errorEstimate(other);
-    bulletin_->showOther(snapshotOf(otherIntegrator(), false));
+    before = shownOther_;
+    before.generation = now.generation;
+    std::shared_ptr<FilmSnapshot> picture;
+    if (now == before && shownOtherPicture_) {
+        // The same film: an edit of the photons alone must not cost a picture of the other one each time.
+        picture = std::make_shared<FilmSnapshot>(*shownOtherPicture_);
+        picture->generation = now.generation;
+    } else {
+        if (!preview) {
+            other.error = errorEstimate(other);
+        }
+        picture = snapshotOf(otherIntegrator(), preview);
+    }
+    shownOtherPicture_ = picture;
+    bulletin_->showOther(std::move(picture));
     shownOther_ = now;
     shownOtherAt_ = SessionClock::now();
 }

@@ -85,6 +85,10 @@ void SessionWorker::takeRequests() {
         previewAovs_ = AovFilm();
         shownAovs_.reset();
     }
+    if (built_ && wishes_.compare && !otherPreviewing_ && !comparing_) {
+        startOtherPreview();
+    }
+    comparing_ = wishes_.compare;
     // A picture at rest has to be shown again with what it lacked.
     if (shownLacksWishes() && filmPasses() > 0) {
         shownIsOld_ = true;
@@ -116,13 +120,12 @@ void SessionWorker::takeEdit(SceneEdit edit, std::optional<ResumePoint> resume) 
     if (!rebuild(edit)) {
         return;
     }
-    const bool switched = scene_ && scene_->options.integrator != edit.scene->options.integrator;
     scene_ = std::move(edit.scene);
     refusedKinds_ = EditKind::None;
     failed_ = false;
     status_.error.clear();
-    if (switched || has(edit.kinds, EditKind::Everything)) {
-        pace_.forget();
+    if (has(edit.kinds, EditKind::Everything)) {
+        std::ranges::for_each(paces_, &PreviewScale::forget);
     }
     if (resume) {
         continueFrom(std::move(*resume));
@@ -180,6 +183,7 @@ void SessionWorker::restartPicture(EditKind kinds) {
         const bool isSppm = static_cast<IntegratorKind>(kind) == IntegratorKind::Sppm;
         if (!sppmOnly || (isSppm && has(kinds, EditKind::SppmParameters))) {
             tracks_[kind].isStale = true;
+            ++tracks_[kind].restarts;
             tracks_[kind].renderSeconds = 0.0;
             tracks_[kind].error = {};
             tracks_[kind].secondsPerPass = 0.0;
@@ -191,19 +195,19 @@ void SessionWorker::restartPicture(EditKind kinds) {
         aovFilm_.clear();
         shownAovs_.reset();
     }
+    otherPreviewing_ = false;
     if (filmPasses() > 0) {
         previewing_ = false;
         shownIsOld_ = true;
-        return;
+    } else {
+        startTrack();
     }
-    startTrack();
+    startOtherPreview();
 }
 
 void SessionWorker::startTrack() {
     ++status_.counters.filmRestarts;
-    const Resolution& size = scene_->resolution;
-    const int scale =
-        options_.previews ? pace_.choose(size.width, size.height, previewing_ ? previewScale_ : 0) : 1;
+    const int scale = previewScaleNow(previewing_ ? previewScale_ : 0);
     previewing_ = scale > 1;
     if (previewing_) {
         startPreview(scale);
@@ -222,6 +226,7 @@ void SessionWorker::continueFrom(ResumePoint resume) {
     resumed.film = std::move(resume.film);
     resumed.sppm = std::move(resume.sppm);
     resumed.isStale = false;
+    ++resumed.restarts;
     resumed.renderSeconds = resume.renderSeconds;
     resumed.error = errorEstimate(resumed);
     resumed.curve = std::move(resume.curve);
@@ -239,9 +244,47 @@ void SessionWorker::startPreview(int scale) {
     } else {
         preview_ = Film(width, height);
     }
-    previewSppm_.passes = 0;
+    if (integrator() == IntegratorKind::Sppm) {
+        previewSppm_.passes = 0;
+    }
     previewAovs_ = AovFilm();
     previewScale_ = scale;
+}
+
+/// While comparing, the two previews share the time and have one size: that of the slower integrator.
+int SessionWorker::previewScaleNow(int present) const {
+    if (!options_.previews) {
+        return 1;
+    }
+    const Resolution& size = scene_->resolution;
+    if (!wishes_.compare) {
+        return pace().choose(size.width, size.height, present);
+    }
+    constexpr double kSeconds = 0.6 * PreviewScale::kTargetSeconds;
+    return std::max(pace().choose(size.width, size.height, present, kSeconds),
+                    paceOf(otherIntegrator()).choose(size.width, size.height, present, kSeconds));
+}
+
+void SessionWorker::startOtherPreview() {
+    if (!wishes_.compare || trackOf(otherIntegrator()).passes() > 0) {
+        return;
+    }
+    const int scale = previewing_ ? previewScale_ : previewScaleNow(otherPreviewScale_);
+    otherPreviewing_ = scale > 1;
+    if (!otherPreviewing_) {
+        return;
+    }
+    otherPreviewScale_ = scale;
+    const int width = previewSize(scene_->resolution.width, scale);
+    const int height = previewSize(scene_->resolution.height, scale);
+    if (otherPreview_.width() == width && otherPreview_.height() == height) {
+        otherPreview_.clear();
+    } else {
+        otherPreview_ = Film(width, height);
+    }
+    if (otherIntegrator() == IntegratorKind::Sppm) {
+        previewSppm_.passes = 0;
+    }
 }
 
 void SessionWorker::serveCaptures() {
@@ -285,7 +328,8 @@ MemoryUse SessionWorker::memoryUse() const {
         use[MemoryPart::SppmStatistics] += kept.sppm.bytes();
     }
     use[MemoryPart::PassSamples] = samples_.capacity() * sizeof(PixelSample);
-    use[MemoryPart::Preview] = preview_.bytes() + previewSppm_.bytes() + previewAovs_.bytes();
+    use[MemoryPart::Preview] =
+        preview_.bytes() + otherPreview_.bytes() + previewSppm_.bytes() + previewAovs_.bytes();
     use[MemoryPart::Aovs] = aovFilm_.bytes() + aovSamples_.capacity() * sizeof(AovSample);
     return use;
 }
@@ -305,7 +349,8 @@ void SessionWorker::setStatus() {
     status_.relativeErrorHigh = shown.error.high;
     status_.aovPasses = aovFilm_.passes();
     status_.memory = memoryUse();
-    status_.filmBytes = preview_.bytes() + previewSppm_.bytes() + aovFilm_.bytes() + previewAovs_.bytes();
+    status_.filmBytes = preview_.bytes() + otherPreview_.bytes() + previewSppm_.bytes() + aovFilm_.bytes() +
+                        previewAovs_.bytes();
     for (const Track& kept : tracks_) {
         status_.filmBytes += kept.film.bytes() + kept.sppm.bytes();
     }

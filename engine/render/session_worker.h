@@ -31,6 +31,7 @@ class SessionWorker {
         SppmState sppm;  ///< empty for path tracing
         bool isStale =
             true;  ///< cleared only when a pass is ready to be added, to keep it out of the edit's way
+        uint64_t restarts = 0;  ///< tells this film from those before
         double renderSeconds = 0.0;
         ErrorEstimate error;
         double secondsPerPass = 0.0;
@@ -41,7 +42,7 @@ class SessionWorker {
     };
     static constexpr size_t kTracks = 2;
 
-    enum class NextPass { None, Preview, PreviewAov, Film, FilmAov };
+    enum class NextPass { None, Preview, PreviewAov, OtherPreview, Film, FilmAov };
 
     void runOnce(Mail mail);
     void fail(const std::string& why);
@@ -54,9 +55,13 @@ class SessionWorker {
     void startTrack();
     void continueFrom(ResumePoint resume);
     void startPreview(int scale);
+    /// While comparing: previews of the integrator that is not shown, until its film has a pass.
+    void startOtherPreview();
+    int previewScaleNow(int present) const;
 
     NextPass nextPass(const Wishes& wishes) const;
     bool previewsOnly(const Wishes& wishes) const;
+    bool otherPreviewIsDue(const Wishes& wishes) const;
     bool wantsFilmPass(const Wishes& wishes) const;
     /// Of the film that is shown; while comparing, the other one must have had as much time too.
     bool limitReached(const Wishes& wishes) const;
@@ -94,6 +99,9 @@ class SessionWorker {
     void show(bool preview);
     void showOtherIfDue();
     std::shared_ptr<FilmSnapshot> snapshotOf(IntegratorKind kind, bool preview);
+    const PreviewScale& paceOf(IntegratorKind kind) const { return paces_[static_cast<size_t>(kind)]; }
+    PreviewScale& paceOf(IntegratorKind kind) { return paces_[static_cast<size_t>(kind)]; }
+    const PreviewScale& pace() const { return paceOf(integrator()); }
     MemoryUse memoryUse() const;
     void setStatus();
     SessionState state() const;
@@ -122,9 +130,13 @@ class SessionWorker {
     bool previewing_ = false;
     int previewScale_ = 1;
     Film preview_;
-    SppmState previewSppm_;
+    SppmState previewSppm_;  ///< of the one of the two previews that is SPPM's
     AovFilm previewAovs_;
-    PreviewScale pace_;
+    bool comparing_ = false;  ///< as the wishes were before
+    bool otherPreviewing_ = false;
+    int otherPreviewScale_ = 1;
+    Film otherPreview_;
+    std::array<PreviewScale, kTracks> paces_;  ///< by IntegratorKind
 
     bool shownIsOld_ = false;  ///< something was committed since the last snapshot
     bool shownPreview_ = false;
@@ -141,6 +153,8 @@ class SessionWorker {
     struct ShownOther {
         uint64_t generation = 0;
         IntegratorKind integrator = IntegratorKind::PathTracing;
+        bool preview = false;
+        uint64_t restarts = 0;
         uint32_t passes = 0;
         uint32_t aovPasses = 0;
         bool standardError = false;
@@ -149,6 +163,7 @@ class SessionWorker {
         bool operator==(const ShownOther&) const = default;
     };
     ShownOther shownOther_;
+    std::shared_ptr<const FilmSnapshot> shownOtherPicture_;
     SessionClock::time_point shownOtherAt_;
 
     SessionStatus status_;

@@ -134,6 +134,66 @@ TEST(ComparingSession, PausedBothShowOnePassAfterAnEdit) {
     }
 }
 
+/// With previews: a whole pass takes a fifth of a second.
+struct PreviewBench {
+    std::shared_ptr<FakeControl> control = std::make_shared<FakeControl>();
+    std::shared_ptr<SceneDescription> scene = fakeScene(256, 256);
+    RenderSession session{makeFakeBackend(control), fakeOptions(control)};
+
+    PreviewBench() { control->secondsPerPath = 3e-6; }
+    void post(EditKind kinds) { session.post({std::make_shared<SceneDescription>(*scene), kinds}); }
+    bool waitForOther(const std::function<bool(const FilmSnapshot&, const FilmSnapshot&)>& condition) {
+        return Bench::waitFor([&] {
+            const auto main = session.snapshot();
+            const auto other = session.otherSnapshot();
+            return main && other && main->generation == session.status().generation &&
+                   other->generation == main->generation && condition(*main, *other);
+        });
+    }
+};
+
+TEST(ComparingSession, WhileTheCameraMovesBothSidesArePreviewed) {
+    PreviewBench bench;
+    bench.session.setComparing(true);
+    bench.post(EditKind::Everything);
+    EXPECT_TRUE(bench.waitForOther([](const FilmSnapshot& main, const FilmSnapshot& other) {
+        return main.previewScale == 1 && other.previewScale == 1;
+    }));
+    for (int edit = 0; edit < 3; ++edit) {
+        bench.session.setInteracting(true);
+        bench.post(EditKind::Camera);
+        EXPECT_TRUE(bench.waitForOther([](const FilmSnapshot& main, const FilmSnapshot& other) {
+            return other.previewScale > 1 && other.previewScale == main.previewScale &&
+                   other.width == main.width && other.integrator != main.integrator;
+        })) << edit;
+    }
+    bench.session.setInteracting(false);
+    EXPECT_TRUE(bench.waitForOther([](const FilmSnapshot& main, const FilmSnapshot& other) {
+        return main.previewScale == 1 && other.previewScale == 1;
+    }));
+}
+
+TEST(ComparingSession, AnEditOfThePhotonsKeepsThePathTracedPicture) {
+    for (const IntegratorKind shown : {IntegratorKind::PathTracing, IntegratorKind::Sppm}) {
+        PreviewBench bench;
+        bench.scene->options.integrator = shown;
+        bench.session.setComparing(true);
+        bench.post(EditKind::Everything);
+        ASSERT_TRUE(bench.waitForOther([](const FilmSnapshot& main, const FilmSnapshot& other) {
+            return main.previewScale == 1 && other.previewScale == 1;
+        }));
+        bench.session.setInteracting(true);
+        bench.scene->sppm.alpha = 0.6f;
+        bench.post(EditKind::SppmParameters);
+        EXPECT_TRUE(bench.waitForOther([&](const FilmSnapshot& main, const FilmSnapshot& other) {
+            const bool isPath = main.integrator == IntegratorKind::PathTracing;
+            const FilmSnapshot& path = isPath ? main : other;
+            const FilmSnapshot& sppm = isPath ? other : main;
+            return path.previewScale == 1 && path.passes > 0 && sppm.previewScale > 1;
+        }));
+    }
+}
+
 TEST(ComparingSession, SpeedIsThatOfTheIntegratorThatIsShown) {
     Bench bench;
     bench.session.setComparing(true);

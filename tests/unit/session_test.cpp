@@ -175,6 +175,35 @@ TEST(Session, AovsAndStandardErrorsComeOnRequestAlsoWhenFinished) {
     EXPECT_EQ(bench.session->status().passes, 4u);
 }
 
+TEST(Session, LayersThatAnEditKeepsHaveThePicturesSizeAfterPreviews) {
+    Bench bench;
+    const auto scene = fakeScene(64, 64);
+    scene->options.integrator = IntegratorKind::Sppm;
+    bench.session->setLimits({.passes = 2});
+    bench.session->request(kAovDepth, false);
+    bench.control->secondsPerPath = 1e-5;
+    bench.session->post({scene, EditKind::Everything});
+    ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
+    // Several: a preview's layers are at hand or not by chance when the motion ends.
+    for (int edit = 0; edit < 6; ++edit) {
+        const auto edited = std::make_shared<SceneDescription>(*scene);
+        edited->sppm.alpha = 0.6f + 0.01f * static_cast<float>(edit);
+        bench.session->setInteracting(true);
+        bench.session->post({edited, EditKind::SppmParameters});
+        ASSERT_TRUE(bench.waitFor([&] {
+            const auto shown = bench.session->snapshot();
+            return shown->previewScale > 1 && shown->aovs != nullptr;
+        }));
+        std::this_thread::sleep_for(std::chrono::milliseconds(7 * edit));
+        bench.session->setInteracting(false);
+        ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
+        const auto snapshot = bench.session->snapshot();
+        ASSERT_NE(snapshot->aovs, nullptr);
+        EXPECT_EQ(snapshot->aovs->width(), 64);
+        EXPECT_EQ(snapshot->aovs->passes(), RenderSession::kAovPasses);
+    }
+}
+
 TEST(Session, EachEditRebuildsWhatItNamesOnly) {
     Bench bench;
     bench.session->setLimits({.passes = 2});

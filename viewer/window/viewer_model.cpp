@@ -126,13 +126,21 @@ void ViewerModel::refresh() {
     jobs_.runCompletions();
     status_ = session_.status();
     snapshot_ = session_.snapshot();
-    otherSnapshot_ = display.split ? session_.otherSnapshot() : nullptr;
+    refreshOther();
     if (awaitsEdit_ && status_.generation > generationBeforeEdit_ && pictureIsCurrent()) awaitsEdit_ = false;
     const bool refused = status_.counters.editsRefused > refusedBeforeEdit_;
     if (status_.state == SessionState::Failed || refused) awaitsEdit_ = false;
     if (pendingExr_ && status_.aovPasses > 0) startExr();
     refreshConvergence();
     autosave();
+}
+
+/// While the picture moves, an other one that is an edit old is better than none: it would flicker.
+void ViewerModel::refreshOther() {
+    auto other = display.split ? session_.otherSnapshot() : nullptr;
+    const bool mayStay = display.split && otherSnapshot_ && snapshot_ && snapshot_->previewScale > 1 &&
+                         otherSnapshot_->integrator != snapshot_->integrator;
+    if (other || !mayStay) otherSnapshot_ = std::move(other);
 }
 
 void ViewerModel::refreshConvergence() {
@@ -211,7 +219,8 @@ void ViewerModel::postWishes() {
 
 bool ViewerModel::carriesShownPicture() const {
     if (!snapshot_ || !carries(*snapshot_, display.shown)) return false;
-    return !display.split || (otherSnapshot_ && carries(*otherSnapshot_, display.shown));
+    return !display.split ||
+           (otherSnapshot_ && otherSnapshot_->previewScale == 1 && carries(*otherSnapshot_, display.shown));
 }
 
 bool ViewerModel::pictureIsCurrent() const {

@@ -164,6 +164,7 @@ class ViewerModel {
     void expectPicture();
     /// What is shown of the curves, and the snapshots' errors against the reference.
     void refreshConvergence();
+    void refreshOther();
     /// Limits, pause and extra pictures, where they changed.
     void postWishes();
     /// Takes the film when the pass in flight is done, then runs `save` on it, both in the background.
