@@ -133,8 +133,8 @@ void Shell::drawStatusLine(const ViewerModel& model, float y) {
                 "    ({}, {})  {}", pixel->x, pixel->y,
                 pixelReadout(*snapshot, model.display.shown, model.usableReference().get(), *pixel));
         }
-        right = fmt::format("{} passes    {}    error {}    F1: help", grouped(status.passes),
-                            duration(status.renderSeconds),
+        right = fmt::format("{} {}    {}    error {}    F1: help", grouped(status.passes),
+                            status.passes == 1 ? "pass" : "passes", duration(status.renderSeconds),
                             status.passes > 1 ? percent(status.relativeError) : "–");
     }
     const float rightX = io.DisplaySize.x - ImGui::CalcTextSize(right.c_str()).x - 10.0f * ui::scale();
