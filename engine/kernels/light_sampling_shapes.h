@@ -180,10 +180,11 @@ GLINT_HD inline SphereDirection sampleSphereDirection(const SphereView& v, const
     const float sin2 = oneMinusCos * (2.0f - oneMinusCos);
     const SinCos phi = sinCosTurns(u.y);
     // The point in that direction, in a frame whose n axis runs from the centre to the place.
-    const float along =
-        v.distance * (1.0f - oneMinusCos) - safeSqrt(square(v.radius) - square(v.distance) * sin2);
-    const float across = along * safeSqrt(sin2);
-    const float towards = v.distance - along * (1.0f - oneMinusCos);
+    const float cosine = 1.0f - oneMinusCos;
+    const float halfChord = safeSqrt(square(v.radius) - square(v.distance) * sin2);
+    const float across = (v.distance * cosine - halfChord) * safeSqrt(sin2);
+    // d - along * cos without the difference, in which small spheres far away would lose all digits.
+    const float towards = v.distance * sin2 + cosine * halfChord;
     const Frame frame = Frame::fromNormal(v.toCenter * (-1.0f / v.distance));
     return {glm::normalize(frame.toWorld({across * phi.cos, across * phi.sin, towards})), pdf};
 }

@@ -21,9 +21,9 @@ GLINT_HD inline float intersectUnitSphere(const Ray& ray) {
     const Vec3 nearest = ray.origin + (b / a) * d;
     const float discriminant = 1.0f - glm::dot(nearest, nearest);
     if (!(discriminant >= 0.0f)) return kNoHit;
-    // |o|^2 - 1 as a product keeps its digits where the origin lies close to the surface.
-    const float distance = std::sqrt(glm::dot(ray.origin, ray.origin));
-    const float c = (distance - 1.0f) * (distance + 1.0f);
+    // In double: where a ball touches what it stands on, the gap is all in the last digits of |o|^2.
+    const double x = ray.origin.x, y = ray.origin.y, z = ray.origin.z;
+    const float c = static_cast<float>(x * x + y * y + z * z - 1.0);
     const float q = b + std::copysign(std::sqrt(a * discriminant), b);
     const float rootA = c / q;
     const float rootB = q / a;

@@ -106,12 +106,14 @@ std::string stressHtml(const std::vector<StressResult>& results, bool quick) {
         if (c.family != family || c.truth != truth) {
             if (!family.empty()) page += "</table>\n";
             const std::string anchor = c.family != family ? " id=\"" + escaped(c.family) + "\"" : "";
+            const std::string_view about = c.family != family ? stressFamilyAbout(c.family) : "";
             page += fmt::format(
                 "<h2{}>{}</h2>\n<p>Truth: {}.</p>\n<table><tr><th>case</th><th>what is extreme</th>"
                 "<th class=\"n\">error</th><th>10<sup>-6</sup> … 1</th><th class=\"n\">tolerance</th>"
                 "<th class=\"n\">not finite or negative</th><th class=\"v\">verdict</th><th "
                 "class=\"n\">s</th></tr>\n",
-                anchor, escaped(c.family), escaped(c.truth));
+                anchor, escaped(c.family + (about.empty() ? "" : ": " + std::string(about))),
+                escaped(c.truth));
             family = c.family;
             truth = c.truth;
         }

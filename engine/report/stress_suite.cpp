@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -34,6 +35,32 @@ std::string joined(const std::vector<std::string_view>& names) {
 }
 
 }  // namespace
+
+std::string_view stressFamilyAbout(std::string_view family) {
+    constexpr std::pair<std::string_view, std::string_view> kAbout[] = {
+        {"scale", "units of length from 1e-18 to 1e18"},
+        {"offset", "up to 1e6 times its size from the origin"},
+        {"needles", "aspect up to 1e7"},
+        {"degenerate", "triangles without area, or twice"},
+        {"coplanar", "sheets down to 1e-8 apart, overlapping faces"},
+        {"ratio", "a ground up to 1e7 times as large as what stands on it"},
+        {"roughness", "GGX alpha 1e-4 to 1"},
+        {"grazing", "down to 1e-6 radians from along the surface"},
+        {"lamp", "size 1e-9 to 1e6, radiance to 1e30, touching, ellipsoids, narrow spots"},
+        {"glass", "index 1 to 4, nested, touching, critical angle"},
+        {"albedo", "walls of 0.9 to 1, up to 10000 bounces"},
+        {"camera", "aperture 0 to 1e6, focus from 1e-6, field of view 1e-4 to 179.9 degrees"},
+        {"environment", "one pixel of up to 1e30"},
+        {"instances", "scaled 1e-6 to 1e6, sheared, mirrored"},
+        {"photons", "radius 1e-6 to 1e12 of the floor, 1 to 1e7 photons, other units, far away"},
+        {"recurrence", "a million passes of SPPM's update"},
+        {"film", "ten million samples with an outlier"},
+    };
+    for (const auto& [name, about] : kAbout) {
+        if (name == family) return about;
+    }
+    return {};
+}
 
 std::vector<StressCase> stressCases() {
     StressCases cases;

@@ -31,8 +31,10 @@ std::string stressMarkdown(const std::vector<StressResult>& results) {
         "| family | ok | degraded | broken | largest deviation of the ok ones | not ok |\n"
         "|---|---|---|---|---|---|\n";
     for (const StressFamilySummary& family : summarizeStress(results)) {
-        text += fmt::format("| {} | {} | {} | {} | {:.2g} % | {} |\n", family.family, family.counts[0],
-                            family.counts[1], family.counts[2], 100.0 * family.largestOk,
+        const std::string_view about = stressFamilyAbout(family.family);
+        text += fmt::format("| {}{}{} | {} | {} | {} | {:.2g} % | {} |\n", family.family,
+                            about.empty() ? "" : ": ", about, family.counts[0], family.counts[1],
+                            family.counts[2], 100.0 * family.largestOk,
                             family.firstNotOk.empty() ? "–" : family.firstNotOk);
     }
     return text;

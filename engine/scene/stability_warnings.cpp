@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -19,6 +20,8 @@ constexpr double kShortestLength = 1e-12;
 /// The smallest object beside the largest one.
 constexpr double kLargestSpan = 1e7;
 constexpr double kBrightestRadiance = 1e30;
+/// Surfaces closer than this part of their coordinates are in one place.
+constexpr double kLeastGap = 1e-7;
 
 std::string nameOf(const SceneDescription& scene, size_t index) {
     const std::string& name = scene.objects[index].name;
@@ -49,6 +52,8 @@ class Search {
             checkSpan();
             checkDistances();
         }
+        checkSamePlace();
+        checkTouchingGlass();
         checkBrightness();
         return std::move(warnings_);
     }
@@ -96,6 +101,80 @@ class Search {
             "program that writes the file",
             nameOf(scene_, first), boxes_[first].farthest() / boxes_[first].size(), step,
             boxes_[first].size() / step, count > 1 ? fmt::format(" (and {} more objects)", count - 1) : ""));
+    }
+
+    /// Closer than float's last few places of their coordinates.
+    static bool samePlace(const WideBox& a, const WideBox& b) {
+        const double near = kLeastGap * std::max(a.farthest(), b.farthest());
+        const auto within = [&](const glm::dvec3& d) {
+            return std::abs(d.x) <= near && std::abs(d.y) <= near && std::abs(d.z) <= near;
+        };
+        return within(a.lo - b.lo) && within(a.hi - b.hi);
+    }
+
+    uint32_t triangleCount(size_t object) const {
+        const Object& o = scene_.objects[object];
+        const auto mesh = static_cast<size_t>(o.mesh);
+        const bool known =
+            o.shape == ShapeKind::Mesh && mesh < scene_.meshes.size() && scene_.meshes[mesh].data;
+        return known ? scene_.meshes[mesh].data->triangleCount() : 0;
+    }
+
+    /// Objects that an exporter wrote twice: with one material nobody sees it.
+    void checkSamePlace() {
+        std::vector<size_t> order;
+        for (size_t i = 0; i < boxes_.size(); ++i) {
+            if (!boxes_[i].empty() && boxes_[i].size() > 0.0) order.push_back(i);
+        }
+        const auto key = [&](size_t i) { return std::tuple(boxes_[i].lo.x, boxes_[i].lo.y, boxes_[i].lo.z); };
+        std::ranges::sort(order, {}, key);
+        for (size_t k = 1; k < order.size(); ++k) {
+            const size_t a = std::min(order[k - 1], order[k]);
+            const size_t b = std::max(order[k - 1], order[k]);
+            const Object &first = scene_.objects[a], &second = scene_.objects[b];
+            const bool alike = first.shape == second.shape && triangleCount(a) == triangleCount(b);
+            if (!alike || first.material == second.material || !samePlace(boxes_[a], boxes_[b])) continue;
+            warnings_.push_back(fmt::format(
+                "{} and {} lie in one place with different materials; which of the two is seen is open",
+                nameOf(scene_, a), nameOf(scene_, b)));
+            return;
+        }
+    }
+
+    bool isGlass(size_t object) const {
+        const auto index = static_cast<size_t>(scene_.objects[object].material);
+        return index < scene_.materials.size() && scene_.materials[index].kind == MaterialKind::Dielectric;
+    }
+
+    /// Whether the boxes meet in a part of a side, with nothing between them and nothing overlapping.
+    static bool touch(const WideBox& a, const WideBox& b) {
+        const double near = kLeastGap * std::max(a.farthest(), b.farthest());
+        int touching = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double overlap = std::min(a.hi[axis], b.hi[axis]) - std::max(a.lo[axis], b.lo[axis]);
+            if (overlap < -near) return false;
+            touching += overlap <= near ? 1 : 0;
+        }
+        return touching == 1;
+    }
+
+    void checkTouchingGlass() {
+        constexpr size_t kMostBodies = 256;
+        std::vector<size_t> bodies;
+        for (size_t i = 0; i < boxes_.size() && bodies.size() < kMostBodies; ++i) {
+            if (!boxes_[i].empty() && scene_.objects[i].shape == ShapeKind::Mesh && isGlass(i))
+                bodies.push_back(i);
+        }
+        for (size_t i = 0; i < bodies.size(); ++i) {
+            for (size_t k = i + 1; k < bodies.size(); ++k) {
+                if (!touch(boxes_[bodies[i]], boxes_[bodies[k]])) continue;
+                warnings_.push_back(fmt::format(
+                    "{} and {} are glass and touch; where they share a face light goes astray: model the one "
+                    "surface between them, or leave a gap",
+                    nameOf(scene_, bodies[i]), nameOf(scene_, bodies[k])));
+                return;
+            }
+        }
     }
 
     void checkBrightness() {

@@ -54,6 +54,35 @@ TEST(StabilityWarnings, WarnsOfRadianceThatSumsCannotHold) {
     EXPECT_TRUE(warnsOf(scene, "emits a radiance"));
 }
 
+TEST(StabilityWarnings, NamesObjectsInOnePlaceWithDifferentMaterials) {
+    SceneDescription scene = stressRoom();
+    scene.objects.push_back(scene.objects[3]);
+    EXPECT_TRUE(stabilityWarnings(scene).empty()) << "the same surface twice is no matter";
+    scene.objects.back().material = 0;
+    scene.objects.back().name = "copy";
+    EXPECT_TRUE(warnsOf(scene, "object 4 and object 'copy' lie in one place"));
+    scene.objects.back().objectToWorld.translation.y += 1e-3f;
+    EXPECT_TRUE(stabilityWarnings(scene).empty());
+}
+
+TEST(StabilityWarnings, NamesBodiesOfGlassThatTouch) {
+    const auto withGap = [](float gap) {
+        SceneDescription scene;
+        for (const float y : {0.0f, 1.0f + gap}) {
+            MeshData body;
+            addBox(&body, {-1, y, -1}, {1, y + 1, 1}, false);
+            addMesh(&scene, std::move(body), {}, glass(1.5f));
+        }
+        return scene;
+    };
+    EXPECT_TRUE(warnsOf(withGap(0.0f), "object 1 and object 2 are glass and touch"));
+    EXPECT_TRUE(stabilityWarnings(withGap(1e-4f)).empty());
+    EXPECT_TRUE(stabilityWarnings(withGap(-0.5f)).empty()) << "what overlaps is another matter";
+    SceneDescription opaque = withGap(0.0f);
+    opaque.materials[1] = diffuseStress(0.5f);
+    EXPECT_TRUE(stabilityWarnings(opaque).empty());
+}
+
 TEST(StabilityWarnings, TheLoaderPassesThemOn) {
     const test::TempFolder folder;
     const std::string far = folder.write("far.obj", "v 1000000 0 0\nv 1000001 0 0\nv 1000000 1 0\nf 1 2 3\n");

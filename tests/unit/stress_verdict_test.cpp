@@ -176,6 +176,7 @@ TEST(StressSuite, EveryCaseHasAnIdentityOfItsOwn) {
         names.push_back(c.family + "/" + c.grade);
         EXPECT_FALSE(c.extreme.empty()) << names.back();
         EXPECT_FALSE(c.truth.empty()) << names.back();
+        EXPECT_FALSE(stressFamilyAbout(c.family).empty()) << names.back();
         EXPECT_EQ(c.documented == StressVerdict::Ok, c.limit.empty()) << names.back();
     }
     std::ranges::sort(names);

@@ -152,7 +152,8 @@ int runStress(const StressOptions& options) {
         !writable) {
         return complain(writable.error(), kExitBadInput);
     }
-    if (options.quick) std::erase_if(*cases, [](const StressCase& c) { return !c.quick; });
+    const size_t leftOut =
+        options.quick ? std::erase_if(*cases, [](const StressCase& c) { return !c.quick; }) : 0;
     if (cases->empty())
         return complain({"the filter leaves no case that is part of --quick", {}}, kExitBadInput);
 
@@ -161,6 +162,7 @@ int runStress(const StressOptions& options) {
     if (!jsonTakesOutput(options.json)) {
         if (options.summary) fmt::print("{}", stressMarkdown(results));
         if (!options.summary) printEnd(results);
+        if (leftOut > 0) fmt::print("\n{} more cases are not part of --quick\n", leftOut);
     }
     Status written = options.html.empty()
                          ? Status()
