@@ -53,6 +53,20 @@ void reportFaults(const RenderReport& r) {
     }
 }
 
+/// What --error would have taken, where another limit or Ctrl-C came first.
+void printTimeToError(const RenderReport& r) {
+    const double target = r.options.limits.relativeError;
+    if (!(target > 0.0) || hasReached(r.capture.curve, target)) {
+        return;
+    }
+    if (const auto ahead = forecastError(r.capture.curve, target)) {
+        fmt::print("an error below {:g} % would take about {:.3g} s more ({:.3g} to {:.3g})\n",
+                   100.0 * target, ahead->secondsLeft, ahead->secondsLow, ahead->secondsHigh);
+    } else {
+        fmt::print("how long an error below {:g} % would take is not known yet\n", 100.0 * target);
+    }
+}
+
 /// Null without --error, and while it cannot be known.
 nlohmann::ordered_json timeToError(const RenderReport& r) {
     const auto ahead = forecastError(r.capture.curve, r.options.limits.relativeError);
@@ -127,6 +141,7 @@ Status reportRender(const RenderReport& r) {
     const ErrorEstimate error = estimateError(r.capture.film, &r.capture.sppm, r.options.threads);
     if (!jsonTakesOutput(r.options.json)) {
         printSummary(r, error);
+        printTimeToError(r);
     }
     reportFaults(r);
     if (const float clamp = r.capture.scene->options.fireflyClamp; clamp > 0.0f) {
