@@ -14,6 +14,7 @@
 #include "engine/render/photon_store.h"
 #include "engine/render/render_session.h"
 #include "tests/support/host_cuda.h"
+#include "tests/support/session_render.h"
 #include "tests/support/temp_folder.h"
 #include "tests/support/test_scenes.h"
 
@@ -299,34 +300,19 @@ TEST(CudaSppm, GoesOnFromTheCpusStatisticsAndBack) {
     expectSame(photons, render(*cpu, params, 2));
 }
 
-SessionCapture renderSession(std::unique_ptr<Backend> backend, const SceneDescription& scene, uint32_t passes,
-                             std::optional<ResumePoint> from = {}) {
-    RenderSession session(std::move(backend), {.previews = false, .snapshots = false, .threads = 2});
-    session.setLimits({.passes = passes});
-    const auto shared = std::make_shared<SceneDescription>(scene);
-    if (from) {
-        session.resume(shared, std::move(*from));
-    } else {
-        session.post({shared, EditKind::Everything});
-    }
-    EXPECT_EQ(session.wait(300.0), SessionState::Finished) << session.status().error;
-    auto capture = session.capture();
-    EXPECT_TRUE(capture.has_value());
-    return capture ? std::move(*capture) : SessionCapture{.scene = shared};
-}
-
 TEST(CudaSppm, ASessionResumedFromACheckpointEqualsTheCpusWithoutABreak) {
     SceneDescription scene = glassBox();
     scene.options.integrator = IntegratorKind::Sppm;
-    const SessionCapture whole = renderSession(makeCpuBackend(2), scene, 4);
+    const SessionCapture whole = test::renderSession(makeCpuBackend(2), scene, 4, 2);
     const test::TempFolder folder;
     const std::string path = folder.path("half.checkpoint");
     HostCuda first;
-    ASSERT_TRUE(saveCheckpoint(path, renderSession(std::move(first.backend), scene, 2)));
+    ASSERT_TRUE(saveCheckpoint(path, test::renderSession(std::move(first.backend), scene, 2, 2)));
     Result<ResumePoint> loaded = loadCheckpoint(path, scene);
     ASSERT_TRUE(loaded) << loaded.error().format();
     HostCuda second;
-    const SessionCapture resumed = renderSession(std::move(second.backend), scene, 4, std::move(*loaded));
+    const SessionCapture resumed =
+        test::renderSession(std::move(second.backend), scene, 4, 2, std::move(*loaded));
     EXPECT_EQ(resumed.sppm.passes, 4u);
     EXPECT_EQ(differingPixels(resumed.sppm, whole.sppm), 0u);
     for (size_t i = 0; i < whole.film.pixels().size(); ++i)
@@ -336,7 +322,7 @@ TEST(CudaSppm, ASessionResumedFromACheckpointEqualsTheCpusWithoutABreak) {
 TEST(CudaSppm, ASwitchOfIntegratorsAndBackLosesNothing) {
     SceneDescription scene = glassBox();
     scene.options.integrator = IntegratorKind::Sppm;
-    const SessionCapture whole = renderSession(makeCpuBackend(2), scene, 4);
+    const SessionCapture whole = test::renderSession(makeCpuBackend(2), scene, 4, 2);
     HostCuda cuda;
     RenderSession session(std::move(cuda.backend), {.previews = false, .snapshots = false, .threads = 2});
     const auto renderTo = [&](IntegratorKind integrator, uint32_t passes, EditKind kinds) {

@@ -8,6 +8,7 @@
 #include "engine/render/checkpoint.h"
 #include "engine/render/error_estimate.h"
 #include "engine/render/snapshot.h"
+#include "tests/support/session_render.h"
 #include "tests/support/temp_folder.h"
 #include "tests/support/test_scenes.h"
 
@@ -34,19 +35,7 @@ SceneDescription photonScene(PhotonLookupKind lookup = PhotonLookupKind::Grid) {
 /// The capture at `passes`, from the start or from a checkpoint.
 SessionCapture renderTo(uint32_t passes, const SceneDescription& scene, int threads,
                         std::optional<ResumePoint> from = {}) {
-    RenderSession session(makeCpuBackend(threads),
-                          {.previews = false, .snapshots = false, .threads = threads});
-    session.setLimits({.passes = passes});
-    const auto shared = std::make_shared<SceneDescription>(scene);
-    if (from) {
-        session.resume(shared, std::move(*from));
-    } else {
-        session.post({shared, EditKind::Everything});
-    }
-    EXPECT_EQ(session.wait(300.0), SessionState::Finished) << session.status().error;
-    auto capture = session.capture();
-    EXPECT_TRUE(capture.has_value());
-    return capture ? std::move(*capture) : SessionCapture{.scene = shared};
+    return renderSession(makeCpuBackend(threads), scene, passes, threads, std::move(from));
 }
 
 bool sameBits(const SppmPixel& a, const SppmPixel& b) {
