@@ -16,8 +16,8 @@ body { font: 15px/1.5 system-ui, sans-serif; color: #1d2733; background: #fff; m
 h1 { font-size: 1.5rem; margin-bottom: .2rem } h2 { font-size: 1.1rem; margin: 2rem 0 .2rem } p { margin: .3rem 0; color: #4a5866 }
 table { border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nums }
 th { text-align: left; font-weight: 600; border-bottom: 2px solid #c8d1da; padding: .25rem .6rem }
-td { border-bottom: 1px solid #e4e9ee; padding: .25rem .6rem; vertical-align: top } td.n, th.n { text-align: right; white-space: nowrap }
-td:first-child { white-space: nowrap } .short { width: auto } th.v, td.v { width: 22% }
+td { border-bottom: 1px solid #e4e9ee; padding: .25rem .6rem; vertical-align: top } td.n, th.n { text-align: right } td.n { white-space: nowrap }
+td:first-child { white-space: nowrap } .short { width: auto } th.v, td.v { width: 24% } th.e { width: 22% } th.d { width: 6rem }
 tr.ok td.v { color: #14713d } .degraded { color: #8a5a00; background: #fff6dc } .broken { color: #b3261e; background: #fdebe9 }
 td.v { font-weight: 600 } small { color: #4a5866; font-weight: 400 } svg { display: block }
 @media (prefers-color-scheme: dark) { body { color: #dde5ec; background: #14191f } p, small { color: #9fb0bf }
@@ -108,9 +108,10 @@ std::string stressHtml(const std::vector<StressResult>& results, bool quick) {
             const std::string anchor = c.family != family ? " id=\"" + escaped(c.family) + "\"" : "";
             const std::string_view about = c.family != family ? stressFamilyAbout(c.family) : "";
             page += fmt::format(
-                "<h2{}>{}</h2>\n<p>Truth: {}.</p>\n<table><tr><th>case</th><th>what is extreme</th>"
+                "<h2{}>{}</h2>\n<p>Truth: {}.</p>\n<table><tr><th>case</th><th class=\"e\">what is "
+                "extreme</th>"
                 "<th class=\"n\">error</th><th>10<sup>-6</sup> … 1</th><th class=\"n\">tolerance</th>"
-                "<th class=\"n\">not finite or negative</th><th class=\"v\">verdict</th><th "
+                "<th class=\"n d\">not finite or negative</th><th class=\"v\">verdict</th><th "
                 "class=\"n\">s</th></tr>\n",
                 anchor, escaped(c.family + (about.empty() ? "" : ": " + std::string(about))),
                 escaped(c.truth));

@@ -42,7 +42,10 @@ std::string stressMarkdown(const std::vector<StressResult>& results) {
 
 std::string stressErrorText(const StressJudgement& judgement) {
     if (!std::isfinite(judgement.deviation)) return "not a number";
-    return fmt::format("{:+.2g} % ± {:.2g} %", 100.0 * judgement.deviation, 100.0 * judgement.halfWidth);
+    const double percent = 100.0 * judgement.deviation;
+    const std::string deviation =
+        std::abs(percent) >= 99.5 ? fmt::format("{:+.0f}", percent) : fmt::format("{:+.2g}", percent);
+    return fmt::format("{} % ± {:.2g} %", deviation, 100.0 * judgement.halfWidth);
 }
 
 std::string stressRuleText() {

@@ -105,22 +105,22 @@ StressJudgement judgeStress(const StressOutcome& outcome, double tolerance) {
             static_cast<double>(outcome.dropped()) / static_cast<double>(outcome.samples);
     }
     if (worstExcess > kStressBrokenDeviation) {
-        worsen(StressVerdict::Broken, fmt::format("surely wrong by more than {:.2g}", worstExcess),
+        worsen(StressVerdict::Broken, fmt::format("surely wrong by more than {:.3g} %", 100.0 * worstExcess),
                &judgement);
     }
     if (judgement.droppedShare > kStressBrokenDrops) {
-        worsen(StressVerdict::Broken, fmt::format("{:.2g} of all samples dropped", judgement.droppedShare),
-               &judgement);
+        worsen(StressVerdict::Broken,
+               fmt::format("{:.2g} % of all samples dropped", 100.0 * judgement.droppedShare), &judgement);
     }
     if (worstExcess > tolerance) {
-        worsen(StressVerdict::Degraded, fmt::format("surely wrong by more than {:.2g}", worstExcess),
-               &judgement);
+        worsen(StressVerdict::Degraded,
+               fmt::format("surely wrong by more than {:.3g} %", 100.0 * worstExcess), &judgement);
     }
     if (outcome.dropped() > 0) {
         worsen(StressVerdict::Degraded, fmt::format("{} samples dropped", outcome.dropped()), &judgement);
     }
     if (widest > kStressWidestInterval) {
-        worsen(StressVerdict::Degraded, fmt::format("too noisy to tell: interval of {:.2g}", widest),
+        worsen(StressVerdict::Degraded, fmt::format("too noisy to tell: ±{:.2g} %", 100.0 * widest),
                &judgement);
     }
     return judgement;
