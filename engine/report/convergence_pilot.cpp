@@ -14,10 +14,8 @@ namespace {
 
 using Outcome = MeasuredSession::Outcome;
 
-constexpr double kPilotShare = 0.1;
-constexpr double kLeastPilotSeconds = 0.1;
-/// An error bar needs two passes, and one to go by more.
-constexpr uint32_t kLeastPilotPasses = 16;
+/// An error bar needs two passes.
+constexpr uint32_t kLeastPasses = 2;
 
 struct PilotPoint {
     double work = 0.0;  ///< seconds or passes
@@ -26,49 +24,51 @@ struct PilotPoint {
 
 class Pilot {
   public:
-    Pilot(const ConvergencePlan& plan, MeasuredSession& session, int threads)
-        : plan_(plan), session_(session), threads_(threads) {}
+    Pilot(const ConvergencePlan& plan, MeasuredSession& session, double mostSeconds, int threads)
+        : plan_(plan), session_(session), mostSeconds_(mostSeconds), threads_(threads) {}
 
     /// The error at the plan's end; nothing: not known.
     std::optional<double> predict() {
-        const double whole = plan_.seconds > 0.0 ? plan_.seconds : plan_.passes;
-        const auto first = pointAt(0.5 * kPilotShare);
-        const auto second = pointAt(kPilotShare);
+        const auto first = pointAt(0.5);
+        const auto second = first ? pointAt(1.0) : first;
         if (!second || !std::isfinite(second->error) || !(second->error > 0.0)) {
             return std::nullopt;
         }
         double slope = 0.5;
-        if (first && std::isfinite(first->error) && second->work > first->work) {
+        if (std::isfinite(first->error) && second->work > first->work) {
             slope = std::log(first->error / second->error) / std::log(second->work / first->work);
         }
+        const double whole = plan_.seconds > 0.0 ? plan_.seconds : plan_.passes;
         return second->error * std::pow(std::min(1.0, second->work / whole), std::clamp(slope, 0.5, 1.0));
     }
 
   private:
+    /// After that share of the plan, or of what the pilot may take.
     std::optional<PilotPoint> pointAt(double share) {
         const bool byTime = plan_.seconds > 0.0;
-        const auto passes =
-            std::min(plan_.passes, std::max(kLeastPilotPasses, static_cast<uint32_t>(share * plan_.passes)));
-        Outcome outcome = session_.runTo({.passes = byTime ? 2 : passes});
-        if (outcome == Outcome::Reached && byTime) {
-            outcome = session_.runTo({.renderSeconds = std::max(kLeastPilotSeconds, share * plan_.seconds)});
+        Outcome outcome = session_.runTo({.passes = kLeastPasses});
+        if (outcome == Outcome::Reached) {
+            const auto passes = static_cast<uint32_t>(std::ceil(share * plan_.passes));
+            const double seconds = share * (byTime ? std::min(plan_.seconds, mostSeconds_) : mostSeconds_);
+            outcome = session_.runTo({.passes = byTime ? 0 : passes, .renderSeconds = seconds});
         }
         const auto capture = outcome == Outcome::Reached ? session_.capture() : std::nullopt;
         if (!capture) {
             return std::nullopt;
         }
         return PilotPoint{byTime ? capture->renderSeconds : static_cast<double>(capture->film.passes()),
-                          estimateError(capture->film, &capture->sppm, threads_).relative};
+                          estimateError(capture->film, &capture->sppm, threads_).low};
     }
 
     const ConvergencePlan& plan_;
     MeasuredSession& session_;
+    double mostSeconds_;
     int threads_;
 };
 
 }  // namespace
 
-double predictSmallestError(const ConvergencePlan& plan, const SceneDescription& scene,
+double predictSmallestError(const ConvergencePlan& plan, const SceneDescription& scene, double mostSeconds,
                             const ConvergenceHost& host) {
     double smallest = 0.0;
     for (const ConvergenceVariant& variant : plan.variants) {
@@ -81,7 +81,7 @@ double predictSmallestError(const ConvergencePlan& plan, const SceneDescription&
         if (host.onPart) {
             host.onPart(fmt::format("pilot of {}", variant.name));
         }
-        if (const auto error = Pilot(plan, **session, settings.threads).predict()) {
+        if (const auto error = Pilot(plan, **session, mostSeconds, settings.threads).predict()) {
             smallest = smallest > 0.0 ? std::min(smallest, *error) : *error;
         }
     }

@@ -1,4 +1,4 @@
-// How precise a reference has to be: the smallest error that a convergence run will report, foretold by short
+// How precise a reference has to be: the smallest error that a convergence run will report, foretold by
 // renders of its variants.
 //
 // Used by `glint converge` before it makes a reference. What comes out is a plan: whether the reference was
@@ -9,10 +9,11 @@
 
 namespace glint {
 
-/// Renders each variant for a tenth of the plan, and takes its error to go on falling as it did in the second
-/// half of that, but neither slower than time^-0.5 nor faster than 1 / time. 0: not known (interrupted,
-/// nothing rendered).
-double predictSmallestError(const ConvergencePlan& plan, const SceneDescription& scene,
+/// Renders each variant once to the plan's end, or for `mostSeconds` of rendering; its error is then taken to
+/// go on falling as it did in the second half of that, but neither slower than time^-0.5 nor faster than 1 /
+/// time. Errors are lower ends of the estimate's 90 % band: a reference that is too precise costs less than
+/// one that is not precise enough. 0: not known (interrupted, nothing rendered).
+double predictSmallestError(const ConvergencePlan& plan, const SceneDescription& scene, double mostSeconds,
                             const ConvergenceHost& host);
 
 }  // namespace glint

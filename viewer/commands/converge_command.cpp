@@ -30,6 +30,8 @@ namespace {
 
 /// The reference's error should be this share of the smallest one that is reported.
 constexpr double kReferenceShare = 0.1;
+/// Of the reference's time, that a pilot of each variant may take to find out how small that one will be.
+constexpr double kPilotShare = 0.1;
 /// Seeds of references lie apart from those of pictures.
 constexpr uint32_t kReferenceSeedOffset = 1u << 20;
 
@@ -232,7 +234,8 @@ class ConvergeRun {
         }
         failureCode_ = kExitFailed;
         plan_.seeds = {scene_.options.seed};
-        wanted.relativeError = kReferenceShare * predictSmallestError(plan_, scene_, host_);
+        wanted.relativeError =
+            kReferenceShare * predictSmallestError(plan_, scene_, kPilotShare * wanted.renderSeconds, host_);
         if (interrupt_.interrupted()) {
             folder_.removeIfEmpty();
             return false;
