@@ -96,7 +96,9 @@ class Page {
             out += fmt::format(", seeds {}", fmt::join(r.seeds, ", "));
         }
         if (!r.endedBy.empty()) {
-            out += r.endedBy == "time" ? "; its time was up" : "; it was precise enough";
+            out += r.endedBy == "precision" ? "; it was precise enough"
+                   : r.endedBy == "time"    ? "; its time was up"
+                                            : "; it was interrupted";
         }
         out += r.cached ? "; from an earlier run.</p>\n" : ".</p>\n";
         if (!r.knowsItsError()) {

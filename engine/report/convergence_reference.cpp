@@ -98,6 +98,7 @@ class ReferenceMaker {
                              {}};
             }
             if (outcome == MeasuredSession::Outcome::Interrupted) {
+                interrupted_ = true;
                 break;
             }
             limits = {.passes = passesEach_};
@@ -105,7 +106,11 @@ class ReferenceMaker {
         if (sum_.count() < 2) {
             return std::optional<ReferencePicture>();
         }
-        made_.endedBy = isPrecise() ? "precision" : "time";
+        made_.endedBy = isPrecise() ? "precision" : interrupted_ ? "interrupt" : "time";
+        if (interrupted_) {
+            made_.timeLimitSeconds =
+                made_.renderSeconds;  // Not what it could have been: the next run makes a better one.
+        }
         addRemarks(plan_, dropped_, &made_);
         return std::optional<ReferencePicture>(std::move(made_));
     }
@@ -162,6 +167,7 @@ class ReferenceMaker {
     int planned_;
     uint32_t passesEach_ = 0;
     uint64_t dropped_ = 0;
+    bool interrupted_ = false;
     Replicates sum_;
     ReferencePicture made_;
 };

@@ -362,6 +362,13 @@ TEST_F(ConvergeCommand, TheReferenceIsAsPreciseAsItSaysOrSaysHowFarItCame) {
     EXPECT_LT(summary()["reference"]["ratio_to_smallest_error"].get<double>(), 0.2) << "a tenth was foretold";
     EXPECT_TRUE(says(precise.err, "the reference's own error is"));
     EXPECT_FALSE(says(precise.err, "would take"));
+    // Not precise enough for four times the passes and more: it is made again.
+    const ProgramRun longer =
+        converge({"--make-reference", "1000", "--passes", "40", "--seeds", "1", "--integrators", "pt",
+                  "--points", "2", "--pictures", "0", "--overwrite"});
+    ASSERT_EQ(longer.exitCode, 0) << longer.err;
+    EXPECT_TRUE(says(longer.err, "is replaced"));
+    EXPECT_LT(summary()["reference"]["ratio_to_smallest_error"].get<double>(), 0.2);
     // Out of time: that, and what a tenth would take.
     const ProgramRun hurried = converge({"--make-reference", "0.001", "--passes", "64", "--seeds", "2",
                                          "--integrators", "pt", "--points", "2", "--pictures", "0"},

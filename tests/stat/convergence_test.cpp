@@ -246,6 +246,21 @@ TEST(Reference, ItsErrorBarIsTrue) {
     EXPECT_NEAR(squares / reference.mse, 1.0, test::kNormalQuantile * 0.09);
 }
 
+/// Otherwise the next run would take it for one that had all its time.
+TEST(Reference, AnInterruptedOneSaysSo) {
+    const SceneDescription scene = glowingRoom();
+    ConvergenceHost stopping = host();
+    int parts = 0;
+    stopping.onPart = [&](const std::string&) { ++parts; };
+    stopping.stopWanted = [&] { return parts >= 4; };
+    ReferencePlan plan{*parseVariant("pt"), {scene.options, scene.sppm}, 0.05, 1e-6, 1000};
+    const auto made = makeReference(plan, scene, stopping);
+    ASSERT_TRUE(made && *made);
+    EXPECT_EQ((*made)->seeds.size(), 3u);
+    EXPECT_EQ((*made)->endedBy, "interrupt");
+    EXPECT_EQ((*made)->timeLimitSeconds, (*made)->renderSeconds);
+}
+
 TEST(Reference, ItsErrorAddsToTheMeasuredOneAndCanBeSubtracted) {
     const SceneDescription scene = glowingRoom();
     const ReferencePicture reference = referenceOf(scene, "pt", 0.03);

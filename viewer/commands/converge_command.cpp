@@ -167,10 +167,21 @@ class ConvergeRun {
             return Error{fmt::format("--reference-variant: {}", backend.error().message), {}};
         }
         wanted.firstSeed = scene_.options.seed + kReferenceSeedOffset;
-        if (const Result<bool> cached = takeCached(wanted); !cached || *cached) {
+        if (const Result<bool> cached = takeCached(&wanted); !cached || *cached) {
             return cached;
         }
         return makeNew(wanted);
+    }
+
+    /// Sets how precise the reference has to be. False: interrupted.
+    bool findPrecision(ReferencePlan* wanted) {
+        if (wanted->relativeError == 0.0) {
+            plan_.seeds = {scene_.options.seed};
+            wanted->relativeError =
+                kReferenceShare *
+                predictSmallestError(plan_, scene_, kPilotShare * wanted->renderSeconds, host_);
+        }
+        return !interrupt_.interrupted();
     }
 
     Result<bool> takeReference() {
@@ -200,7 +211,7 @@ class ConvergeRun {
     }
 
     /// The reference of an earlier run in this folder, where it is as good as the one asked for.
-    Result<bool> takeCached(const ReferencePlan& wanted) {
+    Result<bool> takeCached(ReferencePlan* wanted) {
         std::error_code ignored;
         if (!std::filesystem::exists(folder_.reference(), ignored)) {
             return false;
@@ -213,11 +224,19 @@ class ConvergeRun {
             return Error{fmt::format("{}; expected another folder, or --overwrite", old.error().format()),
                          {}};
         }
-        const bool same = old->method == wanted.variant.text && old->knowsItsError();
-        const bool enough = old->timeLimitSeconds >= wanted.renderSeconds;
+        const bool same = old->method == wanted->variant.text && old->knowsItsError();
+        bool enough = old->timeLimitSeconds >= wanted->renderSeconds;
+        // Precise enough for an earlier plan is not for a longer one. The margin is the pilot's own
+        // randomness.
+        if (same && enough && old->endedBy == "precision" && findPrecision(wanted)) {
+            enough = old->relativeError() <= 1.5 * wanted->relativeError || wanted->relativeError == 0.0;
+        }
         if (!same || !enough) {
-            fmt::print(stderr, "{} is replaced: made by {} with a limit of {:.3g} s\n", folder_.reference(),
-                       old->method.empty() ? "something else" : old->method, old->timeLimitSeconds);
+            line_.finish();
+            fmt::print(stderr,
+                       "{} is replaced: made by {} with a limit of {:.3g} s, its own error is {:.3g} %\n",
+                       folder_.reference(), old->method.empty() ? "something else" : old->method,
+                       old->timeLimitSeconds, 100.0 * old->relativeError());
             return false;
         }
         fmt::print(stderr, "{} is used again ({:.3g} s by {})\n", folder_.reference(), old->renderSeconds,
@@ -233,10 +252,7 @@ class ConvergeRun {
             return folder.error();
         }
         failureCode_ = kExitFailed;
-        plan_.seeds = {scene_.options.seed};
-        wanted.relativeError =
-            kReferenceShare * predictSmallestError(plan_, scene_, kPilotShare * wanted.renderSeconds, host_);
-        if (interrupt_.interrupted()) {
+        if (!findPrecision(&wanted)) {
             folder_.removeIfEmpty();
             return false;
         }
