@@ -22,12 +22,12 @@ struct ReferencePicture {
     std::string path;
     std::string method;  ///< a variant's text, such as "pt"; empty: not known
     std::optional<IntegratorKind> integrator;
-    std::vector<uint32_t> seeds;       ///< empty: not known
-    double renderSeconds = 0.0;        ///< of all replicates; 0: not known
-    double timeLimitSeconds = 0.0;     ///< what it was allowed to take; 0: not known
-    uint64_t passes = 0;               ///< of all replicates; 0: not known
-    std::string endedBy;               ///< "precision", "time" or "interrupt", of makeReference(); empty: not known
-    bool cached = false;               ///< made by an earlier run
+    std::vector<uint32_t> seeds;    ///< empty: not known
+    double renderSeconds = 0.0;     ///< of all replicates; 0: not known
+    double timeLimitSeconds = 0.0;  ///< what it was allowed to take; 0: not known
+    uint64_t passes = 0;            ///< of all replicates; 0: not known
+    std::string endedBy;  ///< "precision", "time" or "interrupt", of makeReference(); empty: not known
+    bool cached = false;  ///< made by an earlier run
     std::vector<std::string> remarks;  ///< what everyone who reads the errors has to know
 
     double mean = 0.0;    ///< of all values
