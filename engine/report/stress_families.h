@@ -11,7 +11,8 @@ using StressCases = std::vector<StressCase>;
 
 void addScaleCases(StressCases* cases);   ///< stress_scale.cpp: unit of length
 void addOffsetCases(StressCases* cases);  ///< stress_scale.cpp: distance from the origin
-void addMeshCases(StressCases* cases);    ///< stress_mesh.cpp: needles, faulty triangles, sheets, ratios
+void addNeedleCases(StressCases* cases);  ///< stress_needles.cpp: long and narrow triangles
+void addMeshCases(StressCases* cases);    ///< stress_mesh.cpp: faulty triangles, sheets, ratios
 void addGlossCases(StressCases* cases);   ///< stress_gloss.cpp: roughness and grazing angles
 void addLampCases(StressCases* cases);    ///< stress_lamp.cpp: small, bright, touching and narrow lamps
 void addSpotCases(StressCases* cases);    ///< stress_spot.cpp: narrow cones; part of the lamps

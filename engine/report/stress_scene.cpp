@@ -142,6 +142,17 @@ SceneDescription closeUpOfFloor(const Vec3& from, const Vec3& target, float widt
     return scene;
 }
 
+SceneDescription skyOverMesh(MeshData mesh, float width, bool tilted) {
+    const Affine turn = tilted ? rotate({0.3f, 0.2f, 1.0f}, 0.7f) : Affine{};
+    const Vec3 from = turn.point({0.2f, 0.8f, 0.3f});
+    const float fov = 2.0f * std::atan(0.5f * width / glm::length(from)) * 180.0f / kPi;
+    SceneDescription scene = emptyStressScene(from, {0, 0, 0}, fov);
+    scene.environment.color = Vec3(1.0f);
+    scene.options.maxDepth = 1;
+    addMesh(&scene, std::move(mesh), turn, diffuseStress(kFloorAlbedo));
+    return scene;
+}
+
 SceneDescription stressRoom() {
     SceneDescription scene = emptyStressScene({0.1f, 1.4f, 5.5f}, {0.1f, 1.2f, 0.0f}, 42.0f, 32);
     scene.camera.apertureDiameter = 0.06f;

@@ -39,6 +39,10 @@ constexpr float kFloorAlbedo = 0.5f;
 /// of it: `width` across.
 SceneDescription closeUpOfFloor(const Vec3& from, const Vec3& target, float width);
 
+/// A grey floor under an even sky, looked at so closely that the picture is `width` across. `tilted` places
+/// it by a rotation and looks at it along.
+SceneDescription skyOverMesh(MeshData mesh, float width, bool tilted);
+
 /// A room with a lamp, a glass ball, a rough gold block and a plastic one, five units across and not
 /// symmetric, seen through a lens in focus on the ball.
 SceneDescription stressRoom();

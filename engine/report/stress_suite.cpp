@@ -66,6 +66,7 @@ std::vector<StressCase> stressCases() {
     StressCases cases;
     addScaleCases(&cases);
     addOffsetCases(&cases);
+    addNeedleCases(&cases);
     addMeshCases(&cases);
     addGlossCases(&cases);
     addLampCases(&cases);
