@@ -28,6 +28,14 @@ double floorOf(const ConvergenceReport& report, ErrorMeasure measure) {
     }
 }
 
+/// Shares are shown in per cent, as in the tables.
+bool isShare(ErrorMeasure measure) {
+    return measure == ErrorMeasure::RelativeError || measure == ErrorMeasure::Mape ||
+           measure == ErrorMeasure::RelativeBias;
+}
+
+double unitOf(ErrorMeasure measure) { return isShare(measure) ? 100.0 : 1.0; }
+
 ChartSeries seriesOf(const ConvergenceReport& report, size_t index, ErrorMeasure measure) {
     const VariantSummary& summary = report.summary.variants[index];
     ChartSeries series;
@@ -37,7 +45,9 @@ ChartSeries seriesOf(const ConvergenceReport& report, size_t index, ErrorMeasure
         const Spread& spread = point.errors[static_cast<size_t>(measure)];
         const bool corrected = measure == ErrorMeasure::RelativeError && report.summary.withoutReference;
         const double value = corrected ? summary.curve[i].error : spread.mean;
-        ChartPoint mark{point.seconds.mean, value, value - spread.deviation, value + spread.deviation};
+        const double unit = unitOf(measure);
+        ChartPoint mark{point.seconds.mean, unit * value, unit * (value - spread.deviation),
+                        unit * (value + spread.deviation)};
         mark.tip = fmt::format("{}: {} {} after {:.3g} s, {} passes", series.name,
                                kMeasureNames[static_cast<size_t>(measure)].title, measureText(measure, value),
                                point.seconds.mean, point.passes);
@@ -56,9 +66,7 @@ std::string measureText(ErrorMeasure measure, double value) {
     if (!std::isfinite(value)) {
         return "–";
     }
-    const bool share = measure == ErrorMeasure::RelativeError || measure == ErrorMeasure::Mape ||
-                       measure == ErrorMeasure::RelativeBias;
-    return share ? fmt::format("{:.3g} %", 100.0 * value) : fmt::format("{:.4g}", value);
+    return isShare(measure) ? fmt::format("{:.3g} %", 100.0 * value) : fmt::format("{:.4g}", value);
 }
 
 LogLogChart errorChart(const ConvergenceReport& report, ErrorMeasure measure) {
@@ -72,11 +80,13 @@ LogLogChart errorChart(const ConvergenceReport& report, ErrorMeasure measure) {
                                  report.plan.seeds.size() == 1 ? "" : "s", context.threads,
                                  context.threads == 1 ? "" : "s", context.processor);
     chart.xTitle = "render time, seconds";
-    chart.yTitle =
-        measure == ErrorMeasure::RelativeError
-            ? std::string(report.summary.withoutReference ? "relative error, the reference's own subtracted"
-                                                          : "relative error (RMSE over the picture's mean)")
-            : fmt::format("{}{}", name.title, name.unit.empty() ? "" : fmt::format(", {}", name.unit));
+    chart.yTitle = measure == ErrorMeasure::RelativeError
+                       ? std::string(report.summary.withoutReference
+                                         ? "relative error, %, the reference's own subtracted"
+                                         : "relative error, % (RMSE over the picture's mean)")
+                   : isShare(measure) ? fmt::format("{}, %", name.title)
+                                      : fmt::format("{}{}", name.title,
+                                                    name.unit.empty() ? "" : fmt::format(", {}", name.unit));
     chart.note =
         "Seconds of rendering alone: building, evaluating and saving are not in them. Bands: one standard "
         "deviation.";
@@ -91,8 +101,10 @@ LogLogChart errorChart(const ConvergenceReport& report, ErrorMeasure measure) {
     if (const double floor = floorOf(report, measure); floor > 0.0) {
         const bool biased = report.reference.integrator == IntegratorKind::Sppm;
         chart.levels.push_back(
-            {floor, fmt::format("reference's own {}{}", biased ? "noise (bias unknown)" : "error",
-                                report.summary.withoutReference ? ", subtracted" : "")});
+            {unitOf(measure) * floor,
+             fmt::format("reference's own {}{}{}", biased ? "noise (bias unknown)" : "error",
+                         report.summary.withoutReference ? ", subtracted" : "",
+                         isShare(measure) ? ", %" : "")});
     }
     return chart;
 }

@@ -134,7 +134,7 @@ TEST_F(ConvergeCommand, WritesEverythingAndItAgrees) {
     }
     EXPECT_EQ(readCsv(file("summary.csv")).size(), 3u * 4u);
     EXPECT_TRUE(loadImage8(file("plot.png")));
-    EXPECT_TRUE(says(TempFolder::read(file("plot.svg")), "own error: "));
+    EXPECT_TRUE(says(TempFolder::read(file("plot.svg")), "own error, %: "));
 }
 
 TEST_F(ConvergeCommand, ThePageNeedsNothingElse) {
