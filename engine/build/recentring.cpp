@@ -114,14 +114,11 @@ std::shared_ptr<const MeshData> centeredMesh(const MeshData& mesh, const Vec3& c
     return data;
 }
 
+/// `known` (may be null): what the mesh of the same index was before.
 CenteredMesh centered(const std::shared_ptr<const MeshData>& mesh, const Vec3& center,
-                      const Recentring* previous) {
+                      const CenteredMesh* known) {
     if (!mesh || isZero(center)) return {mesh, Vec3(0.0f), mesh};
-    if (previous != nullptr) {
-        for (const CenteredMesh& known : previous->meshes) {
-            if (known.original == mesh && known.center == center) return known;
-        }
-    }
+    if (known != nullptr && known->original == mesh && known->center == center) return *known;
     return {mesh, center, centeredMesh(*mesh, center)};
 }
 
@@ -143,7 +140,9 @@ std::shared_ptr<const Recentring> findRecentring(const SceneDescription& scene, 
     const bool nothing = isZero(recentring->origin) && std::ranges::all_of(centers, isZero);
     if (nothing) return nullptr;
     for (size_t i = 0; i < centers.size(); ++i) {
-        recentring->meshes.push_back(centered(scene.meshes[i].data, centers[i], previous));
+        const CenteredMesh* known =
+            previous != nullptr && i < previous->meshes.size() ? &previous->meshes[i] : nullptr;
+        recentring->meshes.push_back(centered(scene.meshes[i].data, centers[i], known));
     }
     return recentring;
 }

@@ -30,7 +30,8 @@ struct Recentring {
 };
 
 /// What has to be moved so that nothing is computed far from the origin; null: nothing (nearly always).
-/// Meshes that `previous` (may be null) has centred alike are shared with it. The description must be valid.
+/// Meshes that `previous` (may be null) has centred alike at the same index are shared with it. The
+/// description must be valid.
 std::shared_ptr<const Recentring> findRecentring(const SceneDescription& scene, const Recentring* previous);
 
 /// Whether both put every mesh at the same place; either may be null.

@@ -47,8 +47,8 @@ StressCase furnaceCase(float albedo, int maxDepth, bool box, bool roulette) {
             scene.options.rouletteStartDepth = maxDepth + 1;
             return measurePaths(scene, 2, truth, effort);
         }
-        const uint32_t passes = maxDepth <= 100 ? 900 : maxDepth <= 1000 ? 400 : 64;
-        return measurePaths(scene, effort.passes(passes, 200), truth, effort, maxDepth <= 100 ? 2 : 1);
+        const uint32_t passes = a == 1.0 ? 4 : maxDepth <= 100 ? 900 : maxDepth <= 1000 ? 200 : 32;
+        return measurePaths(scene, effort.passes(passes, 250), truth, effort, maxDepth <= 100 ? 2 : 1);
     };
     return c;
 }
