@@ -133,6 +133,30 @@ expect no-widget "Convergence/In use"
                                      percent(ofSppm->mape) + ", 9 passes"));
 }
 
+TEST(ConvergenceViewer, TheCurveBeforeARestartStaysForComparison) {
+    const Ran ran = play(R"(
+wait passes 24
+key r
+wait picture
+wait passes 24
+wait frames 3
+move "Convergence/Curve" 0.7 0.6
+wait frames 3
+print "Convergence/Curve"
+set "CSV file" "/proc/no/curves.csv"
+click "Export CSV"
+wait jobs
+wait frames 3
+print "Convergence/CSV message"
+)");
+    expectPlayed(ran);
+    const auto said = printed(ran, "Convergence/Curve");
+    ASSERT_EQ(said.size(), 1u) << ran.output;
+    EXPECT_THAT(ran.output, HasSubstr("Path tracing before the last restart: "));
+    EXPECT_THAT(printed(ran, "Convergence/CSV message"),
+                testing::ElementsAre(HasSubstr("/proc/no/curves.csv")));
+}
+
 TEST(ConvergenceViewer, ACheckpointKeepsTheCurve) {
     expectPlayed(play(R"(
 wait finished

@@ -96,6 +96,21 @@ TEST(ReferenceErrors, BeginAnewWithTheFilmAndGoBackWithACheckpoint) {
     EXPECT_THAT(bench.passes(), testing::ElementsAre(3));
 }
 
+TEST(ReferenceErrors, AFilmOfMoreThanAFewPointsIsKeptForComparison) {
+    Bench bench(0.5f);
+    const auto before = [&] { return bench.errors.pointsBefore(IntegratorKind::PathTracing).size(); };
+    for (uint32_t pass = 2; pass <= 6; ++pass) bench.observe(pass, 1.0f);
+    EXPECT_EQ(before(), 0u);
+    bench.errors.follow(IntegratorKind::PathTracing, {});
+    EXPECT_EQ(before(), 5u);
+    bench.errors.follow(IntegratorKind::PathTracing, curveFrom(1.5));
+    for (uint32_t pass = 2; pass <= 4; ++pass) bench.observe(pass, 1.0f);
+    bench.errors.follow(IntegratorKind::PathTracing, {});
+    EXPECT_EQ(before(), 5u) << "a film of three points does not take its place";
+    bench.errors.clear();
+    EXPECT_EQ(before(), 0u);
+}
+
 TEST(ReferenceErrors, AnotherSizeIsNotCompared) {
     Bench bench(0.5f);
     bench.observe(4, 1.0f, true, 2 * kSize);

@@ -5,13 +5,14 @@
 #include <cmath>
 #include <cstdlib>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "viewer/panels/convergence_curves.h"
 #include "viewer/panels/panels.h"
 #include "viewer/panels/units.h"
-#include "viewer/window/loglog_plot.h"
 #include "viewer/window/theme.h"
 #include "viewer/window/widgets.h"
 
@@ -19,78 +20,11 @@ namespace glint {
 namespace {
 
 constexpr float kPlotHeightUnits = 200.0f;
-constexpr std::array<IntegratorKind, 2> kBoth{IntegratorKind::PathTracing, IntegratorKind::Sppm};
-constexpr std::array<const char*, 2> kNames{"Path tracing", "SPPM"};
 constexpr std::array<const char*, 2> kForecastNames{"PT to target", "SPPM to target"};
-// Orange and sky blue: told apart with any common colour blindness (Okabe and Ito 2002).
-const std::array<Vec3, 2> kColors{Vec3(0.902f, 0.624f, 0.0f), Vec3(0.337f, 0.706f, 0.914f)};
-
-bool hasReference(const ViewerModel& model) { return model.usableReference() != nullptr; }
-
-double targetOf(const ViewerModel& model) {
-    return model.limits.relativeError > 0.0 ? model.limits.relativeError : model.convergence.targetError;
-}
-
-PlotCurve estimateOf(const ViewerModel& model, size_t kind) {
-    PlotCurve curve{.name = kNames[kind], .color = kColors[kind]};
-    for (const ConvergencePoint& p : model.curve(kBoth[kind])->points()) {
-        curve.points.push_back({p.renderSeconds, p.relativeError * 100.0, p.relativeErrorLow * 100.0,
-                                p.relativeErrorHigh * 100.0});
-    }
-    return curve;
-}
-
-PlotCurve referenceOf(const ViewerModel& model, size_t kind) {
-    PlotCurve curve{.name = kNames[kind], .color = kColors[kind], .hasMarkers = true};
-    for (const ReferencePoint& p : model.reference.points(kBoth[kind]))
-        curve.points.push_back({p.renderSeconds, p.error(model.convergence.metric) * 100.0});
-    return curve;
-}
-
-/// The curves at 0 and 1 are what is shown of path tracing and of SPPM; estimates behind them may follow.
-LogLogPlot plotOf(const ViewerModel& model) {
-    LogLogPlot plot{.targetY = targetOf(model) * 100.0, .xTitle = "render time, s"};
-    const bool reference = hasReference(model);
-    for (size_t kind = 0; kind < kBoth.size(); ++kind)
-        plot.curves.push_back(reference ? referenceOf(model, kind) : estimateOf(model, kind));
-    plot.yTitle = reference ? "error, %" : "estimated error, %";
-    if (model.reference.picture() && !reference) plot.warning = "the reference does not fit: see below";
-    plot.nothing = reference ? "measuring…" : "from the second pass on";
-    if (!reference || model.convergence.metric != ReferenceMetric::RmseOverMean) return plot;
-    for (size_t kind = 0; kind < kBoth.size(); ++kind) {
-        plot.curves.push_back(estimateOf(model, kind));
-        plot.curves.back().isFaint = true;
-    }
-    return plot;
-}
-
-std::string bandText(double low, double high) {
-    return fmt::format("90 %: {} – {}", percent(low), percent(high));
-}
-
-std::string passesText(uint32_t passes) {
-    return fmt::format("{} {}", grouped(passes), passes == 1 ? "pass" : "passes");
-}
-
-/// What one point of plotOf()'s curves says.
-std::string pointText(const ViewerModel& model, size_t curve, size_t point) {
-    const size_t kind = curve % kBoth.size();
-    if (hasReference(model) && curve < kBoth.size()) {
-        const ReferencePoint& p = model.reference.points(kBoth[kind])[point];
-        return fmt::format("{}: {} after {}, {}", kNames[kind], percent(p.error(model.convergence.metric)),
-                           duration(p.renderSeconds), passesText(p.passes));
-    }
-    const ConvergencePoint& p = model.curve(kBoth[kind])->points()[point];
-    std::string text =
-        fmt::format("{}{}: {} after {}, {}\n    {}", kNames[kind], curve < kBoth.size() ? "" : ", estimated",
-                    percent(p.relativeError), duration(p.renderSeconds), passesText(p.passes),
-                    bandText(p.relativeErrorLow, p.relativeErrorHigh));
-    if (p.relativeBias > 0.0) text += fmt::format(", bias {}", percent(p.relativeBias));
-    return text;
-}
 
 void drawPlot(const ViewerModel& model) {
-    const LogLogPlot plot = plotOf(model);
+    const std::vector<CurveSource> sources = curveSources(model);
+    const LogLogPlot plot = convergencePlot(model, sources);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 size{ImGui::GetContentRegionAvail().x, kPlotHeightUnits * ui::scale()};
     ImGui::Dummy(size);
@@ -98,34 +32,34 @@ void drawPlot(const ViewerModel& model) {
         drawLogLogPlot(plot, {corner.x, corner.y}, {corner.x + size.x, corner.y + size.y});
     std::string shown;
     for (size_t i = 0; i < hover.size(); ++i) {
-        if (hover[i]) shown += (shown.empty() ? "" : "\n") + pointText(model, i, *hover[i]);
+        if (hover[i]) shown += (shown.empty() ? "" : "\n") + pointText(model, sources[i], *hover[i]);
     }
     if (!shown.empty()) {
         ui::tooltip(shown.c_str());
     } else {
-        for (size_t i = 0; i < kBoth.size(); ++i)
-            shown +=
-                fmt::format("{}{} {} points", i > 0 ? ", " : "", kNames[i], plot.curves[i].points.size());
+        for (size_t i = 0; i < kBothIntegrators.size(); ++i)
+            shown += fmt::format("{}{} {} points", i > 0 ? ", " : "", kIntegratorNames[i],
+                                 plot.curves[i].points.size());
     }
     ui::itemArea("Curve", shown);
 }
 
 void drawErrors(const ViewerModel& model) {
     const bool reference = hasReference(model);
-    for (size_t kind = 0; kind < kBoth.size(); ++kind) {
-        const auto& estimates = model.curve(kBoth[kind])->points();
-        const auto& measured = model.reference.points(kBoth[kind]);
+    for (size_t kind = 0; kind < kBothIntegrators.size(); ++kind) {
+        const auto& estimates = model.curve(kBothIntegrators[kind])->points();
+        const auto& measured = model.reference.points(kBothIntegrators[kind]);
         if (reference && !measured.empty()) {
             const ReferencePoint& last = measured.back();
             ui::value(
-                kNames[kind],
+                kIntegratorNames[kind],
                 fmt::format("{}, {}", percent(last.error(model.convergence.metric)), passesText(last.passes)),
                 fmt::format("Against the reference. Mean signed difference: {:+.3g} % of its mean",
                             last.relativeBias * 100.0)
                     .c_str());
         } else if (!reference && !estimates.empty()) {
             const ConvergencePoint& last = estimates.back();
-            ui::value(kNames[kind],
+            ui::value(kIntegratorNames[kind],
                       fmt::format("{}  ({} – {})", percent(last.relativeError),
                                   percent(last.relativeErrorLow), percent(last.relativeErrorHigh)),
                       "The estimate and its 90 % band. Light that no path has found yet is not in it");
@@ -164,10 +98,11 @@ void drawTarget(ViewerModel* model) {
         model->convergence.targetError = static_cast<double>(target) / 100.0;
         model->limits.relativeError = stops ? model->convergence.targetError : 0.0;
     }
-    for (size_t kind = 0; kind < kBoth.size(); ++kind) {
+    for (size_t kind = 0; kind < kBothIntegrators.size(); ++kind) {
         const ConvergenceCurve curve =
-            hasReference(*model) ? asCurve(model->reference.points(kBoth[kind]), model->convergence.metric)
-                                 : *model->curve(kBoth[kind]);
+            hasReference(*model)
+                ? asCurve(model->reference.points(kBothIntegrators[kind]), model->convergence.metric)
+                : *model->curve(kBothIntegrators[kind]);
         if (curve.empty()) continue;
         ui::value(kForecastNames[kind], forecastText(curve, targetOf(*model)),
                   "Render time that is left, from how the curve fell so far, with a 90 % band");
@@ -200,6 +135,14 @@ void drawOwnError(const LoadedReference& reference) {
               "RMSE / mean of the reference itself. Errors close to it say little");
 }
 
+/// It was rendered from the same random numbers as one of the pictures here.
+bool sharesSeed(const ViewerModel& model) {
+    const auto& attributes = model.reference.picture()->attributes;
+    const auto seed = attributes.find("setting.seed");
+    return seed != attributes.end() && !attributes.contains("referenceSeeds") &&
+           seed->second == std::to_string(model.draft().options.seed);
+}
+
 void drawReferenceState(const ViewerModel& model) {
     const ReferenceErrors& reference = model.reference;
     if (reference.loadError()) warn("Load error", reference.loadError()->format());
@@ -215,6 +158,9 @@ void drawReferenceState(const ViewerModel& model) {
               reference.picture()->path.c_str());
     if (!mismatch.empty()) warn("Mismatch", mismatch);
     drawOwnError(*reference.picture());
+    if (sharesSeed(model))
+        warn("Seed note",
+             "The reference has this scene's seed: noise that both share is not seen as an error.");
     if (reference.picture()->isEightBit)
         warn("Note", "An 8-bit reference knows no values above 1: lamps will seem wrong.");
 }
@@ -256,6 +202,12 @@ void drawExport(ViewerModel* model) {
     ui::gap();
     ui::text("CSV file", &model->files.csv, "convergence.csv", "Every point of the curves, as a table");
     if (ui::button("Export CSV", ui::buttonWidth(1))) model->saveConvergenceCsv();
+    if (model->csvMessage().empty()) return;
+    if (model->csvMessageIsError()) {
+        warn("CSV message", model->csvMessage());
+    } else {
+        ui::hint(model->csvMessage().c_str());
+    }
 }
 
 }  // namespace

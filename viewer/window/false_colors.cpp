@@ -151,6 +151,8 @@ ShownPicture pictureOf(const FilmSnapshot& snapshot, ShownPicture wanted, const 
 std::string instead(const FilmSnapshot& snapshot, ShownPicture wanted, const LoadedReference* reference) {
     if (wanted == ShownPicture::ReferenceError && reference == nullptr)
         return "No reference that fits: the radiance";
+    const bool isSpread = wanted == ShownPicture::StandardError || wanted == ShownPicture::ErrorBound;
+    if (isSpread && snapshot.passes < 2 && snapshot.previewScale == 1) return "Known from the second pass on";
     if (!isOfSppm(wanted) || snapshot.integrator == IntegratorKind::Sppm) return "";
     return wanted == ShownPicture::Bias ? "Path tracing has no bias: its radiance"
                                         : "Path tracing has no photons: its radiance";

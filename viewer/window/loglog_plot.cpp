@@ -139,6 +139,28 @@ void drawBand(const Axes& axes, const PlotCurve& curve, ImDrawList* draw) {
     draw->Flags = flags;
 }
 
+void drawDashes(const std::vector<ImVec2>& line, ImU32 color, float thickness, ImDrawList* draw) {
+    const float dash = 5.0f * ui::scale();
+    float along = 0.0f;
+    for (size_t i = 1; i < line.size(); ++i) {
+        const ImVec2 from = line[i - 1];
+        const ImVec2 way{line[i].x - from.x, line[i].y - from.y};
+        const float length = std::hypot(way.x, way.y);
+        // Each dash of this piece, [begin, end) along it.
+        for (float at = 0.0f; at < length;) {
+            const float phase = std::fmod(along + at, 2.0f * dash);
+            const float end = std::min(length, at + (phase < dash ? dash : 2.0f * dash) - phase + 0.01f);
+            if (phase < dash) {
+                const ImVec2 begin{from.x + way.x * at / length, from.y + way.y * at / length};
+                draw->AddLine(begin, {from.x + way.x * end / length, from.y + way.y * end / length}, color,
+                              thickness);
+            }
+            at = end;
+        }
+        along += length;
+    }
+}
+
 void drawCurve(const Axes& axes, const PlotCurve& curve, ImDrawList* draw) {
     const float scale = ui::scale();
     const ImU32 color = colorOf(curve.color, curve.isFaint ? 0.45f : 1.0f);
@@ -147,8 +169,12 @@ void drawCurve(const Axes& axes, const PlotCurve& curve, ImDrawList* draw) {
     for (const PlotPoint& point : curve.points) {
         if (isDrawn(point)) line.push_back(axes.place(point.x, point.y));
     }
-    draw->AddPolyline(line.data(), static_cast<int>(line.size()), color, 0,
-                      (curve.isFaint ? 1.0f : 1.8f) * scale);
+    const float thickness = (curve.isFaint ? 1.0f : 1.8f) * scale;
+    if (curve.isDashed) {
+        drawDashes(line, color, thickness, draw);
+    } else {
+        draw->AddPolyline(line.data(), static_cast<int>(line.size()), color, 0, thickness);
+    }
     const size_t firstDot = curve.hasMarkers || line.empty() ? 0 : line.size() - 1;
     if (curve.isFaint) return;
     for (size_t i = firstDot; i < line.size(); ++i) draw->AddCircleFilled(line[i], 2.6f * scale, color);
@@ -255,7 +281,8 @@ PlotHover drawLogLogPlot(const LogLogPlot& plot, Vec2 min, Vec2 max) {
     draw->PushClipRect(axes.min, axes.max, true);
     for (const PlotCurve& curve : plot.curves) drawBand(axes, curve, draw);
     if (plot.targetY && isPositive(*plot.targetY)) drawTarget(axes, *plot.targetY, draw);
-    for (const PlotCurve& curve : plot.curves) drawCurve(axes, curve, draw);
+    for (auto curve = plot.curves.rbegin(); curve != plot.curves.rend(); ++curve)
+        drawCurve(axes, *curve, draw);
     const PlotHover hover = hoverOf(plot, axes);
     if (!hover.empty()) drawHover(plot, hover, axes, draw);
     draw->PopClipRect();

@@ -23,9 +23,10 @@ struct PlotPoint {
 
 struct PlotCurve {
     std::string name{};
-    Vec3 color{1.0f};                 ///< display values
-    bool hasMarkers = false;          ///< dots on the points: few and measured, instead of many and estimated
-    bool isFaint = false;             ///< behind the others, and not in the legend
+    Vec3 color{1.0f};         ///< display values
+    bool hasMarkers = false;  ///< dots on the points: few and measured, instead of many and estimated
+    bool isFaint = false;     ///< behind the others, and not in the legend
+    bool isDashed = false;
     std::vector<PlotPoint> points{};  ///< x rising
 };
 

@@ -17,6 +17,7 @@ namespace glint {
 namespace {
 
 constexpr double kGrowth = 1.15;  // of the passes from one point to the next
+constexpr size_t kWorthKeeping = 5;
 
 double meanOf(const ImageF& image) {
     double sum = 0.0;
@@ -96,7 +97,7 @@ void ReferenceErrors::load(const std::string& path) {
                     return;
                 }
                 picture_ = std::move(loaded->value());
-                for (Track& track : tracks_) track.points.clear();
+                forgetPoints();
                 logInfo("Reference {}: {}x{} pixels", picture_->path, picture_->image.width,
                         picture_->image.height);
             };
@@ -108,7 +109,14 @@ void ReferenceErrors::clear() {
     next_.clear();
     picture_.reset();
     loadError_.reset();
-    for (Track& track : tracks_) track.points.clear();
+    forgetPoints();
+}
+
+void ReferenceErrors::forgetPoints() {
+    for (Track& track : tracks_) {
+        track.points.clear();
+        track.before.clear();
+    }
 }
 
 std::string ReferenceErrors::mismatch(int width, int height) const {
@@ -126,6 +134,7 @@ void ReferenceErrors::follow(IntegratorKind kind, const ConvergenceCurve& curve)
     const double began = curve.empty() ? 0.0 : curve.points().front().renderSeconds;
     if (track.filmBegan == began) return;
     track.filmBegan = began;
+    if (track.points.size() >= kWorthKeeping) track.before = std::move(track.points);
     track.points.clear();
 }
 

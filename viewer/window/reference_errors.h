@@ -66,15 +66,19 @@ class ReferenceErrors {
     void observe(const std::shared_ptr<const FilmSnapshot>& snapshot, bool resting);
     /// Passes rising.
     const std::vector<ReferencePoint>& points(IntegratorKind kind) const { return track(kind).points; }
+    /// Of the last film before the present one that had more than a few of them.
+    const std::vector<ReferencePoint>& pointsBefore(IntegratorKind kind) const { return track(kind).before; }
     bool measuring() const;
 
   private:
     struct Track {
         std::vector<ReferencePoint> points;
+        std::vector<ReferencePoint> before;
         double filmBegan = 0.0;  ///< render seconds of the film's first point: its name; 0: there is none
         bool measuring = false;
     };
     const Track& track(IntegratorKind kind) const { return tracks_[static_cast<size_t>(kind)]; }
+    void forgetPoints();
     void measure(std::shared_ptr<const FilmSnapshot> snapshot, Track* track);
 
     JobQueue jobs_;

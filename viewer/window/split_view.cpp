@@ -1,6 +1,7 @@
 #include "viewer/window/split_view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -24,27 +25,52 @@ float dividerX(const DisplaySettings& settings, Vec2 min, Vec2 max) {
 
 ImVec2 im(Vec2 v) { return {v.x, v.y}; }
 
-/// Text on a dark plate; `anchor` is its upper left corner, or the upper right one.
-void drawPlate(const std::string& text, Vec2 anchor, bool fromRight) {
-    const float scale = ui::scale();
-    const Vec2 pad(6.0f * scale, 3.0f * scale);
-    const ImVec2 textSize = ImGui::CalcTextSize(text.c_str());
-    const Vec2 size = Vec2(textSize.x, textSize.y) + pad * 2.0f;
-    const Vec2 corner = fromRight ? anchor - Vec2(size.x, 0.0f) : anchor;
-    ImDrawList* draw = ImGui::GetWindowDrawList();
-    draw->AddRectFilled(im(corner), im(corner + size), kPlate, 4.0f * scale);
-    draw->AddText(im(corner + pad), ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+constexpr float kPlatePadX = 6.0f;
+constexpr float kPlatePadY = 3.0f;
+
+/// Of a plate with that text, which is wrapped where it is wider than `room` (0: never).
+Vec2 plateSize(const std::string& text, float room) {
+    const Vec2 pad = Vec2(kPlatePadX, kPlatePadY) * ui::scale();
+    const float wrap = room > 0.0f ? std::max(room - 2.0f * pad.x, 1.0f) : 0.0f;
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
+    return Vec2(size.x, size.y) + pad * 2.0f;
 }
 
-std::string sideLabel(const char* name, const FilmSnapshot* snapshot) {
-    if (snapshot == nullptr) return fmt::format("{}   first pass…", name);
-    if (snapshot->previewScale > 1) return fmt::format("{}   preview", name);
-    return fmt::format("{}   {} {}   {}", name, grouped(snapshot->passes),
-                       snapshot->passes == 1 ? "pass" : "passes", duration(snapshot->renderSeconds));
+/// Text on a dark plate of plateSize().
+void drawPlate(const std::string& text, Vec2 corner, Vec2 size) {
+    const Vec2 pad = Vec2(kPlatePadX, kPlatePadY) * ui::scale();
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    draw->AddRectFilled(im(corner), im(corner + size), kPlate, 4.0f * ui::scale());
+    // Half a pixel more, so that rounding does not wrap what was measured to fit.
+    draw->AddText(ImGui::GetFont(), ImGui::GetFontSize(), im(corner + pad), ImGui::GetColorU32(ImGuiCol_Text),
+                  text.c_str(), nullptr, size.x - 2.0f * pad.x + 0.5f);
+}
+
+/// What the side shows, from the full text to the shortest one.
+std::array<std::string, 4> sideLabels(const char* name, const char* shortName, const FilmSnapshot* snapshot) {
+    if (snapshot == nullptr) return {fmt::format("{}   first pass…", name), name, shortName, ""};
+    if (snapshot->previewScale > 1) return {fmt::format("{}   preview", name), name, shortName, ""};
+    const std::string passes =
+        fmt::format("{}   {} {}", name, grouped(snapshot->passes), snapshot->passes == 1 ? "pass" : "passes");
+    return {fmt::format("{}   {}", passes, duration(snapshot->renderSeconds)), passes, name, shortName};
+}
+
+struct Area {
+    Vec2 min;
+    Vec2 max;
+};
+
+/// The part of the picture that the window shows.
+Area seenPart(Vec2 min, Vec2 max) {
+    const ImVec2 corner = ImGui::GetWindowPos();
+    const ImVec2 size = ImGui::GetWindowSize();
+    return {{std::max(min.x, corner.x), std::max(min.y, corner.y)},
+            {std::min(max.x, corner.x + size.x), std::min(max.y, corner.y + size.y)}};
 }
 
 struct Side {
     const char* name;
+    const char* shortName;
     const ImageDisplay* display;
     const FilmSnapshot* snapshot;
 };
@@ -65,19 +91,26 @@ void drawSide(const Side& side, Vec2 min, Vec2 max, float from, float to) {
     }
     const float margin = kMarginUnits * ui::scale();
     const bool isRight = to == 1.0f && from > 0.0f;
-    drawPlate(sideLabel(side.name, side.snapshot),
-              {isRight ? partMax.x - margin : partMin.x + margin, min.y + margin}, isRight);
+    const Area seen = seenPart(partMin, partMax);
+    for (const std::string& label : sideLabels(side.name, side.shortName, side.snapshot)) {
+        const Vec2 size = plateSize(label, 0.0f);
+        if (label.empty() || size.x > seen.max.x - seen.min.x - 2.0f * margin) continue;
+        const float x = isRight ? seen.max.x - margin - size.x : seen.min.x + margin;
+        drawPlate(label, {x, seen.min.y + margin}, size);
+        ui::area(isRight ? "Right side" : "Left side", seen.min, seen.max, label);
+        break;
+    }
     draw->PopClipRect();
 }
 
 void drawSplit(const ViewerModel& model, const Pictures& pictures, Vec2 min, Vec2 max) {
-    Side left{"Path tracing", nullptr, nullptr};
-    Side right{"SPPM", nullptr, nullptr};
+    Side left{"Path tracing", "PT", nullptr, nullptr};
+    Side right{"SPPM", "SPPM", nullptr, nullptr};
     const auto put = [&](const FilmSnapshot* snapshot, const PictureSource& source,
                          const ImageDisplay* display) {
         const IntegratorKind kind = snapshot != nullptr ? snapshot->integrator : source.shownIntegrator();
         Side& side = kind == IntegratorKind::Sppm ? right : left;
-        if (side.display == nullptr) side = {side.name, display, snapshot};
+        if (side.display == nullptr) side = {side.name, side.shortName, display, snapshot};
     };
     put(model.snapshot().get(), *pictures.mainSource, pictures.main);
     put(model.otherSnapshot().get(), *pictures.otherSource, pictures.other);
@@ -110,7 +143,8 @@ std::string scaleText(ShownPicture shown, float value) {
 }
 
 /// The colours from the smallest to the largest value, with both, in the lower left corner or the right one.
-void drawScale(const PictureSource& source, Vec2 min, Vec2 max, bool onRight) {
+/// Returns its upper edge.
+float drawScale(const PictureSource& source, Vec2 min, Vec2 max, bool onRight) {
     const HeatScale& heat = source.scale().heat;
     const bool isSigned = source.scale().isSigned;
     const float scale = ui::scale();
@@ -142,37 +176,37 @@ void drawScale(const PictureSource& source, Vec2 min, Vec2 max, bool onRight) {
     }
     draw->AddText(im(begin + Vec2(bar + gap, 0.0f)), text, high.c_str());
     ui::area("Scale", corner, corner + Vec2(width, line + 2.0f * gap), fmt::format("{} … {}", low, high));
+    return corner.y;
 }
 
-/// One scale for both sides where they share it, else on the side that has one.
-void drawScales(const ViewerModel& model, const Pictures& pictures, Vec2 min, Vec2 max) {
-    if (!model.display.split) {
-        if (pictures.mainSource->scale().isThere()) drawScale(*pictures.mainSource, min, max, false);
-        return;
-    }
-    const bool isMain = pictures.mainSource->scale().isThere();
+/// One scale for both sides where they share it, else on the side that has one. Returns where it begins.
+float drawScales(const ViewerModel& model, const Pictures& pictures, const Area& seen) {
+    const bool isMain = !model.display.split || pictures.mainSource->scale().isThere();
     const PictureSource& source = isMain ? *pictures.mainSource : *pictures.otherSource;
-    if (!source.scale().isThere()) return;
-    const bool isOfBoth = isMain && pictures.otherSource->scale().isThere();
-    drawScale(source, min, max, !isOfBoth && source.shownIntegrator() == IntegratorKind::Sppm);
+    if (!source.scale().isThere()) return seen.max.y;
+    const bool isOfBoth = isMain && (!model.display.split || pictures.otherSource->scale().isThere());
+    const bool onRight = !isOfBoth && source.shownIntegrator() == IntegratorKind::Sppm;
+    return drawScale(source, seen.min, seen.max, onRight);
 }
 
-/// In the lower left corner: path tracing is the left side, or alone.
-void drawNote(const ViewerModel& model, Vec2 min, Vec2 max) {
-    const bool isSplit = model.display.split;
-    const float right = isSplit ? dividerX(model.display, min, max) : max.x;
+/// In the lower left corner of each side that does not show what is wanted.
+void drawNotes(const ViewerModel& model, const Area& seen, float dividerAt, float bottom) {
     const float margin = kMarginUnits * ui::scale();
-    const float height = ImGui::GetFontSize() + 6.0f * ui::scale();
-    const Vec2 corner(min.x + margin, max.y - margin - height);
+    const bool isSplit = model.display.split;
+    const char* widget = "Note";
     for (const auto& snapshot : {model.snapshot(), model.otherSnapshot()}) {
         if (!snapshot) continue;
+        const bool isRight = isSplit && snapshot->integrator == IntegratorKind::Sppm;
+        const float left = isRight ? std::max(dividerAt, seen.min.x) : seen.min.x;
+        const float right = isSplit && !isRight ? std::min(dividerAt, seen.max.x) : seen.max.x;
+        const float room = right - left - 2.0f * margin;
         const std::string note = instead(*snapshot, model.display.shown, model.usableReference().get());
-        if (note.empty() || right <= corner.x) continue;
-        ImGui::PushClipRect(im(min), {right, max.y}, true);
-        drawPlate(note, corner, false);
-        ImGui::PopClipRect();
-        ui::area("Note", corner, {right, corner.y + height}, note);
-        break;
+        if (note.empty() || room < 4.0f * ImGui::GetFontSize()) continue;
+        const Vec2 size = plateSize(note, room);
+        const Vec2 corner(left + margin, bottom - margin - size.y);
+        drawPlate(note, corner, size);
+        ui::area(widget, corner, corner + size, note);
+        widget = "Other note";
     }
 }
 
@@ -202,8 +236,9 @@ void drawPictures(const ViewerModel& model, const Pictures& pictures, Vec2 min, 
         ImGui::GetWindowDrawList()->AddImage(
             reinterpret_cast<ImTextureID>(static_cast<intptr_t>(pictures.main->texture())), im(min), im(max));
     }
-    drawScales(model, pictures, min, max);
-    drawNote(model, min, max);
+    const Area seen = seenPart(min, max);
+    const float scaleTop = drawScales(model, pictures, seen);
+    drawNotes(model, seen, dividerX(model.display, min, max), model.display.split ? scaleTop : seen.max.y);
 }
 
 }  // namespace glint

@@ -61,12 +61,15 @@ bool sameLimits(const StopLimits& a, const StopLimits& b) {
 
 ViewerModel::ViewerModel(std::unique_ptr<Backend> backend) : session_(std::move(backend)) {
     curves_.fill(std::make_shared<const ConvergenceCurve>());
+    curvesBefore_ = curves_;
 }
 
 void ViewerModel::adopt(SceneDescription scene) {
     for (const std::string& warning : scene.warnings) logWarning("{}: {}", scene.path, warning);
     logInfo("Opened {}: {} objects, {} materials, {} lights, {}x{} pixels", scene.path, scene.objects.size(),
             scene.materials.size(), scene.lights.size(), scene.resolution.width, scene.resolution.height);
+    isAnotherScene_ = scene.path != draft_.path;
+    if (isAnotherScene_) curvesBefore_.fill(std::make_shared<const ConvergenceCurve>());
     draft_ = std::move(scene);
     posted_ = std::make_shared<const SceneDescription>(draft_);
     cameraOfFile_ = draft_.camera;
@@ -132,7 +135,19 @@ void ViewerModel::refresh() {
     if (status_.state == SessionState::Failed || refused) awaitsEdit_ = false;
     if (pendingExr_ && status_.aovPasses > 0) startExr();
     refreshConvergence();
+    isAnotherScene_ = isAnotherScene_ && awaitsEdit_;
     autosave();
+}
+
+void ViewerModel::takeCurve(IntegratorKind kind) {
+    constexpr size_t kWorthKeeping = 8;
+    auto& shown = curves_[static_cast<size_t>(kind)];
+    auto now = session_.convergenceCurve(kind);
+    const auto began = [](const ConvergenceCurve& curve) { return curve.points().front().renderSeconds; };
+    const bool isAnother = !shown->empty() && (now->empty() || began(*now) != began(*shown));
+    if (isAnother && !isAnotherScene_ && shown->points().size() >= kWorthKeeping)
+        curvesBefore_[static_cast<size_t>(kind)] = std::move(shown);
+    shown = std::move(now);
 }
 
 /// While the picture moves, an other one that is an edit old is better than none: it would flicker.
@@ -146,7 +161,7 @@ void ViewerModel::refreshOther() {
 void ViewerModel::refreshConvergence() {
     reference.refresh();
     for (const IntegratorKind kind : {IntegratorKind::PathTracing, IntegratorKind::Sppm}) {
-        curves_[static_cast<size_t>(kind)] = session_.convergenceCurve(kind);
+        takeCurve(kind);
         reference.follow(kind, *curve(kind));
     }
     referenceFit.check(reference.picture(), posted_, !postedInteracting_);

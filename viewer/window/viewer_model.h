@@ -115,6 +115,9 @@ class ViewerModel {
     /// The result of the last save, load or resume, for the panel.
     const std::string& fileMessage() const { return fileMessage_; }
     bool fileMessageIsError() const { return fileMessageIsError_; }
+    /// The same of the last saveConvergenceCsv().
+    const std::string& csvMessage() const { return csvMessage_; }
+    bool csvMessageIsError() const { return csvMessageIsError_; }
     bool busy() const {
         return jobs_.running() > 0 || pendingExr_ || reference.loading() || reference.measuring();
     }
@@ -144,6 +147,11 @@ class ViewerModel {
         return curves_[static_cast<size_t>(kind)];
     }
 
+    /// That of the film before the last restart, if it had more than a few points. Never null.
+    const std::shared_ptr<const ConvergenceCurve>& curveBefore(IntegratorKind kind) const {
+        return curvesBefore_[static_cast<size_t>(kind)];
+    }
+
     DisplaySettings display;
     /// Set by who draws: what is on the screen is not of the newest snapshots yet.
     bool displayIsBehind = false;
@@ -165,6 +173,7 @@ class ViewerModel {
     /// What is shown of the curves, and the snapshots' errors against the reference.
     void refreshConvergence();
     void refreshOther();
+    void takeCurve(IntegratorKind kind);
     /// Limits, pause and extra pictures, where they changed.
     void postWishes();
     /// Takes the film when the pass in flight is done, then runs `save` on it, both in the background.
@@ -187,6 +196,8 @@ class ViewerModel {
     std::shared_ptr<const FilmSnapshot> snapshot_;
     std::shared_ptr<const FilmSnapshot> otherSnapshot_;
     std::array<std::shared_ptr<const ConvergenceCurve>, 2> curves_;
+    std::array<std::shared_ptr<const ConvergenceCurve>, 2> curvesBefore_;
+    bool isAnotherScene_ = false;  ///< the curves may still be of the one before
     StopLimits postedLimits_;
     bool postedPaused_ = false;
     bool postedInteracting_ = false;
@@ -202,6 +213,8 @@ class ViewerModel {
     bool pendingExr_ = false;
     std::string fileMessage_;
     bool fileMessageIsError_ = false;
+    std::string csvMessage_;
+    bool csvMessageIsError_ = false;
     std::string replayCommand_;
     double lastAutosave_ = 0.0;
 };

@@ -158,7 +158,11 @@ void ViewerModel::saveConvergenceCsv() {
     jobs_.start(
         [this, path, curves = std::move(curves)]() -> JobQueue::Completion {
             const Status result = writeFileAtomically(path, convergenceCsv(curves));
-            return [this, path, result] { finishFileJob(result, fmt::format("Saved {}", path)); };
+            return [this, path, result] {
+                finishFileJob(result, fmt::format("Saved {}", path));
+                csvMessage_ = fileMessage_;
+                csvMessageIsError_ = fileMessageIsError_;
+            };
         },
         true);
 }
