@@ -216,6 +216,7 @@ drop "missing.exr"
 wait jobs
 wait frames 3
 print "Convergence/Load error"
+expect widget "Status message"
 expect widget "Convergence/In use"
 )");
     expectPlayed(ran);

@@ -22,6 +22,8 @@ constexpr float kSplitterUnits = 6.0f;
 constexpr float kSmallestColumn = 300.0f;
 constexpr float kSmallestPicture = 240.0f;
 constexpr float kExposureStep = 1.0f / 3.0f;
+constexpr double kMessageSeconds = 6.0;
+constexpr float kLeastStatusShare = 0.35f;  // what a long message leaves of the status line
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
@@ -112,6 +114,15 @@ void Shell::drawColumn(ViewerModel* model, float x, float height) {
     ImGui::PopStyleVar();
 }
 
+/// A save or a load just ended: the panel that tells may be closed.
+bool Shell::showsFileMessage(const ViewerModel& model) {
+    if (model.fileMessage() != lastMessage_) {
+        lastMessage_ = model.fileMessage();
+        messageSince_ = ImGui::GetTime();
+    }
+    return !lastMessage_.empty() && ImGui::GetTime() - messageSince_ < kMessageSeconds;
+}
+
 void Shell::drawStatusLine(const ViewerModel& model, float y) {
     const ImGuiIO& io = ImGui::GetIO();
     ImGui::SetNextWindowPos({0.0f, y});
@@ -137,14 +148,20 @@ void Shell::drawStatusLine(const ViewerModel& model, float y) {
                             status.passes == 1 ? "pass" : "passes", duration(status.renderSeconds),
                             status.passes > 1 ? percent(status.relativeError) : "–");
     }
-    const float rightX = io.DisplaySize.x - ImGui::CalcTextSize(right.c_str()).x - 10.0f * ui::scale();
+    const bool isMessage = showsFileMessage(model);
+    if (isMessage) right = model.fileMessage();
+    const float rightX =
+        std::max(io.DisplaySize.x - ImGui::CalcTextSize(right.c_str()).x - 10.0f * ui::scale(),
+                 kLeastStatusShare * io.DisplaySize.x);
     ImGui::PushStyleColor(ImGuiCol_Text, theme::kTextDim);
     ImGui::PushClipRect({0.0f, y}, {rightX - 10.0f * ui::scale(), io.DisplaySize.y}, true);
     ImGui::TextUnformatted(left.c_str());
     ImGui::PopClipRect();
     ImGui::SameLine(rightX);
-    ImGui::TextUnformatted(right.c_str());
+    const bool isError = isMessage && model.fileMessageIsError();
+    ImGui::TextColored(isError ? theme::kTextError : theme::kTextDim, "%s", right.c_str());
     ImGui::PopStyleColor();
+    if (isMessage) ui::area("Status message", {rightX, y}, {io.DisplaySize.x, io.DisplaySize.y}, right);
     ui::area("Status line", {0.0f, y}, {io.DisplaySize.x, io.DisplaySize.y}, left);
     ImGui::End();
     ImGui::PopStyleVar(2);

@@ -17,6 +17,7 @@ class Shell {
     void handleKeys(ViewerModel* model);
     void drawSplitter(float x, float height);
     void drawColumn(ViewerModel* model, float x, float height);
+    bool showsFileMessage(const ViewerModel& model);
     void drawStatusLine(const ViewerModel& model, float y);
     void drawHelp();
 
@@ -25,6 +26,8 @@ class Shell {
     bool panelsShown_ = true;
     bool helpShown_ = false;
     bool quitWanted_ = false;
+    std::string lastMessage_;
+    double messageSince_ = 0.0;
 };
 
 }  // namespace glint

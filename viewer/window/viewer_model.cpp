@@ -159,7 +159,9 @@ void ViewerModel::refreshOther() {
 }
 
 void ViewerModel::refreshConvergence() {
+    const bool wasLoading = reference.loading();
     reference.refresh();
+    if (wasLoading && !reference.loading()) tellOfReference();
     for (const IntegratorKind kind : {IntegratorKind::PathTracing, IntegratorKind::Sppm}) {
         takeCurve(kind);
         reference.follow(kind, *curve(kind));

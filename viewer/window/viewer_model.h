@@ -179,6 +179,7 @@ class ViewerModel {
     /// Takes the film when the pass in flight is done, then runs `save` on it, both in the background.
     void saveCaptured(const std::string& path, std::function<Status(const Capture&)> save);
     void startExr();
+    void tellOfReference();
     void finishFileJob(const Status& result, const std::string& success);
     void autosave();
 

@@ -57,6 +57,16 @@ void ViewerModel::finishFileJob(const Status& result, const std::string& success
     }
 }
 
+/// The log has it already.
+void ViewerModel::tellOfReference() {
+    fileMessageIsError_ = reference.loadError().has_value();
+    if (fileMessageIsError_) {
+        fileMessage_ = reference.loadError()->format();
+    } else if (reference.picture()) {
+        fileMessage_ = fmt::format("Reference {}", reference.picture()->path);
+    }
+}
+
 void ViewerModel::saveCaptured(const std::string& path, std::function<Status(const Capture&)> save) {
     auto future = std::make_shared<std::future<std::optional<Capture>>>(session_.captureLater());
     fileMessage_ = fmt::format("Saving {}…", path);
