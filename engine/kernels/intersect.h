@@ -4,6 +4,7 @@
 // explicit stack; shapes and cases that the feature mask does not name are left out at compile time.
 #pragma once
 
+#include "engine/base/inlining.h"
 #include "engine/kernels/box_test.h"
 #include "engine/kernels/features.h"
 #include "engine/kernels/quadric.h"
@@ -42,7 +43,7 @@ GLINT_HD inline Ray toObjectSpace(const InstanceData& instance, const Ray& ray) 
 /// A ray against one mesh in object space. On a hit nearer than ray.tMax stores it; its primitive is the
 /// triangle number.
 template <bool kAnyHit, bool kFrontOnly>
-GLINT_HD inline bool intersectMesh(const MeshView& mesh, const Ray& ray, Hit* hit) {
+GLINT_ONE_PIECE GLINT_HD inline bool intersectMesh(const MeshView& mesh, const Ray& ray, Hit* hit) {
     if (mesh.nodeCount == 0) return false;
     const ShearRay shear = makeShearRay(ray);
     TriangleHit nearest{ray.tMax, 0.0f, 0.0f, kNone};

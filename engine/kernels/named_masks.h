@@ -18,17 +18,10 @@ constexpr FeatureMask kMaskDiffuseShapes =
     kAnalyticShapes | kFeatureFrontOnly | kFeatureDiffuse | kFewLightKinds;
 /// The same with glass and mirrors, and a lens.
 constexpr FeatureMask kMaskSmoothShapes = kMaskDiffuseShapes | kSmoothMaterials | kFeatureDepthOfField;
-/// All materials on analytic shapes, any number of lights.
-constexpr FeatureMask kMaskShapes =
-    kMaskSmoothShapes | kFeatureTextures | kFeatureGlossy | kFeaturePlastic | kFeatureManyLights;
-/// A scan or a model from a file: diffuse meshes that stand where they were made.
-constexpr FeatureMask kMaskPlainMeshes = kMeshes | kFeatureDiffuse | kFewLightKinds | kFeatureManyLights;
-/// Architecture: textured diffuse meshes beside analytic shapes.
-constexpr FeatureMask kMaskDiffuseMeshes =
-    kMaskPlainMeshes | kMaskDiffuseShapes | kFeatureTransforms | kFeatureTextures | kFeatureDepthOfField;
-/// The same with glass and mirrors.
-constexpr FeatureMask kMaskSmoothMeshes = kMaskDiffuseMeshes | kSmoothMaterials;
-/// Everything, but one sampler.
+/// A scan, a model from a file, architecture: diffuse meshes beside analytic shapes.
+constexpr FeatureMask kMaskDiffuseMeshes = kMaskDiffuseShapes | kMeshes | kFeatureTransforms |
+                                           kFeatureTextures | kFeatureManyLights | kFeatureDepthOfField;
+/// Everything, with one sampler.
 constexpr FeatureMask kMaskOneSampler = kAllFeatures & ~kFeatureIndependentSampler;
 
 }  // namespace glint

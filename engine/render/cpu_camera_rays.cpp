@@ -2,12 +2,14 @@
 // chosen outside, no structure copied as a whole but the ray.
 #include "engine/render/cpu_camera_rays.h"
 
+#include "engine/base/inlining.h"
+
 namespace glint {
 namespace {
 
 template <FilterTag kFilter>
-__attribute__((flatten)) void fillPinhole(const CameraData& sceneCamera, PassParams params, int x0, int y0,
-                                          CameraTile* tile) {
+GLINT_FLATTEN void fillPinhole(const CameraData& sceneCamera, PassParams params, int x0, int y0,
+                               CameraTile* tile) {
     params.filter = kFilter;
     const CameraData camera = sceneCamera;
 #pragma omp simd

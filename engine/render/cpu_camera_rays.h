@@ -36,29 +36,20 @@ struct alignas(64) CameraTile {
 void fillCameraTile(const CameraData& camera, const PassParams& params, int x0, int y0, CameraTile* tile);
 
 /// Calls body(x, y, sampler, cameraRay) for every pixel of `rect`.
-template <FeatureMask kMask, class Body>
+template <class Body>
 void forEachCameraRay(const CameraData& camera, const PassParams& params, const PixelRect& rect,
                       const Body& body) {
-    if constexpr (hasFeature<kMask>(kFeatureIndependentSampler)) {
-        for (int y = rect.y0; y < rect.y1; ++y) {
-            for (int x = rect.x0; x < rect.x1; ++x) {
-                const Sampler sampler = makeSampler(params, x, y);
-                body(x, y, sampler, pixelRay<kMask>(camera, params, sampler, x, y));
-            }
-        }
-    } else {
-        CameraTile tile;
-        Sampler sampler = makeSampler(params, 0, 0);
-        for (int y0 = rect.y0; y0 < rect.y1; y0 += kCameraTileSize) {
-            for (int x0 = rect.x0; x0 < rect.x1; x0 += kCameraTileSize) {
-                fillCameraTile(camera, params, x0, y0, &tile);
-                for (int i = 0; i < kCameraTilePixels; ++i) {
-                    const int x = x0 + i % kCameraTileSize;
-                    const int y = y0 + i / kCameraTileSize;
-                    if (x >= rect.x1 || y >= rect.y1) continue;
-                    sampler.pixelKey = tile.pixelKey[i];
-                    body(x, y, sampler, tile.ray(i));
-                }
+    CameraTile tile;
+    Sampler sampler = makeSampler(params, 0, 0);
+    for (int y0 = rect.y0; y0 < rect.y1; y0 += kCameraTileSize) {
+        for (int x0 = rect.x0; x0 < rect.x1; x0 += kCameraTileSize) {
+            fillCameraTile(camera, params, x0, y0, &tile);
+            for (int i = 0; i < kCameraTilePixels; ++i) {
+                const int x = x0 + i % kCameraTileSize;
+                const int y = y0 + i / kCameraTileSize;
+                if (x >= rect.x1 || y >= rect.y1) continue;
+                sampler.pixelKey = tile.pixelKey[i];
+                body(x, y, sampler, tile.ray(i));
             }
         }
     }

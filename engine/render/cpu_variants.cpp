@@ -18,10 +18,7 @@ std::span<const KernelVariant> kernelVariants() {
     static constexpr std::array kVariants = {
         variant<kMaskDiffuseShapes>("diffuse shapes"),
         variant<kMaskSmoothShapes>("smooth shapes"),
-        variant<kMaskShapes>("shapes"),
-        variant<kMaskPlainMeshes>("plain meshes"),
         variant<kMaskDiffuseMeshes>("diffuse meshes"),
-        variant<kMaskSmoothMeshes>("smooth meshes"),
         variant<kMaskOneSampler>("one sampler"),
         variant<kAllFeatures>("full"),
     };

@@ -7,16 +7,12 @@
 namespace glint {
 
 extern template SppmVariant sppmVariant<kMaskSmoothShapes>(const char* name);
-extern template SppmVariant sppmVariant<kMaskShapes>(const char* name);
-extern template SppmVariant sppmVariant<kMaskSmoothMeshes>(const char* name);
 extern template SppmVariant sppmVariant<kMaskOneSampler>(const char* name);
 extern template SppmVariant sppmVariant<kAllFeatures>(const char* name);
 
 std::span<const SppmVariant> sppmVariants() {
     static const std::array kVariants = {
         sppmVariant<kMaskSmoothShapes>("smooth shapes"),
-        sppmVariant<kMaskShapes>("shapes"),
-        sppmVariant<kMaskSmoothMeshes>("smooth meshes"),
         sppmVariant<kMaskOneSampler>("one sampler"),
         sppmVariant<kAllFeatures>("full"),
     };

@@ -45,7 +45,7 @@ bool same(const Vec3& a, const Vec3& b) { return std::memcmp(&a, &b, sizeof(Vec3
 void expectTilesLikePixels(const CameraData& camera, const PassParams& params) {
     const PixelRect rect{3, 2, kWidth, kHeight};
     std::set<std::pair<int, int>> seen;
-    forEachCameraRay<kMask>(camera, params, rect, [&](int x, int y, const Sampler& sampler, const Ray& ray) {
+    forEachCameraRay(camera, params, rect, [&](int x, int y, const Sampler& sampler, const Ray& ray) {
         seen.insert({x, y});
         const Sampler own = makeSampler(params, x, y);
         const Ray expected = pixelRay<kMask>(camera, params, own, x, y);
