@@ -1,7 +1,7 @@
 #include "engine/build/feature_scan.h"
 
 #include "engine/build/material_table.h"
-#include "engine/build/scene_use.h"
+#include "engine/scene/scene_use.h"
 
 namespace glint {
 namespace {

@@ -192,9 +192,16 @@ std::shared_ptr<const BuiltMesh> buildMesh(std::shared_ptr<const MeshData> data,
     return mesh;
 }
 
+std::shared_ptr<const BuiltMesh> withVertexData(const BuiltMesh& built,
+                                                std::shared_ptr<const MeshData> data) {
+    auto mesh = std::make_shared<BuiltMesh>(built);
+    mesh->data = std::move(data);
+    return mesh;
+}
+
 std::shared_ptr<const BuiltMesh> leaveMeshUnbuilt(std::shared_ptr<const MeshData> data) {
     auto mesh = std::make_shared<BuiltMesh>();
-    mesh->data = std::move(data);
+    mesh->data = data ? std::move(data) : std::make_shared<const MeshData>();
     mesh->isReady = false;
     return mesh;
 }

@@ -31,7 +31,10 @@ struct BuiltMesh {
 /// duplicate.
 std::shared_ptr<const BuiltMesh> buildMesh(std::shared_ptr<const MeshData> data, int threads);
 
-/// The data without a structure, for meshes that no object places: rays never meet it.
+/// `built` with other normals, uvs or colours: `data` must have the same triangles.
+std::shared_ptr<const BuiltMesh> withVertexData(const BuiltMesh& built, std::shared_ptr<const MeshData> data);
+
+/// The data (may be null) without a structure, for meshes that no object places: rays never meet it.
 std::shared_ptr<const BuiltMesh> leaveMeshUnbuilt(std::shared_ptr<const MeshData> data);
 
 }  // namespace glint

@@ -14,9 +14,9 @@
 #include "engine/build/material_table.h"
 #include "engine/build/mesh_builder.h"
 #include "engine/build/recentring.h"
-#include "engine/build/scene_use.h"
 #include "engine/build/scene_validation.h"
 #include "engine/build/texture_table.h"
+#include "engine/scene/scene_use.h"
 
 namespace glint {
 namespace {
@@ -114,6 +114,9 @@ class SceneBuild {
                 return Error{"the build was given up", {}};
             }
             std::shared_ptr<const BuiltMesh>& built = known[mesh.data.get()];
+            if (!built && used[i] && hasTrianglesOf(i, *mesh.data)) {
+                built = withVertexData(*built_->meshes[i], mesh.data);
+            }
             if (used[i] && (!built || !built->isReady)) {
                 built = buildMesh(mesh.data, threads_);
                 ++report_.meshesBuilt;
@@ -124,6 +127,12 @@ class SceneBuild {
         }
         built_->meshes = std::move(meshes);
         return {};
+    }
+
+    /// Whether the mesh at this place differs only in what does not concern its structure.
+    bool hasTrianglesOf(size_t index, const MeshData& data) const {
+        return index < built_->meshes.size() && built_->meshes[index]->isReady &&
+               sameTriangles(*built_->meshes[index]->data, data);
     }
 
     Status textures() {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "engine/scene/metals.h"
+#include "engine/scene/scene_use.h"
 
 namespace glint {
 namespace {
@@ -126,11 +127,11 @@ Status checkMaterial(const SceneDescription& scene, size_t index) {
     return {};
 }
 
-Status checkMesh(const SceneDescription& scene, size_t index) {
+Status checkMesh(const SceneDescription& scene, size_t index, bool isPlaced) {
     const Mesh& mesh = scene.meshes[index];
     const std::string who = label("mesh", mesh.name, index);
     if (!mesh.data) {
-        return fault(who, "has no triangles loaded");
+        return isPlaced ? fault(who, "an object places it, but its triangles have not been read") : Status();
     }
     const MeshData& data = *mesh.data;
     const size_t vertices = data.positions.size();
@@ -185,6 +186,10 @@ Status checkEnvironment(const SceneDescription& scene) {
         return fault("environment",
                      fmt::format("uses image {} of {}", environment.image, scene.environmentImages.size()));
     }
+    if (usesEnvironmentImage(scene) &&
+        !scene.environmentImages[static_cast<size_t>(environment.image)].isRead()) {
+        return fault("environment", "shines with an image that has not been read");
+    }
     if (!notNegative(environment.color) || !inRange(environment.strength, 0.0f, 3e38f) ||
         !std::isfinite(environment.rotationDeg)) {
         return fault("environment", "colour and strength must not be negative, the rotation finite");
@@ -229,7 +234,8 @@ Status validateScene(const SceneDescription& scene, EditKind kinds) {
         }
     }
     if (concerns(EditKind::Everything)) {
-        const auto check = [&](size_t i) { return checkMesh(scene, i); };
+        const std::vector<bool> placed = usedMeshes(scene);
+        const auto check = [&](size_t i) { return checkMesh(scene, i, placed[i]); };
         if (Status status = checkAll(scene.meshes.size(), check); !status) {
             return status;
         }

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/build/scene_use.h"
+#include "engine/scene/scene_use.h"
 
 namespace glint {
 namespace {
@@ -21,7 +21,9 @@ Result<TextureView> makeView(const Texture& texture) {
     const bool complete =
         image.bytes ? hasAllPixels(*image.bytes) : image.floats && hasAllPixels(*image.floats);
     if (!complete) {
-        return Error{fmt::format("texture '{}' has no pixels", texture.name), {}};
+        return Error{fmt::format("texture '{}' {}", texture.name,
+                                 image.isRead() ? "has no pixels" : "is used, but has not been read"),
+                     {}};
     }
     if (!std::isfinite(texture.scale.x) || !std::isfinite(texture.scale.y)) {
         return Error{fmt::format("the scale of texture '{}' is not a finite number", texture.name), {}};

@@ -2,8 +2,10 @@
 // included.
 #include "engine/io/image_io.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <string_view>
 #include <utility>
 
@@ -224,6 +226,26 @@ Result<ImageSource> loadImage(const std::string& path) {
         source.bytes = std::move(decoded).value();
     }
     return source;
+}
+
+std::optional<uint64_t> statedPixelBytes(const std::string& path) {
+    if (!checkRegularFile(path, "an image")) {
+        return {};
+    }
+    std::string head(size_t{64} << 10, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    if (stbi_info_from_memory(stbBytes(head), static_cast<int>(head.size()), &width, &height, &channels) ==
+            0 ||
+        width <= 0 || height <= 0) {
+        return {};
+    }
+    return uint64_t{3} * static_cast<uint64_t>(width) * static_cast<uint64_t>(height) *
+           (looksLikeHdr(head) ? sizeof(float) : 1);
 }
 
 Status savePng(const std::string& path, const Image8& image) {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "engine/base/result.h"
@@ -30,6 +31,10 @@ std::shared_ptr<const ImageF> linearColors(const ImageSource& image);
 /// Either of the two, as the file's content asks for; `path` is set to the given path, which the caller may
 /// replace.
 Result<ImageSource> loadImage(const std::string& path);
+
+/// Memory that the pixels would take, as the first 64 KiB of the file say; nothing where they do not (EXR,
+/// broken or missing files).
+std::optional<uint64_t> statedPixelBytes(const std::string& path);
 
 /// Saves atomically (atomic_file.h). Error: the picture is empty, or the file cannot be written.
 Status savePng(const std::string& path, const Image8& image);

@@ -1,12 +1,28 @@
-// What the caller of loadScene allows. Options of `glint` commands end here.
+// What the caller of loadScene allows and wants to know. Options of `glint` commands end here.
 #pragma once
 
+#include <cstdint>
+
 namespace glint {
+
+/// What reading a scene took, beside the scene file itself. Files that several parts share count once.
+struct LoadCounts {
+    uint32_t meshFiles = 0;
+    uint64_t meshFileBytes = 0;
+    uint32_t imageFiles = 0;
+    uint64_t imageFileBytes = 0;
+    uint64_t pixelBytes = 0;  ///< of the images, decoded or generated
+    uint32_t generatedMeshes = 0;
+    uint32_t generatedImages = 0;
+
+    bool operator==(const LoadCounts&) const = default;
+};
 
 struct LoadOptions {
     /// Missing textures and meshes, and what Glint cannot draw, become warnings: the rest of the scene is
     /// loaded.
     bool allowMissing = false;
+    LoadCounts* counts = nullptr;  ///< added to, where it is not null
 };
 
 }  // namespace glint

@@ -34,23 +34,13 @@ bool isOneOf(std::string_view word, const std::string_view (&words)[kCount]) {
     return std::find(std::begin(words), std::end(words), word) != std::end(words);
 }
 
-/// A part before its material is known.
-struct RawPart {
-    std::string group;
-    std::string materialName;  ///< empty: none in force
-    std::string place;         ///< `file:line` of its usemtl
-    std::shared_ptr<const MeshData> mesh;
-};
-
 class ObjParser {
   public:
     ObjParser(const std::string& text, const std::string& path) : cursor_(text, path), builder_(pools_) {}
 
     Status run();
 
-    std::vector<RawPart> parts;
-    std::vector<std::string> libraries;  ///< what mtllib lines name, whole lines
-    std::vector<std::string> warnings;
+    ObjScene scene;  ///< all but materials and textures
 
   private:
     bool parseLine();
@@ -83,7 +73,7 @@ Status ObjParser::run() {
         }
     }
     finishPart();
-    if (parts.empty()) {
+    if (scene.parts.empty()) {
         const char* last = cursor_.end();
         const SourcePlace place = cursor_.placeOf(last);
         return Error{
@@ -113,8 +103,8 @@ bool ObjParser::parseLine() {
         return true;
     }
     if (keyword == "mtllib") {
-        libraries.emplace_back(cursor_.restOfLine());
-        return !libraries.back().empty() ||
+        scene.libraries.emplace_back(cursor_.restOfLine());
+        return !scene.libraries.back().empty() ||
                cursor_.fail(cursor_.position(), "expected a file name after mtllib");
     }
     if (keyword == "g" || keyword == "o") {
@@ -135,7 +125,7 @@ bool ObjParser::parseUnknown(std::string_view keyword, const char* where) {
     if (reported_.emplace(keyword).second) {
         const char* why =
             isOneOf(keyword, kReported) ? "is not supported" : "is not a statement of the OBJ format";
-        warnings.push_back(
+        scene.warnings.push_back(
             cursor_.warning(where, fmt::format("\"{}\" {}; such lines are left out", keyword, why)));
     }
     return true;
@@ -277,14 +267,19 @@ void ObjParser::useMaterial(const char* where) {
 }
 
 void ObjParser::finishPart() {
-    if (!builder_.empty()) {
-        parts.push_back({partGroup_, materialName_, materialPlace_, builder_.finish()});
+    if (builder_.empty()) {
+        return;
     }
+    const std::string& named = !partGroup_.empty() ? partGroup_ : materialName_;
+    scene.parts.push_back({.name = !named.empty() ? named : fmt::format("part {}", scene.parts.size()),
+                           .materialName = materialName_,
+                           .materialPlace = materialPlace_,
+                           .mesh = builder_.finish()});
 }
 
 }  // namespace
 
-Result<ObjScene> loadObj(const std::string& path) {
+Result<ObjScene> loadObjGeometry(const std::string& path) {
     const Result<std::string> text = readFile(path);
     if (!text) {
         return text.error();
@@ -293,25 +288,31 @@ Result<ObjScene> loadObj(const std::string& path) {
     if (Status parsed = parser.run(); !parsed) {
         return parsed.error();
     }
-    ObjScene scene;
-    scene.warnings = std::move(parser.warnings);
-    MaterialResolver resolver(path, &scene);
-    if (Status read = resolver.readLibraries(parser.libraries); !read) {
-        return read.error();
+    return std::move(parser.scene);
+}
+
+Status readObjMaterials(const std::string& path, ObjScene* scene) {
+    MaterialResolver resolver(path, scene);
+    if (Status read = resolver.readLibraries(scene->libraries); !read) {
+        return read;
     }
-    for (RawPart& raw : parser.parts) {
-        const Result<int> material = resolver.indexOf(raw.materialName, raw.place);
-        if (!material) {
-            return material.error();
+    for (ObjPart& part : scene->parts) {
+        part.material = resolver.indexOf(part.materialName, part.materialPlace);
+    }
+    return {};
+}
+
+Result<ObjScene> loadObj(const std::string& path) {
+    Result<ObjScene> scene = loadObjGeometry(path);
+    if (scene) {
+        if (Status read = readObjMaterials(path, &*scene); !read) {
+            return read.error();
         }
-        std::string name = !raw.group.empty() ? raw.group : raw.materialName;
-        name = !name.empty() ? name : fmt::format("part {}", scene.parts.size());
-        scene.parts.push_back({std::move(name), *material, std::move(raw.mesh)});
     }
     return scene;
 }
 
-std::shared_ptr<const MeshData> joinParts(const std::vector<ObjPart>& parts) {
+std::shared_ptr<MeshData> joinParts(const std::vector<ObjPart>& parts) {
     if (parts.size() == 1) {
         return parts[0].mesh;
     }

@@ -1,4 +1,4 @@
-// Only materials and images that faces use are taken over; nothing else is decoded.
+// Only materials and images that faces use are taken over; images are named here and read by others.
 #include "engine/io/obj_materials.h"
 
 #include <algorithm>
@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "engine/base/nearest_name.h"
-#include "engine/io/image_io.h"
 #include "engine/io/text_cursor.h"
 
 namespace glint {
@@ -68,16 +67,14 @@ Status MaterialResolver::readLibrary(const std::string& name) {
     return {};
 }
 
-Result<int> MaterialResolver::indexOf(const std::string& name, const std::string& place) {
+int MaterialResolver::indexOf(const std::string& name, const std::string& place) {
     if (const auto taken = taken_.find(name); taken != taken_.end()) {
         return taken->second;
     }
     Material material;
     if (const auto found = found_.find(name); found != found_.end()) {
         material = found->second.mtl.material;
-        if (Status status = takeTexture(found->second, &material); !status) {
-            return status.error();
-        }
+        takeTexture(found->second, &material);
     } else {
         warnMissing(name, place);
         material.name = name.empty() ? "default" : name;
@@ -99,36 +96,30 @@ void MaterialResolver::warnMissing(const std::string& name, const std::string& p
                                           place, name, didYouMean(name, known)));
 }
 
-Status MaterialResolver::takeTexture(const Found& found, Material* material) {
+void MaterialResolver::takeTexture(const Found& found, Material* material) {
     const MtlMaterial& mtl = found.mtl;
     if (mtl.colorMap.empty()) {
-        return {};
+        return;
     }
     const std::string path = besideFile(found.library, mtl.colorMap);
     const std::string key = fmt::format("{}\n{} {}", path, mtl.colorMapScale.x, mtl.colorMapScale.y);
     if (const auto known = textures_.find(key); known != textures_.end()) {
         material->color.texture = known->second;
-        return {};
+        return;
     }
     std::error_code ignored;
     if (!fs::exists(path, ignored)) {
         scene_.warnings.push_back(
             fmt::format("{}: the image \"{}\" of material \"{}\" is missing; its Kd is used",
                         mtl.colorMapWarningPlace, path, material->name));
-        return {};
-    }
-    Result<ImageSource> image = loadImage(path);
-    if (!image) {
-        return image.error();
+        return;
     }
     Texture texture;
     texture.name = mtl.colorMap;
-    texture.image = std::move(image).value();
-    texture.encoding = texture.image.bytes ? ColorEncoding::Srgb : ColorEncoding::Linear;
+    texture.image.path = path;
     texture.scale = mtl.colorMapScale;
     scene_.textures.push_back(std::move(texture));
     material->color.texture = textures_[key] = static_cast<int>(scene_.textures.size()) - 1;
-    return {};
 }
 
 }  // namespace glint

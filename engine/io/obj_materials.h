@@ -19,7 +19,7 @@ class MaterialResolver {
     /// `lines` are what mtllib lines name. A missing file is a warning, a malformed one an error.
     Status readLibraries(const std::vector<std::string>& lines);
     /// `name` is what usemtl says, empty for none; `place` is `file:line` of it.
-    Result<int> indexOf(const std::string& name, const std::string& place);
+    int indexOf(const std::string& name, const std::string& place);
 
   private:
     struct Found {
@@ -28,7 +28,7 @@ class MaterialResolver {
     };
 
     Status readLibrary(const std::string& name);
-    Status takeTexture(const Found& found, Material* material);
+    void takeTexture(const Found& found, Material* material);
     void warnMissing(const std::string& name, const std::string& place);
 
     const std::string& objPath_;

@@ -64,7 +64,7 @@ uint32_t ObjPartBuilder::appendVertex(const ObjCorner& corner) {
     return static_cast<uint32_t>(index);
 }
 
-std::shared_ptr<const MeshData> ObjPartBuilder::finish() {
+std::shared_ptr<MeshData> ObjPartBuilder::finish() {
     const size_t count = mesh_.positions.size();
     const auto fill = [count](auto& values, auto missing) {
         if (!values.empty()) {
@@ -74,7 +74,7 @@ std::shared_ptr<const MeshData> ObjPartBuilder::finish() {
     fill(mesh_.colors, Vec3(1.0f));
     fill(mesh_.uvs, Vec2(0.0f));
     fill(mesh_.normals, Vec3(0.0f));
-    auto out = std::make_shared<const MeshData>(std::move(mesh_));
+    auto out = std::make_shared<MeshData>(std::move(mesh_));
     mesh_ = {};
     known_.clear();
     ++part_;

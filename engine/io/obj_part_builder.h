@@ -35,7 +35,7 @@ class ObjPartBuilder {
     bool addFace(const std::vector<ObjCorner>& corners);
     bool empty() const { return mesh_.indices.empty(); }
     /// The mesh so far; begins a new, empty one.
-    std::shared_ptr<const MeshData> finish();
+    std::shared_ptr<MeshData> finish();
 
   private:
     static constexpr uint32_t kNone = UINT32_MAX;

@@ -54,7 +54,7 @@ class PlyBody {
   public:
     PlyBody(const PlyHeader& header, Source source) : header_(header), source_(std::move(source)) {}
 
-    Result<std::shared_ptr<const MeshData>> run() {
+    Result<std::shared_ptr<MeshData>> run() {
         for (const PlyElement& element : header_.elements) {
             if (!fits(element)) {
                 return *headerError_;
@@ -66,7 +66,7 @@ class PlyBody {
                 return headerError_ ? *headerError_ : source_.error();
             }
         }
-        return std::shared_ptr<const MeshData>(std::make_shared<MeshData>(std::move(mesh_)));
+        return std::make_shared<MeshData>(std::move(mesh_));
     }
 
   private:
@@ -284,12 +284,12 @@ class PlyBody {
 
 }  // namespace
 
-Result<std::shared_ptr<const MeshData>> parsePly(const std::string& bytes, const std::string& path) {
+Result<std::shared_ptr<MeshData>> parsePly(const std::string& bytes, const std::string& path) {
     const Result<PlyHeader> header = parsePlyHeader(bytes, path);
     if (!header) {
         return header.error();
     }
-    Result<std::shared_ptr<const MeshData>> mesh =
+    Result<std::shared_ptr<MeshData>> mesh =
         header->format == PlyFormat::Ascii
             ? PlyBody(*header, PlyTextSource(bytes, path, header->bodyOffset)).run()
             : PlyBody(*header, PlyBinarySource(bytes, path, header->bodyOffset,
@@ -302,7 +302,7 @@ Result<std::shared_ptr<const MeshData>> parsePly(const std::string& bytes, const
     return mesh;
 }
 
-Result<std::shared_ptr<const MeshData>> loadPly(const std::string& path) {
+Result<std::shared_ptr<MeshData>> loadPly(const std::string& path) {
     const Result<std::string> bytes = readFile(path);
     if (!bytes) {
         return bytes.error();

@@ -15,10 +15,11 @@
 namespace glint {
 
 /// Colours stored as integers are sRGB-encoded and become linear; stored as float they are linear already.
-/// Error: line and column in the header and in ASCII data, the byte offset in binary data.
-Result<std::shared_ptr<const MeshData>> loadPly(const std::string& path);
+/// The mesh is the caller's own. Error: line and column in the header and in ASCII data, the byte offset in
+/// binary data.
+Result<std::shared_ptr<MeshData>> loadPly(const std::string& path);
 
 /// The same for a file in memory; `path` is used in messages.
-Result<std::shared_ptr<const MeshData>> parsePly(const std::string& bytes, const std::string& path);
+Result<std::shared_ptr<MeshData>> parsePly(const std::string& bytes, const std::string& path);
 
 }  // namespace glint

@@ -24,7 +24,7 @@ constexpr NumberRange kFootprintRange{
 }  // namespace
 
 SceneJsonReader::SceneJsonReader(std::shared_ptr<const JsonDocument> document, const LoadOptions& options)
-    : document_(std::move(document)), options_(options), assets_(document_->source.path) {
+    : document_(std::move(document)), options_(options), assets_(document_->source.path, options.counts) {
     scene_.path = document_->source.path;
 }
 
@@ -54,6 +54,7 @@ void SceneJsonReader::readRoot(const JsonFields& root) {
     readObjects(root.find("objects"));
     readLights(root.find("lights"));
     readEnvironment(root.find("environment"));
+    readAssets();
 }
 
 void SceneJsonReader::readResolution(const JsonValue& value) {
@@ -191,22 +192,6 @@ int SceneJsonReader::typeOf(const JsonValue& value, std::string_view what,
     errors_.add(type, fmt::format("unknown type \"{}\" of {}{}; expected {}", name.substr(0, 60), what,
                                   didYouMean(name, kinds), joinNames(kinds)));
     return -1;
-}
-
-void SceneJsonReader::reportFile(const JsonValue& at, const std::string& path, const Error& error) {
-    const std::string resolved = resolvePath(path, assets_.scenePath());
-    if (fileExists(resolved)) {
-        errors_.add(error);  // It is there but broken: its own place says more.
-    } else if (options_.allowMissing) {
-        const SourcePlace place = at.error("").place;
-        scene_.warnings.push_back(
-            fmt::format("{}:{}: \"{}\" is missing and left out", place.file, place.line, path));
-    } else {
-        errors_.add(at,
-                    fmt::format("the file \"{}\" cannot be read: {} (looked for {}); --allow-missing goes on "
-                                "without it",
-                                path, error.message, resolved));
-    }
 }
 
 int SceneJsonReader::findName(const std::map<std::string, int>& names, const JsonValue& value,

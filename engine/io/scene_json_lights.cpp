@@ -88,21 +88,15 @@ void SceneJsonReader::readEnvironmentImage(const JsonValue& value) {
         if (errors_.failed()) {
             return;
         }
-        source.floats = generateSky(*source.sky);
+        environmentPlace_ = value;
     } else {
         const JsonFields fields = fieldsOf(value, "image", "environmentFile");
         const JsonValue file = fields.require("file");
-        std::string path;
-        fields.string("file", &path);
+        fields.string("file", &source.path);
         if (errors_.failed()) {
             return;
         }
-        auto image = assets_.environment(path);
-        if (!image) {
-            reportFile(file, path, image.error());
-            return;
-        }
-        source = std::move(*image);
+        environmentPlace_ = file;
     }
     scene_.environment.image = static_cast<int>(scene_.environmentImages.size());
     scene_.environmentImages.push_back(std::move(source));

@@ -32,9 +32,8 @@ int SceneJsonReader::addTexture(const JsonValue& value, const std::string& name)
     const JsonFields fields = fieldsOf(value, "texture", "texture");
     Texture texture;
     texture.name = name;
-    std::string path;
     const JsonValue file = fields.require("file");
-    fields.string("file", &path);
+    fields.string("file", &texture.image.path);
     constexpr std::pair<std::string_view, ColorEncoding> kEncodings[] = {{"srgb", ColorEncoding::Srgb},
                                                                          {"linear", ColorEncoding::Linear}};
     fields.choice("encoding", kEncodings, &texture.encoding);
@@ -45,12 +44,7 @@ int SceneJsonReader::addTexture(const JsonValue& value, const std::string& name)
     if (errors_.failed()) {
         return -1;
     }
-    auto image = assets_.texture(path);
-    if (!image) {
-        reportFile(file, path, image.error());
-        return -1;
-    }
-    texture.image = std::move(*image);
+    texturePlaces_.push_back(file);
     scene_.textures.push_back(std::move(texture));
     return static_cast<int>(scene_.textures.size()) - 1;
 }

@@ -6,6 +6,7 @@
 
 #include "engine/io/scene_json_keys.h"
 #include "engine/io/scene_json_reader.h"
+#include "engine/scene/generated_mesh.h"
 
 namespace glint {
 namespace {
@@ -94,6 +95,9 @@ int SceneJsonReader::addMesh(const JsonValue& value, const std::string& name) {
         fields.string("generator", &mesh.source.generator);
         fields.integer("triangleCount", 1, kMaxTriangles, &mesh.source.triangles);
         fields.integer("seed", 0, 0xFFFFFFFFll, &mesh.source.seed);
+        if (Status known = checkMeshGenerator(mesh.source); !known && !errors_.failed()) {
+            errors_.add(value, known.error().message);
+        }
     } else {
         const JsonFields fields = fieldsOf(value, "mesh", "meshFile");
         fields.require("file");
@@ -103,18 +107,7 @@ int SceneJsonReader::addMesh(const JsonValue& value, const std::string& name) {
     if (errors_.failed()) {
         return -1;
     }
-    if (!mesh.data) {
-        auto data = assets_.mesh(mesh.source);
-        if (!data) {
-            if (mesh.source.path.empty()) {
-                errors_.add(value, data.error().message);
-            } else {
-                reportFile(value, mesh.source.path, data.error());
-            }
-            return -1;
-        }
-        mesh.data = std::move(*data);
-    }
+    meshPlaces_.push_back(value);
     scene_.meshes.push_back(std::move(mesh));
     return static_cast<int>(scene_.meshes.size()) - 1;
 }
@@ -208,12 +201,14 @@ void SceneJsonReader::readMeshObject(const JsonFields& fields, Object object) {
 }
 
 void SceneJsonReader::addWholeObj(const std::string& path, const JsonValue& at, const Object& prototype) {
-    const auto obj = assets_.obj(path);
+    const auto obj = assets_.objWithMaterials(path);
     if (!obj) {
         reportFile(at, path, obj.error());
         return;
     }
     appendObj(**obj, path, prototype, &scene_);
+    meshPlaces_.resize(scene_.meshes.size(), at);
+    texturePlaces_.resize(scene_.textures.size(), at);
 }
 
 int SceneJsonReader::meshIndex(const JsonValue& value, const std::string& ownerName) {

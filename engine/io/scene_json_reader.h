@@ -11,6 +11,7 @@
 #include "engine/io/asset_cache.h"
 #include "engine/io/json_fields.h"
 #include "engine/io/load_options.h"
+#include "engine/io/used_assets.h"
 #include "engine/scene/scene.h"
 
 namespace glint {
@@ -28,6 +29,14 @@ class SceneJsonReader {
     void readCamera(const JsonValue& value);
     void readRender(const JsonValue& value);
     void readSppm(const JsonValue& value);
+
+    // scene_json_assets.cpp: files, once it is known what uses them.
+    void readAssets();
+    /// Warns of missing files that nothing uses.
+    void checkIdleAssets();
+    const JsonValue& placeOf(const Asset& asset) const;
+    /// Records a missing or unreadable file: an error at `at`, or a warning where missing files are allowed.
+    void reportFile(const JsonValue& at, const std::string& path, const Error& error);
 
     // scene_json_materials.cpp
     void readTextures(const JsonValue& value);
@@ -65,8 +74,6 @@ class SceneJsonReader {
     JsonFields fieldsOf(const JsonValue& value, std::string_view what, std::string_view kind);
     /// The index of the object's "type" among `kinds`, or -1 with an error.
     int typeOf(const JsonValue& value, std::string_view what, std::span<const std::string_view> kinds);
-    /// Records a missing or unreadable file: an error at `at`, or a warning where missing files are allowed.
-    void reportFile(const JsonValue& at, const std::string& path, const Error& error);
     int findName(const std::map<std::string, int>& names, const JsonValue& value, std::string_view what);
 
     std::shared_ptr<const JsonDocument> document_;
@@ -77,6 +84,9 @@ class SceneJsonReader {
     std::map<std::string, int> textureNames_;
     std::map<std::string, int> materialNames_;
     std::map<std::string, int> meshNames_;
+    std::vector<JsonValue> texturePlaces_;  ///< where each texture and mesh of the scene names its file
+    std::vector<JsonValue> meshPlaces_;
+    JsonValue environmentPlace_;
 };
 
 /// Calls body(value, number) for each element of an array until there is an error.

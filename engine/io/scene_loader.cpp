@@ -9,10 +9,10 @@
 #include "engine/io/asset_cache.h"
 #include "engine/io/atomic_file.h"
 #include "engine/io/default_view.h"
-#include "engine/io/ply_loader.h"
 #include "engine/io/scene_json.h"
 #include "engine/io/scene_text.h"
 #include "engine/io/text_source.h"
+#include "engine/io/used_assets.h"
 #include "engine/scene/stability_warnings.h"
 
 namespace glint {
@@ -63,10 +63,10 @@ SceneKind kindByContent(const std::string& path) {
     return begins({"v ", "mtllib ", "o ", "g "}) ? SceneKind::Obj : SceneKind::Unknown;
 }
 
-Result<SceneDescription> loadObjScene(const std::string& path) {
-    AssetCache assets(path);
+Result<SceneDescription> loadObjScene(const std::string& path, const LoadOptions& options) {
+    AssetCache assets(path, options.counts);
     const std::string name = fs::path(path).filename().string();
-    const auto obj = assets.obj(name);
+    const auto obj = assets.objWithMaterials(name);
     if (!obj) {
         return obj.error();
     }
@@ -74,15 +74,15 @@ Result<SceneDescription> loadObjScene(const std::string& path) {
     scene.path = path;
     scene.title = name;
     appendObj(**obj, name, {}, &scene);
+    if (Status read = readUsedAssets(&assets, &scene); !read) {
+        return read.error();
+    }
     applyDefaultView(&scene);
     return scene;
 }
 
-Result<SceneDescription> loadPlyScene(const std::string& path) {
-    auto mesh = loadPly(path);
-    if (!mesh) {
-        return mesh.error();
-    }
+Result<SceneDescription> loadPlyScene(const std::string& path, const LoadOptions& options) {
+    AssetCache assets(path, options.counts);
     SceneDescription scene;
     scene.path = path;
     scene.title = fs::path(path).filename().string();
@@ -90,11 +90,13 @@ Result<SceneDescription> loadPlyScene(const std::string& path) {
     object.name = scene.title;
     object.shape = ShapeKind::Mesh;
     object.mesh = 0;
+    scene.objects.push_back(std::move(object));
     Mesh& whole = scene.meshes.emplace_back();
     whole.name = scene.title;
     whole.source.path = scene.title;
-    whole.data = std::move(*mesh);
-    scene.objects.push_back(std::move(object));
+    if (Status read = readUsedAssets(&assets, &scene); !read) {
+        return read.error();
+    }
     applyDefaultView(&scene);
     return scene;
 }
@@ -122,9 +124,9 @@ Result<SceneDescription> loadByKind(const std::string& path, const LoadOptions& 
         case SceneKind::Text:
             return loadTextual(path, kind, options);
         case SceneKind::Obj:
-            return loadObjScene(path);
+            return loadObjScene(path, options);
         case SceneKind::Ply:
-            return loadPlyScene(path);
+            return loadPlyScene(path, options);
         case SceneKind::Unknown:
             break;
     }

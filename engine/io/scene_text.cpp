@@ -10,7 +10,7 @@
 namespace glint {
 
 SceneTextReader::SceneTextReader(TextSource source, const LoadOptions& options)
-    : tokens_(std::move(source)), options_(options), assets_(tokens_.source().path) {
+    : tokens_(std::move(source)), options_(options), assets_(tokens_.source().path, options.counts) {
     scene_.path = tokens_.source().path;
     scene_.title = scene_.path.substr(scene_.path.find_last_of('/') + 1);
     scene_.environment.color = Vec3(0.5f);
@@ -201,6 +201,7 @@ void SceneTextReader::finish() {
         white.color.value = Vec3(1.0f);
         scene_.materials.push_back(std::move(white));
     }
+    readTextures();
     const bool anyEmits =
         std::any_of(scene_.objects.begin(), scene_.objects.end(), [&](const Object& object) {
             return scene_.materials[static_cast<size_t>(object.material)].emissive();

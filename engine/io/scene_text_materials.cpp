@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "engine/io/scene_text_reader.h"
+#include "engine/io/used_assets.h"
 
 namespace glint {
 
@@ -86,30 +87,38 @@ int SceneTextReader::addTexture(const TextToken& at, const std::string& path) {
     if (tokens_.failed()) {
         return -1;
     }
-    if (const auto found = textures_.find(path); found != textures_.end()) {
-        if (found->second < 0) {
-            missing(at, fmt::format("the texture \"{}\" is missing", path));
+    const auto [found, isNew] = textures_.try_emplace(path, static_cast<int>(scene_.textures.size()));
+    if (isNew) {
+        Texture texture;
+        texture.name = path;
+        texture.image.path = locate(path);
+        texture.encoding = ColorEncoding::Linear;  // The original's pictures are linear from end to end.
+        scene_.textures.push_back(std::move(texture));
+        texturePlaces_.push_back(at);
+    }
+    return found->second;
+}
+
+void SceneTextReader::readTextures() {
+    const auto isMissing = [this](const Asset& asset) {
+        return !fileExists(resolvePath(assetFile(scene_, asset), scene_.path));
+    };
+    for (const Asset& asset : idleAssets(scene_)) {
+        if (isMissing(asset)) {
+            const SourcePlace place = tokens_.source().place(texturePlaces_[asset.index].offset);
+            scene_.warnings.push_back(fmt::format("{}:{}: the texture \"{}\" is missing; no object uses it",
+                                                  place.file, place.line, scene_.textures[asset.index].name));
         }
-        return found->second;
     }
-    int& index = textures_[path] = -1;
-    const std::string located = locate(path);
-    if (!fileExists(resolvePath(located, scene_.path))) {
-        missing(at, fmt::format("the texture \"{}\" is missing", path));
-        return -1;
-    }
-    auto image = assets_.texture(located);
-    if (!image) {
-        tokens_.fail(at, fmt::format("the texture cannot be read: {}", image.error().format()));
-        return -1;
-    }
-    Texture texture;
-    texture.name = path;
-    texture.image = std::move(*image);
-    texture.encoding = ColorEncoding::Linear;  // The original's pictures are linear from end to end.
-    index = static_cast<int>(scene_.textures.size());
-    scene_.textures.push_back(std::move(texture));
-    return index;
+    readUsedAssets(&assets_, &scene_, [&](const Asset& asset, const Error& error) {
+        const TextToken& at = texturePlaces_[asset.index];
+        if (isMissing(asset)) {
+            missing(at, fmt::format("the texture \"{}\" is missing", scene_.textures[asset.index].name));
+            return true;
+        }
+        tokens_.fail(at, fmt::format("the texture cannot be read: {}", error.format()));
+        return false;
+    });
 }
 
 }  // namespace glint

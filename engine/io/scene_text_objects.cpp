@@ -225,7 +225,7 @@ void SceneTextReader::readMesh(const Affine& toWorld) {
         missing(at, fmt::format("the mesh \"{}\" is missing", path));
         return;
     }
-    const auto obj = assets_.obj(located);
+    const auto obj = assets_.objGeometry(located);
     if (!obj) {
         tokens_.fail(at, fmt::format("the mesh cannot be read: {}", obj.error().format()));
         return;

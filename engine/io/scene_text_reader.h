@@ -30,6 +30,8 @@ class SceneTextReader {
     void readLights();
     void readDiskLights();
     void finish();
+    /// The textures, once it is known which materials objects have.
+    void readTextures();
     /// Turns the Lights block's Phong lights into physical ones, when nothing else shines.
     void useLights();
     Vec3 sceneCenter() const;
@@ -71,7 +73,8 @@ class SceneTextReader {
     SceneDescription scene_;
     std::vector<Missing> missing_;
     std::vector<std::string> seenBlocks_;
-    std::map<std::string, int> textures_;  ///< by path; -1: missing
+    std::map<std::string, int> textures_;   ///< by path
+    std::vector<TextToken> texturePlaces_;  ///< where each is named first
     std::map<std::pair<std::string, int>, int> meshes_;
     int materialIndex_ = 0;
 };

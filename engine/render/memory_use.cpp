@@ -7,10 +7,10 @@
 #include "engine/build/light_table.h"
 #include "engine/build/material_table.h"
 #include "engine/build/mesh_builder.h"
-#include "engine/build/scene_use.h"
 #include "engine/build/texture_table.h"
 #include "engine/render/film.h"
 #include "engine/render/sppm_state.h"
+#include "engine/scene/scene_use.h"
 
 namespace glint {
 namespace {
@@ -122,13 +122,21 @@ MemoryUse unusedMemory(const SceneDescription& scene, FeatureMask features) {
     }
     use[MemoryPart::Textures] = imageBytes(all) - imageBytes(used);
     const auto chosen = static_cast<size_t>(scene.environment.image);
-    if (scene.environment.image >= 0 && chosen < scene.environmentImages.size()) {
-        use[MemoryPart::Environment] =
-            imageBytes(scene.environmentImages) - imageBytes({scene.environmentImages[chosen]});
-    } else {
-        use[MemoryPart::Environment] = imageBytes(scene.environmentImages);
-    }
+    use[MemoryPart::Environment] =
+        imageBytes(scene.environmentImages) -
+        (usesEnvironmentImage(scene) ? imageBytes({scene.environmentImages[chosen]}) : 0);
     return use;
+}
+
+uint64_t leftOutUvBytes(const SceneDescription& scene) {
+    uint64_t sum = 0;
+    std::set<const MeshData*> meshes;
+    for (const Mesh& mesh : scene.meshes) {
+        if (mesh.data && mesh.data->uvsLeftOut && meshes.insert(mesh.data.get()).second) {
+            sum += mesh.data->positions.size() * sizeof(Vec2);
+        }
+    }
+    return sum;
 }
 
 }  // namespace glint

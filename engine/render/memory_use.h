@@ -53,9 +53,12 @@ MemoryUse memoryOf(const BuiltScene& scene);
 /// a guess before any is traced (planSppmMemory).
 MemoryUse plannedMemory(const SceneDescription& scene, IntegratorKind integrator, bool aovs);
 
-/// What the description holds and a render of these features never reads: meshes and textures that no object
-/// uses, other environment images, texture coordinates without a texture. It came with the file and stays for
-/// editing.
+/// What the description holds and a render of these features never reads: what stands in the scene file
+/// itself and could not be read again, and what edits used before. Loaders leave out the rest
+/// (io/used_assets.h).
 MemoryUse unusedMemory(const SceneDescription& scene, FeatureMask features);
+
+/// Texture coordinates that loaders left out.
+uint64_t leftOutUvBytes(const SceneDescription& scene);
 
 }  // namespace glint

@@ -284,12 +284,16 @@ constexpr std::array<Generator, 7> kGenerators = {{{"blob", makeBlob},
                                                    {"torus-knot", makeTorusKnot},
                                                    {"water", makeWater}}};
 
+const Generator* findGenerator(std::string_view name) {
+    const auto* found = std::find_if(kGenerators.begin(), kGenerators.end(),
+                                     [name](const Generator& g) { return g.name == name; });
+    return found == kGenerators.end() ? nullptr : found;
+}
+
 }  // namespace
 
-Result<std::shared_ptr<const MeshData>> generateMesh(const MeshSource& source) {
-    const auto found = std::find_if(kGenerators.begin(), kGenerators.end(),
-                                    [&](const Generator& g) { return g.name == source.generator; });
-    if (found == kGenerators.end()) {
+Status checkMeshGenerator(const MeshSource& source) {
+    if (findGenerator(source.generator) == nullptr) {
         return Error{fmt::format("unknown mesh generator \"{}\"{}", source.generator,
                                  didYouMean(source.generator, meshGeneratorNames())),
                      {}};
@@ -299,7 +303,14 @@ Result<std::shared_ptr<const MeshData>> generateMesh(const MeshSource& source) {
                                  source.triangles, source.generator, kMinTriangles, kMaxTriangles),
                      {}};
     }
-    return std::shared_ptr<const MeshData>(std::make_shared<MeshData>(found->make(source)));
+    return {};
+}
+
+Result<std::shared_ptr<MeshData>> generateMesh(const MeshSource& source) {
+    if (Status known = checkMeshGenerator(source); !known) {
+        return known.error();
+    }
+    return std::make_shared<MeshData>(findGenerator(source.generator)->make(source));
 }
 
 std::vector<std::string_view> meshGeneratorNames() {

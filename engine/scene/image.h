@@ -29,13 +29,15 @@ struct ImageF {
 
 enum class ColorEncoding : uint8_t { Srgb, Linear };
 
-/// An image together with where it came from, so that a scene can be saved again. Exactly one of the two is
-/// set.
+/// An image together with where it came from, so that a scene can be saved again. At most one of the two is
+/// set; neither while the image has not been read because nothing uses it (engine/io/used_assets.h).
 struct ImageSource {
     std::string path;  ///< as written in the scene file, for saving; empty for generated images
     std::shared_ptr<const Image8> bytes;
     std::shared_ptr<const ImageF> floats;
-    std::optional<SkySource> sky = {};  ///< how `floats` was generated, where it was
+    std::optional<SkySource> sky = {};  ///< how `floats` is generated, where it is
+
+    bool isRead() const { return bytes != nullptr || floats != nullptr; }
 };
 
 }  // namespace glint

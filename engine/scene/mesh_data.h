@@ -19,9 +19,15 @@ struct MeshData {
     std::vector<Vec2> uvs;     ///< v runs upwards: (0, 0) is the image's bottom left corner
     std::vector<Vec3> colors;  ///< linear vertex colours that multiply the material's colour
     std::vector<uint32_t> indices;  ///< three per triangle, counter-clockwise seen from the front
+    /// The source has uvs, which are left out because no texture needs them (engine/io/used_assets.h).
+    bool uvsLeftOut = false;
 
     uint32_t triangleCount() const { return static_cast<uint32_t>(indices.size() / 3); }
 };
+
+inline bool sameTriangles(const MeshData& a, const MeshData& b) {
+    return a.positions == b.positions && a.indices == b.indices;
+}
 
 /// Where a mesh comes from, so that a scene can be saved without its triangles.
 struct MeshSource {
@@ -35,7 +41,7 @@ struct MeshSource {
 struct Mesh {
     std::string name;
     MeshSource source;
-    std::shared_ptr<const MeshData> data;
+    std::shared_ptr<const MeshData> data;  ///< null while it has not been read because no object places it
 };
 
 }  // namespace glint

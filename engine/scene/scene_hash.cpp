@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "engine/scene/scene_use.h"
+
 namespace glint {
 namespace {
 
@@ -36,10 +38,12 @@ void add(ContentHash& hash, const Camera& camera) {
     hash.add(camera.bladeRotationDeg);
 }
 
-void add(ContentHash& hash, const MeshData& mesh) {
+void add(ContentHash& hash, const MeshData& mesh, bool isTextured) {
     add(hash, mesh.positions);
     add(hash, mesh.normals);
-    add(hash, mesh.uvs);
+    if (isTextured) {
+        add(hash, mesh.uvs);
+    }
     add(hash, mesh.colors);
     add(hash, mesh.indices);
 }
@@ -116,6 +120,36 @@ void addAll(ContentHash& hash, const std::vector<T>& items) {
     }
 }
 
+void addGeometry(ContentHash& hash, const SceneDescription& scene) {
+    addAll(hash, scene.objects);
+    const std::vector<bool> used = usedMeshes(scene);
+    const std::vector<bool> textured = texturedMeshes(scene);
+    for (size_t i = 0; i < used.size(); ++i) {
+        if (used[i] && scene.meshes[i].data) {
+            add(hash, *scene.meshes[i].data, textured[i]);
+        }
+    }
+}
+
+void addTextures(ContentHash& hash, const SceneDescription& scene) {
+    hash.add(static_cast<uint64_t>(scene.textures.size()));
+    const std::vector<bool> used = usedTextures(scene);
+    for (size_t i = 0; i < used.size(); ++i) {
+        if (used[i]) {
+            add(hash, scene.textures[i]);
+        }
+    }
+}
+
+void addLights(ContentHash& hash, const SceneDescription& scene) {
+    addAll(hash, scene.lights);
+    add(hash, scene.environment);
+    hash.add(static_cast<uint64_t>(scene.environmentImages.size()));
+    if (usesEnvironmentImage(scene)) {
+        add(hash, scene.environmentImages[static_cast<size_t>(scene.environment.image)]);
+    }
+}
+
 Hash128 hashPart(const SceneDescription& scene, ScenePart part) {
     ContentHash hash;
     switch (part) {
@@ -123,23 +157,16 @@ Hash128 hashPart(const SceneDescription& scene, ScenePart part) {
             add(hash, scene.camera);
             break;
         case ScenePart::Geometry:
-            addAll(hash, scene.objects);
-            for (const Mesh& mesh : scene.meshes) {
-                if (mesh.data) {
-                    add(hash, *mesh.data);
-                }
-            }
+            addGeometry(hash, scene);
             break;
         case ScenePart::Materials:
             addAll(hash, scene.materials);
             break;
         case ScenePart::Textures:
-            addAll(hash, scene.textures);
+            addTextures(hash, scene);
             break;
         case ScenePart::Lights:
-            addAll(hash, scene.lights);
-            add(hash, scene.environment);
-            addAll(hash, scene.environmentImages);
+            addLights(hash, scene);
             break;
     }
     return hash.finish();

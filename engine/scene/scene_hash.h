@@ -1,6 +1,7 @@
 // Fingerprints of everything in a scene that changes its picture, part by part, and its settings as text.
 //
-// Checkpoints and EXR files carry them. Names, titles and paths do not enter: only what the renderer sees.
+// Checkpoints and EXR files carry them. Names, titles, paths, and meshes and images that nothing uses do not
+// enter: only what the renderer sees.
 #pragma once
 
 #include <array>

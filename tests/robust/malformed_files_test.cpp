@@ -10,6 +10,7 @@
 #include "engine/io/image_io.h"
 #include "engine/io/obj_loader.h"
 #include "engine/io/ply_loader.h"
+#include "engine/io/scene_loader.h"
 #include "engine/render/checkpoint.h"
 #include "tests/support/capture.h"
 #include "tests/support/temp_folder.h"
@@ -107,7 +108,7 @@ TEST(Malformed, MtlFiles) {
             const std::string base = path.substr(0, path.size() - 3);
             std::ofstream(base + "mtl") << "newmtl a\nmap_Kd bad.png\n";
             std::ofstream(base + "obj") << "mtllib bad.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n";
-            return errorOf(loadObj(base + "obj"));
+            return errorOf(loadScene(base + "obj"));
         });
 }
 

@@ -143,7 +143,8 @@ const BadScene kBadJson[] = {
     {"negative_emission", material("\"type\": \"diffuse\", \"emission\": -1"), ":2:52: ", "a number >= 0"},
     {"no_such_texture", material("\"type\": \"diffuse\", \"color\": {\"texture\": \"wood\"}"),
      ":2:61: ", "no texture is called \"wood\""},
-    {"missing_file", scene("\"textures\": {\"t\": {\"file\": \"none.png\"}}"), ":2:28: ", "--allow-missing"},
+    {"missing_file", object("\"type\": \"mesh\", \"material\": \"red\", \"mesh\": {\"file\": \"none.ply\"}"),
+     ":3:57: ", "--allow-missing"},
     {"no_such_material", object("\"type\": \"sphere\", \"material\": \"rde\""),
      ":3:44: ", "did you mean 'red'"},
     {"no_material", object("\"type\": \"sphere\""), ":3:13: ", "has no \"material\""},
@@ -222,7 +223,9 @@ const BadScene kBadText[] = {
      ":1:41: ", "expected '}' after 1 materials"},
     {"absurd_materials", "Materials { numMaterials 99999999999 }", ":1:26: ", "a whole number"},
     {"type", "Materials { numMaterials 1 Material { type 0 0 0 } }", ":1:44: ", "type is 0 0 0"},
-    {"texture", "Materials { numMaterials 1 Material { texture none.png } }",
+    {"texture",
+     "Materials { numMaterials 1 Material { texture none.png } }\n"
+     "Group { numObjects 1 MaterialIndex 0 Sphere { center 0 0 0 radius 1 } }",
      ":1:47: ", "\"none.png\" is missing"},
     {"texture_name", "Materials { numMaterials 1 Material { texture } }",
      ":1:47: ", "expected the path of a texture"},
@@ -290,14 +293,21 @@ TEST(MalformedScene, ContentDecidesWhereTheNameSaysNothing) {
 }
 
 TEST(MalformedScene, MissingFilesAreWarningsWhenAllowed) {
-    const ScratchFile file("scene.json",
-                           material("\"type\": \"diffuse\", \"color\": {\"texture\": {\"file\": \"a.png\"}, "
-                                    "\"fallback\": [0.1, 0.2, 0.3]}"));
-    const auto scene = loadScene(file.path(), {.allowMissing = true});
-    ASSERT_TRUE(scene.ok()) << scene.error().format();
-    EXPECT_THAT(scene->warnings, testing::ElementsAre(HasSubstr("\"a.png\" is missing")));
-    EXPECT_EQ(scene->materials.at(0).color.texture, -1);
-    EXPECT_EQ(scene->materials[0].color.value, Vec3(0.1f, 0.2f, 0.3f));
+    const ScratchFile file("scene.json", scene(R"("materials": {"m": {"type": "diffuse",
+                  "color": {"texture": {"file": "a.png"}, "fallback": [0.1, 0.2, 0.3]}}},
+               "objects": [{"type": "sphere", "material": "m"},
+                           {"type": "mesh", "material": "m", "mesh": {"file": "a.ply"}}],
+               "environment": {"image": {"file": "a.exr"}})"));
+    EXPECT_FALSE(loadScene(file.path()));
+    const auto loaded = loadScene(file.path(), {.allowMissing = true});
+    ASSERT_TRUE(loaded.ok()) << loaded.error().format();
+    EXPECT_THAT(loaded->warnings,
+                testing::ElementsAre(HasSubstr("\"a.ply\" is missing"), HasSubstr("\"a.png\" is missing"),
+                                     HasSubstr("\"a.exr\" is missing")));
+    EXPECT_EQ(loaded->materials.at(0).color.texture, -1);
+    EXPECT_EQ(loaded->materials[0].color.value, Vec3(0.1f, 0.2f, 0.3f));
+    EXPECT_EQ(loaded->objects.size(), 1u) << "the sphere";
+    EXPECT_EQ(loaded->environment.image, -1);
 }
 
 std::string readAll(const std::string& path) {

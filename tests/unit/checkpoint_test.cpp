@@ -58,6 +58,9 @@ SceneDescription someScene() {
     Texture texture;
     texture.image.bytes = image;
     scene.textures.push_back(texture);
+    scene.materials[0].color.texture = 0;
+    scene.textures.push_back(texture);  // which no material has
+    scene.meshes.push_back({.name = "unplaced", .source = {}, .data = mesh});
     scene.lights.emplace_back();
     return scene;
 }
@@ -159,6 +162,23 @@ TEST(Checkpoint, NamesWhatDiffers) {
                 HasSubstr("the textures differ"));
     EXPECT_THAT(refusal([](SceneDescription& s) { s.environment.rotationDeg = 1.0f; }),
                 HasSubstr("the lights differ"));
+    // What nothing uses is not in the picture.
+    EXPECT_EQ(refusal([](SceneDescription& s) {
+                  s.textures[1].image.bytes = nullptr;
+                  s.meshes[1].data = nullptr;
+              }),
+              "accepted");
+    const auto withUvs = [](SceneDescription& s) {
+        auto mesh = std::make_shared<MeshData>(*s.meshes[0].data);
+        mesh->uvs = {{0, 0}, {1, 0}, {0, 1}};
+        s.meshes[0].data = mesh;
+    };
+    EXPECT_THAT(refusal(withUvs), HasSubstr("the geometry differs"));
+    SceneDescription plain = someScene();
+    plain.materials[0].color.texture = -1;
+    const Hash128 before = sceneHash(plain);
+    withUvs(plain);
+    EXPECT_EQ(sceneHash(plain), before) << "no texture needs them";
     const std::string several = refusal([](SceneDescription& s) {
         s.options.maxDepth = 8;
         s.resolution.width = 38;
@@ -192,7 +212,7 @@ TEST(Checkpoint, EveryFieldOfTheSceneCounts) {
     EXPECT_TRUE(changes([](S s) { s.objects[0].objectToWorld.linear[1][2] = 0.5f; }));
     EXPECT_TRUE(changes([](S s) { s.objects.push_back(s.objects[0]); }));
     EXPECT_TRUE(changes([](S s) { s.materials[0].kind = MaterialKind::Plastic; }));
-    EXPECT_TRUE(changes([](S s) { s.materials[0].color.texture = 0; }));
+    EXPECT_TRUE(changes([](S s) { s.materials[0].color.texture = 1; }));
     EXPECT_TRUE(changes([](S s) { s.materials[0].metal = "silver"; }));
     EXPECT_TRUE(changes([](S s) { s.materials[0].roughness = 0.1f; }));
     EXPECT_TRUE(changes([](S s) { s.materials[0].thin = true; }));

@@ -6,11 +6,14 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdlib>
+#include <filesystem>
 #include <new>
 
 #include <gtest/gtest.h>
 
+#include "engine/build/feature_scan.h"
 #include "engine/build/scene_builder.h"
+#include "engine/io/scene_loader.h"
 #include "engine/render/checkpoint.h"
 #include "engine/render/render_session.h"
 #include "tests/support/temp_folder.h"
@@ -242,6 +245,29 @@ TEST(MemoryUse, AMeshIsBuiltWhenAnObjectTakesIt) {
     ASSERT_TRUE(after.ok());
     EXPECT_EQ(report.meshesBuilt, 1);
     EXPECT_GT(memoryOf(**after)[MemoryPart::MeshStructures], memoryOf(**before)[MemoryPart::MeshStructures]);
+}
+
+/// A gigabyte on the disk that nothing uses is neither read nor decoded: no block of its size is asked for.
+TEST(MemoryUse, AHugeUnusedFileTakesNoMemory) {
+    const test::TempFolder folder;
+    for (const char* name : {"huge.png", "huge.ply", "huge.obj", "huge.exr"}) {
+        std::filesystem::resize_file(folder.write(name, "x"), uint64_t{1} << 30);  // sparse
+    }
+    const std::string path = folder.write("scene.json", R"({"glint": 1,
+      "textures": {"huge": {"file": "huge.png"}},
+      "materials": {"grey": {"type": "diffuse"}, "idle": {"type": "diffuse", "color": {"texture": "huge"}}},
+      "meshes": {"huge": {"file": "huge.ply"}, "part": {"file": "huge.obj", "part": 2},
+                 "generated": {"generator": "blob", "triangleCount": 100000000}},
+      "objects": [{"type": "sphere", "material": "grey"}],
+      "environment": {"strength": 0, "image": {"file": "huge.exr"}}})");
+    const size_t before = largeBytes;
+    largePeak = before;
+    LoadCounts counts;
+    const auto scene = loadScene(path, {.counts = &counts});
+    ASSERT_TRUE(scene.ok()) << scene.error().format();
+    EXPECT_LE(largePeak - before, 1024 * 1024u);
+    EXPECT_EQ(counts, LoadCounts());
+    EXPECT_EQ(unusedMemory(*scene, scanFeatures(*scene)).total(), 0u);
 }
 
 /// The file in memory has the size that `glint info --memory` names, and is not copied while it grows.

@@ -162,7 +162,7 @@ TEST(ObjLoader, WhatIsMissingIsReportedAndReplaced) {
     EXPECT_EQ(scene.materials[1].kind, MaterialKind::Diffuse);
 }
 
-TEST(ObjLoader, TexturesAreLoadedOnceWithTheirScale) {
+TEST(ObjLoader, TexturesAreNamedOnceWithTheirScaleAndNotRead) {
     const TempFolder folder;
     ASSERT_TRUE(savePng(folder.path("a b.png"), {2, 1, {255, 0, 0, 0, 255, 0}}));
     folder.write(
@@ -174,7 +174,8 @@ TEST(ObjLoader, TexturesAreLoadedOnceWithTheirScale) {
     ASSERT_EQ(scene.materials.size(), 3u);
     EXPECT_EQ(scene.materials[0].color.texture, 0);
     EXPECT_EQ(scene.textures[0].encoding, ColorEncoding::Srgb);
-    EXPECT_EQ(scene.textures[0].image.bytes->rgb, (std::vector<uint8_t>{255, 0, 0, 0, 255, 0}));
+    EXPECT_EQ(scene.textures[0].image.path, folder.path("a b.png"));
+    EXPECT_FALSE(scene.textures[0].image.isRead());
     EXPECT_EQ(scene.textures.back().scale, Vec2(2, 3));
     EXPECT_THAT(scene.warnings, IsEmpty());
 }

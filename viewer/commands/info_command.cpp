@@ -1,4 +1,6 @@
 // `glint info SCENE`: what it holds, what it needs, what is left out, memory by part.
+#include <algorithm>
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -58,12 +60,48 @@ void printPhotons(const SceneDescription& scene, const SceneReport& report) {
     }
 }
 
+/// A library of a thousand textures needs a few lines to make the point.
+void printNotRead(const std::vector<NotRead>& items) {
+    constexpr size_t kMostLines = 8;
+    for (size_t i = 0; i < std::min(items.size(), kMostLines); ++i) {
+        const NotRead& item = items[i];
+        const std::string file = item.file.empty() ? "generated"
+                                 : item.fileBytes
+                                     ? fmt::format("{}, {}", item.file, formatBytes(*item.fileBytes))
+                                     : fmt::format("{}, missing", item.file);
+        fmt::print("{}{} '{}' ({}): {}\n", i == 0 ? "not read   " : "           ", item.kind, item.name, file,
+                   item.why);
+    }
+    if (items.size() > kMostLines) {
+        fmt::print("           and {} more (--json lists them)\n", items.size() - kMostLines);
+    }
+}
+
+nlohmann::ordered_json jsonOf(const std::vector<NotRead>& items) {
+    nlohmann::ordered_json out = nlohmann::ordered_json::array();
+    const auto orNull = [](const std::optional<uint64_t>& bytes) {
+        return bytes ? nlohmann::ordered_json(*bytes) : nlohmann::ordered_json();
+    };
+    for (const NotRead& item : items) {
+        out.push_back({{"kind", item.kind},
+                       {"name", item.name},
+                       {"file", item.file},
+                       {"file_bytes", orNull(item.fileBytes)},
+                       {"memory_bytes", orNull(item.memoryBytes)},
+                       {"why", item.why}});
+    }
+    return out;
+}
+
 void printReport(const SceneDescription& scene, const SceneReport& report) {
     fmt::print("{}\n", scene.title.empty() ? scene.path : scene.title);
     fmt::print("picture    {}x{} pixels, depth {}\n", scene.resolution.width, scene.resolution.height,
                scene.options.maxDepth);
     fmt::print("objects    {}\n", listed(report.objects));
-    fmt::print("meshes     {} with {} triangles, {} as placed\n", report.meshes, report.triangles,
+    const std::string placed = report.placedMeshes < report.meshes
+                                   ? fmt::format(", {} of them placed", report.placedMeshes)
+                                   : std::string();
+    fmt::print("meshes     {}{} with {} triangles, {} as placed\n", report.meshes, placed, report.triangles,
                report.placedTriangles);
     fmt::print("materials  {}\n", listed(report.materials));
     fmt::print("textures   {}\n", report.textures);
@@ -71,6 +109,7 @@ void printReport(const SceneDescription& scene, const SceneReport& report) {
     fmt::print("needs      {}\n", listed(report.features));
     fmt::print("kernel     {}; photon mapping: {}\n", report.kernel, report.sppmKernel);
     fmt::print("left out   {}\n", listed(report.leftOut));
+    printNotRead(report.notRead);
     printPhotons(scene, report);
     fmt::print("memory     {} in use, {} not allocated (--memory: by part)\n",
                formatBytes(report.memory.used), formatBytes(report.memory.notAllocated));
@@ -102,6 +141,7 @@ nlohmann::ordered_json jsonReport(const SceneDescription& scene, const SceneRepo
             {"height", scene.resolution.height},
             {"objects", jsonOf(report.objects)},
             {"meshes", report.meshes},
+            {"placed_meshes", report.placedMeshes},
             {"triangles", report.triangles},
             {"placed_triangles", report.placedTriangles},
             {"materials", jsonOf(report.materials)},
@@ -111,6 +151,7 @@ nlohmann::ordered_json jsonReport(const SceneDescription& scene, const SceneRepo
             {"kernel", report.kernel},
             {"sppm_kernel", report.sppmKernel},
             {"left_out", report.leftOut},
+            {"not_read", jsonOf(report.notRead)},
             {"integrator", scene.options.integrator == IntegratorKind::Sppm ? "sppm" : "path"},
             {"sppm",
              {{"photons_per_pass", report.sppm.photonsPerPass},
@@ -155,7 +196,7 @@ void addInfoCommand(CLI::App& app, int* exitCode) {
     command->add_option("scene", options->scene, "The scene")->required()->type_name("SCENE");
     command->add_flag("--allow-missing", options->allowMissing, "Go on when parts of the scene are missing");
     command->add_flag("--memory", options->memory,
-                      "Memory by part: used, held unused, and not allocated because nothing needs it");
+                      "Memory by part: used, and not allocated because nothing needs it");
     addJsonOption(*command, &options->json);
     command->callback([options, exitCode] { *exitCode = runInfo(*options); });
 }

@@ -14,11 +14,11 @@ const char* reasonOf(MemoryPart part) {
         case MemoryPart::Vertices:
             return "no object places them";
         case MemoryPart::VertexShading:
-            return "no object places them, or texture coordinates without a texture";
+            return "texture coordinates that no texture needs";
         case MemoryPart::Textures:
             return "no object uses them";
         case MemoryPart::Environment:
-            return "another environment is chosen";
+            return "the environment does not shine with it";
         case MemoryPart::Aovs:
             return "until one is asked for";
         case MemoryPart::SppmStatistics:
@@ -35,23 +35,26 @@ std::string cell(uint64_t bytes) { return bytes == 0 ? "-" : formatBytes(bytes);
 
 }  // namespace
 
-MemoryTable memoryTableOf(const SceneDescription& scene, const BuiltScene& built) {
+MemoryTable memoryTableOf(const SceneDescription& scene, const BuiltScene& built, const LeftOnDisk& left) {
     const IntegratorKind integrator = scene.options.integrator;
     const bool sppm = integrator == IntegratorKind::Sppm;
     const MemoryUse planned = plannedMemory(scene, integrator, false);
-    const MemoryUse most = plannedMemory(scene, IntegratorKind::Sppm, true);
+    MemoryUse most = plannedMemory(scene, IntegratorKind::Sppm, true);
+    most[MemoryPart::VertexShading] = leftOutUvBytes(scene);
+    most[MemoryPart::Textures] = left.textures;
+    most[MemoryPart::Environment] = left.environment;
     const MemoryUse unused = unusedMemory(scene, built.features);
     MemoryUse used = memoryOf(built);
     used.add(planned);
     MemoryTable table;
     for (size_t i = 0; i < kMemoryPartCount; ++i) {
         const auto part = static_cast<MemoryPart>(i);
-        const uint64_t left = most[part] - planned[part];
-        if (used[part] + unused[part] + left == 0) {
+        const uint64_t without = most[part] - planned[part];
+        if (used[part] + unused[part] + without == 0) {
             continue;
         }
-        const char* why = unused[part] + left > 0 ? reasonOf(part) : "";
-        table.rows.push_back({memoryPartName(part), used[part], unused[part], left, why});
+        const char* why = unused[part] + without > 0 ? reasonOf(part) : "";
+        table.rows.push_back({memoryPartName(part), used[part], unused[part], without, why});
     }
     table.used = used.total();
     table.heldUnused = unused.total();
@@ -68,15 +71,22 @@ std::string formatBytes(uint64_t bytes) {
                                 : fmt::format("{:.1f} MB", value * 1e-6);
 }
 
+/// What is held unused stands in scene files themselves: most scenes have none of it, and no such column.
 void printMemory(const MemoryTable& table) {
-    constexpr const char* kLine = "  {:<46}{:>12}{:>14}{:>16}  {}\n";
+    const auto print = [held = table.heldUnused > 0](const std::string& part, const std::string& used,
+                                                     const std::string& unused, const std::string& without,
+                                                     const std::string& why) {
+        const std::string line = fmt::format("  {:<46}{:>12}{}{:>16}  {}", part, used,
+                                             held ? fmt::format("{:>14}", unused) : "", without, why);
+        fmt::print("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
+    };
     fmt::print("memory\n");
-    fmt::print(kLine, "", "used", "held unused", "not allocated", "");
+    print("", "used", "held unused", "not allocated", "");
     for (const MemoryRow& row : table.rows) {
-        fmt::print(kLine, row.part, cell(row.used), cell(row.heldUnused), cell(row.notAllocated), row.why);
+        print(row.part, cell(row.used), cell(row.heldUnused), cell(row.notAllocated), row.why);
     }
-    fmt::print(kLine, "in all", cell(table.used), cell(table.heldUnused), cell(table.notAllocated), "");
-    fmt::print(kLine, "on top, while a checkpoint is saved", cell(table.checkpointPeak), "", "", "");
+    print("in all", cell(table.used), cell(table.heldUnused), cell(table.notAllocated), "");
+    print("on top, while a checkpoint is saved", cell(table.checkpointPeak), "", "", "");
 }
 
 nlohmann::ordered_json memoryJson(const MemoryTable& table) {

@@ -1,5 +1,6 @@
-// The memory of a render by part, for `glint info`: what is in use, what came with the file and is never
-// read, and what is not allocated because the settings do without it. All from engine/render/memory_use.h.
+// The memory of a render by part, for `glint info`: what is in use, what stands in the scene file and is
+// never read by a kernel, and what is not allocated because the scene and the settings do without it. All
+// from engine/render/memory_use.h, but for what was left on the disk.
 #pragma once
 
 #include <string>
@@ -28,8 +29,14 @@ struct MemoryTable {
     uint64_t checkpointPeak = 0;
 };
 
+/// What images that were not read would take.
+struct LeftOnDisk {
+    uint64_t textures = 0;
+    uint64_t environment = 0;
+};
+
 /// With the scene's own resolution and integrator, without a window.
-MemoryTable memoryTableOf(const SceneDescription& scene, const BuiltScene& built);
+MemoryTable memoryTableOf(const SceneDescription& scene, const BuiltScene& built, const LeftOnDisk& left);
 
 /// "512 B", "20.7 MB".
 std::string formatBytes(uint64_t bytes);

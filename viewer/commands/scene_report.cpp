@@ -3,13 +3,16 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 #include <fmt/format.h>
 
 #include "engine/build/light_table.h"
-#include "engine/build/scene_use.h"
+#include "engine/io/image_io.h"
+#include "engine/io/used_assets.h"
 #include "engine/render/cpu_variants.h"
 #include "engine/render/sppm_kernel.h"
+#include "engine/scene/scene_use.h"
 
 namespace glint {
 namespace {
@@ -99,6 +102,12 @@ void listWhatIsLeftOut(FeatureMask compiled, const SceneDescription& scene, cons
             report->leftOut.push_back(fmt::format("{}: {}", what, count));
         }
     }
+    const auto withoutUvs = std::ranges::count_if(
+        scene.meshes, [](const Mesh& mesh) { return mesh.data && mesh.data->uvsLeftOut; });
+    if (withoutUvs > 0) {
+        report->leftOut.push_back(
+            fmt::format("texture coordinates of meshes that need none: {}", withoutUvs));
+    }
     if (!built.lights->usesTree && !built.lights->emitters.empty()) {
         report->leftOut.emplace_back("light tree: the few lights are weighed one by one");
     }
@@ -106,6 +115,38 @@ void listWhatIsLeftOut(FeatureMask compiled, const SceneDescription& scene, cons
     if (scene.options.integrator == IntegratorKind::PathTracing) {
         report->leftOut.emplace_back("photons and their statistics, until photon mapping is asked for");
     }
+}
+
+std::vector<NotRead> listWhatIsNotRead(const SceneDescription& scene) {
+    std::vector<NotRead> out;
+    for (const Asset& asset : idleAssets(scene)) {
+        NotRead item;
+        item.file = assetFile(scene, asset);
+        const std::string resolved = resolvePath(item.file, scene.path);
+        std::error_code problem;
+        const auto size = std::filesystem::file_size(resolved, problem);
+        if (!item.file.empty() && !problem) {
+            item.fileBytes = size;
+        }
+        if (asset.kind == AssetKind::Mesh) {
+            item.kind = "mesh";
+            item.name = scene.meshes[asset.index].name;
+            item.why = "no object places it";
+        } else {
+            const bool isTexture = asset.kind == AssetKind::Texture;
+            item.kind = isTexture ? "texture" : "environment image";
+            item.name = isTexture ? scene.textures[asset.index].name : item.file;
+            item.why = isTexture ? "no object uses it" : "the environment does not shine with it";
+            item.memoryBytes = statedPixelBytes(resolved);
+            if (!isTexture && scene.environmentImages[asset.index].sky) {
+                const auto width = static_cast<uint64_t>(scene.environmentImages[asset.index].sky->width);
+                item.name = "sky";
+                item.memoryBytes = width * (width / 2) * 3 * sizeof(float);
+            }
+        }
+        out.push_back(std::move(item));
+    }
+    return out;
 }
 
 }  // namespace
@@ -128,7 +169,7 @@ SceneReport reportOf(const SceneDescription& scene, const BuiltScene& built) {
         countByKind(kMaterialNames, scene.materials, [](const Material& material) { return material.kind; });
     report.meshes = scene.meshes.size();
     for (const Mesh& mesh : scene.meshes) {
-        report.triangles += mesh.data->triangleCount();
+        report.triangles += mesh.data ? mesh.data->triangleCount() : 0;
     }
     for (const Object& object : scene.objects) {
         if (object.shape == ShapeKind::Mesh) {
@@ -149,7 +190,13 @@ SceneReport reportOf(const SceneDescription& scene, const BuiltScene& built) {
                    scene.materials[static_cast<size_t>(object.material)].emissive();
         });
     listWhatIsLeftOut(variant.mask, scene, built, &report);
-    report.memory = memoryTableOf(scene, built);
+    report.placedMeshes = static_cast<uint64_t>(std::ranges::count(usedMeshes(scene), true));
+    report.notRead = listWhatIsNotRead(scene);
+    LeftOnDisk left;
+    for (const NotRead& item : report.notRead) {
+        (item.kind == "texture" ? left.textures : left.environment) += item.memoryBytes.value_or(0);
+    }
+    report.memory = memoryTableOf(scene, built, left);
     return report;
 }
 

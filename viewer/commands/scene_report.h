@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,11 +19,22 @@ struct NamedCount {
     uint64_t count = 0;
 };
 
+/// What the scene names and does not use: it stays on the disk, or ungenerated.
+struct NotRead {
+    std::string kind;  ///< mesh, texture, environment image
+    std::string name;
+    std::string file;                       ///< as written; empty: generated
+    std::optional<uint64_t> fileBytes{};    ///< nothing: no file, or missing
+    std::optional<uint64_t> memoryBytes{};  ///< what its pixels would take, where that is known
+    std::string why;
+};
+
 struct SceneReport {
     std::vector<NamedCount> objects;    ///< by shape, those that occur
     std::vector<NamedCount> materials;  ///< by kind, those that occur
     std::vector<NamedCount> lights;     ///< emissive objects, emitters, point, spot, directional, environment
     uint64_t meshes = 0;
+    uint64_t placedMeshes = 0;     ///< of them, those that an object has
     uint64_t triangles = 0;        ///< stored
     uint64_t placedTriangles = 0;  ///< drawn: every instance counts
     uint64_t textures = 0;
@@ -31,6 +43,7 @@ struct SceneReport {
         leftOut;         ///< features that the kernel was compiled without, and data not allocated
     std::string kernel;  ///< the path tracer's
     std::string sppmKernel;
+    std::vector<NotRead> notRead;
     MemoryTable memory;
     SppmMemory sppm;                ///< what photon mapping needs here, whether or not it is the integrator
     bool hasCausticCaster = false;  ///< otherwise photon mapping gains nothing

@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kKinds{"Point", "Spot", "Directional"};
 
-void drawEnvironment(SceneDescription* scene) {
+void drawEnvironment(ViewerModel* model) {
+    SceneDescription* scene = &model->draft();
     Environment* environment = &scene->environment;
     ui::heading("Environment");
     ui::color("Radiance", &environment->color, 1e6f, "W/(sr m²); multiplies the image where there is one");
@@ -29,6 +30,7 @@ void drawEnvironment(SceneDescription* scene) {
         const std::vector<std::string_view> views(names.begin(), names.end());
         int index = environment->image + 1;
         if (ui::choice("Image", &index, views, "Latitude and longitude")) environment->image = index - 1;
+        drawAssetState(model);
     }
     ui::number("Rotation", &environment->rotationDeg,
                {.format = "%.1f°",
@@ -95,7 +97,7 @@ void drawLightsPanel(ViewerModel* model) {
     ImGui::PushID("lights");
     if (model->hasScene()) {
         drawLights(model);
-        drawEnvironment(&model->draft());
+        drawEnvironment(model);
     } else {
         ui::hint("No scene is open.");
     }

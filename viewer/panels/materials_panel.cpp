@@ -52,7 +52,8 @@ void drawList(ViewerModel* model) {
     ImGui::EndChild();
 }
 
-void drawTexture(const SceneDescription& scene, Material* material) {
+void drawTexture(ViewerModel* model, Material* material) {
+    const SceneDescription& scene = model->draft();
     if (scene.textures.empty()) return;
     std::vector<std::string> names{"none"};
     for (size_t i = 0; i < scene.textures.size(); ++i) {
@@ -65,6 +66,7 @@ void drawTexture(const SceneDescription& scene, Material* material) {
     int index = material->color.texture + 1;
     if (ui::choice("Texture", &index, views, "An image that replaces the colour"))
         material->color.texture = index - 1;
+    drawAssetState(model);
 }
 
 void drawMetal(Material* material) {
@@ -92,14 +94,14 @@ void drawMetal(Material* material) {
                 {.format = "%.3f", .speed = 0.005f, .max = 20.0f, .tooltip = "Extinction at R, G, B"});
 }
 
-void drawScattering(const SceneDescription& scene, Material* material) {
+void drawScattering(ViewerModel* model, Material* material) {
     const MaterialKind kind = material->kind;
     const bool mixture = kind == MaterialKind::Mixture;
     const bool conductor = kind == MaterialKind::Conductor;
     const bool dielectric = kind == MaterialKind::Dielectric;
     const bool plastic = kind == MaterialKind::Plastic;
     ui::color("Colour", &material->color.value, 1.0f, "Linear Rec.709. Click the patch for a picker");
-    drawTexture(scene, material);
+    drawTexture(model, material);
     if (conductor) drawMetal(material);
     if (dielectric || plastic || mixture) {
         ui::number("IOR", &material->ior,
@@ -152,7 +154,7 @@ void drawMaterialsPanel(ViewerModel* model) {
         ImGui::PushID(model->selectedMaterial);
         int kind = static_cast<int>(material.kind);
         if (ui::choice("Kind", &kind, kKinds)) material.kind = static_cast<MaterialKind>(kind);
-        drawScattering(model->draft(), &material);
+        drawScattering(model, &material);
         drawEmission(&material);
         ImGui::PopID();
     }

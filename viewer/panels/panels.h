@@ -20,6 +20,9 @@ void drawPicturePanel(ViewerModel* model);
 void drawCheckpointPanel(ViewerModel* model);
 void drawLogPanel();
 
+/// That a file is being read which the draft uses, or why it could not be; part of other panels.
+void drawAssetState(ViewerModel* model);
+
 /// All of them.
 void drawPanels(ViewerModel* model);
 

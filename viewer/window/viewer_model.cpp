@@ -7,6 +7,7 @@
 
 #include "engine/base/log.h"
 #include "engine/io/scene_loader.h"
+#include "engine/io/used_assets.h"
 #include "viewer/window/camera_controller.h"
 #include "viewer/window/scene_diff.h"
 
@@ -70,6 +71,9 @@ void ViewerModel::adopt(SceneDescription scene) {
             scene.materials.size(), scene.lights.size(), scene.resolution.width, scene.resolution.height);
     isAnotherScene_ = scene.path != draft_.path;
     if (isAnotherScene_) curvesBefore_.fill(std::make_shared<const ConvergenceCurve>());
+    ++adoptions_;
+    readingAssets_ = false;
+    assetError_.reset();
     draft_ = std::move(scene);
     posted_ = std::make_shared<const SceneDescription>(draft_);
     cameraOfFile_ = draft_.camera;
@@ -198,9 +202,15 @@ EditKind ViewerModel::commitEdits(bool held) {
                            draft_.camera.target != posted_->camera.target;
         if (moved) draft_.camera.focalDistance = targetDistance(draft_.camera);
     }
-    const EditKind kinds = differences(*posted_, draft_);
+    EditKind kinds = differences(*posted_, draft_);
+    std::shared_ptr<const SceneDescription> ready;
+    if (kinds != EditKind::None && !lackingAssets(draft_).empty()) {
+        readAssets();
+        ready = std::make_shared<const SceneDescription>(withoutLacking(draft_, *posted_));
+        kinds = differences(*posted_, *ready);
+    }
     if (kinds != EditKind::None) {
-        posted_ = std::make_shared<const SceneDescription>(draft_);
+        posted_ = ready ? ready : std::make_shared<const SceneDescription>(draft_);
         if (held) setInteracting(true);
         expectPicture();
         session_.post({posted_, kinds});
@@ -208,6 +218,41 @@ EditKind ViewerModel::commitEdits(bool held) {
     }
     postWishes();
     return kinds;
+}
+
+void ViewerModel::readAssets() {
+    if (readingAssets_) return;
+    readingAssets_ = true;
+    assetError_.reset();
+    jobs_.start(
+        [this, adoption = adoptions_,
+         asked = std::make_shared<const SceneDescription>(draft_)]() -> JobQueue::Completion {
+            auto read = std::make_shared<const CompletedScene>(completeScene(*asked));
+            return [this, adoption, asked, read] {
+                if (adoption == adoptions_) takeReadAssets(*asked, *read);
+            };
+        },
+        false);
+}
+
+void ViewerModel::takeReadAssets(const SceneDescription& asked, const CompletedScene& read) {
+    readingAssets_ = false;
+    if (!read.error) {
+        takeAssets(read.scene, &draft_);
+    } else {
+        assetError_ = read.error;
+        finishFileJob(*read.error, "");
+        SceneDescription tried = draft_;
+        takeAssets(read.scene, &tried);
+        const SceneDescription kept = withoutLacking(tried, *posted_);
+        draft_.environment = kept.environment;
+        for (size_t i = 0; i < draft_.materials.size(); ++i) {
+            int& texture = draft_.materials[i].color.texture;
+            const bool wasAsked = texture == asked.materials[i].color.texture;  // not a choice made since
+            texture = wasAsked ? kept.materials[i].color.texture : texture;
+        }
+    }
+    commitEdits(false);
 }
 
 void ViewerModel::postWishes() {

@@ -20,6 +20,8 @@
 
 namespace glint {
 
+struct CompletedScene;
+
 /// Which picture is shown. AOVs are asked of the session only while they are shown or saved.
 enum class ShownPicture {
     Radiance,
@@ -94,6 +96,12 @@ class ViewerModel {
     bool opening() const { return opening_; }
     const std::optional<Error>& openError() const { return openError_; }
     void dismissOpenError() { openError_.reset(); }
+    /// The draft uses a texture, mesh or environment image that was left on the disk: it is being read in the
+    /// background, and what needs it is posted when it is there.
+    bool readingAssets() const { return readingAssets_; }
+    /// Why the last of them could not be read; the draft is back at what it had before.
+    const std::optional<Error>& assetError() const { return assetError_; }
+    void dismissAssetError() { assetError_.reset(); }
 
     // Rendering.
     RenderSession& session() { return session_; }
@@ -139,8 +147,8 @@ class ViewerModel {
     bool pictureIsCurrent() const;
     /// The snapshots carry what DisplaySettings::shown asks for.
     bool carriesShownPicture() const;
-    /// An edit was posted, and no picture of it has come back.
-    bool awaitsEdit() const { return awaitsEdit_; }
+    /// An edit was posted, or waits for a file, and no picture of it has come back.
+    bool awaitsEdit() const { return awaitsEdit_ || readingAssets_; }
 
     /// The estimate of the error so far, whether this integrator is shown or not. Never null.
     const std::shared_ptr<const ConvergenceCurve>& curve(IntegratorKind kind) const {
@@ -169,6 +177,8 @@ class ViewerModel {
   private:
     using Capture = RenderSession::Capture;
     void setInteracting(bool interacting);
+    void readAssets();
+    void takeReadAssets(const SceneDescription& asked, const CompletedScene& read);
     void expectPicture();
     /// What is shown of the curves, and the snapshots' errors against the reference.
     void refreshConvergence();
@@ -190,6 +200,9 @@ class ViewerModel {
     bool opening_ = false;
     std::string openNext_;  ///< asked for while another scene was being opened
     std::optional<Error> openError_;
+    uint64_t adoptions_ = 0;
+    bool readingAssets_ = false;
+    std::optional<Error> assetError_;
 
     JobQueue jobs_;  // before the session, whose end answers the jobs that wait for a picture
     RenderSession session_;

@@ -1,5 +1,5 @@
-// What of a description is used at all: what no object refers to is not built. Called by the scene builder's
-// parts and by the memory report.
+// What of a description is used at all: what no object refers to is neither read nor built, and does not
+// change the picture's fingerprint. Called by loaders, the scene builder's parts and the memory report.
 //
 // References that are out of range are passed over; validateScene() refuses them.
 #pragma once
@@ -16,5 +16,9 @@ std::vector<bool> usedMaterials(const SceneDescription& scene);
 std::vector<bool> usedTextures(const SceneDescription& scene);
 /// For each mesh whether an object places it.
 std::vector<bool> usedMeshes(const SceneDescription& scene);
+/// For each mesh whether an object places it with a texture: only then are its uvs read.
+std::vector<bool> texturedMeshes(const SceneDescription& scene);
+/// Whether the environment shines with an image.
+bool usesEnvironmentImage(const SceneDescription& scene);
 
 }  // namespace glint

@@ -1,4 +1,4 @@
-#include "engine/build/scene_use.h"
+#include "engine/scene/scene_use.h"
 
 namespace glint {
 namespace {
@@ -38,6 +38,24 @@ std::vector<bool> usedMeshes(const SceneDescription& scene) {
         }
     }
     return used;
+}
+
+std::vector<bool> texturedMeshes(const SceneDescription& scene) {
+    std::vector<bool> used(scene.meshes.size(), false);
+    for (const Object& object : scene.objects) {
+        const auto material = static_cast<size_t>(object.material);
+        if (object.shape == ShapeKind::Mesh && object.material >= 0 && material < scene.materials.size() &&
+            scene.materials[material].color.texture >= 0) {
+            mark(object.mesh, &used);
+        }
+    }
+    return used;
+}
+
+bool usesEnvironmentImage(const SceneDescription& scene) {
+    const Environment& environment = scene.environment;
+    return environment.emissive() && environment.image >= 0 &&
+           static_cast<size_t>(environment.image) < scene.environmentImages.size();
 }
 
 }  // namespace glint

@@ -1,0 +1,64 @@
+// Glint JSON: meshes and images are read last, when it is known what uses them; the places of their names are
+// kept for messages.
+#include <fmt/format.h>
+
+#include "engine/io/scene_json_reader.h"
+
+namespace glint {
+
+void SceneJsonReader::readAssets() {
+    if (errors_.failed()) {
+        return;
+    }
+    checkIdleAssets();
+    readUsedAssets(&assets_, &scene_, [this](const Asset& asset, const Error& error) {
+        const std::string& file = assetFile(scene_, asset);
+        if (file.empty()) {
+            errors_.add(placeOf(asset), error.message);
+        } else {
+            reportFile(placeOf(asset), file, error);
+        }
+        return !errors_.failed();
+    });
+}
+
+void SceneJsonReader::checkIdleAssets() {
+    for (const Asset& asset : idleAssets(scene_)) {
+        const std::string& file = assetFile(scene_, asset);
+        if (!file.empty() && !fileExists(resolvePath(file, assets_.scenePath()))) {
+            const SourcePlace place = placeOf(asset).error("").place;
+            scene_.warnings.push_back(
+                fmt::format("{}:{}: \"{}\" is missing; nothing uses it", place.file, place.line, file));
+        }
+    }
+}
+
+const JsonValue& SceneJsonReader::placeOf(const Asset& asset) const {
+    switch (asset.kind) {
+        case AssetKind::Mesh:
+            return meshPlaces_[asset.index];
+        case AssetKind::Texture:
+            return texturePlaces_[asset.index];
+        case AssetKind::Environment:
+            break;
+    }
+    return environmentPlace_;
+}
+
+void SceneJsonReader::reportFile(const JsonValue& at, const std::string& path, const Error& error) {
+    const std::string resolved = resolvePath(path, assets_.scenePath());
+    if (fileExists(resolved)) {
+        errors_.add(error);  // It is there but broken: its own place says more.
+    } else if (options_.allowMissing) {
+        const SourcePlace place = at.error("").place;
+        scene_.warnings.push_back(
+            fmt::format("{}:{}: \"{}\" is missing and left out", place.file, place.line, path));
+    } else {
+        errors_.add(at,
+                    fmt::format("the file \"{}\" cannot be read: {} (looked for {}); --allow-missing goes on "
+                                "without it",
+                                path, error.message, resolved));
+    }
+}
+
+}  // namespace glint

@@ -1,0 +1,229 @@
+#include "engine/io/used_assets.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "engine/scene/scene_use.h"
+
+namespace glint {
+namespace {
+
+bool isLeftOut(const Mesh& mesh, bool textured) { return !mesh.data || (textured && mesh.data->uvsLeftOut); }
+
+/// Whether the material is on a mesh that has to be read again for its texture coordinates.
+std::vector<bool> materialsThatLackUvs(const SceneDescription& scene) {
+    std::vector<bool> lacking(scene.materials.size(), false);
+    for (const Object& object : scene.objects) {
+        if (object.shape == ShapeKind::Mesh) {
+            const Mesh& mesh = scene.meshes[static_cast<size_t>(object.mesh)];
+            const auto material = static_cast<size_t>(object.material);
+            const bool textured = scene.materials[material].color.texture >= 0;
+            lacking[material] = lacking[material] || isLeftOut(mesh, textured);
+        }
+    }
+    return lacking;
+}
+
+Status readMesh(Mesh* mesh, AssetCache* assets) {
+    auto data = assets->mesh(mesh->source);
+    if (!data) {
+        return data.error();
+    }
+    if (mesh->data && !sameTriangles(*mesh->data, **data)) {
+        return Error{"has changed since the scene was opened; open the scene again",
+                     {resolvePath(mesh->source.path, assets->scenePath()), 0, 0, ""}};
+    }
+    mesh->data = std::move(*data);
+    return {};
+}
+
+Status readImage(Result<ImageSource> read, ImageSource* image) {
+    if (!read) {
+        return read.error();
+    }
+    *image = std::move(*read);
+    return {};
+}
+
+}  // namespace
+
+std::vector<Asset> lackingAssets(const SceneDescription& scene) {
+    std::vector<Asset> lacking;
+    const std::vector<bool> placed = usedMeshes(scene);
+    const std::vector<bool> textured = texturedMeshes(scene);
+    for (size_t i = 0; i < placed.size(); ++i) {
+        if (placed[i] && isLeftOut(scene.meshes[i], textured[i])) {
+            lacking.push_back({AssetKind::Mesh, i});
+        }
+    }
+    const std::vector<bool> used = usedTextures(scene);
+    for (size_t i = 0; i < used.size(); ++i) {
+        if (used[i] && !scene.textures[i].image.isRead()) {
+            lacking.push_back({AssetKind::Texture, i});
+        }
+    }
+    if (usesEnvironmentImage(scene)) {
+        const auto image = static_cast<size_t>(scene.environment.image);
+        if (!scene.environmentImages[image].isRead()) {
+            lacking.push_back({AssetKind::Environment, image});
+        }
+    }
+    return lacking;
+}
+
+std::vector<Asset> idleAssets(const SceneDescription& scene) {
+    std::vector<Asset> idle;
+    const std::vector<bool> placed = usedMeshes(scene);
+    for (size_t i = 0; i < placed.size(); ++i) {
+        if (!placed[i] && !scene.meshes[i].data) {
+            idle.push_back({AssetKind::Mesh, i});
+        }
+    }
+    const std::vector<bool> used = usedTextures(scene);
+    for (size_t i = 0; i < used.size(); ++i) {
+        if (!used[i] && !scene.textures[i].image.isRead()) {
+            idle.push_back({AssetKind::Texture, i});
+        }
+    }
+    for (size_t i = 0; i < scene.environmentImages.size(); ++i) {
+        const bool isUsed = usesEnvironmentImage(scene) && static_cast<size_t>(scene.environment.image) == i;
+        if (!isUsed && !scene.environmentImages[i].isRead()) {
+            idle.push_back({AssetKind::Environment, i});
+        }
+    }
+    return idle;
+}
+
+const std::string& assetFile(const SceneDescription& scene, const Asset& asset) {
+    switch (asset.kind) {
+        case AssetKind::Mesh:
+            return scene.meshes[asset.index].source.path;
+        case AssetKind::Texture:
+            return scene.textures[asset.index].image.path;
+        case AssetKind::Environment:
+            break;
+    }
+    return scene.environmentImages[asset.index].path;
+}
+
+Status readAsset(const Asset& asset, AssetCache* assets, SceneDescription* scene) {
+    switch (asset.kind) {
+        case AssetKind::Mesh:
+            return readMesh(&scene->meshes[asset.index], assets);
+        case AssetKind::Texture: {
+            ImageSource& image = scene->textures[asset.index].image;
+            return readImage(assets->texture(image), &image);
+        }
+        case AssetKind::Environment:
+            break;
+    }
+    ImageSource& image = scene->environmentImages[asset.index];
+    return readImage(assets->environment(image), &image);
+}
+
+void goWithout(const Asset& asset, SceneDescription* scene) {
+    const int index = static_cast<int>(asset.index);
+    switch (asset.kind) {
+        case AssetKind::Mesh:
+            std::erase_if(scene->objects, [index](const Object& object) {
+                return object.shape == ShapeKind::Mesh && object.mesh == index;
+            });
+            break;
+        case AssetKind::Texture:
+            for (Material& material : scene->materials) {
+                material.color.texture = material.color.texture == index ? -1 : material.color.texture;
+            }
+            break;
+        case AssetKind::Environment:
+            scene->environment.image = -1;
+            break;
+    }
+}
+
+void readUsedAssets(AssetCache* assets, SceneDescription* scene,
+                    const std::function<bool(const Asset&, const Error&)>& goesOn) {
+    bool again = true;  // going without one may leave others without use
+    while (again) {
+        again = false;
+        for (const Asset& asset : lackingAssets(*scene)) {
+            if (Status read = readAsset(asset, assets, scene); !read) {
+                if (!goesOn(asset, read.error())) {
+                    return;
+                }
+                goWithout(asset, scene);
+                again = true;
+                break;
+            }
+        }
+    }
+    assets->dropUnusedUvs(*scene);
+}
+
+Status readUsedAssets(AssetCache* assets, SceneDescription* scene) {
+    Status first;
+    readUsedAssets(assets, scene, [&first](const Asset&, const Error& error) {
+        first = error;
+        return false;
+    });
+    return first;
+}
+
+CompletedScene completeScene(const SceneDescription& scene) {
+    CompletedScene completed{scene, {}};
+    AssetCache assets(scene.path);
+    for (const Texture& texture : scene.textures) {
+        assets.remember(texture.image);
+    }
+    for (const Asset& asset : lackingAssets(scene)) {
+        Status read = readAsset(asset, &assets, &completed.scene);
+        if (!read && !completed.error) {
+            completed.error = read.error();
+        }
+    }
+    assets.dropUnusedUvs(completed.scene);
+    return completed;
+}
+
+void takeAssets(const SceneDescription& from, SceneDescription* to) {
+    const size_t meshes = std::min(from.meshes.size(), to->meshes.size());
+    for (size_t i = 0; i < meshes; ++i) {
+        const auto& read = from.meshes[i].data;
+        if (read && isLeftOut(to->meshes[i], !read->uvsLeftOut)) {
+            to->meshes[i].data = read;
+        }
+    }
+    const size_t textures = std::min(from.textures.size(), to->textures.size());
+    for (size_t i = 0; i < textures; ++i) {
+        if (!to->textures[i].image.isRead()) {
+            to->textures[i].image = from.textures[i].image;
+        }
+    }
+    const size_t images = std::min(from.environmentImages.size(), to->environmentImages.size());
+    for (size_t i = 0; i < images; ++i) {
+        if (!to->environmentImages[i].isRead()) {
+            to->environmentImages[i] = from.environmentImages[i];
+        }
+    }
+}
+
+SceneDescription withoutLacking(const SceneDescription& draft, const SceneDescription& before) {
+    SceneDescription scene = draft;
+    const std::vector<bool> lackUvs = materialsThatLackUvs(draft);
+    const size_t materials = std::min(draft.materials.size(), before.materials.size());
+    for (size_t i = 0; i < materials; ++i) {
+        const int texture = draft.materials[i].color.texture;
+        const bool unread = texture >= 0 && !draft.textures[static_cast<size_t>(texture)].image.isRead();
+        if (unread || lackUvs[i]) {
+            scene.materials[i].color.texture = before.materials[i].color.texture;
+        }
+    }
+    for (const Asset& asset : lackingAssets(draft)) {
+        if (asset.kind == AssetKind::Environment) {
+            scene.environment = before.environment;
+        }
+    }
+    return scene;
+}
+
+}  // namespace glint

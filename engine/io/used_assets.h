@@ -1,0 +1,66 @@
+// What a scene uses is read; what it only names is left on the disk until an edit uses it.
+//
+// Left out: meshes that no object places, texture coordinates that no texture needs, textures that no
+// object's material has, and the image of an environment that does not shine. They keep their names, so that
+// the scene can be saved and edited. Meshes that stand in the scene file itself are kept whole, since they
+// could not be read again. Scene readers call the first functions, a session's controller the last ones.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/io/asset_cache.h"
+#include "engine/scene/scene.h"
+
+namespace glint {
+
+enum class AssetKind : uint8_t { Mesh, Texture, Environment };
+
+/// meshes[index], textures[index] or environmentImages[index] of a scene.
+struct Asset {
+    AssetKind kind = AssetKind::Mesh;
+    size_t index = 0;
+};
+
+/// What the scene uses and has not read, in the order of AssetKind.
+std::vector<Asset> lackingAssets(const SceneDescription& scene);
+/// What it names, has not read and does not use.
+std::vector<Asset> idleAssets(const SceneDescription& scene);
+
+/// The asset's file as written in the scene; empty where it is generated.
+const std::string& assetFile(const SceneDescription& scene, const Asset& asset);
+
+/// Error: the file cannot be read or is malformed; it holds other triangles than those it has given before.
+Status readAsset(const Asset& asset, AssetCache* assets, SceneDescription* scene);
+
+/// What used the asset goes without: materials take their colour, the environment too; objects of a mesh are
+/// removed.
+void goWithout(const Asset& asset, SceneDescription* scene);
+
+/// Reads what the scene uses and drops the texture coordinates that it does not. `goesOn` is asked about each
+/// asset that cannot be read: whether to go without it and on.
+void readUsedAssets(AssetCache* assets, SceneDescription* scene,
+                    const std::function<bool(const Asset&, const Error&)>& goesOn);
+/// The same up to the first error.
+Status readUsedAssets(AssetCache* assets, SceneDescription* scene);
+
+/// A scene with what it uses, as far as that can be read, and the first error.
+struct CompletedScene {
+    SceneDescription scene;
+    std::optional<Error> error;
+};
+
+/// For edits that use what was left out. May take long: runs on a thread of its own in the window. Thread
+/// safe: what `scene` shares with others is not changed.
+CompletedScene completeScene(const SceneDescription& scene);
+
+/// Takes over what `from` has read and `to` has not; both are edits of one scene.
+void takeAssets(const SceneDescription& from, SceneDescription* to);
+
+/// `draft` but for those textures and that environment which it has not read: they stay as in `before`.
+SceneDescription withoutLacking(const SceneDescription& draft, const SceneDescription& before);
+
+}  // namespace glint
