@@ -47,11 +47,12 @@ double logSpread(const Film& film, const TrimmedErrors& total) {
     const NoiseCalibration& calibration = film.calibration();
     const bool isCalibrated = calibration.passes >= 4;
     const double passes = film.passes();
-    const double ofVariances =
-        2.0 * total.varianceSquared * ((isCalibrated ? 1.0 : 0.0) + 1.0 / (passes - 1.0));
+    const double ofVariances = 2.0 * total.varianceSquared / (passes - 1.0);
+    const double ofCalibration = isCalibrated ? 2.0 * total.calibratedSquared : 0.0;
     // b^2 of a normal b with variance 3v: 2 (3v)^2 + 4 B^2 3v, and 4 B^2 v of the product of error and bias.
     const double ofBias = 18.0 * total.photonSquared + 16.0 * std::max(0.0, total.biasTimesPhotons);
-    const double sampling = calibration.correlatedPixels * (total.noiseVariance + ofVariances + ofBias) /
+    const double sampling = calibration.correlatedPixels *
+                            (total.noiseVariance + ofVariances + ofCalibration + ofBias) /
                             square(total.squaredError());
     const double model = isCalibrated ? kModelSpread / std::log2(passes) : kUncalibratedSpread;
     const double biasModel = kBiasSpread * total.bias / total.squaredError();

@@ -116,7 +116,9 @@ TrimmedErrors withoutWorst(const ErrorSums& sums, double worst) {
         const double rest = part.chance < 1.0 ? limit * (1.0 - part.chance) : 0.0;
         const double variance = part.square + limit * rest - square(part.mean + rest);
         total.noiseVariance += bin.noiseSquared * std::max(0.0, variance);
-        total.varianceSquared += bin.noiseSquared * square(part.mean);
+        const double squares = bin.noiseSquared * square(part.mean);
+        total.varianceSquared += squares;
+        total.calibratedSquared += squares * square(error.pixels / (error.pixels + kClassPriorPixels));
         total.photonSquared += bin.photonSquared * part.chance;
         total.biasTimesPhotons += bin.biasTimesPhotons * part.chance;
     }

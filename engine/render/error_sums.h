@@ -15,6 +15,9 @@ namespace glint {
 /// to it, measured on a Cornell box and on glass caustics at 20 x 20 pixels with discs of four pixels.
 constexpr double kHigherOrders = 1.35;
 
+/// The calibration of a class of few pixels leans on the whole picture, as if that had so many of them.
+constexpr double kClassPriorPixels = 8.0;
+
 /// Pixels of about the same squared error: a bin is a float's exponent.
 struct ErrorBin {
     double noise = 0.0;  ///< sum of variances
@@ -41,9 +44,10 @@ struct ErrorSums {
 /// turn out so.
 struct TrimmedErrors {
     double noise = 0.0;
-    double bias = 0.0;             ///< not negative
-    double noiseVariance = 0.0;    ///< of the sum of squares, were each error independent
-    double varianceSquared = 0.0;  ///< sum of squares of the variances, as far as they are in `noise`
+    double bias = 0.0;               ///< not negative
+    double noiseVariance = 0.0;      ///< of the sum of squares, were each error independent
+    double varianceSquared = 0.0;    ///< sum of squares of the variances, as far as they are in `noise`
+    double calibratedSquared = 0.0;  ///< the same, of a class's calibration as far as it is its own
     double photonSquared = 0.0;
     double biasTimesPhotons = 0.0;
 

@@ -14,6 +14,7 @@
 
 #include "engine/base/parallel.h"
 #include "engine/render/error_estimate.h"
+#include "engine/render/error_sums.h"
 #include "engine/render/film.h"
 #include "engine/render/sppm_state.h"
 
@@ -21,8 +22,6 @@ namespace glint {
 namespace {
 
 constexpr int64_t kChunkPixels = 16384;
-/// A class of few pixels leans on the whole picture, as if that had so many of them.
-constexpr double kPriorPixels = 8.0;
 constexpr double kLeastRatio = 1e-3;
 constexpr double kGreatestRatio = 1.5;
 /// Neighbours that are further apart than this are taken to err independently.
@@ -147,7 +146,7 @@ class NoiseCalibrator {
             const ClassSums& own = classes[i];
             double ratio = overall;
             if (own.expected > 0.0) {
-                const double prior = kPriorPixels * own.expected / own.pixels;
+                const double prior = kClassPriorPixels * own.expected / own.pixels;
                 ratio = (own.difference + prior * overall) / (own.expected + prior);
             }
             out->factors[i] = factorFromRatio(std::clamp(ratio, kLeastRatio, kGreatestRatio), doublings);

@@ -72,6 +72,7 @@ struct Calibration {
     RunningMean pixels;    ///< share of the pixels within their bound, over seeds
     int inBand = 0;        ///< seeds whose whole-picture error lay within its band
     RunningMean logRatio;  ///< of the true error to the estimate, over seeds
+    RunningMean foretold;  ///< what the band says that its standard deviation is
 };
 
 /// kSeeds renders from `firstSeed` on.
@@ -88,6 +89,7 @@ Calibration calibrate(const SceneDescription& scene, const std::vector<double>& 
         result.pixels.add(coverage(picture, reference, errorBounds(trial.film(), trial.sppm())));
         result.inBand += truth >= estimate.low && truth <= estimate.high ? 1 : 0;
         result.logRatio.add(std::log(truth / estimate.relative));
+        result.foretold.add(std::log(estimate.high / estimate.low) / (2.0 * 1.6448536));
     }
     return result;
 }
@@ -134,10 +136,11 @@ class Estimate : public testing::Test {
         EXPECT_LT(found.pixels.standardError(), 0.02) << what << ": too few seeds to tell";
         EXPECT_LT(std::abs(found.logRatio.mean()), std::log(1.25)) << what << ", " << passes << " passes";
         std::printf(
-            "%s, %u passes: %.1f %% of the pixels within their bound, %d of %u seeds within the band, truth "
-            "/ estimate "
-            "%.2f\n",
-            what, passes, 100.0 * found.pixels.mean(), found.inBand, kSeeds, std::exp(found.logRatio.mean()));
+            "%s, %u passes: %.1f %% of the pixels within their bound, %d of %u seeds within the band; "
+            "ln(truth / "
+            "estimate) %.2f +- %.2f, foretold 0 +- %.2f\n",
+            what, passes, 100.0 * found.pixels.mean(), found.inBand, kSeeds, found.logRatio.mean(),
+            std::sqrt(found.logRatio.variance()), found.foretold.mean());
         inBand_ += found.inBand;
     }
 };
