@@ -227,6 +227,31 @@ expect no-widget "Scene/Dismiss"
 )"));
 }
 
+TEST(ScriptedViewer, ARefusedEditIsSaidUntilItIsUndone) {
+    const Ran ran = play(R"(
+wait picture
+key ctrl down
+click "Camera/Position.x"
+key ctrl up
+text "1e39"
+key enter
+wait frames 4
+expect "Camera/Position.x" 0
+expect no-widget "Status message"
+set "Camera/Target" 0 1 4
+wait seconds 0.3
+wait frames 3
+print "Status message"
+key home
+wait picture
+wait frames 3
+expect no-widget "Status message"
+)");
+    expectPlayed(ran);
+    EXPECT_THAT(ran.output,
+                testing::HasSubstr("\"Status message\" camera: position and target are the same point"));
+}
+
 TEST(ScriptedViewer, PausesAndGoesOn) {
     expectPlayed(play(R"(
 wait picture

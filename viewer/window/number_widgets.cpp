@@ -18,7 +18,7 @@ namespace {
 bool parseNumber(const std::string& word, float* value) {
     char* end = nullptr;
     const float parsed = std::strtof(word.c_str(), &end);
-    if (word.empty() || *end != '\0') return false;
+    if (word.empty() || *end != '\0' || !std::isfinite(parsed)) return false;
     *value = parsed;
     return true;
 }
@@ -48,13 +48,17 @@ bool assignNumbers(std::string_view label, float* values, int count, const Numbe
     return changed;
 }
 
+/// A number that is typed in and has no place in a float leaves the old one.
 bool dragField(const char* id, float* value, const NumberStyle& style) {
     const char* format = *value == 0.0f && style.zeroText != nullptr ? style.zeroText : style.format;
-    if (style.slider) {
-        return ImGui::SliderFloat(id, value, style.min, style.max, format, ImGuiSliderFlags_AlwaysClamp);
-    }
-    return ImGui::DragFloat(id, value, style.speed, style.min, style.max, format,
-                            ImGuiSliderFlags_AlwaysClamp);
+    constexpr ImGuiSliderFlags kClamp = ImGuiSliderFlags_AlwaysClamp;
+    const float before = *value;
+    const bool changed = style.slider
+                             ? ImGui::SliderFloat(id, value, style.min, style.max, format, kClamp)
+                             : ImGui::DragFloat(id, value, style.speed, style.min, style.max, format, kClamp);
+    if (std::isfinite(*value)) return changed;
+    *value = before;
+    return false;
 }
 
 /// Three dragged fields that share `width`, named label.x and so on for scripts.

@@ -148,8 +148,9 @@ void Shell::drawStatusLine(const ViewerModel& model, float y) {
                             status.passes == 1 ? "pass" : "passes", duration(status.renderSeconds),
                             status.passes > 1 ? percent(status.relativeError) : "–");
     }
-    const bool isMessage = showsFileMessage(model);
-    if (isMessage) right = model.fileMessage();
+    const std::string& refused = model.status().error;
+    const bool isMessage = showsFileMessage(model) || !refused.empty();
+    if (isMessage) right = refused.empty() ? model.fileMessage() : refused;
     const float rightX =
         std::max(io.DisplaySize.x - ImGui::CalcTextSize(right.c_str()).x - 10.0f * ui::scale(),
                  kLeastStatusShare * io.DisplaySize.x);
@@ -158,7 +159,7 @@ void Shell::drawStatusLine(const ViewerModel& model, float y) {
     ImGui::TextUnformatted(left.c_str());
     ImGui::PopClipRect();
     ImGui::SameLine(rightX);
-    const bool isError = isMessage && model.fileMessageIsError();
+    const bool isError = isMessage && (model.fileMessageIsError() || !refused.empty());
     ImGui::TextColored(isError ? theme::kTextError : theme::kTextDim, "%s", right.c_str());
     ImGui::PopStyleColor();
     if (isMessage) ui::area("Status message", {rightX, y}, {io.DisplaySize.x, io.DisplaySize.y}, right);
