@@ -22,7 +22,9 @@ GLINT_HD inline float intersectUnitSphere(const Ray& ray) {
     const float discriminant = 1.0f - glm::dot(nearest, nearest);
     if (!(discriminant >= 0.0f)) return kNoHit;
     // In double: where a ball touches what it stands on, the gap is all in the last digits of |o|^2.
-    const double x = ray.origin.x, y = ray.origin.y, z = ray.origin.z;
+    const auto x = static_cast<double>(ray.origin.x);
+    const auto y = static_cast<double>(ray.origin.y);
+    const auto z = static_cast<double>(ray.origin.z);
     const float c = static_cast<float>(x * x + y * y + z * z - 1.0);
     const float q = b + std::copysign(std::sqrt(a * discriminant), b);
     const float rootA = c / q;
