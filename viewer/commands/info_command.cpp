@@ -1,9 +1,6 @@
 // `glint info SCENE`: what it holds, what it needs, what is left out, memory by part.
-#include <algorithm>
-
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "engine/build/scene_builder.h"
@@ -13,6 +10,7 @@
 #include "viewer/commands/commands.h"
 #include "viewer/commands/json_output.h"
 #include "viewer/commands/memory_table.h"
+#include "viewer/commands/print_scene_report.h"
 #include "viewer/commands/scene_report.h"
 
 namespace glint {
@@ -24,58 +22,6 @@ struct InfoOptions {
     bool memory = false;
     std::string json;
 };
-
-std::string listed(const std::vector<NamedCount>& counts) {
-    std::vector<std::string> parts;
-    for (const NamedCount& item : counts) {
-        parts.push_back(fmt::format("{} {}", item.count, item.name));
-    }
-    return parts.empty() ? "none" : fmt::format("{}", fmt::join(parts, ", "));
-}
-
-std::string listed(const std::vector<std::string>& names) {
-    return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
-}
-
-void printPhotons(const SceneDescription& scene, const SceneReport& report) {
-    const SppmMemory& plan = report.sppm;
-    const uint32_t asked = scene.sppm.photonsPerPass;
-    fmt::print("photon map {} photons a pass, {} bytes a pixel, {} bytes a stored photon: {} in all{}\n",
-               plan.photonsPerPass, kSppmBytesPerPixel, PhotonStore::kBytesPerPhoton,
-               formatBytes(plan.total()),
-               scene.options.integrator == IntegratorKind::Sppm ? "" : " (with --integrator sppm)");
-    if (plan.photonsPerPass < asked) {
-        fmt::print("           fewer than the {} asked for, which do not fit into {} MiB\n", asked,
-                   scene.sppm.memoryBudgetMiB);
-    }
-    if (!report.hasCausticCaster) {
-        fmt::print(
-            "           gains nothing here: no mirror, glass, metal or coating gathers light into "
-            "caustics\n");
-    }
-    if (report.hasGlowingPlane) {
-        fmt::print(
-            "           infinite planes that shine send no photons: what they light only by way of other "
-            "surfaces stays dark; a large rectangle does it\n");
-    }
-}
-
-/// A library of a thousand textures needs a few lines to make the point.
-void printNotRead(const std::vector<NotRead>& items) {
-    constexpr size_t kMostLines = 8;
-    for (size_t i = 0; i < std::min(items.size(), kMostLines); ++i) {
-        const NotRead& item = items[i];
-        const std::string file = item.file.empty() ? "generated"
-                                 : item.fileBytes
-                                     ? fmt::format("{}, {}", item.file, formatBytes(*item.fileBytes))
-                                     : fmt::format("{}, missing", item.file);
-        fmt::print("{}{} '{}' ({}): {}\n", i == 0 ? "not read   " : "           ", item.kind, item.name, file,
-                   item.why);
-    }
-    if (items.size() > kMostLines) {
-        fmt::print("           and {} more (--json lists them)\n", items.size() - kMostLines);
-    }
-}
 
 nlohmann::ordered_json jsonOf(const std::vector<NotRead>& items) {
     nlohmann::ordered_json out = nlohmann::ordered_json::array();
@@ -91,31 +37,6 @@ nlohmann::ordered_json jsonOf(const std::vector<NotRead>& items) {
                        {"why", item.why}});
     }
     return out;
-}
-
-void printReport(const SceneDescription& scene, const SceneReport& report) {
-    fmt::print("{}\n", scene.title.empty() ? scene.path : scene.title);
-    fmt::print("picture    {}x{} pixels, depth {}\n", scene.resolution.width, scene.resolution.height,
-               scene.options.maxDepth);
-    fmt::print("objects    {}\n", listed(report.objects));
-    const std::string placed = report.placedMeshes < report.meshes
-                                   ? fmt::format(", {} of them placed", report.placedMeshes)
-                                   : std::string();
-    fmt::print("meshes     {}{} with {} triangles, {} as placed\n", report.meshes, placed, report.triangles,
-               report.placedTriangles);
-    fmt::print("materials  {}\n", listed(report.materials));
-    fmt::print("textures   {}\n", report.textures);
-    fmt::print("lights     {}\n", listed(report.lights));
-    fmt::print("needs      {}\n", listed(report.features));
-    fmt::print("kernel     {}; photon mapping: {}\n", report.kernel, report.sppmKernel);
-    fmt::print("left out   {}\n", listed(report.leftOut));
-    printNotRead(report.notRead);
-    printPhotons(scene, report);
-    fmt::print("memory     {} in use, {} not allocated (--memory: by part)\n",
-               formatBytes(report.memory.used), formatBytes(report.memory.notAllocated));
-    for (const std::string& warning : scene.warnings) {
-        fmt::print("warning    {}\n", warning);
-    }
 }
 
 nlohmann::ordered_json jsonOf(const std::vector<NamedCount>& counts) {
@@ -146,6 +67,7 @@ nlohmann::ordered_json jsonReport(const SceneDescription& scene, const SceneRepo
             {"placed_triangles", report.placedTriangles},
             {"materials", jsonOf(report.materials)},
             {"textures", report.textures},
+            {"used_textures", report.usedTextures},
             {"lights", jsonOf(report.lights)},
             {"features", report.features},
             {"kernel", report.kernel},
@@ -179,7 +101,7 @@ int runInfo(const InfoOptions& options) {
     }
     const SceneReport report = reportOf(*scene, **built);
     if (!jsonTakesOutput(options.json)) {
-        printReport(*scene, report);
+        printSceneReport(*scene, report);
         if (options.memory) {
             printMemory(report.memory);
         }

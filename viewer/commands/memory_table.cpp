@@ -66,9 +66,10 @@ MemoryTable memoryTableOf(const SceneDescription& scene, const BuiltScene& built
 
 std::string formatBytes(uint64_t bytes) {
     const double value = static_cast<double>(bytes);
-    return bytes < 10'000       ? fmt::format("{} B", bytes)
-           : bytes < 10'000'000 ? fmt::format("{:.1f} kB", value * 1e-3)
-                                : fmt::format("{:.1f} MB", value * 1e-6);
+    return bytes < 10'000          ? fmt::format("{} B", bytes)
+           : bytes < 1'000'000     ? fmt::format("{:.1f} kB", value * 1e-3)
+           : bytes < 1'000'000'000 ? fmt::format("{:.1f} MB", value * 1e-6)
+                                   : fmt::format("{:.2f} GB", value * 1e-9);
 }
 
 /// What is held unused stands in scene files themselves: most scenes have none of it, and no such column.

@@ -144,6 +144,9 @@ std::vector<NotRead> listWhatIsNotRead(const SceneDescription& scene) {
                 item.memoryBytes = width * (width / 2) * 3 * sizeof(float);
             }
         }
+        if (!item.file.empty() && !item.fileBytes) {
+            item.why = "the file is missing";
+        }
         out.push_back(std::move(item));
     }
     return out;
@@ -191,6 +194,7 @@ SceneReport reportOf(const SceneDescription& scene, const BuiltScene& built) {
         });
     listWhatIsLeftOut(variant.mask, scene, built, &report);
     report.placedMeshes = static_cast<uint64_t>(std::ranges::count(usedMeshes(scene), true));
+    report.usedTextures = static_cast<uint64_t>(std::ranges::count(usedTextures(scene), true));
     report.notRead = listWhatIsNotRead(scene);
     LeftOnDisk left;
     for (const NotRead& item : report.notRead) {

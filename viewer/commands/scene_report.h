@@ -38,6 +38,7 @@ struct SceneReport {
     uint64_t triangles = 0;        ///< stored
     uint64_t placedTriangles = 0;  ///< drawn: every instance counts
     uint64_t textures = 0;
+    uint64_t usedTextures = 0;
     std::vector<std::string> features;
     std::vector<std::string>
         leftOut;         ///< features that the kernel was compiled without, and data not allocated
