@@ -195,7 +195,7 @@ StressCase standingWallCase(float distance) {
 
 void addLampCases(StressCases* cases) {
     for (const LampShape shape : kLampShapes) {
-        for (const float radius : {1e-9f, 1e-6f, 1e-4f, 1e-2f, 0.5f}) {
+        for (const float radius : {1e-12f, 1e-9f, 1e-6f, 1e-4f, 1e-2f, 0.5f}) {
             cases->push_back(smallLampCase(shape, radius));
         }
         if (shape == LampShape::Sphere) continue;

@@ -46,7 +46,7 @@ std::string_view stressFamilyAbout(std::string_view family) {
         {"ratio", "a ground up to 1e7 times as large as what stands on it"},
         {"roughness", "GGX alpha 1e-4 to 1"},
         {"grazing", "down to 1e-6 radians from along the surface"},
-        {"lamp", "size 1e-9 to 1e6, radiance to 1e30, touching, ellipsoids, narrow spots"},
+        {"lamp", "size 1e-12 to 1e6, radiance to 1e30, touching, ellipsoids, narrow spots"},
         {"glass", "index 1 to 4, nested, touching, critical angle"},
         {"albedo", "walls of 0.9 to 1, up to 10000 bounces"},
         {"camera", "aperture 0 to 1e6, focus from 1e-6, field of view 1e-4 to 179.9 degrees"},
