@@ -21,8 +21,9 @@ struct CutSquare {
         }
         const double density = std::exp(-0.5 * t);
         chance = std::erf(std::sqrt(0.5 * t));
-        mean = chance - std::sqrt(t / 1.5707963267948966) * density;
-        square = 3.0 * mean - t * std::sqrt(t / 1.5707963267948966) * density;
+        // Not below 0: for a tiny t both are differences of nearly equal numbers.
+        mean = std::max(0.0, chance - std::sqrt(t / 1.5707963267948966) * density);
+        square = std::max(0.0, 3.0 * mean - t * std::sqrt(t / 1.5707963267948966) * density);
     }
 };
 
