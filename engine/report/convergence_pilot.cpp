@@ -14,6 +14,8 @@ namespace {
 
 using Outcome = MeasuredSession::Outcome;
 
+/// Estimates from few passes are mostly too large.
+constexpr double kPessimism = 0.75;
 /// An error bar needs two passes.
 constexpr uint32_t kLeastPasses = 2;
 
@@ -57,7 +59,7 @@ class Pilot {
             return std::nullopt;
         }
         return PilotPoint{byTime ? capture->renderSeconds : static_cast<double>(capture->film.passes()),
-                          estimateError(capture->film, &capture->sppm, threads_).low};
+                          kPessimism * estimateError(capture->film, &capture->sppm, threads_).low};
     }
 
     const ConvergencePlan& plan_;

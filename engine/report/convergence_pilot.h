@@ -11,8 +11,8 @@ namespace glint {
 
 /// Renders each variant once to the plan's end, or for `mostSeconds` of rendering; its error is then taken to
 /// go on falling as it did in the second half of that, but neither slower than time^-0.5 nor faster than 1 /
-/// time. Errors are lower ends of the estimate's 90 % band: a reference that is too precise costs less than
-/// one that is not precise enough. 0: not known (interrupted, nothing rendered).
+/// time. Errors are lower ends of the estimate's 90 % band, less a quarter: a reference that is too precise
+/// costs less than one that is not precise enough. 0: not known (interrupted, nothing rendered).
 double predictSmallestError(const ConvergencePlan& plan, const SceneDescription& scene, double mostSeconds,
                             const ConvergenceHost& host);
 
