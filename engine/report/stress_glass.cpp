@@ -34,7 +34,7 @@ double reflectance(double sine, double n) {
 /// The steeper, the fewer paths get through, unless all do.
 uint32_t passesFor(double angleRad, double truth) {
     if (truth == 1.0) return 1024;
-    return angleRad > 1.5705 ? 60000 : angleRad > 1.55 ? 16384 : 4096;
+    return angleRad > 1.5705 ? 120000 : angleRad > 1.55 ? 16384 : 4096;
 }
 
 /// An interface at height z: above it the index `above`, below it `below`.
