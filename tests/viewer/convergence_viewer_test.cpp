@@ -271,7 +271,7 @@ print "Convergence/Path tracing"
     const auto errors = printed(ran, "Convergence/Path tracing");
     ASSERT_EQ(errors.size(), 3u) << ran.output;
     EXPECT_THAT(errors[0], HasSubstr("passes"));
-    EXPECT_THAT(errors[1], HasSubstr("–")) << "the estimate with its band";
+    EXPECT_THAT(errors[1], HasSubstr("(")) << "the estimate with its band";
     EXPECT_THAT(errors[2], HasSubstr("passes"));
 }
 

@@ -44,6 +44,8 @@ void drawPlot(const ViewerModel& model) {
     ui::itemArea("Curve", shown);
 }
 
+/// A row for each integrator, also while nothing is known: what stands below must not jump under the mouse
+/// when a film restarts.
 void drawErrors(const ViewerModel& model) {
     const bool reference = hasReference(model);
     for (size_t kind = 0; kind < kBothIntegrators.size(); ++kind) {
@@ -63,6 +65,8 @@ void drawErrors(const ViewerModel& model) {
                       fmt::format("{}  ({} – {})", percent(last.relativeError),
                                   percent(last.relativeErrorLow), percent(last.relativeErrorHigh)),
                       "The estimate and its 90 % band. Light that no path has found yet is not in it");
+        } else {
+            ui::value(kIntegratorNames[kind], "–", "Nothing is known before the second pass");
         }
     }
 }
@@ -103,8 +107,7 @@ void drawTarget(ViewerModel* model) {
             hasReference(*model)
                 ? asCurve(model->reference.points(kBothIntegrators[kind]), model->convergence.metric)
                 : *model->curve(kBothIntegrators[kind]);
-        if (curve.empty()) continue;
-        ui::value(kForecastNames[kind], forecastText(curve, targetOf(*model)),
+        ui::value(kForecastNames[kind], curve.empty() ? "–" : forecastText(curve, targetOf(*model)),
                   "Render time that is left, from how the curve fell so far, with a 90 % band");
     }
 }
