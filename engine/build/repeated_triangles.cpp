@@ -20,7 +20,7 @@ Corners canonicalCorners(const MeshData& mesh, uint32_t triangle, bool bothSides
     if (bothSides) {
         std::ranges::sort(corners);
     } else {
-        std::ranges::rotate(corners, std::ranges::min_element(corners));
+        std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
     }
     return corners;
 }

@@ -1,5 +1,5 @@
-// The loop is written so that GCC makes vector code of it: everything inlined, what is constant over the tile
-// chosen outside, no structure copied as a whole but the ray.
+// The loop over pinholes is written so that GCC makes vector code of it (-fopt-info-vec tells): everything
+// inlined, what is constant over the tile chosen outside, no structure copied as a whole but the ray.
 #include "engine/render/cpu_camera_rays.h"
 
 #include "engine/base/inlining.h"
@@ -12,7 +12,6 @@ GLINT_FLATTEN void fillPinhole(const CameraData& sceneCamera, PassParams params,
                                CameraTile* tile) {
     params.filter = kFilter;
     const CameraData camera = sceneCamera;
-#pragma omp simd
     for (int i = 0; i < kCameraTilePixels; ++i) {
         const int x = x0 + i % kCameraTileSize;
         const int y = y0 + i / kCameraTileSize;
