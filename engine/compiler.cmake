@@ -3,9 +3,11 @@
 
 find_program(GLINT_CCACHE ccache)
 if(GLINT_CCACHE)
+    # With precompiled headers, ccache hits only if it may trust their content.
+    set(ccache_launcher ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${GLINT_CCACHE})
     foreach(language CXX CUDA)
         if(NOT DEFINED CMAKE_${language}_COMPILER_LAUNCHER)
-            set(CMAKE_${language}_COMPILER_LAUNCHER ${GLINT_CCACHE})
+            set(CMAKE_${language}_COMPILER_LAUNCHER ${ccache_launcher})
         endif()
     endforeach()
 endif()

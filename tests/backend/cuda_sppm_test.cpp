@@ -14,7 +14,9 @@
 #include "engine/render/photon_store.h"
 #include "engine/render/render_session.h"
 #include "tests/support/host_cuda.h"
+#include "tests/support/photon_passes.h"
 #include "tests/support/session_render.h"
+#include "tests/support/sppm_scenes.h"
 #include "tests/support/temp_folder.h"
 #include "tests/support/test_scenes.h"
 
@@ -22,89 +24,17 @@ namespace glint {
 namespace {
 
 using test::build;
+using test::differingPixels;
+using test::expectSame;
+using test::glassBox;
 using test::HostCuda;
+using test::Photons;
+using test::render;
+using test::renderOnCpu;
+using test::renderPasses;
 using test::ThreadOrder;
+using test::whiteRoom;
 using testing::HasSubstr;
-
-/// A Cornell box with a glass sphere, so that photons do what paths cannot.
-SceneDescription glassBox() {
-    SceneDescription scene = test::cornellBox();
-    scene.resolution = {37, 29};  // no multiple of the launch's tiles
-    scene.options.maxDepth = 6;
-    scene.sppm.photonsPerPass = 3000;
-    Material glass;
-    glass.name = "glass";
-    glass.kind = MaterialKind::Dielectric;
-    scene.materials.push_back(glass);
-    scene.objects.back().material = static_cast<int>(scene.materials.size()) - 1;
-    return scene;
-}
-
-/// Every surface of a closed room white and many scatterings: photons are kept at many more places than there
-/// are photons.
-SceneDescription whiteRoom() {
-    SceneDescription scene = test::cornellBox();
-    scene.resolution = {16, 16};
-    scene.options.maxDepth = 16;
-    scene.sppm.photonsPerPass = 2000;
-    scene.sppm.radiusWorld = 0.3f;
-    for (Material& material : scene.materials) {
-        if (!material.emissive()) material.color.value = Vec3(0.95f);
-    }
-    return scene;
-}
-
-/// The statistics after some passes, and the direct light of the last one.
-struct Photons {
-    SppmState state;
-    std::vector<PixelSample> direct{};
-};
-
-void renderPasses(Backend& backend, SppmParams params, uint32_t passes, Photons* photons) {
-    const std::atomic<bool> stop{false};
-    for (uint32_t i = 0; i < passes; ++i) {
-        params.pass.pass = photons->state.passes;
-        const auto done = backend.renderSppmPass(params, stop, &photons->state, &photons->direct);
-        ASSERT_TRUE(done) << done.error().message;
-        ASSERT_TRUE(*done);
-    }
-}
-
-Photons render(Backend& backend, const SppmParams& params, uint32_t passes) {
-    Photons photons{SppmState(params.pass.width, params.pass.height)};
-    renderPasses(backend, params, passes, &photons);
-    return photons;
-}
-
-Photons renderOnCpu(const std::shared_ptr<const BuiltScene>& scene, const SppmParams& params,
-                    uint32_t passes) {
-    const auto cpu = makeCpuBackend(2);
-    EXPECT_TRUE(cpu->setScene(scene));
-    return render(*cpu, params, passes);
-}
-
-/// SppmPixel has no padding, so its bytes are its value.
-static_assert(sizeof(SppmPixel) == 5 * sizeof(double) + 2 * sizeof(float));
-size_t differingPixels(const SppmState& a, const SppmState& b) {
-    EXPECT_EQ(a.pixels.size(), b.pixels.size());
-    size_t differing = 0;
-    for (size_t i = 0; i < std::min(a.pixels.size(), b.pixels.size()); ++i)
-        differing += std::memcmp(&a.pixels[i], &b.pixels[i], sizeof(SppmPixel)) != 0;
-    return differing;
-}
-
-void expectSame(const Photons& a, const Photons& b) {
-    EXPECT_EQ(a.state.passes, b.state.passes);
-    EXPECT_EQ(a.state.emittedPhotons, b.state.emittedPhotons);
-    EXPECT_EQ(differingPixels(a.state, b.state), 0u);
-    ASSERT_EQ(a.direct.size(), b.direct.size());
-    size_t differing = 0;
-    for (size_t i = 0; i < a.direct.size(); ++i) {
-        differing += std::memcmp(&a.direct[i].radiance, &b.direct[i].radiance, sizeof(Vec3)) != 0 ||
-                     a.direct[i].fault != b.direct[i].fault || a.direct[i].rays != b.direct[i].rays;
-    }
-    EXPECT_EQ(differing, 0u);
-}
 
 double photonCountOf(const SppmState& state) {
     double sum = 0.0;
@@ -377,154 +307,6 @@ TEST(CudaSppm, TheTreeIsRefusedByName) {
         cuda.backend->renderSppmPass(sppmParamsOf(description), stop, &photons.state, &photons.direct);
     ASSERT_FALSE(done);
     EXPECT_THAT(done.error().message, HasSubstr("choose \"grid\""));
-}
-
-// ---- memory
-
-struct MemoryTest : testing::Test {
-    SceneDescription description = glassBox();
-    HostCuda cuda;
-    std::atomic<bool> stop{false};
-    Photons photons{SppmState(200, 150)};
-    SppmParams params;
-
-    void SetUp() override {
-        description.resolution = {200, 150};
-        params = sppmParamsOf(description);
-        ASSERT_TRUE(cuda.backend->setScene(build(description)));
-        // The picture's own samples are the path tracer's business.
-        std::vector<PixelSample> out;
-        ASSERT_TRUE(cuda.backend->renderPass(params.pass, stop, &out));
-    }
-    Result<bool> renderPass() {
-        params.pass.pass = photons.state.passes;
-        return cuda.backend->renderSppmPass(params, stop, &photons.state, &photons.direct);
-    }
-};
-
-TEST_F(MemoryTest, PathTracingAloneTakesNothingForPhotons) {
-    const size_t pixels = photons.state.pixels.size();
-    HostCuda paths;
-    ASSERT_TRUE(paths.backend->setScene(build(description)));
-    const size_t scene = paths.control->taken();
-    std::vector<PixelSample> out;
-    ASSERT_TRUE(paths.backend->renderPass(params.pass, stop, &out));
-    EXPECT_EQ(paths.control->taken(), scene + pixels * sizeof(PixelSample));
-}
-
-TEST_F(MemoryTest, HoldsWhatThePlanSays) {
-    const size_t before = cuda.control->taken();
-    ASSERT_TRUE(renderPass());
-    const double room = 1.0;  // places a photon in the first pass, as on the CPU
-    const SppmMemory plan = planSppmMemory(200, 150, params.photonsPerPass, room, 0);
-    const size_t held = cuda.control->taken() - before;
-    EXPECT_GE(held, plan.total());
-    // The counters of emitted photons, the slices, working memory and the grid's tables.
-    const size_t tables = size_t{4} * 2 * sizeof(GridSlot) * params.photonsPerPass;
-    EXPECT_LE(held, plan.total() + 4 * params.photonsPerPass + 256 * 1024 + tables);
-}
-
-TEST_F(MemoryTest, TooLittleIsAnErrorBeforeAnyIsTaken) {
-    const size_t before = cuda.control->taken();
-    const int allocations = cuda.control->allocations;
-    cuda.control->memoryBytes = before + size_t{2} * 1024 * 1024;
-    const auto done = renderPass();
-    ASSERT_FALSE(done);
-    EXPECT_THAT(done.error().message,
-                HasSubstr("Photon mapping with 200x150 pixels and 3000 photons a pass needs"));
-    EXPECT_THAT(done.error().message, HasSubstr("on host memory, but only 2.0 MiB are free there."));
-    EXPECT_EQ(cuda.control->allocations, allocations);
-    EXPECT_EQ(photons.state.passes, 0u);
-    cuda.control->memoryBytes = size_t{1} << 30;
-    ASSERT_TRUE(renderPass());
-    expectSame(photons, renderOnCpu(build(description), params, 1));
-}
-
-/// Every allocation of a first pass, one after the other.
-TEST_F(MemoryTest, AFailedAllocationIsAnErrorAndTheNextPassMayWork) {
-    int failures = 0;
-    for (int failing = 0;; ++failing) {
-        ASSERT_LT(failing, 100);
-        HostCuda fresh;
-        ASSERT_TRUE(fresh.backend->setScene(build(description)));
-        Photons own{SppmState(200, 150)};
-        params.pass.pass = 0;
-        fresh.control->failAllocation = failing;
-        const auto done = fresh.backend->renderSppmPass(params, stop, &own.state, &own.direct);
-        fresh.control->failAllocation = -1;
-        if (done) break;
-        ++failures;
-        EXPECT_THAT(done.error().message, HasSubstr("the test device is in pieces"));
-        EXPECT_EQ(own.state.passes, 0u);
-        renderPasses(*fresh.backend, params, 1, &own);
-        expectSame(own, renderOnCpu(build(description), params, 1));
-    }
-    EXPECT_GE(failures, 10);
-}
-
-TEST_F(MemoryTest, ARetraceThatDoesNotFitIsAnErrorAndLessPhotonsWork) {
-    const SceneDescription room = whiteRoom();
-    const auto scene = build(room);
-    params = sppmParamsOf(room);
-    params.photonsPerPass = 100000;
-    photons.state = SppmState(16, 16);
-    ASSERT_TRUE(cuda.backend->setScene(scene));
-    // Room for one place a photon, and not for the several that it is kept at.
-    cuda.control->memoryBytes = cuda.control->taken() + size_t{8} * 1024 * 1024;
-    const auto done = renderPass();
-    ASSERT_FALSE(done);
-    EXPECT_THAT(done.error().message, HasSubstr("100000 photons a pass needs"));
-    EXPECT_EQ(photons.state.passes, 0u);
-    params.photonsPerPass = 2000;
-    ASSERT_TRUE(renderPass());
-    expectSame(photons, renderOnCpu(scene, params, 1));
-}
-
-TEST_F(MemoryTest, AGridThatDoesNotFitIsAnError) {
-    // The first pass takes all but the tables.
-    HostCuda probe;
-    ASSERT_TRUE(probe.backend->setScene(build(description)));
-    std::optional<size_t> beforeTables;
-    probe.control->onLaunch = [&] {
-        if (probe.control->lastStep == "count cells") beforeTables = probe.control->taken();
-    };
-    Photons own{SppmState(200, 150)};
-    renderPasses(*probe.backend, params, 1, &own);
-    ASSERT_TRUE(beforeTables);
-    ASSERT_GT(probe.control->taken(), *beforeTables + 100);
-    cuda.control->memoryBytes = *beforeTables + 100;
-    const auto done = renderPass();
-    ASSERT_FALSE(done);
-    EXPECT_THAT(done.error().message, HasSubstr("The photon grid needs"));
-}
-
-TEST_F(MemoryTest, MorePhotonsThanAnyStoreHoldsIsAnErrorOnBoth) {
-    params.photonsPerPass = PhotonStore::kMaxPhotons + 1;
-    const auto cpu = makeCpuBackend(2);
-    ASSERT_TRUE(cpu->setScene(build(description)));
-    for (Backend* const backend : {cpu.get(), cuda.backend.get()}) {
-        const auto done = backend->renderSppmPass(params, stop, &photons.state, &photons.direct);
-        ASSERT_FALSE(done) << backend->name();
-        EXPECT_THAT(done.error().message, HasSubstr("fewer photons a pass"));
-        EXPECT_EQ(photons.state.passes, 0u);
-    }
-}
-
-TEST_F(MemoryTest, ASceneThatNeedsTheMemoryGetsIt) {
-    ASSERT_TRUE(renderPass());
-    const auto meshes = build(test::meshInstances());
-    HostCuda alone;
-    ASSERT_TRUE(alone.backend->setScene(meshes));
-    const size_t pictureBytes = photons.state.pixels.size() * sizeof(PixelSample);
-    cuda.control->memoryBytes = alone.control->taken() + pictureBytes;
-    EXPECT_TRUE(cuda.backend->setScene(meshes));
-}
-
-TEST_F(MemoryTest, GivesAllMemoryBack) {
-    ASSERT_TRUE(renderPass());
-    EXPECT_GT(cuda.control->taken(), 0u);
-    cuda.backend.reset();
-    EXPECT_EQ(cuda.control->taken(), 0u);
 }
 
 }  // namespace

@@ -26,4 +26,29 @@ SceneDescription roughGlassBox() {
     return scene;
 }
 
+SceneDescription glassBox() {
+    SceneDescription scene = cornellBox();
+    scene.resolution = {37, 29};  // no multiple of the launch's tiles
+    scene.options.maxDepth = 6;
+    scene.sppm.photonsPerPass = 3000;
+    Material glass;
+    glass.name = "glass";
+    glass.kind = MaterialKind::Dielectric;
+    scene.materials.push_back(glass);
+    scene.objects.back().material = static_cast<int>(scene.materials.size()) - 1;
+    return scene;
+}
+
+SceneDescription whiteRoom() {
+    SceneDescription scene = cornellBox();
+    scene.resolution = {16, 16};
+    scene.options.maxDepth = 16;
+    scene.sppm.photonsPerPass = 2000;
+    scene.sppm.radiusWorld = 0.3f;
+    for (Material& material : scene.materials) {
+        if (!material.emissive()) material.color.value = Vec3(0.95f);
+    }
+    return scene;
+}
+
 }  // namespace glint::test

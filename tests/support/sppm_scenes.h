@@ -11,4 +11,11 @@ SceneDescription small(SceneDescription scene);
 /// A box of diffuse walls with a lamp, and a ball of rough glass in it; small.
 SceneDescription roughGlassBox();
 
+/// A Cornell box with a glass sphere, so that photons do what paths cannot.
+SceneDescription glassBox();
+
+/// Every surface of a closed room white and many scatterings: photons are kept at many more places than there
+/// are photons.
+SceneDescription whiteRoom();
+
 }  // namespace glint::test
