@@ -1,8 +1,8 @@
-// What most translation units read anyway, compiled once for each target: the standard library's large headers,
-// GLM and fmt. Only other people's headers belong here, so that no edit of ours rebuilds everything.
+// What most translation units read anyway, compiled once for each target: the standard library's large
+// headers, GLM and fmt. Only other people's headers belong here, so that no edit of ours rebuilds everything.
 //
-// Every file still includes what it uses: the release preset does without, since GCC 12 at -O3 takes precompiled
-// headers for our own code and reports overlapping copies in std::string that are none.
+// Every file still includes what it uses: the release preset does without, since GCC 12 at -O3 takes
+// precompiled headers for our own code and reports overlapping copies in std::string that are none.
 #pragma once
 
 #include <algorithm>

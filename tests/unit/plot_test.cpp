@@ -113,7 +113,7 @@ TEST(Plot, SvgHoldsEveryPart) {
     const std::string svg = chartSvg(chart);
     for (const char* text :
          {">Relative error against run time<", ">cornell.json, 512x512<", ">render time [s]<",
-          ">relative RMSE<", ">path tracing<", ">SPPM<", ">reference's own error: 0.002<",
+          ">relative RMSE<", ">path tracing<", ">SPPM<", ">reference&#39;s own error: 0.002<",
           ">Bands: smallest to largest of 4 seeds.<", ">0.1<", ">100<"}) {
         EXPECT_THAT(svg, HasSubstr(text));
     }

@@ -103,6 +103,11 @@ TEST(ReferenceFit, AReloadedSceneIsToldByItsContent) {
     mesh.positions = {Vec3(0.0f), Vec3(1.0f, 0.0f, 0.0f), Vec3(0.0f, 1.0f, 0.0f)};
     scene.meshes.resize(1);
     scene.meshes[0].data = std::make_shared<const MeshData>(mesh);
+    Object placed;
+    placed.shape = ShapeKind::Mesh;
+    placed.mesh = 0;
+    placed.material = 0;
+    scene.objects.push_back(placed);
     SceneDescription reloaded = scene;
     reloaded.meshes[0].data = std::make_shared<const MeshData>(mesh);
     SceneDescription another = scene;
