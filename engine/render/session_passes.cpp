@@ -215,7 +215,7 @@ void SessionWorker::commitFilmPass(double seconds) {
     prepareFilm(&rendered);
     const uint64_t raysBefore = rendered.film.rays();
     rendered.film.commit(samples_, rendered.film.passes(), options_.threads);
-    calibrateNoise(&rendered.sppm, scene_->sppm.alpha, options_.threads, &rendered.film);
+    calibrateNoise(&rendered.sppm, static_cast<double>(scene_->sppm.alpha), options_.threads, &rendered.film);
     const int64_t paths = pixelCount(rendered.film.width(), rendered.film.height());
     rendered.renderSeconds += seconds;
     rendered.secondsPerPass =

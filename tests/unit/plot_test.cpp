@@ -149,7 +149,7 @@ TEST(Plot, WhatLogarithmicAxesCannotShowIsLeftOutAndSaid) {
     LogLogChart chart = exampleChart();
     const double nan = std::nan("");
     for (const ChartPoint& bad : {ChartPoint{.x = 1.0, .y = 0.0}, ChartPoint{.x = -1.0, .y = 1.0},
-                                  ChartPoint{.x = 1.0, .y = nan}, ChartPoint{.x = INFINITY, .y = 1.0}}) {
+                                  ChartPoint{.x = 1.0, .y = nan}, ChartPoint{.x = HUGE_VAL, .y = 1.0}}) {
         chart.series[1].points.push_back(bad);
     }
     const std::string svg = chartSvg(chart);

@@ -90,9 +90,9 @@ TEST(StressVerdict, DroppedSamplesAreNeverOk) {
 
 TEST(StressVerdict, NothingAndNotANumberAreBroken) {
     EXPECT_EQ(verdictOf({}), StressVerdict::Broken);
-    EXPECT_EQ(verdictOf(outcomeOf({{NAN, 1.0, 0.0, 0}})), StressVerdict::Broken);
-    EXPECT_EQ(verdictOf(outcomeOf({{1.0, 1.0, 0.0, 0}, {1.0, INFINITY, 0.0, 0}})), StressVerdict::Broken);
-    EXPECT_EQ(verdictOf(outcomeOf({{1.0, 1.0, INFINITY, 0}})), StressVerdict::Broken);
+    EXPECT_EQ(verdictOf(outcomeOf({{std::nan(""), 1.0, 0.0, 0}})), StressVerdict::Broken);
+    EXPECT_EQ(verdictOf(outcomeOf({{1.0, 1.0, 0.0, 0}, {1.0, HUGE_VAL, 0.0, 0}})), StressVerdict::Broken);
+    EXPECT_EQ(verdictOf(outcomeOf({{1.0, 1.0, HUGE_VAL, 0}})), StressVerdict::Broken);
 }
 
 /// The rule's own error rate: 4000 right cases of normal noise at a significance of 1e-6 give no alarm (an

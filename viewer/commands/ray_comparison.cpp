@@ -49,8 +49,8 @@ bool nearEdge(const ExactHit& exact) { return std::abs(exact.smallestWeight) <= 
 RayDisagreement explainExtraHit(const MeshView& mesh, uint32_t primitive, const Ray& ray) {
     const ExactHit exact = exactHit(mesh, primitive, ray);
     if (nearEdge(exact)) return RayDisagreement::EdgeRounding;
-    const double tMin = ray.tMin;
-    const double tMax = ray.tMax;
+    const auto tMin = static_cast<double>(ray.tMin);
+    const auto tMax = static_cast<double>(ray.tMax);
     if (std::abs(exact.t - tMin) <= exact.tTolerance || std::abs(exact.t - tMax) <= exact.tTolerance) {
         return RayDisagreement::EndRounding;
     }
