@@ -156,7 +156,7 @@ std::vector<std::string> reportWarnings(const ConvergenceReport& report) {
     std::vector<std::string> out = report.context.warnings;
     out.insert(out.end(), report.reference.remarks.begin(), report.reference.remarks.end());
     if (report.result.interrupted) {
-        out.push_back("The run was interrupted: some seeds or points are missing.");
+        out.emplace_back("The run was interrupted: some seeds or points are missing.");
     }
     bool same = false;
     for (size_t i = 0; i < report.result.variants.size(); ++i) {

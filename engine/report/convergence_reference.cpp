@@ -61,7 +61,7 @@ uint64_t droppedIn(const Film& film) {
 
 void addRemarks(const ReferencePlan& plan, uint64_t dropped, ReferencePicture* out) {
     if (plan.variant.integrator == IntegratorKind::Sppm) {
-        out->remarks.push_back(
+        out->remarks.emplace_back(
             "The reference is by photon mapping: the bias of its finite radius is not in its error bar.");
     }
     if (plan.settings.options.fireflyClamp > 0.0f) {

@@ -70,12 +70,12 @@ void readVariance(const ExrPicture& exr, ReferencePicture* out) {
                                 exr.find("standardError.B")};
     const bool each = hasSize(own[0], pixels) && hasSize(own[1], pixels) && hasSize(own[2], pixels);
     if (!each && !hasSize(luminance, pixels)) {
-        out->remarks.push_back(
+        out->remarks.emplace_back(
             "The reference does not say how large its own error is: no floor can be shown.");
         return;
     }
     if (!each) {
-        out->remarks.push_back(
+        out->remarks.emplace_back(
             "The reference's standard error is that of its luminance; it is taken for each "
             "channel's.");
     }
@@ -85,7 +85,7 @@ void readVariance(const ExrPicture& exr, ReferencePicture* out) {
         out->variance[i] = error * error;
         if (!std::isfinite(out->variance[i])) {
             out->variance.clear();
-            out->remarks.push_back("The reference's own error is not finite: no floor can be shown.");
+            out->remarks.emplace_back("The reference's own error is not finite: no floor can be shown.");
             return;
         }
     }
@@ -121,7 +121,7 @@ void readMetadata(const Attributes& a, ReferencePicture* out) {
         numberOr(attribute(a, "referenceSeconds"), numberOr(attribute(a, "renderSeconds"), 0.0));
     out->passes = numberOr(attribute(a, "referencePasses"), numberOr(attribute(a, "passes"), uint64_t{0}));
     if (out->integrator == IntegratorKind::Sppm) {
-        out->remarks.push_back(
+        out->remarks.emplace_back(
             "The reference is by photon mapping: the bias of its finite radius is not in its error bar.");
     }
     if (const float clamp = numberOr(attribute(a, "setting.fireflyClamp"), 0.0f); clamp > 0.0f) {
@@ -188,7 +188,7 @@ Result<ReferencePicture> loadReference(const std::string& path, const SceneDescr
                                         out.picture.width, out.picture.height, size.width, size.height));
     }
     if (attribute(exr->attributes, "sceneHash").empty()) {
-        out.remarks.push_back("The reference does not say which scene it shows: nothing vouches for it.");
+        out.remarks.emplace_back("The reference does not say which scene it shows: nothing vouches for it.");
     } else if (const std::string problem = referenceDifference(exr->attributes, scene); !problem.empty()) {
         if (!anyScene) {
             return inFile(
@@ -198,7 +198,7 @@ Result<ReferencePicture> loadReference(const std::string& path, const SceneDescr
         out.remarks.push_back(fmt::format("THE REFERENCE MAY NOT SHOW THIS SCENE: {}.", problem));
     }
     if (const ExrChannel* red = exr->find("R"); red != nullptr && red->type == ExrPixelType::Half) {
-        out.remarks.push_back(
+        out.remarks.emplace_back(
             "The reference is stored in 16 bits: rounding adds a relative error of about 1e-4.");
     }
     readMetadata(exr->attributes, &out);
