@@ -7,6 +7,17 @@
 namespace glint {
 namespace {
 
+inline void store(int pixel, const Sampler& sampler, const Vec3& origin, const Vec3& direction,
+                  CameraTile* tile) {
+    tile->pixelKey[pixel] = sampler.pixelKey;
+    tile->originX[pixel] = origin.x;
+    tile->originY[pixel] = origin.y;
+    tile->originZ[pixel] = origin.z;
+    tile->directionX[pixel] = direction.x;
+    tile->directionY[pixel] = direction.y;
+    tile->directionZ[pixel] = direction.z;
+}
+
 template <FilterTag kFilter>
 GLINT_FLATTEN void fillPinhole(const CameraData& sceneCamera, PassParams params, int x0, int y0,
                                CameraTile* tile) {
@@ -17,13 +28,7 @@ GLINT_FLATTEN void fillPinhole(const CameraData& sceneCamera, PassParams params,
         const int y = y0 + i / kCameraTileSize;
         const Sampler sampler = makeSampler(params, x, y);
         const Ray ray = pixelRay<FeatureMask{0}>(camera, params, sampler, x, y);
-        tile->pixelKey[i] = sampler.pixelKey;
-        tile->originX[i] = camera.position.x;
-        tile->originY[i] = camera.position.y;
-        tile->originZ[i] = camera.position.z;
-        tile->directionX[i] = ray.direction.x;
-        tile->directionY[i] = ray.direction.y;
-        tile->directionZ[i] = ray.direction.z;
+        store(i, sampler, camera.position, ray.direction, tile);
     }
 }
 
@@ -34,13 +39,7 @@ void fillLens(const CameraData& camera, const PassParams& params, int x0, int y0
         const int y = y0 + i / kCameraTileSize;
         const Sampler sampler = makeSampler(params, x, y);
         const Ray ray = pixelRay<kFeatureDepthOfField>(camera, params, sampler, x, y);
-        tile->pixelKey[i] = sampler.pixelKey;
-        tile->originX[i] = ray.origin.x;
-        tile->originY[i] = ray.origin.y;
-        tile->originZ[i] = ray.origin.z;
-        tile->directionX[i] = ray.direction.x;
-        tile->directionY[i] = ray.direction.y;
-        tile->directionZ[i] = ray.direction.z;
+        store(i, sampler, ray.origin, ray.direction, tile);
     }
 }
 

@@ -1,15 +1,13 @@
-// Which pass is next, running it, committing it, and showing what came of it.
+// Which pass is next, running it, and committing it. session_pictures.cpp shows what came of it.
 #include <algorithm>
 
 #include "engine/render/noise_calibration.h"
 #include "engine/render/pass_params.h"
 #include "engine/render/session_worker.h"
-#include "engine/render/snapshot.h"
 
 namespace glint {
 namespace {
 
-constexpr double kSnapshotInterval = 1.0 / 60.0;
 /// Where a whole pass takes longer than this, finer previews fill the time.
 constexpr double kRefineAboveSeconds = 0.15;
 
@@ -285,119 +283,6 @@ void SessionWorker::prepareAovFilm(AovFilm* film, int width, int height) {
     if (film->width() != width || film->height() != height) {
         *film = AovFilm(width, height);
     }
-}
-
-void SessionWorker::showIfDue() {
-    const bool nothingYet = (previewing_ ? preview_.passes() : filmPasses()) == 0;
-    if (!shownIsOld_ || nothingYet) {
-        showOtherIfDue();
-        return;
-    }
-    const bool firstOfGeneration = shownGeneration_ != status_.generation || shownIntegrator_ != integrator();
-    const bool resting = nextPass(wishes_) == NextPass::None;
-    const bool sharper = shownPreview_ && !previewing_;
-    if (firstOfGeneration || resting || sharper || shownLacksWishes() ||
-        secondsSince(shownAt_) >= kSnapshotInterval) {
-        show(previewing_);
-    }
-    showOtherIfDue();
-}
-
-void SessionWorker::show(bool preview) {
-    shownIsOld_ = false;
-    Track& shown = track();
-    if (!options_.snapshots) {
-        return;
-    }
-    if (!preview) {
-        shown.error = errorEstimate(shown);
-    }
-    bulletin_->show(snapshotOf(integrator(), preview));
-    shownGeneration_ = status_.generation;
-    shownIntegrator_ = integrator();
-    shownPreview_ = preview;
-    shownStandardError_ = wishes_.standardError;
-    shownPhotonStatistics_ = wishes_.photonStatistics;
-    shownErrorMaps_ = wishes_.errorMaps;
-    shownAt_ = SessionClock::now();
-    status_.previewScale = preview ? previewScale_ : 1;
-    if (unansweredEdit_) {
-        status_.lastEditToPictureSeconds = secondsSince(*unansweredEdit_);
-        unansweredEdit_.reset();
-        ++status_.picturesAfterEdits;
-    }
-}
-
-std::shared_ptr<FilmSnapshot> SessionWorker::snapshotOf(IntegratorKind kind, bool preview) {
-    const Track& of = trackOf(kind);
-    const bool isOther = kind != integrator();
-    const Film& film = !preview ? of.film : isOther ? otherPreview_ : preview_;
-    const SppmState& sppm = preview ? previewSppm_ : of.sppm;
-    const bool hasPhotons = kind == IntegratorKind::Sppm && sppm.passes > 0;
-    auto snapshot =
-        makeSnapshot(film, hasPhotons ? &sppm : nullptr,
-                     {wishes_.standardError, wishes_.photonStatistics, wishes_.errorMaps}, options_.threads);
-    snapshot->generation = status_.generation;
-    snapshot->integrator = kind;
-    snapshot->previewScale = !preview ? 1 : isOther ? otherPreviewScale_ : previewScale_;
-    snapshot->renderSeconds = of.renderSeconds;
-    setError(preview ? ErrorEstimate{} : of.error, snapshot.get());
-    // While comparing both pictures share them: they are of the camera, not of an integrator.
-    const AovFilm& aovs = previewing_ ? previewAovs_ : aovFilm_;
-    const bool fits = aovs.width() == snapshot->width && aovs.height() == snapshot->height;
-    if (wishes_.aovs != 0 && aovs.passes() > 0 && fits) {
-        if (!shownAovs_ || shownAovs_->width() != aovs.width() || shownAovs_->height() != aovs.height()) {
-            shownAovs_ = std::make_shared<AovFilm>(aovs);
-        }
-        snapshot->aovs = shownAovs_;
-    }
-    return snapshot;
-}
-
-/// While comparing: the film of the integrator that is not shown, kept beside the one that is.
-void SessionWorker::showOtherIfDue() {
-    Track& other = trackOf(otherIntegrator());
-    const bool preview = other.passes() == 0;
-    const uint32_t passes = !preview ? other.passes() : otherPreviewing_ ? otherPreview_.passes() : 0;
-    if (!options_.snapshots || !wishes_.compare || passes == 0 || shownGeneration_ != status_.generation) {
-        return;
-    }
-    const ShownOther now{status_.generation,
-                         otherIntegrator(),
-                         preview,
-                         other.restarts,
-                         passes,
-                         aovFilm_.passes(),
-                         wishes_.standardError,
-                         wishes_.photonStatistics,
-                         wishes_.errorMaps};
-    ShownOther before = shownOther_;
-    if (now == before) {
-        return;
-    }
-    before.passes = now.passes;
-    before.aovPasses = now.aovPasses;
-    const bool onlyMorePasses = now == before && nextPass(wishes_) != NextPass::None;
-    if (onlyMorePasses && secondsSince(shownOtherAt_) < kSnapshotInterval) {
-        return;
-    }
-    before = shownOther_;
-    before.generation = now.generation;
-    std::shared_ptr<FilmSnapshot> picture;
-    if (now == before && shownOtherPicture_) {
-        // The same film: an edit of the photons alone must not cost a picture of the other one each time.
-        picture = std::make_shared<FilmSnapshot>(*shownOtherPicture_);
-        picture->generation = now.generation;
-    } else {
-        if (!preview) {
-            other.error = errorEstimate(other);
-        }
-        picture = snapshotOf(otherIntegrator(), preview);
-    }
-    shownOtherPicture_ = picture;
-    bulletin_->showOther(std::move(picture));
-    shownOther_ = now;
-    shownOtherAt_ = SessionClock::now();
 }
 
 }  // namespace glint

@@ -1,4 +1,5 @@
-// The loop, and what an edit does to it. Passes are in session_passes.cpp.
+// The loop, and what an edit does to it. Passes are in session_passes.cpp, what is shown of
+// them in session_pictures.cpp.
 #include "engine/render/session_worker.h"
 
 #include <algorithm>

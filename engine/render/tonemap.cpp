@@ -17,8 +17,6 @@ float toneInput(float x) { return x > 0.0f ? std::fmin(x, kMaxToneInput) : 0.0f;
 
 float encoded(float x) { return linearToSrgb(clampf(x, 0.0f, 1.0f)); }
 
-uint8_t toByte(float display) { return static_cast<uint8_t>(std::floor(255.0f * display + 0.5f)); }
-
 }  // namespace
 
 std::string_view toneMapName(ToneMap map) { return kNames[static_cast<size_t>(map)]; }
@@ -56,9 +54,9 @@ Image8 toneMapPicture(const float* radianceRgb, int width, int height, float exp
              i += 3) {
             const Vec3 display =
                 toneMapped({radianceRgb[i], radianceRgb[i + 1], radianceRgb[i + 2]}, exposureStops, map);
-            out.rgb[i] = toByte(display.x);
-            out.rgb[i + 1] = toByte(display.y);
-            out.rgb[i + 2] = toByte(display.z);
+            out.rgb[i] = displayByte(display.x);
+            out.rgb[i + 1] = displayByte(display.y);
+            out.rgb[i + 2] = displayByte(display.z);
         }
     });
     return out;

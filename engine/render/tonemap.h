@@ -6,6 +6,8 @@
 // renderer or a film.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -50,8 +52,13 @@ inline Vec3 reinhard(const Vec3& rgb) {
 constexpr float kMaxToneInput = 1e6f;
 
 /// Radiance to display values in [0, 1]: multiplied by 2^exposureStops, cut to [0, kMaxToneInput] (NaN
-/// becomes 0), then the operator. A stored byte is floor(255 v + 0.5).
+/// becomes 0), then the operator.
 Vec3 toneMapped(Vec3 radiance, float exposureStops, ToneMap map);
+
+/// The byte that is stored for a display value: floor(255 v + 0.5) with v cut to [0, 1]; 0 for NaN.
+inline uint8_t displayByte(float v) {
+    return v > 0.0f ? static_cast<uint8_t>(std::floor(255.0f * std::min(v, 1.0f) + 0.5f)) : uint8_t{0};
+}
 
 /// The whole picture, 3 floats a pixel, row 0 at the top, on `threads` threads (0: all).
 Image8 toneMapPicture(const float* radianceRgb, int width, int height, float exposureStops, ToneMap map,

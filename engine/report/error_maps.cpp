@@ -8,6 +8,7 @@
 
 #include "engine/base/parallel.h"
 #include "engine/math/vec.h"
+#include "engine/render/tonemap.h"
 #include "engine/report/finite_pixels.h"
 #include "engine/report/flip.h"
 #include "engine/report/heat_map.h"
@@ -139,7 +140,7 @@ Image8 falseColors(const ErrorMap& map, const MapRange& range) {
     for (const float value : map.values) {
         const Vec3 color = colorOf(value, map.kind, range);
         for (int c = 0; c < 3; ++c) {
-            image.rgb.push_back(static_cast<uint8_t>(std::lround(255.0f * color[c])));
+            image.rgb.push_back(displayByte(color[c]));
         }
     }
     return image;

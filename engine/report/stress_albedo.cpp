@@ -33,10 +33,9 @@ SceneDescription furnace(float albedo, int maxDepth, bool box) {
 StressCase furnaceCase(float albedo, int maxDepth, bool box, bool roulette) {
     StressCase c;
     c.family = kFamily;
-    c.grade = std::string(box ? "box" : "sphere") + " " + gradeNumber(static_cast<double>(albedo)) +
-              " depth " + std::to_string(maxDepth) + (roulette ? "" : ", no roulette");
-    c.extreme = "walls reflect " + gradeNumber(static_cast<double>(albedo)) + " up to " +
-                std::to_string(maxDepth) + " times";
+    c.grade = std::string(box ? "box" : "sphere") + " " + gradeNumber(albedo) + " depth " +
+              std::to_string(maxDepth) + (roulette ? "" : ", no roulette");
+    c.extreme = "walls reflect " + gradeNumber(albedo) + " up to " + std::to_string(maxDepth) + " times";
     c.truth = "geometric series";
     c.quick = maxDepth <= (roulette ? 100 : 1000);
     c.run = [=](const StressEffort& effort) {
@@ -58,10 +57,9 @@ StressCase furnaceCase(float albedo, int maxDepth, bool box, bool roulette) {
 StressCase integratingSphereCase(float albedo, float lampRadius) {
     StressCase c;
     c.family = kFamily;
-    c.grade = "integrating sphere " + gradeNumber(static_cast<double>(albedo)) + " lamp " +
-              gradeNumber(static_cast<double>(lampRadius));
-    c.extreme = "a lamp of radius " + gradeNumber(static_cast<double>(lampRadius)) +
-                " in a sphere that reflects " + gradeNumber(static_cast<double>(albedo));
+    c.grade = "integrating sphere " + gradeNumber(albedo) + " lamp " + gradeNumber(lampRadius);
+    c.extreme =
+        "a lamp of radius " + gradeNumber(lampRadius) + " in a sphere that reflects " + gradeNumber(albedo);
     c.truth = "integrating sphere in closed form";
     c.run = [=](const StressEffort& effort) {
         const double f = static_cast<double>(lampRadius) * static_cast<double>(lampRadius);

@@ -14,22 +14,11 @@
 namespace glint {
 namespace {
 
-std::string number(float value) { return gradeNumber(static_cast<double>(value)); }
-
-StressCase named(std::string grade, std::string extreme, std::string truth) {
-    StressCase c;
-    c.family = "camera";
-    c.grade = std::move(grade);
-    c.extreme = std::move(extreme);
-    c.truth = std::move(truth);
-    return c;
-}
-
 /// A glowing disc that reaches half way to the edges of the picture covers pi / 16 of it, at any angle.
 StressCase fieldOfViewCase(float degrees) {
-    StressCase c =
-        named("field of view " + number(degrees), "a field of view of " + number(degrees) + " degrees",
-              "the disc's share of the picture");
+    StressCase c = namedCase("camera", "field of view " + gradeNumber(degrees),
+                             "a field of view of " + gradeNumber(degrees) + " degrees",
+                             "the disc's share of the picture");
     c.run = [=](const StressEffort& effort) {
         SceneDescription scene = emptyStressScene({3, 1, 2}, {3, 1, 1}, degrees, 32);
         const double radius = 0.5 * std::tan(0.5 * static_cast<double>(degrees) * std::numbers::pi / 180.0);
@@ -43,10 +32,10 @@ StressCase fieldOfViewCase(float degrees) {
 /// The middle of the picture, a disc of radius r at the distance d on the axis, a lens of radius R in focus
 /// at f: a ray through the lens at rho passes the disc where rho |1 - d/f| < r.
 StressCase lensCase(float aperture, float focus) {
-    StressCase c =
-        named("aperture " + number(aperture) + " focus " + number(focus),
-              "a lens " + number(aperture) + " wide in focus at " + number(focus) + ", the object at 2",
-              "the share of the lens that sees the object");
+    StressCase c = namedCase(
+        "camera", "aperture " + gradeNumber(aperture) + " focus " + gradeNumber(focus),
+        "a lens " + gradeNumber(aperture) + " wide in focus at " + gradeNumber(focus) + ", the object at 2",
+        "the share of the lens that sees the object");
     c.run = [=](const StressEffort& effort) {
         const double blur =
             0.5 * static_cast<double>(aperture) * std::abs(1.0 - 2.0 / static_cast<double>(focus));
@@ -66,10 +55,10 @@ StressCase lensCase(float aperture, float focus) {
 
 /// A grey wall under an even sky looks the same through any lens.
 StressCase wallCase(float aperture, float focus) {
-    StressCase c =
-        named("wall, aperture " + number(aperture) + " focus " + number(focus),
-              "a wall seen through a lens " + number(aperture) + " wide in focus at " + number(focus),
-              "albedo under an even sky");
+    StressCase c = namedCase(
+        "camera", "wall, aperture " + gradeNumber(aperture) + " focus " + gradeNumber(focus),
+        "a wall seen through a lens " + gradeNumber(aperture) + " wide in focus at " + gradeNumber(focus),
+        "albedo under an even sky");
     c.run = [=](const StressEffort& effort) {
         SceneDescription scene = emptyStressScene({0, 1, 0}, {0.1f, 0, 0}, 30.0f);
         scene.camera.apertureDiameter = aperture;

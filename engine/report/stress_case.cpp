@@ -35,4 +35,15 @@ const char* stressVerdictName(StressVerdict verdict) {
     return "broken";
 }
 
+StressCase namedCase(std::string family, std::string grade, std::string extreme, std::string truth,
+                     double tolerance) {
+    StressCase c;
+    c.family = std::move(family);
+    c.grade = std::move(grade);
+    c.extreme = std::move(extreme);
+    c.truth = std::move(truth);
+    c.tolerance = tolerance;
+    return c;
+}
+
 }  // namespace glint

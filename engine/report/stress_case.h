@@ -71,4 +71,8 @@ struct StressCase {
     std::string limit;  ///< why, where `documented` is not Ok
 };
 
+/// A case without its measurement.
+StressCase namedCase(std::string family, std::string grade, std::string extreme, std::string truth,
+                     double tolerance = kStressTolerance);
+
 }  // namespace glint

@@ -57,8 +57,8 @@ std::shared_ptr<const ImageF> brightPixel(float sky, float pixel, int row) {
 StressCase pixelCase(float pixel, int row, const char* where) {
     StressCase c;
     c.family = "environment";
-    c.grade = "pixel " + gradeNumber(static_cast<double>(pixel)) + " " + where;
-    c.extreme = "one pixel of " + gradeNumber(static_cast<double>(pixel)) + " " + where + " in a sky of 0.01";
+    c.grade = "pixel " + gradeNumber(pixel) + " " + where;
+    c.extreme = "one pixel of " + gradeNumber(pixel) + " " + where + " in a sky of 0.01";
     c.truth = "irradiance by quadrature in double";
     c.run = [=](const StressEffort& effort) {
         SceneDescription scene = emptyStressScene({0.3f, 1, 0.2f}, {0, 0, 0}, 5.0f);

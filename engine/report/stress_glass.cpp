@@ -17,8 +17,6 @@ namespace {
 constexpr const char* kFamily = "glass";
 constexpr double kPiD = std::numbers::pi;
 
-std::string number(double value) { return gradeNumber(value); }
-
 /// Unpolarised reflectance; n: index beyond over index before; 1 under total reflection. (Born and Wolf 1999,
 /// section 1.5.2.)
 double reflectance(double sine, double n) {
@@ -69,19 +67,11 @@ Result<StressOutcome> measureStack(const std::vector<Interface>& stack, double a
     return measurePaths(scene, effort.passes(passesFor(angleRad, truth), 512), truth, effort);
 }
 
-StressCase glassCase(std::string grade, std::string extreme, std::string truth) {
-    StressCase c;
-    c.family = kFamily;
-    c.grade = std::move(grade);
-    c.extreme = std::move(extreme);
-    c.truth = std::move(truth);
-    return c;
-}
-
 StressCase slabCase(double ior, double angleDeg) {
-    StressCase c = glassCase("slab n " + number(ior) + " at " + number(angleDeg),
-                             "index " + number(ior) + ", " + number(angleDeg) + " degrees off the normal",
-                             "Fresnel's equations");
+    StressCase c =
+        namedCase(kFamily, "slab n " + gradeNumber(ior) + " at " + gradeNumber(angleDeg),
+                  "index " + gradeNumber(ior) + ", " + gradeNumber(angleDeg) + " degrees off the normal",
+                  "Fresnel's equations");
     c.quick = angleDeg <= 89.0 || ior == 1.0;
     c.run = [=](const StressEffort& effort) {
         return measureStack({{0.5f, 1.0, ior}, {-0.5f, ior, 1.0}}, angleDeg * kPiD / 180.0, effort);
@@ -90,9 +80,11 @@ StressCase slabCase(double ior, double angleDeg) {
 }
 
 StressCase nestedCase(double outer, double inner, double angleDeg) {
-    StressCase c = glassCase("slab n " + number(inner) + " in " + number(outer) + " at " + number(angleDeg),
-                             "a slab of index " + number(inner) + " within one of " + number(outer),
-                             "Fresnel's equations");
+    StressCase c = namedCase(
+        kFamily,
+        "slab n " + gradeNumber(inner) + " in " + gradeNumber(outer) + " at " + gradeNumber(angleDeg),
+        "a slab of index " + gradeNumber(inner) + " within one of " + gradeNumber(outer),
+        "Fresnel's equations");
     c.run = [=](const StressEffort& effort) {
         return measureStack(
             {{1.0f, 1.0, outer}, {0.3f, outer, inner}, {-0.3f, inner, outer}, {-1.0f, outer, 1.0}},
@@ -102,9 +94,9 @@ StressCase nestedCase(double outer, double inner, double angleDeg) {
 }
 
 StressCase gapCase(float gap) {
-    StressCase c = glassCase("slabs " + number(static_cast<double>(gap)) + " apart",
-                             "two slabs with " + number(static_cast<double>(gap)) + " of air between them",
-                             "Fresnel's equations");
+    StressCase c =
+        namedCase(kFamily, "slabs " + gradeNumber(gap) + " apart",
+                  "two slabs with " + gradeNumber(gap) + " of air between them", "Fresnel's equations");
     if (gap < 1e-7f) {
         c.documented = StressVerdict::Broken;
         c.limit =
@@ -121,9 +113,9 @@ StressCase gapCase(float gap) {
 /// From within glass towards its surface, `offset` (relative) from the critical angle, an even glow all
 /// around: R reflected and (1 - R) n^2 from outside.
 StressCase criticalCase(double offset) {
-    StressCase c = glassCase(
-        "critical angle " + std::string(offset < 0 ? "- " : "+ ") + number(std::abs(offset)),
-        number(std::abs(offset)) + (offset < 0 ? " below" : " above") + " the critical angle, relative",
+    StressCase c = namedCase(
+        kFamily, "critical angle " + std::string(offset < 0 ? "- " : "+ ") + gradeNumber(std::abs(offset)),
+        gradeNumber(std::abs(offset)) + (offset < 0 ? " below" : " above") + " the critical angle, relative",
         "Fresnel's equations inside an even glow");
     c.run = [=](const StressEffort& effort) {
         const double n = 1.5;
@@ -143,10 +135,10 @@ StressCase criticalCase(double offset) {
 /// A white body of glass vanishes in an even glow, however its light is trapped and split.
 StressCase furnaceCase(double ior, ShapeKind shape) {
     const bool ball = shape == ShapeKind::Sphere;
-    StressCase c = glassCase(
-        std::string(ball ? "ball" : "cube") + " n " + number(ior),
-        std::string("a ") + (ball ? "ball" : "turned cube") + " of index " + number(ior) + " in an even glow",
-        "it vanishes");
+    StressCase c = namedCase(kFamily, std::string(ball ? "ball" : "cube") + " n " + gradeNumber(ior),
+                             std::string("a ") + (ball ? "ball" : "turned cube") + " of index " +
+                                 gradeNumber(ior) + " in an even glow",
+                             "it vanishes");
     c.run = [=](const StressEffort& effort) {
         SceneDescription scene = emptyStressScene({0, 0, 4}, {0, 0, 0}, 20.0f);
         scene.environment.color = Vec3(1.0f);

@@ -15,17 +15,6 @@ namespace {
 
 constexpr double kPiD = std::numbers::pi;
 
-std::string number(double value) { return gradeNumber(value); }
-
-StressCase named(const char* family, std::string grade, std::string extreme, std::string truth) {
-    StressCase c;
-    c.family = family;
-    c.grade = std::move(grade);
-    c.extreme = std::move(extreme);
-    c.truth = std::move(truth);
-    return c;
-}
-
 /// Smith's Lambda for GGX (Walter et al. 2007, eq. 34, as G1 = 1 / (1 + Lambda)).
 double smithLambda(double cosine, double alpha) {
     const double tan2 = (1.0 - cosine * cosine) / (cosine * cosine);
@@ -67,10 +56,10 @@ SceneDescription planeAtAngle(double angleRad, float fovDeg) {
 Affine levelPlane() { return placeFlatShape({0, 0, 0}, {0, 1, 0}, 1, 1); }
 
 StressCase metalCase(double alpha, double angleDeg) {
-    StressCase c =
-        named("roughness", "metal " + number(alpha) + " at " + number(angleDeg),
-              "GGX alpha " + number(alpha) + ", seen " + number(angleDeg) + " degrees off the normal",
-              "directional albedo by quadrature in double");
+    StressCase c = namedCase(
+        "roughness", "metal " + gradeNumber(alpha) + " at " + gradeNumber(angleDeg),
+        "GGX alpha " + gradeNumber(alpha) + ", seen " + gradeNumber(angleDeg) + " degrees off the normal",
+        "directional albedo by quadrature in double");
     c.run = [=](const StressEffort& effort) {
         const double angle = angleDeg * kPiD / 180.0;
         SceneDescription scene = planeAtAngle(angle, 1e-3f);
@@ -83,9 +72,9 @@ StressCase metalCase(double alpha, double angleDeg) {
 
 /// A point light in the mirror direction of the view: I / d^2 * D(n) G2 / (4 cos), D(n) = 1 / (pi alpha^2).
 StressCase highlightCase(double alpha, double angleDeg) {
-    StressCase c = named("roughness", "highlight " + number(alpha) + " at " + number(angleDeg),
-                         "the highlight of a point light, GGX alpha " + number(alpha),
-                         "microfacet model in closed form");
+    StressCase c = namedCase("roughness", "highlight " + gradeNumber(alpha) + " at " + gradeNumber(angleDeg),
+                             "the highlight of a point light, GGX alpha " + gradeNumber(alpha),
+                             "microfacet model in closed form");
     c.run = [=](const StressEffort& effort) {
         const double angle = angleDeg * kPiD / 180.0;
         SceneDescription scene = planeAtAngle(angle, static_cast<float>(0.01 * alpha * 180.0 / kPiD));
@@ -103,9 +92,9 @@ StressCase highlightCase(double alpha, double angleDeg) {
 
 /// A grey surface under an even sky, seen at an elevation of a few millionths.
 StressCase grazingViewCase(double elevation, bool mesh) {
-    StressCase c =
-        named("grazing", std::string("view of a ") + (mesh ? "mesh" : "plane") + " " + number(elevation),
-              "a surface seen " + number(elevation) + " radians from edge on", "albedo under an even sky");
+    StressCase c = namedCase(
+        "grazing", std::string("view of a ") + (mesh ? "mesh" : "plane") + " " + gradeNumber(elevation),
+        "a surface seen " + gradeNumber(elevation) + " radians from edge on", "albedo under an even sky");
     c.run = [=](const StressEffort& effort) {
         const auto y = static_cast<float>(elevation);
         SceneDescription scene = emptyStressScene({-1, y, 0.1f}, {0, 0, 0}, 10.0f * y);
@@ -126,9 +115,9 @@ StressCase grazingViewCase(double elevation, bool mesh) {
 
 /// A grey surface lit along itself: irradiance times the sine of the elevation.
 StressCase grazingLightCase(double elevation, bool mesh) {
-    StressCase c =
-        named("grazing", std::string("light on a ") + (mesh ? "mesh" : "plane") + " " + number(elevation),
-              "light " + number(elevation) + " radians from along the surface", "the sine of its elevation");
+    StressCase c = namedCase(
+        "grazing", std::string("light on a ") + (mesh ? "mesh" : "plane") + " " + gradeNumber(elevation),
+        "light " + gradeNumber(elevation) + " radians from along the surface", "the sine of its elevation");
     c.run = [=](const StressEffort& effort) {
         SceneDescription scene = emptyStressScene({0.3f, 1, 0.2f}, {0, 0, 0}, 5.0f);
         scene.options.maxDepth = 1;

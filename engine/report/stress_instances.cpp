@@ -88,14 +88,14 @@ Affine shear(float factor) {
 
 void addInstanceCases(StressCases* cases) {
     for (const float factor : {1e-6f, 1e-3f, 1e3f, 1e6f}) {
-        const std::string text = gradeNumber(static_cast<double>(factor));
+        const std::string text = gradeNumber(factor);
         cases->push_back(transformCase("scaled " + text, scale(Vec3(factor))));
         cases->push_back(transformCase("stretched " + text + " along y", scale({1.0f, factor, 1.0f})));
     }
     cases->push_back(
         transformCase("stretched 1e-3 and 1e3", rotate({1, 2, 3}, 1.0f) * scale({1e-3f, 1.0f, 1e3f})));
     for (const float factor : {1.0f, 10.0f, 100.0f, 1000.0f}) {
-        cases->push_back(transformCase("sheared " + gradeNumber(static_cast<double>(factor)), shear(factor)));
+        cases->push_back(transformCase("sheared " + gradeNumber(factor), shear(factor)));
     }
     cases->push_back(transformCase("mirrored", scale({-1, 1, 1})));
     cases->push_back(transformCase("mirrored and scaled 1e-3", scale({1e-3f, -1e-3f, 1e-3f})));

@@ -65,8 +65,8 @@ void addLamp(SceneDescription* scene, LampShape shape, float radius, float heigh
 StressCase smallLampCase(LampShape shape, float radius) {
     StressCase c;
     c.family = kFamily;
-    c.grade = std::string(shapeName(shape)) + " of size " + gradeNumber(static_cast<double>(radius));
-    c.extreme = "a lamp of " + gradeNumber(static_cast<double>(radius)) + " times its distance";
+    c.grade = std::string(shapeName(shape)) + " of size " + gradeNumber(radius);
+    c.extreme = "a lamp of " + gradeNumber(radius) + " times its distance";
     c.truth = "irradiance in closed form";
     c.quick = shape != LampShape::Rectangle;
     c.run = [=](const StressEffort& effort) {
@@ -87,7 +87,7 @@ StressCase smallLampCase(LampShape shape, float radius) {
 StressCase brightLampCase(float radiance) {
     StressCase c;
     c.family = kFamily;
-    c.grade = "radiance " + gradeNumber(static_cast<double>(radiance));
+    c.grade = "radiance " + gradeNumber(radiance);
     c.extreme = c.grade;
     c.truth = "irradiance in closed form";
     c.run = [=](const StressEffort& effort) {
@@ -104,8 +104,8 @@ StressCase brightLampCase(float radiance) {
 StressCase hoveringCase(LampShape shape, float height) {
     StressCase c;
     c.family = kFamily;
-    c.grade = std::string(shapeName(shape)) + " at height " + gradeNumber(static_cast<double>(height));
-    c.extreme = "a lamp " + gradeNumber(static_cast<double>(height)) + " times its size over a surface";
+    c.grade = std::string(shapeName(shape)) + " at height " + gradeNumber(height);
+    c.extreme = "a lamp " + gradeNumber(height) + " times its size over a surface";
     c.truth = "irradiance in closed form";
     c.run = [=](const StressEffort& effort) {
         SceneDescription scene = closeUpOfFloor({0.1f, 2.0f, 0.4f}, {0, 0, 0}, 1e-3f);
@@ -122,9 +122,8 @@ StressCase hoveringCase(LampShape shape, float height) {
 StressCase restingBallCase(float distance, bool elsewhere) {
     StressCase c;
     c.family = kFamily;
-    c.grade =
-        "ball touches at " + gradeNumber(static_cast<double>(distance)) + (elsewhere ? ", elsewhere" : "");
-    c.extreme = "a ball lamp rests on the surface, " + gradeNumber(static_cast<double>(distance)) +
+    c.grade = "ball touches at " + gradeNumber(distance) + (elsewhere ? ", elsewhere" : "");
+    c.extreme = "a ball lamp rests on the surface, " + gradeNumber(distance) +
                 " radii from the point that is looked at";
     if (elsewhere && distance < 3e-3f) {
         c.documented = StressVerdict::Broken;
@@ -147,11 +146,9 @@ StressCase restingBallCase(float distance, bool elsewhere) {
 StressCase ellipsoidCase(float along, float across) {
     StressCase c;
     c.family = kFamily;
-    c.grade = "ellipsoid " + gradeNumber(static_cast<double>(along)) + " by " +
-              gradeNumber(static_cast<double>(across));
-    c.extreme = "an ellipsoid " + gradeNumber(static_cast<double>(along)) +
-                " times its distance along the way to it, " + gradeNumber(static_cast<double>(across)) +
-                " times across";
+    c.grade = "ellipsoid " + gradeNumber(along) + " by " + gradeNumber(across);
+    c.extreme = "an ellipsoid " + gradeNumber(along) + " times its distance along the way to it, " +
+                gradeNumber(across) + " times across";
     c.truth = "irradiance in closed form";
     c.run = [=](const StressEffort& effort) {
         const double a = static_cast<double>(along);
@@ -174,8 +171,8 @@ StressCase ellipsoidCase(float along, float across) {
 StressCase standingWallCase(float distance) {
     StressCase c;
     c.family = kFamily;
-    c.grade = "wall touches at " + gradeNumber(static_cast<double>(distance));
-    c.extreme = "a lamp stands on the surface, " + gradeNumber(static_cast<double>(distance)) +
+    c.grade = "wall touches at " + gradeNumber(distance);
+    c.extreme = "a lamp stands on the surface, " + gradeNumber(distance) +
                 " of its height from the point that is looked at";
     c.truth = "irradiance in closed form";
     c.run = [=](const StressEffort& effort) {

@@ -16,17 +16,6 @@ namespace {
 constexpr float kAlbedo = 0.5f;
 constexpr double kGrey = 0.5;
 
-std::string number(float value) { return gradeNumber(static_cast<double>(value)); }
-
-StressCase named(const char* family, std::string grade, std::string extreme, std::string truth) {
-    StressCase c;
-    c.family = family;
-    c.grade = std::move(grade);
-    c.extreme = std::move(extreme);
-    c.truth = std::move(truth);
-    return c;
-}
-
 MeshData plainFloor(float halfSize, float height, float slope) {
     MeshData mesh;
     const float lift = slope * halfSize;
@@ -38,11 +27,11 @@ MeshData plainFloor(float halfSize, float height, float slope) {
 /// A floor of two triangles much larger than the way from the eye to it.
 StressCase largeFloorCase(float halfSize, float height, float slope) {
     StressCase c =
-        named("ratio",
-              "floor " + number(halfSize) + (slope != 0.0f ? ", sloping" : "") +
-                  (height == 0.0f ? ", at y = 0" : ""),
-              "triangles " + number(halfSize) + " times as large as the distance they are seen from",
-              "albedo under an even sky");
+        namedCase("ratio",
+                  "floor " + gradeNumber(halfSize) + (slope != 0.0f ? ", sloping" : "") +
+                      (height == 0.0f ? ", at y = 0" : ""),
+                  "triangles " + gradeNumber(halfSize) + " times as large as the distance they are seen from",
+                  "albedo under an even sky");
     c.run = [=](const StressEffort& effort) {
         SceneDescription scene = emptyStressScene({0.05f, height + 1.0f, 0.02f}, {0.3f, height, 0.1f}, 10.0f);
         scene.environment.color = Vec3(1.0f);
@@ -70,9 +59,10 @@ SceneDescription blockOnGround(float groundHalfSize) {
 }
 
 StressCase groundCase(float ratio) {
-    StressCase c = named("ratio", "block on ground " + number(ratio),
-                         "a ground " + number(ratio) + " times as large as the block in the same mesh",
-                         "the same block on a ground a hundred times its size");
+    StressCase c =
+        namedCase("ratio", "block on ground " + gradeNumber(ratio),
+                  "a ground " + gradeNumber(ratio) + " times as large as the block in the same mesh",
+                  "the same block on a ground a hundred times its size");
     c.tolerance = 0.01;  // the horizon of the smaller ground lies some hundredths of a radian lower
     c.run = [=](const StressEffort& effort) {
         return measurePathsAgainst(blockOnGround(ratio), blockOnGround(100.0f), effort.passes(96), effort);
@@ -95,8 +85,8 @@ void addDuplicates(MeshData* mesh) {
 }
 
 StressCase faultyFloorCase(const char* what, void (*spoil)(MeshData*)) {
-    StressCase c = named("degenerate", std::string("floor with ") + what, std::string("a mesh with ") + what,
-                         "albedo under an even sky");
+    StressCase c = namedCase("degenerate", std::string("floor with ") + what,
+                             std::string("a mesh with ") + what, "albedo under an even sky");
     c.run = [=](const StressEffort& effort) {
         MeshData mesh = plainFloor(1.0f, 0.0f, 0.0f);
         spoil(&mesh);
@@ -106,8 +96,8 @@ StressCase faultyFloorCase(const char* what, void (*spoil)(MeshData*)) {
 }
 
 StressCase faultyLampCase(const char* what, void (*spoil)(MeshData*)) {
-    StressCase c = named("degenerate", std::string("lamp with ") + what, std::string("a lamp with ") + what,
-                         "irradiance in closed form");
+    StressCase c = namedCase("degenerate", std::string("lamp with ") + what,
+                             std::string("a lamp with ") + what, "irradiance in closed form");
     c.run = [=](const StressEffort& effort) {
         MeshData lamp;
         addQuad(&lamp, {-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1});
@@ -128,8 +118,8 @@ StressCase faultyLampCase(const char* what, void (*spoil)(MeshData*)) {
 /// exact.
 StressCase sheetCase(float gap) {
     StressCase c =
-        named("coplanar", "sheet " + number(gap) + " over another",
-              "two sheets with a gap of " + number(gap) + " of their size", "the upper sheet alone");
+        namedCase("coplanar", "sheet " + gradeNumber(gap) + " over another",
+                  "two sheets with a gap of " + gradeNumber(gap) + " of their size", "the upper sheet alone");
     if (gap < 1e-7f) {
         c.documented = StressVerdict::Broken;
         c.limit =
@@ -149,8 +139,8 @@ StressCase sheetCase(float gap) {
 
 /// The same sheet twice in one place: whichever is met, it is the same surface.
 StressCase doubledSheetCase() {
-    StressCase c = named("coplanar", "the same sheet twice", "two objects in the very same place",
-                         "albedo under an even sky");
+    StressCase c = namedCase("coplanar", "the same sheet twice", "two objects in the very same place",
+                             "albedo under an even sky");
     c.run = [=](const StressEffort& effort) {
         SceneDescription scene = skyOverMesh(plainFloor(1.0f, 0.0f, 0.0f), 0.4f, true);
         addMesh(&scene, plainFloor(1.0f, 0.0f, 0.0f), scene.objects[0].objectToWorld, diffuseStress(kAlbedo));
@@ -162,8 +152,8 @@ StressCase doubledSheetCase() {
 /// Two squares in one plane and one mesh, the second turned and shifted: their triangles overlap in part.
 /// Whichever is met, it is the same surface, and neither may lie in the other's shadow.
 StressCase overlapCase(float slope) {
-    StressCase c = named("coplanar", "overlapping faces" + std::string(slope != 0.0f ? ", sloping" : ""),
-                         "two faces of one mesh that overlap in one plane", "albedo under an even sky");
+    StressCase c = namedCase("coplanar", "overlapping faces" + std::string(slope != 0.0f ? ", sloping" : ""),
+                             "two faces of one mesh that overlap in one plane", "albedo under an even sky");
     c.run = [=](const StressEffort& effort) {
         MeshData mesh = plainFloor(1.0f, 0.0f, slope);
         const auto corner = [&](float angle) {

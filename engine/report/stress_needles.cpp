@@ -17,29 +17,18 @@ namespace {
 
 constexpr double kGrey = static_cast<double>(kFloorAlbedo);
 
-std::string number(float value) { return gradeNumber(static_cast<double>(value)); }
-
-StressCase named(std::string grade, std::string extreme, std::string truth) {
-    StressCase c;
-    c.family = "needles";
-    c.grade = std::move(grade);
-    c.extreme = std::move(extreme);
-    c.truth = std::move(truth);
-    return c;
-}
-
 /// Strips of the width `step` around x = 0 between two wide ones: the square [-1, 1]^2 of the xz plane at y =
 /// 0, facing up.
 MeshData needleFloor(float step) {
-    constexpr int kNeedles = 64;
+    constexpr int kHalf = 32;  // of the needles
     MeshData mesh;
     const auto strip = [&](float x0, float x1) {
         addQuad(&mesh, {x0, 0, -1}, {x0, 0, 1}, {x1, 0, 1}, {x1, 0, -1});
     };
-    const float end = 0.5f * kNeedles * step;
+    const float end = kHalf * step;
     strip(-1.0f, -end);
-    for (int i = 0; i < kNeedles; ++i) {
-        strip(static_cast<float>(i - kNeedles / 2) * step, static_cast<float>(i + 1 - kNeedles / 2) * step);
+    for (int i = -kHalf; i < kHalf; ++i) {
+        strip(static_cast<float>(i) * step, static_cast<float>(i + 1) * step);
     }
     strip(end, 1.0f);
     return mesh;
@@ -47,8 +36,8 @@ MeshData needleFloor(float step) {
 
 StressCase needleFloorCase(float aspect, bool tilted) {
     StressCase c =
-        named("floor of aspect " + number(aspect) + (tilted ? ", turned" : ""),
-              "triangles " + number(aspect) + " times as long as wide", "albedo under an even sky");
+        namedCase("needles", "floor of aspect " + gradeNumber(aspect) + (tilted ? ", turned" : ""),
+                  "triangles " + gradeNumber(aspect) + " times as long as wide", "albedo under an even sky");
     c.run = [=](const StressEffort& effort) {
         const float step = 2.0f / aspect;
         return measurePaths(skyOverMesh(needleFloor(step), 32.0f * step, tilted), effort.passes(64), kGrey,
@@ -60,9 +49,9 @@ StressCase needleFloorCase(float aspect, bool tilted) {
 /// The lamp is a strip of 64 needles, 2 long and b = 64 * width wide, at height 1: from below its middle it
 /// is a rectangle of half edges a = 1 and b / 2.
 StressCase needleLampCase(float aspect) {
-    StressCase c = named("lamp of aspect " + number(aspect),
-                         "a lamp of triangles " + number(aspect) + " times as long as wide",
-                         "irradiance in closed form");
+    StressCase c = namedCase("needles", "lamp of aspect " + gradeNumber(aspect),
+                             "a lamp of triangles " + gradeNumber(aspect) + " times as long as wide",
+                             "irradiance in closed form");
     c.run = [=](const StressEffort& effort) {
         const float step = 2.0f / aspect;
         const double b = 32.0 * static_cast<double>(step);
@@ -89,9 +78,10 @@ StressCase needleLampCase(float aspect) {
 /// One long triangle askew, seen closely and lit from one side: its normal must come from edges that run all
 /// but along one another. The truth takes it from the same vertices in double.
 StressCase litNeedleCase(float aspect) {
-    StressCase c = named("lit, of aspect " + number(aspect),
-                         "a triangle " + number(aspect) + " times as long as wide, lit from one side",
-                         "its normal in double");
+    StressCase c =
+        namedCase("needles", "lit, of aspect " + gradeNumber(aspect),
+                  "a triangle " + gradeNumber(aspect) + " times as long as wide, lit from one side",
+                  "its normal in double");
     c.run = [=](const StressEffort& effort) {
         const Vec3 along(1.0f, 0.7f, 0.3f);
         const float width = 2.0f * glm::length(along) / aspect;

@@ -17,17 +17,6 @@ constexpr const char* kFamily = "photons";
 constexpr double kPiD = std::numbers::pi;
 constexpr double kFloorRadiance = 0.5 / kPiD;  // albedo 0.5, irradiance 1
 
-std::string number(double value) { return gradeNumber(value); }
-
-StressCase named(std::string grade, std::string extreme, std::string truth) {
-    StressCase c;
-    c.family = kFamily;
-    c.grade = std::move(grade);
-    c.extreme = std::move(extreme);
-    c.truth = std::move(truth);
-    return c;
-}
-
 /// The middle of a floor of half size 1, lit straight from above with the irradiance 1, by photons alone.
 SceneDescription litFloor(float radius, uint32_t photons) {
     SceneDescription scene = emptyStressScene({0.2f, 1.0f, 0.1f}, {0, 0, 0}, 2.0f, 4);
@@ -44,9 +33,9 @@ SceneDescription litFloor(float radius, uint32_t photons) {
 
 /// Every photon of the floor counts in a disc that reaches beyond it: density 4 / (pi r^2) of the true one.
 StressCase largeRadiusCase(float radius) {
-    StressCase c = named("radius " + number(static_cast<double>(radius)),
-                         "a radius " + number(static_cast<double>(radius)) + " times half the floor's size",
-                         "irradiance in closed form, with the bias of the first radius");
+    StressCase c = namedCase(kFamily, "radius " + gradeNumber(radius),
+                             "a radius " + gradeNumber(radius) + " times half the floor's size",
+                             "irradiance in closed form, with the bias of the first radius");
     c.run = [=](const StressEffort& effort) {
         const double r2 = static_cast<double>(radius) * static_cast<double>(radius);
         const double share = radius > 1.5f ? 4.0 / (kPiD * r2) : 1.0;
@@ -58,9 +47,9 @@ StressCase largeRadiusCase(float radius) {
 
 /// A narrow spot light over a floor that is 1 / relative times as large as the radius.
 StressCase smallRadiusCase(float relative) {
-    StressCase c = named("radius " + number(static_cast<double>(relative)),
-                         "a radius " + number(static_cast<double>(relative)) + " times half the floor's size",
-                         "irradiance in closed form");
+    StressCase c = namedCase(kFamily, "radius " + gradeNumber(relative),
+                             "a radius " + gradeNumber(relative) + " times half the floor's size",
+                             "irradiance in closed form");
     c.run = [=](const StressEffort& effort) {
         constexpr float kRadius = 2e-3f;
         const float size = kRadius / relative;
@@ -84,10 +73,10 @@ StressCase smallRadiusCase(float relative) {
 
 /// The same floor lit by a spot whose cone is as narrow as grades go: all its photons go where it shines.
 StressCase narrowSpotCase(float halfAngleDeg) {
-    StressCase c = named(
-        "spot of " + number(static_cast<double>(halfAngleDeg)) + " degrees",
-        "photons of a spot light with a cone of " + number(static_cast<double>(halfAngleDeg)) + " degrees",
-        "intensity over distance squared");
+    StressCase c =
+        namedCase(kFamily, "spot of " + gradeNumber(halfAngleDeg) + " degrees",
+                  "photons of a spot light with a cone of " + gradeNumber(halfAngleDeg) + " degrees",
+                  "intensity over distance squared");
     c.run = [=](const StressEffort& effort) {
         const float spotRadius = halfAngleDeg * kPi / 180.0f;
         SceneDescription scene = emptyStressScene({0, 0.7f, 0}, {0, 0, 0}, 0.2f * halfAngleDeg, 4);
@@ -109,9 +98,9 @@ StressCase narrowSpotCase(float halfAngleDeg) {
 }
 
 StressCase photonCountCase(uint32_t photons, uint32_t passes, uint32_t runs) {
-    StressCase c = named(number(photons) + " photons a pass",
-                         std::to_string(passes) + " passes of " + number(photons) + " photons",
-                         "irradiance in closed form");
+    StressCase c = namedCase(kFamily, gradeNumber(photons) + " photons a pass",
+                             std::to_string(passes) + " passes of " + gradeNumber(photons) + " photons",
+                             "irradiance in closed form");
     c.quick = photons == 1000;
     c.run = [=](const StressEffort& effort) {
         return measurePhotons(litFloor(photons == 1 ? 0.8f : 0.3f, photons), passes, effort.passes(runs, 12),
@@ -122,7 +111,8 @@ StressCase photonCountCase(uint32_t photons, uint32_t passes, uint32_t runs) {
 
 /// No photon reaches the floor: it must stay black and finite.
 StressCase darkCase() {
-    StressCase c = named("no photon for 10000 passes", "a floor that no photon reaches", "black");
+    StressCase c =
+        namedCase(kFamily, "no photon for 10000 passes", "a floor that no photon reaches", "black");
     c.run = [](const StressEffort& effort) {
         SceneDescription scene = litFloor(0.3f, 100);
         addShape(&scene, ShapeKind::Rectangle, placeFlatShape({0, 3, 0}, {0, 1, 0}, 5, 5),
@@ -134,10 +124,10 @@ StressCase darkCase() {
 
 StressCase roomCase(const char* what, float amount) {
     const bool scaled = std::string(what) == "room x";
-    StressCase c = named(
-        std::string(what) + " " + number(static_cast<double>(amount)),
-        scaled ? "a room whose unit of length is " + number(1.0 / static_cast<double>(amount)) + " units"
-               : "a room " + number(static_cast<double>(amount)) + " times its size from the origin",
+    StressCase c = namedCase(
+        kFamily, std::string(what) + " " + gradeNumber(amount),
+        scaled ? "a room whose unit of length is " + gradeNumber(1.0 / static_cast<double>(amount)) + " units"
+               : "a room " + gradeNumber(amount) + " times its size from the origin",
         "the same room in metres at the origin");
     c.run = [=](const StressEffort& effort) {
         SceneDescription room = scaled ? stressRoom() : gridRoom();

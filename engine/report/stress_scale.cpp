@@ -17,7 +17,7 @@ const char* changeName(StressChange change) {
 StressCase scaleCase(float factor, StressChange change) {
     StressCase c;
     c.family = "scale";
-    c.grade = std::string(changeName(change)) + " x " + gradeNumber(static_cast<double>(factor));
+    c.grade = std::string(changeName(change)) + " x " + gradeNumber(factor);
     c.extreme = "a room whose unit of length is " + gradeNumber(1.0 / static_cast<double>(factor)) + " units";
     c.truth = "the same room in metres";
     if (factor > 1e17f && change == StressChange::Vertices) {
@@ -38,8 +38,8 @@ StressCase offsetCase(float distance, StressChange change) {
     constexpr float kRoomSize = 5.0f;
     StressCase c;
     c.family = "offset";
-    c.grade = std::string(changeName(change)) + " + " + gradeNumber(static_cast<double>(distance));
-    c.extreme = "a room " + gradeNumber(static_cast<double>(distance)) + " times its size from the origin";
+    c.grade = std::string(changeName(change)) + " + " + gradeNumber(distance);
+    c.extreme = "a room " + gradeNumber(distance) + " times its size from the origin";
     c.truth = "the same room at the origin";
     c.quick = change == StressChange::Vertices && distance > 50.0f;
     c.run = [=](const StressEffort& effort) {

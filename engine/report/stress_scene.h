@@ -61,5 +61,9 @@ SceneDescription movedScene(const SceneDescription& scene, const Vec3& offset, S
 
 /// "1e-6", "0.5", "4": how grades write numbers.
 std::string gradeNumber(double value);
+template <class Number>
+std::string gradeNumber(Number value) {
+    return gradeNumber(static_cast<double>(value));
+}
 
 }  // namespace glint

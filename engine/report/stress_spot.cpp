@@ -45,9 +45,8 @@ StressCase narrowSpotCase(float halfAngleDeg, SpotView where) {
     constexpr const char* kWhere[] = {"", ", its edge", ", outside"};
     StressCase c;
     c.family = "lamp";
-    c.grade = "spot of " + gradeNumber(static_cast<double>(halfAngleDeg)) + " degrees" +
-              kWhere[static_cast<int>(where)];
-    c.extreme = "a spot light with a cone of " + gradeNumber(static_cast<double>(halfAngleDeg)) + " degrees";
+    c.grade = "spot of " + gradeNumber(halfAngleDeg) + " degrees" + kWhere[static_cast<int>(where)];
+    c.extreme = "a spot light with a cone of " + gradeNumber(halfAngleDeg) + " degrees";
     c.truth = where == SpotView::Middle ? "intensity over distance squared"
               : where == SpotView::Edge ? "the falloff by quadrature in double"
                                         : "black";

@@ -81,7 +81,8 @@ std::vector<StressCase> stressCases() {
     return cases;
 }
 
-Result<std::vector<StressCase>> filterStressCases(std::vector<StressCase> cases, const std::string& filter) {
+Result<std::vector<StressCase>> filterStressCases(const std::vector<StressCase>& cases,
+                                                  const std::string& filter) {
     const std::vector<std::string_view> families = familyNames(cases);
     const bool isFamily = std::ranges::find(families, filter) != families.end();
     std::vector<StressCase> chosen;

@@ -22,7 +22,8 @@ std::string_view stressFamilyAbout(std::string_view family);
 
 /// The cases of a family ("scale"), or those whose "family/grade" contains the text; empty: all. Error: none
 /// does, naming the nearest family.
-Result<std::vector<StressCase>> filterStressCases(std::vector<StressCase> cases, const std::string& filter);
+Result<std::vector<StressCase>> filterStressCases(const std::vector<StressCase>& cases,
+                                                  const std::string& filter);
 
 struct StressResult {
     const StressCase* stressCase = nullptr;

@@ -14,27 +14,13 @@
 namespace glint {
 namespace {
 
-std::string number(double value) { return gradeNumber(value); }
-
-StressCase named(const char* family, std::string grade, std::string extreme, std::string truth,
-                 double tolerance) {
-    StressCase c;
-    c.family = family;
-    c.grade = std::move(grade);
-    c.extreme = std::move(extreme);
-    c.truth = std::move(truth);
-    c.tolerance = tolerance;
-    return c;
-}
-
 Error stoppedError() { return {"the stability suite was stopped", {}}; }
 
 /// n - 1 samples of 0.1 and one of `outlier`, after `share` of the others: mean and standard error.
 StressCase outlierCase(float outlier, double share, const char* where) {
-    StressCase c =
-        named("film", "outlier " + number(static_cast<double>(outlier)) + " " + where,
-              "ten million samples of 0.1 and one of " + number(static_cast<double>(outlier)) + ", " + where,
-              "exact mean and variance", 1e-9);
+    StressCase c = namedCase("film", "outlier " + gradeNumber(outlier) + " " + where,
+                             "ten million samples of 0.1 and one of " + gradeNumber(outlier) + ", " + where,
+                             "exact mean and variance", 1e-9);
     c.run = [=](const StressEffort& effort) -> Result<StressOutcome> {
         const uint32_t count = effort.steps(10000000, 1000000);
         const auto place = static_cast<uint32_t>(share * (count - 1));
@@ -69,8 +55,8 @@ double logGammaRatio(double n, double inverseAlpha) {
 /// m / R_i^2, which telescopes to a closed form, too; it is summed in long double here.
 StressCase steadyCase(uint32_t photons, double alpha) {
     StressCase c =
-        named("recurrence", number(photons) + " photons a pass, alpha " + number(alpha),
-              "a million passes with " + number(photons) + " photons each", "Gamma functions", 1e-6);
+        namedCase("recurrence", gradeNumber(photons) + " photons a pass, alpha " + gradeNumber(alpha),
+                  "a million passes with " + gradeNumber(photons) + " photons each", "Gamma functions", 1e-6);
     c.run = [=](const StressEffort& effort) -> Result<StressOutcome> {
         const uint32_t passes = effort.steps(1000000, 100000);
         SppmPixel pixel;
@@ -99,8 +85,9 @@ StressCase steadyCase(uint32_t photons, double alpha) {
 
 /// Nothing for 10,000 passes, then single photons: as if only the passes with photons had been.
 StressCase lateCase() {
-    StressCase c = named("recurrence", "no photon for 10000 passes, then one a pass",
-                         "a visible point that no photon finds for 10,000 passes", "Gamma functions", 1e-9);
+    StressCase c =
+        namedCase("recurrence", "no photon for 10000 passes, then one a pass",
+                  "a visible point that no photon finds for 10,000 passes", "Gamma functions", 1e-9);
     c.run = [](const StressEffort&) -> Result<StressOutcome> {
         constexpr double kAlpha = 2.0 / 3.0;
         constexpr uint32_t kEmpty = 10000;
@@ -127,10 +114,10 @@ StressCase lateCase() {
 /// Photons of an even density, Poisson distributed: the estimate is unbiased, and the radius shrinks as
 /// n^(alpha - 1) (R^2 ~ Gamma(n + alpha) / Gamma(n + 1) between two late passes; Knaus and Zwicker 2011).
 StressCase densityCase(double photonsAtFirst, double alpha) {
-    StressCase c =
-        named("recurrence", "even density " + number(photonsAtFirst) + ", alpha " + number(alpha),
-              "a million passes at an even photon density, " + number(photonsAtFirst) + " in the first",
-              "the asymptotic law and the true radiance", 0.005);
+    StressCase c = namedCase(
+        "recurrence", "even density " + gradeNumber(photonsAtFirst) + ", alpha " + gradeNumber(alpha),
+        "a million passes at an even photon density, " + gradeNumber(photonsAtFirst) + " in the first",
+        "the asymptotic law and the true radiance", 0.005);
     c.run = [=](const StressEffort& effort) -> Result<StressOutcome> {
         const uint32_t passes = effort.steps(1000000, 20000);
         const uint32_t early = passes / 10;

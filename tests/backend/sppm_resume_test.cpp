@@ -9,6 +9,7 @@
 #include "engine/render/error_estimate.h"
 #include "engine/render/snapshot.h"
 #include "tests/support/session_render.h"
+#include "tests/support/sppm_scenes.h"
 #include "tests/support/temp_folder.h"
 #include "tests/support/test_scenes.h"
 
@@ -18,17 +19,9 @@ namespace {
 using testing::HasSubstr;
 
 SceneDescription photonScene(PhotonLookupKind lookup = PhotonLookupKind::Grid) {
-    SceneDescription scene = cornellBox();
-    scene.resolution = {40, 30};
-    scene.options.maxDepth = 6;
+    SceneDescription scene = glassBox();
     scene.options.integrator = IntegratorKind::Sppm;
-    scene.sppm.photonsPerPass = 3000;
     scene.sppm.lookup = lookup;
-    Material glass;
-    glass.name = "glass";
-    glass.kind = MaterialKind::Dielectric;
-    scene.materials.push_back(glass);
-    scene.objects.back().material = static_cast<int>(scene.materials.size()) - 1;
     return scene;
 }
 

@@ -79,7 +79,7 @@ std::string forecastText(const ConvergenceCurve& curve, double target) {
     }
     const auto forecast = forecastError(curve, target);
     if (!forecast || !std::isfinite(forecast->secondsLeft)) return "not to be told yet";
-    const std::string left = "in " + duration(forecast->secondsLeft);
+    std::string left = "in " + duration(forecast->secondsLeft);
     if (!(forecast->secondsHigh > forecast->secondsLow * 1.02)) return left;
     const bool isBounded = std::isfinite(forecast->secondsHigh);
     return fmt::format("{}  ({} – {})", left, duration(forecast->secondsLow),
@@ -122,7 +122,7 @@ void warn(const char* label, const std::string& text) {
 /// Why nothing can be measured against the reference, or why that is doubtful.
 std::string whyUnfit(const ViewerModel& model) {
     const Resolution& size = model.draft().resolution;
-    const std::string mismatch = model.reference.mismatch(size.width, size.height);
+    std::string mismatch = model.reference.mismatch(size.width, size.height);
     const ReferenceFit& fit = model.referenceFit;
     if (!mismatch.empty() || fit.fits()) return mismatch;
     if (fit.checking()) return "Checking whether the reference shows this scene…";

@@ -17,9 +17,7 @@ class ColorWriter {
   public:
     explicit ColorWriter(size_t pixels) : rgba_(pixels * kChannels, 255), next_(rgba_.data()) {}
     void add(const Vec3& display) {
-        for (int c = 0; c < 3; ++c)
-            next_[c] =
-                display[c] > 0.0f ? static_cast<uint8_t>(std::min(display[c], 1.0f) * 255.0f + 0.5f) : 0;
+        for (int c = 0; c < 3; ++c) next_[c] = displayByte(display[c]);
         next_ += kChannels;
     }
     std::vector<uint8_t> take() { return std::move(rgba_); }

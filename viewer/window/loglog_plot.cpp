@@ -283,7 +283,7 @@ PlotHover drawLogLogPlot(const LogLogPlot& plot, Vec2 min, Vec2 max) {
     if (plot.targetY && isPositive(*plot.targetY)) drawTarget(axes, *plot.targetY, draw);
     for (auto curve = plot.curves.rbegin(); curve != plot.curves.rend(); ++curve)
         drawCurve(axes, *curve, draw);
-    const PlotHover hover = hoverOf(plot, axes);
+    PlotHover hover = hoverOf(plot, axes);
     if (!hover.empty()) drawHover(plot, hover, axes, draw);
     draw->PopClipRect();
     return hover;
