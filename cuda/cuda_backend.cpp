@@ -34,9 +34,9 @@ class CudaBackend final : public Backend {
     Status setScene(std::shared_ptr<const BuiltScene> scene) override {
         features_ = scene->features;
         host_ = scene;
-        if (sppm_) sppm_->sceneChanged();
+        if (sppm_) { sppm_->sceneChanged(); }
         Status taken = scene_.update(scene);
-        if (taken || !sppm_) return taken;
+        if (taken || !sppm_) { return taken; }
         // Photons are kept from pass to pass only to be faster.
         sppm_.reset();
         return scene_.update(std::move(scene));
@@ -58,7 +58,7 @@ class CudaBackend final : public Backend {
   private:
     template <class Sample>
     Result<bool> render(const PassParams& params, const std::atomic<bool>& stop,
-                        Kernel<PictureLaunch<Sample>> CudaVariant::*kernel, ChunkPacer* pacer,
+                        Kernel<ImageLaunch<Sample>> CudaVariant::*kernel, ChunkPacer* pacer,
                         std::vector<Sample>* out);
     Status prepare(const PassParams& params, size_t sampleBytes);
     Status reserveImage(size_t bytes);
@@ -75,24 +75,25 @@ class CudaBackend final : public Backend {
 
 template <class Sample>
 Result<bool> CudaBackend::render(const PassParams& params, const std::atomic<bool>& stop,
-                                 Kernel<PictureLaunch<Sample>> CudaVariant::*kernel, ChunkPacer* pacer,
+                                 Kernel<ImageLaunch<Sample>> CudaVariant::*kernel, ChunkPacer* pacer,
                                  std::vector<Sample>* out) {
-    if (Status s = prepare(params, sizeof(Sample)); !s) return s.error();
+    if (Status s = prepare(params, sizeof(Sample)); !s) { return s.error(); }
     const CudaVariant& variant = chooseCudaVariant(features_ | featuresOfPass(params));
-    const PictureLaunch<Sample> launch{scene_.view(), params, image_.as<Sample>()};
+    const ImageLaunch<Sample> launch{scene_.view(), params, image_.as<Sample>()};
     const uint32_t threads = threadsOfPass(params.width, params.height);
     const Result<bool> done = runPaced(*device_, variant.*kernel, launch, threads, stop, pacer);
-    if (!done || !*done) return done;
+    if (!done || !*done) { return done; }
     out->resize(static_cast<size_t>(params.width) * static_cast<size_t>(params.height));
-    if (Status s = device_->download(out->data(), image_.data(), out->size() * sizeof(Sample)); !s)
+    if (Status s = device_->download(out->data(), image_.data(), out->size() * sizeof(Sample)); !s) {
         return s.error();
+    }
     return true;
 }
 
 Result<bool> CudaBackend::renderSppmPass(const SppmParams& params, const std::atomic<bool>& stop,
                                          SppmState* state, std::vector<PixelSample>* direct) {
-    if (Status s = prepare(params.pass, sizeof(PixelSample)); !s) return s.error();
-    if (!sppm_) sppm_.emplace(*device_);
+    if (Status s = prepare(params.pass, sizeof(PixelSample)); !s) { return s.error(); }
+    if (!sppm_) { sppm_.emplace(*device_); }
     const SceneView host = host_->view();
     return sppm_->renderPass({scene_.view(), host, features_}, params, stop, image_.as<PixelSample>(), state,
                              direct);
@@ -100,15 +101,15 @@ Result<bool> CudaBackend::renderSppmPass(const SppmParams& params, const std::at
 
 /// Whether there is something to render, and memory for its samples.
 Status CudaBackend::prepare(const PassParams& params, size_t sampleBytes) {
-    if (scene_.empty()) return Error{"CUDA: there is no scene on the device to render.", {}};
+    if (scene_.empty()) { return Error{"CUDA: there is no scene on the device to render.", {}}; }
     const size_t pixels = static_cast<size_t>(params.width) * static_cast<size_t>(params.height);
-    if (pixels == 0) return Error{"CUDA: the picture has no pixels.", {}};
+    if (pixels == 0) { return Error{"CUDA: the picture has no pixels.", {}}; }
     return reserveImage(pixels * sampleBytes);
 }
 
 Status CudaBackend::reserveImage(size_t bytes) {
-    if (image_.bytes() >= bytes) return {};
-    if (Status s = checkFits(*device_, "The picture needs", bytes, image_.bytes()); !s) return s;
+    if (image_.bytes() >= bytes) { return {}; }
+    if (Status s = checkFits(*device_, "The picture needs", bytes, image_.bytes()); !s) { return s; }
     return image_.reserve(*device_, bytes);
 }
 
@@ -116,7 +117,7 @@ Status CudaBackend::reserveImage(size_t bytes) {
 
 Result<std::unique_ptr<Backend>> makeCudaBackend() {
     Result<std::unique_ptr<Device>> device = openGpu();
-    if (!device) return device.error();
+    if (!device) { return device.error(); }
     return makeCudaBackend(std::move(*device));
 }
 

@@ -59,10 +59,10 @@ Result<bool> CudaSppm::renderPass(const Scene& scene, const SppmParams& params, 
             "the CPU.",
             {}};
     }
-    if (Status s = PhotonStore::checkRoom(params.photonsPerPass); !s) return s.error();
+    if (Status s = PhotonStore::checkRoom(params.photonsPerPass); !s) { return s.error(); }
     const uint32_t room = std::max(photons_.room(), params.photonsPerPass);
-    if (Status s = reserve(params, room); !s) return s.error();
-    if (Status s = uploadEmission(scene.host); !s) return s.error();
+    if (Status s = reserve(params, room); !s) { return s.error(); }
+    if (Status s = uploadEmission(scene.host); !s) { return s.error(); }
     EmissionView emission = emission_->view();
     emission.cdf = emissionCdf_.as<float>();
     const Job job{scene.device, emission, params, variantOf(params, scene.features), stop, image};
@@ -71,20 +71,21 @@ Result<bool> CudaSppm::renderPass(const Scene& scene, const SppmParams& params, 
         !s) {
         return s.error();
     }
-    if (const Result<bool> done = runStages(job); !done || !*done) return done;
-    if (Status s = commit(job, state, direct); !s) return s.error();
+    if (const Result<bool> done = runStages(job); !done || !*done) { return done; }
+    if (Status s = commit(job, state, direct); !s) { return s.error(); }
     return true;
 }
 
 Result<bool> CudaSppm::runStages(const Job& job) {
-    if (const Result<bool> done = traceCamera(job); !done || !*done) return done;
+    if (const Result<bool> done = traceCamera(job); !done || !*done) { return done; }
     GridSpace space;
     uint32_t levelsInUse = 0;
-    if (Status s = findSpace(job, &space, &levelsInUse); !s) return s.error();
+    if (Status s = findSpace(job, &space, &levelsInUse); !s) { return s.error(); }
     uint32_t stored = 0;
-    if (const Result<bool> done = tracePhotons(job, space, &stored); !done || !*done) return done;
-    if (Status s = photons_.build(space, levelsInUse, job.params.photonsPerPass, stored); !s)
+    if (const Result<bool> done = tracePhotons(job, space, &stored); !done || !*done) { return done; }
+    if (Status s = photons_.build(space, levelsInUse, job.params.photonsPerPass, stored); !s) {
         return s.error();
+    }
     return gather(job);
 }
 
@@ -93,18 +94,20 @@ Result<bool> CudaSppm::runStages(const Job& job) {
 Status CudaSppm::reserve(const SppmParams& params, uint32_t room) {
     const size_t pixels = pixelCountOf(params);
     const Result<size_t> photonBytes = photons_.bytesWith(params.photonsPerPass, room);
-    if (!photonBytes) return photonBytes.error();
+    if (!photonBytes) { return photonBytes.error(); }
     const size_t needed = std::max(statistics_.bytes(), pixels * sizeof(SppmPixel)) +
                           std::max(pixels_.bytes(), pixels * sizeof(PassPixel)) + kSlices * kSliceBytes +
                           emissionCdf_.bytes() + *photonBytes;
     if (needed > bytes()) {
-        if (Status s = checkFits(device_, needsOf(params), needed, bytes()); !s) return s;
+        if (Status s = checkFits(device_, needsOf(params), needed, bytes()); !s) { return s; }
     }
     Status taken = takeMemory(params, room);
     if (!taken) {
         // Memory in pieces: what is left would only be in the way of the next attempt.
         const size_t held = bytes();
-        for (DeviceBuffer* buffer : {&statistics_, &pixels_, &slices_}) *buffer = {};
+        for (DeviceBuffer* buffer : {&statistics_, &pixels_, &slices_}) {
+            *buffer = {};
+        }
         photons_ = DevicePhotons(device_);
         return Error{fmt::format("{} {:.1f} MiB, of which {:.1f} MiB could be taken: {}", needsOf(params),
                                  static_cast<double>(needed) / 1048576.0,
@@ -116,19 +119,19 @@ Status CudaSppm::reserve(const SppmParams& params, uint32_t room) {
 
 Status CudaSppm::takeMemory(const SppmParams& params, uint32_t room) {
     const size_t pixels = pixelCountOf(params);
-    if (Status s = statistics_.reserve(device_, pixels * sizeof(SppmPixel)); !s) return s;
-    if (Status s = pixels_.reserve(device_, pixels * sizeof(PassPixel)); !s) return s;
-    if (Status s = slices_.reserve(device_, kSlices * kSliceBytes); !s) return s;
+    if (Status s = statistics_.reserve(device_, pixels * sizeof(SppmPixel)); !s) { return s; }
+    if (Status s = pixels_.reserve(device_, pixels * sizeof(PassPixel)); !s) { return s; }
+    if (Status s = slices_.reserve(device_, kSlices * kSliceBytes); !s) { return s; }
     return photons_.reserve(params.photonsPerPass, room);
 }
 
 Status CudaSppm::uploadEmission(const SceneView& host) {
-    if (emission_) return {};
+    if (emission_) { return {}; }
     EmissionTable table = buildEmissionTable(host);
     const size_t bytes = table.cdf.size() * sizeof(float);
     if (bytes > 0) {
-        if (Status s = emissionCdf_.reserve(device_, bytes); !s) return s;
-        if (Status s = device_.upload(emissionCdf_.data(), table.cdf.data(), bytes); !s) return s;
+        if (Status s = emissionCdf_.reserve(device_, bytes); !s) { return s; }
+        if (Status s = device_.upload(emissionCdf_.data(), table.cdf.data(), bytes); !s) { return s; }
     }
     emission_ = std::move(table);
     return {};
@@ -151,41 +154,47 @@ Status CudaSppm::findSpace(const Job& job, GridSpace* space, uint32_t* levelsInU
     launch.levels = slices_.as<uint32_t>();
 
     std::vector<Bounds> bounds(launch.slices);
-    if (Status s = runAtOnce(device_, kPhotonSteps.findBounds, launch, launch.slices); !s) return s;
-    if (Status s = device_.download(bounds.data(), slices_.data(), bounds.size() * sizeof(Bounds)); !s)
+    if (Status s = runAtOnce(device_, kPhotonSteps.findBounds, launch, launch.slices); !s) { return s; }
+    if (Status s = device_.download(bounds.data(), slices_.data(), bounds.size() * sizeof(Bounds)); !s) {
         return s;
+    }
     Bounds all;
-    for (const Bounds& slice : bounds) all.grow(slice);
+    for (const Bounds& slice : bounds) {
+        all.grow(slice);
+    }
     *space = launch.space = gridSpaceFor(all);
 
     std::vector<uint32_t> levels(launch.slices);
-    if (Status s = runAtOnce(device_, kPhotonSteps.findLevels, launch, launch.slices); !s) return s;
-    if (Status s = device_.download(levels.data(), slices_.data(), levels.size() * sizeof(uint32_t)); !s)
+    if (Status s = runAtOnce(device_, kPhotonSteps.findLevels, launch, launch.slices); !s) { return s; }
+    if (Status s = device_.download(levels.data(), slices_.data(), levels.size() * sizeof(uint32_t)); !s) {
         return s;
-    for (const uint32_t slice : levels) *levelsInUse |= slice;
+    }
+    for (const uint32_t slice : levels) {
+        *levelsInUse |= slice;
+    }
     return {};
 }
 
-/// Again with more room where the photons of the pass turn out to be kept at more places than there was room
-/// for.
+/// Again with more room where the photons of the pass turn out to be kept at more places than there was
+/// room for.
 Result<bool> CudaSppm::tracePhotons(const Job& job, const GridSpace& space, uint32_t* stored) {
     while (true) {
         const Result<PhotonSlots> slots = photons_.reset();
-        if (!slots) return slots.error();
+        if (!slots) { return slots.error(); }
         const PhotonLaunch launch{job.view, job.emission, job.params, space, *slots};
         const Result<bool> done = runPaced(device_, job.variant.photons, launch, job.params.photonsPerPass,
                                            job.stop, &photonPacer_);
-        if (!done || !*done) return done;
+        if (!done || !*done) { return done; }
         const Result<uint64_t> wanted = photons_.wanted();
-        if (!wanted) return wanted.error();
+        if (!wanted) { return wanted.error(); }
         if (*wanted <= photons_.room()) {
             *stored = static_cast<uint32_t>(*wanted);
             return true;
         }
-        if (Status s = PhotonStore::checkRoom(*wanted); !s) return s.error();
+        if (Status s = PhotonStore::checkRoom(*wanted); !s) { return s.error(); }
         const uint64_t most = PhotonStore::kMaxPhotons;
         const auto room = static_cast<uint32_t>(std::min(*wanted + *wanted / 8, most));
-        if (Status s = reserve(job.params, room); !s) return s.error();
+        if (Status s = reserve(job.params, room); !s) { return s.error(); }
     }
 }
 
@@ -199,18 +208,20 @@ Result<bool> CudaSppm::gather(const Job& job) {
 Status CudaSppm::commit(const Job& job, SppmState* state, std::vector<PixelSample>* direct) {
     const UpdateLaunch launch{job.params, pixels_.as<PassPixel>(), statistics_.as<SppmPixel>()};
     const size_t count = job.pixelCount();
-    if (Status s = runAtOnce(device_, kPhotonSteps.update, launch, static_cast<uint32_t>(count)); !s)
+    if (Status s = runAtOnce(device_, kPhotonSteps.update, launch, static_cast<uint32_t>(count)); !s) {
         return s;
+    }
     try {
         fetched_.resize(count);
         direct->resize(count);
     } catch (const std::bad_alloc&) {
         return Error{"not enough memory for the statistics of a photon map", {}};
     }
-    if (Status s = device_.download(fetched_.data(), statistics_.data(), count * sizeof(SppmPixel)); !s)
+    if (Status s = device_.download(fetched_.data(), statistics_.data(), count * sizeof(SppmPixel)); !s) {
         return s;
+    }
     const auto* image = reinterpret_cast<const std::byte*>(job.image);
-    if (Status s = device_.download(direct->data(), image, count * sizeof(PixelSample)); !s) return s;
+    if (Status s = device_.download(direct->data(), image, count * sizeof(PixelSample)); !s) { return s; }
     state->pixels.swap(fetched_);
     state->passes = job.params.pass.pass + 1;
     state->emittedPhotons += job.params.photonsPerPass;

@@ -11,7 +11,7 @@
 
 #include "cuda/chunk_pacer.h"
 #include "cuda/device_photons.h"
-#include "engine/build/emission_table.h"
+#include "engine/builders/emission_table.h"
 #include "engine/render/sppm_state.h"
 
 namespace glint {

@@ -18,7 +18,7 @@ std::span<const CudaVariant> cudaVariants() {
 const CudaVariant& chooseCudaVariant(FeatureMask needed) {
     const std::span<const CudaVariant> variants = cudaVariants();
     for (const CudaVariant& candidate : variants) {
-        if ((needed & ~candidate.mask) == 0) return candidate;
+        if ((needed & ~candidate.mask) == 0) { return candidate; }
     }
     return variants.back();
 }

@@ -49,13 +49,13 @@ class Device {
     /// Waits until no more than `pending` (0 or 1) launches are unfinished. Error: a launch has failed.
     virtual Status waitForLaunches(int pending) = 0;
 
-    /// Working memory that is enough for sums over `sumCount` values and for `sort`, whose arrays don't
-    /// matter.
+    /// Working memory that is enough for sums over `sumCount` values and for `sort`, whose arrays
+    /// don't matter.
     virtual Result<size_t> scratchBytes(uint32_t sumCount, const KeySort& sort) const = 0;
     /// Replaces each value by the sum of those before it.
     virtual Status sumBefore(uint32_t* values, uint32_t count, std::byte* scratch, size_t scratchBytes) = 0;
-    /// Sorts by bits [firstBit, endBit), stably; both arrays are overwritten. Answers which of them holds the
-    /// result.
+    /// Sorts by bits [firstBit, endBit), stably; both arrays are overwritten. Answers which of them holds
+    /// the result.
     virtual Result<uint64_t*> sortKeys(const KeySort& sort, std::byte* scratch, size_t scratchBytes) = 0;
 
     /// Arrays in a block start at multiples of it: nodes are read in whole cache lines.

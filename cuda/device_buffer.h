@@ -18,13 +18,13 @@ class DeviceBuffer {
         return *this;
     }
     ~DeviceBuffer() {
-        if (data_) device_->release(data_);
+        if (data_) { device_->release(data_); }
     }
 
     /// `bytes` > 0. The device must outlive the buffer. Error: not as much is free.
     static Result<DeviceBuffer> allocate(Device& device, size_t bytes) {
         Result<std::byte*> block = device.allocate(bytes);
-        if (!block) return block.error();
+        if (!block) { return block.error(); }
         DeviceBuffer buffer;
         buffer.device_ = &device;
         buffer.data_ = *block;
@@ -34,10 +34,10 @@ class DeviceBuffer {
 
     /// Makes it at least so large; keeps what is large enough, and frees the rest before it takes more.
     Status reserve(Device& device, size_t bytes) {
-        if (bytes <= bytes_) return {};
+        if (bytes <= bytes_) { return {}; }
         *this = DeviceBuffer();
         Result<DeviceBuffer> larger = allocate(device, bytes);
-        if (!larger) return larger.error();
+        if (!larger) { return larger.error(); }
         *this = std::move(*larger);
         return {};
     }

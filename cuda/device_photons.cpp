@@ -27,7 +27,7 @@ KeySort sortOf(uint64_t* keys, uint64_t* other, uint32_t count) {
 
 Result<size_t> DevicePhotons::bytesWith(uint32_t emitted, uint32_t room) const {
     const Result<size_t> scratch = device_->scratchBytes(emitted, sortOf(nullptr, nullptr, room));
-    if (!scratch) return scratch;
+    if (!scratch) { return scratch; }
     return std::max(photons_.bytes(), room * sizeof(Photon)) +
            2 * std::max(keys_[0].bytes(), room * sizeof(uint64_t)) +
            std::max(stored_.bytes(), emitted * sizeof(uint32_t)) + std::max(scratch_.bytes(), *scratch) +
@@ -36,7 +36,7 @@ Result<size_t> DevicePhotons::bytesWith(uint32_t emitted, uint32_t room) const {
 
 Status DevicePhotons::reserve(uint32_t emitted, uint32_t room) {
     const Result<size_t> scratch = device_->scratchBytes(emitted, sortOf(nullptr, nullptr, room));
-    if (!scratch) return scratch.error();
+    if (!scratch) { return scratch.error(); }
     const std::pair<DeviceBuffer*, size_t> wanted[] = {
         {&photons_, room * sizeof(Photon)},
         {&keys_[0], room * sizeof(uint64_t)},
@@ -46,7 +46,7 @@ Status DevicePhotons::reserve(uint32_t emitted, uint32_t room) {
         {&counters_, kCounterBytes},
     };
     for (const auto& [buffer, bytes] : wanted) {
-        if (Status s = buffer->reserve(*device_, bytes); !s) return s;
+        if (Status s = buffer->reserve(*device_, bytes); !s) { return s; }
     }
     return {};
 }
@@ -57,22 +57,22 @@ PhotonSlots DevicePhotons::slots() const {
 }
 
 Result<PhotonSlots> DevicePhotons::reset() {
-    if (Status s = device_->clear(counters_.data(), kCounterBytes); !s) return s.error();
+    if (Status s = device_->clear(counters_.data(), kCounterBytes); !s) { return s.error(); }
     return slots();
 }
 
 Result<uint64_t> DevicePhotons::wanted() {
     uint64_t claimed = 0;
-    if (Status s = device_->download(&claimed, counters_.data(), sizeof claimed); !s) return s.error();
+    if (Status s = device_->download(&claimed, counters_.data(), sizeof claimed); !s) { return s.error(); }
     return claimed;
 }
 
 Status DevicePhotons::build(const GridSpace& space, uint32_t levelsInUse, uint32_t emitted, uint32_t count) {
     grid_ = {space, {photons_.as<Photon>(), count}, {}};
-    if (count == 0) return {};
+    if (count == 0) { return {}; }
     const Result<Sorted> sorted = sortKeys(space, emitted, count);
-    if (!sorted) return sorted.error();
-    if (Status s = movePhotons(*sorted, count); !s) return s;
+    if (!sorted) { return sorted.error(); }
+    if (Status s = movePhotons(*sorted, count); !s) { return s; }
     return buildTables(sorted.value().keys, levelsInUse, count);
 }
 
@@ -82,21 +82,22 @@ Result<DevicePhotons::Sorted> DevicePhotons::sortKeys(const GridSpace& space, ui
     auto* const stored = stored_.as<uint32_t>();
     auto* const keys = keys_[1].as<uint64_t>();
     auto* const places = keys_[0].as<uint64_t>();
-    if (Status s = device_->sumBefore(stored, emitted, scratch_.data(), scratch_.bytes()); !s)
+    if (Status s = device_->sumBefore(stored, emitted, scratch_.data(), scratch_.bytes()); !s) {
         return s.error();
+    }
     const KeyLaunch launch{space, slots(), stored, keys};
-    if (Status s = runAtOnce(*device_, kPhotonSteps.makeKeys, launch, count); !s) return s.error();
+    if (Status s = runAtOnce(*device_, kPhotonSteps.makeKeys, launch, count); !s) { return s.error(); }
     const Result<uint64_t*> sorted =
         device_->sortKeys(sortOf(keys, places, count), scratch_.data(), scratch_.bytes());
-    if (!sorted) return sorted.error();
+    if (!sorted) { return sorted.error(); }
     return Sorted{*sorted, *sorted == keys ? places : keys};
 }
 
 Status DevicePhotons::movePhotons(const Sorted& sorted, uint32_t count) {
     MoveLaunch launch{sorted.keys, photons_.as<Photon>(), sorted.free};
     for (launch.part = 0; launch.part < kPhotonParts; ++launch.part) {
-        if (Status s = runAtOnce(*device_, kPhotonSteps.takeParts, launch, count); !s) return s;
-        if (Status s = runAtOnce(*device_, kPhotonSteps.placeParts, launch, count); !s) return s;
+        if (Status s = runAtOnce(*device_, kPhotonSteps.takeParts, launch, count); !s) { return s; }
+        if (Status s = runAtOnce(*device_, kPhotonSteps.placeParts, launch, count); !s) { return s; }
     }
     return {};
 }
@@ -107,10 +108,10 @@ Status DevicePhotons::buildTables(const uint64_t* keys, uint32_t levelsInUse, ui
     launch.photonCount = count;
     launch.levelsInUse = levelsInUse;
     launch.cellCounts = reinterpret_cast<uint32_t*>(counters_.data() + kCellCounts);
-    if (Status s = runAtOnce(*device_, kPhotonSteps.countCells, launch, count); !s) return s;
-    if (Status s = layOutTables(&launch); !s) return s;
-    if (Status s = runAtOnce(*device_, kPhotonSteps.enterCells, launch, count); !s) return s;
-    if (Status s = runAtOnce(*device_, kPhotonSteps.closeCells, launch, count); !s) return s;
+    if (Status s = runAtOnce(*device_, kPhotonSteps.countCells, launch, count); !s) { return s; }
+    if (Status s = layOutTables(&launch); !s) { return s; }
+    if (Status s = runAtOnce(*device_, kPhotonSteps.enterCells, launch, count); !s) { return s; }
+    if (Status s = runAtOnce(*device_, kPhotonSteps.closeCells, launch, count); !s) { return s; }
     for (size_t level = 0; level < kGridLevels; ++level) {
         grid_.tables[level] = {launch.tables[level], launch.capacities[level]};
     }
@@ -120,8 +121,9 @@ Status DevicePhotons::buildTables(const uint64_t* keys, uint32_t levelsInUse, ui
 /// Empty tables of the right sizes, one after the other in one block.
 Status DevicePhotons::layOutTables(TableLaunch* launch) {
     std::array<uint32_t, kGridLevels> cells{};
-    if (Status s = device_->download(cells.data(), counters_.data() + kCellCounts, sizeof cells); !s)
+    if (Status s = device_->download(cells.data(), counters_.data() + kCellCounts, sizeof cells); !s) {
         return s;
+    }
     size_t slotCount = 0;
     for (size_t level = 0; level < kGridLevels; ++level) {
         const bool inUse = (launch->levelsInUse >> level & 1u) != 0;
@@ -129,11 +131,11 @@ Status DevicePhotons::layOutTables(TableLaunch* launch) {
         slotCount += launch->capacities[level];
     }
     const size_t bytes = slotCount * sizeof(GridSlot);
-    if (bytes == 0) return {};
+    if (bytes == 0) { return {}; }
     if (bytes > tables_.bytes()) {
-        if (Status s = checkFits(*device_, "The photon grid needs", bytes, tables_.bytes()); !s) return s;
+        if (Status s = checkFits(*device_, "The photon grid needs", bytes, tables_.bytes()); !s) { return s; }
     }
-    if (Status s = tables_.reserve(*device_, bytes); !s) return s;
+    if (Status s = tables_.reserve(*device_, bytes); !s) { return s; }
     GridSlot* next = tables_.as<GridSlot>();
     for (size_t level = 0; level < kGridLevels; ++level) {
         launch->tables[level] = next;

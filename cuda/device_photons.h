@@ -1,5 +1,5 @@
-// The photons of one pass in device memory and the grid that finds them: what render/photon_store.h is on the
-// CPU.
+// The photons of one pass in device memory and the grid that finds them: what render/photon_store.h is on
+// the CPU.
 //
 // Owned by the CUDA back end's SPPM. 48 bytes a stored photon, as on the CPU, 4 for each emitted one, and the
 // tables of the cell sizes in use. The order of the photons depends on their numbers only: slots are claimed

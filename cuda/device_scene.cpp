@@ -34,8 +34,12 @@ std::vector<TextureView> copyOf(const View<TextureView>& table) {
 /// Calls visit(pointer, count) for every array of the scene, those of its meshes and textures included.
 template <class Visit>
 void forEachArrayOfScene(SceneView view, Visit&& visit) {
-    for (MeshView& mesh : copyOf(view.geometry.meshes)) forEachArray(mesh, visit);
-    for (TextureView& texture : copyOf(view.textures)) forEachArray(texture, visit);
+    for (MeshView& mesh : copyOf(view.geometry.meshes)) {
+        forEachArray(mesh, visit);
+    }
+    for (TextureView& texture : copyOf(view.textures)) {
+        forEachArray(texture, visit);
+    }
     forEachArray(view, visit);
 }
 
@@ -60,17 +64,19 @@ Status DeviceScene::updateFrom(const SceneView& host) {
         fresh.empty() && source_ && host.geometry.meshes.data == hostView_.geometry.meshes.data &&
         host.geometry.meshes.count == hostView_.geometry.meshes.count &&
         host.textures.data == hostView_.textures.data && host.textures.count == hostView_.textures.count;
-    if (!tablesKept) tables_ = {};
+    if (!tablesKept) { tables_ = {}; }
 
     const std::vector<BlockPlan> plans = planBlocks(fresh);
     size_t needed = tablesKept ? 0 : tableBytes(host);
-    for (const BlockPlan& plan : plans) needed += plan.bytes;
-    if (Status s = checkFits(device_, "The scene needs", needed); !s) return s;
     for (const BlockPlan& plan : plans) {
-        if (Status s = copyBlock(plan); !s) return s;
+        needed += plan.bytes;
+    }
+    if (Status s = checkFits(device_, "The scene needs", needed); !s) { return s; }
+    for (const BlockPlan& plan : plans) {
+        if (Status s = copyBlock(plan); !s) { return s; }
     }
     if (!tablesKept) {
-        if (Status s = copyTables(host); !s) return s;
+        if (Status s = copyTables(host); !s) { return s; }
     }
 
     view_ = host;
@@ -84,7 +90,7 @@ Status DeviceScene::updateFrom(const SceneView& host) {
 std::vector<DeviceScene::ArrayKey> DeviceScene::keepShared(const SceneView& host) {
     std::set<ArrayKey> used;
     forEachArrayOfScene(host, [&](const auto* pointer, size_t count) {
-        if (pointer && count != 0) used.insert({pointer, count * sizeof(*pointer)});
+        if (pointer && count != 0) { used.insert({pointer, count * sizeof(*pointer)}); }
     });
     std::erase_if(copies_, [&](const auto& entry) { return !used.contains(entry.first); });
     std::vector<ArrayKey> fresh;
@@ -110,22 +116,22 @@ std::vector<DeviceScene::BlockPlan> DeviceScene::planBlocks(const std::vector<Ar
             shared.bytes += aligned(key.bytes);
         }
     }
-    if (!shared.arrays.empty()) plans.push_back(std::move(shared));
+    if (!shared.arrays.empty()) { plans.push_back(std::move(shared)); }
     return plans;
 }
 
 Status DeviceScene::copyBlock(const BlockPlan& plan) {
     Result<DeviceBuffer> buffer = DeviceBuffer::allocate(device_, plan.bytes);
-    if (!buffer) return buffer.error();
+    if (!buffer) { return buffer.error(); }
     const auto block = std::make_shared<DeviceBuffer>(std::move(*buffer));
     std::vector<std::byte> packed(plan.arrays.size() > 1 ? plan.bytes : 0);
     for (const auto& [key, offset] : plan.arrays) {
-        if (!packed.empty()) std::memcpy(packed.data() + offset, key.host, key.bytes);
+        if (!packed.empty()) { std::memcpy(packed.data() + offset, key.host, key.bytes); }
         copies_[key] = {block, offset};
         ++report_.arraysCopied;
         report_.bytesCopied += key.bytes;
     }
-    if (!packed.empty()) return device_.upload(block->data(), packed.data(), packed.size());
+    if (!packed.empty()) { return device_.upload(block->data(), packed.data(), packed.size()); }
     const ArrayKey& only = plan.arrays.front().first;
     return device_.upload(block->data(), only.host, only.bytes);
 }
@@ -133,21 +139,25 @@ Status DeviceScene::copyBlock(const BlockPlan& plan) {
 /// Meshes first, then textures, in one block.
 Status DeviceScene::copyTables(const SceneView& host) {
     const size_t bytes = tableBytes(host);
-    if (bytes == 0) return {};
+    if (bytes == 0) { return {}; }
     std::vector<MeshView> meshes = copyOf(host.geometry.meshes);
     std::vector<TextureView> textures = copyOf(host.textures);
     const auto redirectArray = [&](auto& pointer, size_t count) { redirect(pointer, count); };
-    for (MeshView& mesh : meshes) forEachArray(mesh, redirectArray);
-    for (TextureView& texture : textures) forEachArray(texture, redirectArray);
+    for (MeshView& mesh : meshes) {
+        forEachArray(mesh, redirectArray);
+    }
+    for (TextureView& texture : textures) {
+        forEachArray(texture, redirectArray);
+    }
 
     std::vector<std::byte> packed(bytes);
-    if (!meshes.empty()) std::memcpy(packed.data(), meshes.data(), meshes.size() * sizeof(MeshView));
+    if (!meshes.empty()) { std::memcpy(packed.data(), meshes.data(), meshes.size() * sizeof(MeshView)); }
     if (!textures.empty()) {
         std::memcpy(packed.data() + meshTableBytes(host), textures.data(),
                     textures.size() * sizeof(TextureView));
     }
     Result<DeviceBuffer> buffer = DeviceBuffer::allocate(device_, bytes);
-    if (!buffer) return buffer.error();
+    if (!buffer) { return buffer.error(); }
     tables_ = std::move(*buffer);
     return device_.upload(tables_.data(), packed.data(), bytes);
 }
@@ -166,7 +176,7 @@ size_t DeviceScene::bytes() const {
     std::set<const DeviceBuffer*> blocks;
     size_t sum = tables_.bytes();
     for (const auto& [key, copy] : copies_) {
-        if (blocks.insert(copy.block.get()).second) sum += copy.block->bytes();
+        if (blocks.insert(copy.block.get()).second) { sum += copy.block->bytes(); }
     }
     return sum;
 }

@@ -1,9 +1,9 @@
-// A scene in device memory: the flat arrays of a BuiltScene, copied, and a SceneView that points to the
-// copies.
+// A scene in device memory: the flat arrays of a BuiltScene, copied, and a SceneView that points to
+// the copies.
 //
-// Owned by the CUDA back end. The parts of a BuiltScene are immutable and shared between builds, so an array
-// at the same address as in the scene before, which is still alive, holds the same values and is not copied
-// again.
+// Owned by the CUDA back end. The parts of a BuiltScene are immutable and shared between builds, so an
+// array at the same address as in the scene before, which is still alive, holds the same values and is not
+// copied again.
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@
 
 #include "cuda/device_buffer.h"
 #include "engine/base/result.h"
-#include "engine/build/built_scene.h"
+#include "engine/builders/built_scene.h"
 
 namespace glint {
 

@@ -13,11 +13,13 @@ int scratchBytesOnGpu(uint32_t sumCount, const KeySort& sort, size_t* bytes) {
     size_t sortBytes = 0;
     uint32_t* const values = nullptr;
     cub::DoubleBuffer<uint64_t> keys;
-    if (const cudaError_t code = cub::DeviceScan::ExclusiveSum(nullptr, sumBytes, values, values, sumCount))
+    if (const cudaError_t code = cub::DeviceScan::ExclusiveSum(nullptr, sumBytes, values, values, sumCount)) {
         return code;
-    if (const cudaError_t code =
-            cub::DeviceRadixSort::SortKeys(nullptr, sortBytes, keys, sort.count, sort.firstBit, sort.endBit))
+    }
+    if (const cudaError_t code = cub::DeviceRadixSort::SortKeys(nullptr, sortBytes, keys, sort.count,
+                                                                sort.firstBit, sort.endBit)) {
         return code;
+    }
     *bytes = std::max({sumBytes, sortBytes, size_t{1}});
     return cudaSuccess;
 }

@@ -21,7 +21,7 @@ static_assert((kAllFeatures & kCompiledForGpu) == 0);
 template <class Body, class Launch>
 __global__ void __launch_bounds__(kBlockThreads) kernel(const __grid_constant__ Launch launch) {
     const uint32_t index = blockIdx.x * kBlockThreads + threadIdx.x;
-    if (index < launch.count) Body::run(launch, launch.first + index);
+    if (index < launch.count) { Body::run(launch, launch.first + index); }
 }
 
 template <class Body, class Launch>
@@ -35,7 +35,9 @@ int startOnGpu(const void* arguments, GpuStream stream) {
 template <class Body, class Launch>
 void runOnHost(const void* arguments, uint32_t begin, uint32_t end) {
     const Launch& launch = *static_cast<const Launch*>(arguments);
-    for (uint32_t index = begin; index < end; ++index) Body::run(launch, launch.first + index);
+    for (uint32_t index = begin; index < end; ++index) {
+        Body::run(launch, launch.first + index);
+    }
 }
 
 template <class Body, class Launch>

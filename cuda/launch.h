@@ -15,15 +15,15 @@ constexpr int kTileHeight = 4;
 
 /// Threads [first, first + count) of a pass. All pointers are the device's; `image` is the whole picture.
 template <class Sample>
-struct PictureLaunch {
+struct ImageLaunch {
     SceneView view;
     PassParams params;
     Sample* image = nullptr;
     uint32_t first = 0;
     uint32_t count = 0;
 };
-using PathLaunch = PictureLaunch<PixelSample>;
-using AovLaunch = PictureLaunch<AovSample>;
+using PathLaunch = ImageLaunch<PixelSample>;
+using AovLaunch = ImageLaunch<AovSample>;
 
 struct PixelPlace {
     int x, y;

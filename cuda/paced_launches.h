@@ -26,20 +26,20 @@ Result<bool> runPaced(Device& device, const Kernel<Launch>& kernel, Launch launc
     uint32_t running = 0;
     // The launch before is waited for while the next one already runs.
     const auto waitForRunning = [&](int pending) -> Status {
-        if (Status s = device.waitForLaunches(pending); !s) return s;
+        if (Status s = device.waitForLaunches(pending); !s) { return s; }
         const double end = secondsNow();
-        if (running != 0) pacer->measured(running, end - std::exchange(lastEnd, end));
+        if (running != 0) { pacer->measured(running, end - std::exchange(lastEnd, end)); }
         return {};
     };
     launch.first = 0;
     while (launch.first < threads && !stop.load(std::memory_order_relaxed)) {
         launch.count = std::min(pacer->threads(), threads - launch.first);
-        if (Status s = device.launch(kernel, launch); !s) return s.error();
-        if (Status s = waitForRunning(1); !s) return s.error();
+        if (Status s = device.launch(kernel, launch); !s) { return s.error(); }
+        if (Status s = waitForRunning(1); !s) { return s.error(); }
         running = launch.count;
         launch.first += launch.count;
     }
-    if (Status s = waitForRunning(0); !s) return s.error();
+    if (Status s = waitForRunning(0); !s) { return s.error(); }
     return launch.first >= threads;
 }
 

@@ -24,9 +24,9 @@ GLINT_HD AovSample traceOne(const AovLaunch& launch, int x, int y) {
 template <FeatureMask kMask>
 struct TracePixels {
     template <class Sample>
-    static GLINT_HD void run(const PictureLaunch<Sample>& launch, uint32_t thread) {
+    static GLINT_HD void run(const ImageLaunch<Sample>& launch, uint32_t thread) {
         const PixelPlace at = pixelOfThread(thread, launch.params.width);
-        if (at.x >= launch.params.width || at.y >= launch.params.height) return;
+        if (at.x >= launch.params.width || at.y >= launch.params.height) { return; }
         launch.image[static_cast<size_t>(at.y) * launch.params.width + at.x] =
             traceOne<kMask>(launch, at.x, at.y);
     }

@@ -58,8 +58,10 @@ GLINT_HD void forEachCellChange(const TableLaunch& launch, uint32_t i, bool firs
     const uint64_t neighbour = border ? 0 : launch.keys[first ? i - 1 : i + 1];
     for (int level = 0; level < kGridLevels; ++level) {
         const uint64_t cell = cellOfKey(key, level);
-        if ((launch.levelsInUse >> level & 1u) == 0) continue;
-        if (!border && cellOfKey(neighbour, level) == cell) return;  // and so at all coarser levels
+        if ((launch.levelsInUse >> level & 1u) == 0) { continue; }
+        if (!border && cellOfKey(neighbour, level) == cell) {
+            return;  // and so at all coarser levels
+        }
         visit(level, cell);
     }
 }

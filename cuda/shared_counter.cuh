@@ -1,5 +1,5 @@
-// Counters that all threads of a launch share. On the host, where bodies run one after the other, plain
-// memory.
+// Counters that all threads of a launch share. On the host, where bodies run one after the other,
+// plain memory.
 #pragma once
 
 #include <cstdint>

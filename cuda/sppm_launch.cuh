@@ -1,7 +1,7 @@
 // The SPPM kernels that depend on the feature mask: what a thread does.
 //
-// Included by one small .cu file for each variant, and by nothing else. All that is computed there is in
-// engine/kernels.
+// Included by one small .cu file for each variant, and by nothing else. All that is computed there is
+// in engine/kernels.
 #pragma once
 
 #include "cuda/kernel_launch.cuh"
@@ -19,7 +19,7 @@ struct TraceCamera {
     static GLINT_HD void run(const CameraLaunch& launch, uint32_t thread) {
         const PassParams& pass = launch.params.pass;
         const PixelPlace at = pixelOfThread(thread, pass.width);
-        if (at.x >= pass.width || at.y >= pass.height) return;
+        if (at.x >= pass.width || at.y >= pass.height) { return; }
         const size_t pixel = static_cast<size_t>(at.y) * pass.width + at.x;
         launch.direct[pixel] = traceVisiblePoint<kMask>(launch.view, launch.params, at.x, at.y,
                                                         &launch.pixels[pixel].visiblePoint);
@@ -35,7 +35,7 @@ struct TracePhotons {
         uint32_t stored = 0;
         tracePhoton<kMask>(launch.view, launch.emission, launch.params, number, [&](const Photon& found) {
             uint32_t cell[3];
-            if (!launch.space.locate(found.p, cell)) return;
+            if (!launch.space.locate(found.p, cell)) { return; }
             const uint64_t slot = takeNumber(slots.claimed);
             if (slot < slots.capacity) {
                 slots.photons[slot] = found;
@@ -52,7 +52,7 @@ struct GatherPhotons {
     static GLINT_HD void run(const GatherLaunch& launch, uint32_t thread) {
         const PassParams& pass = launch.params.pass;
         const PixelPlace at = pixelOfThread(thread, pass.width);
-        if (at.x >= pass.width || at.y >= pass.height) return;
+        if (at.x >= pass.width || at.y >= pass.height) { return; }
         const size_t pixel = static_cast<size_t>(at.y) * pass.width + at.x;
         gatherPixel<kMask>(launch.view, launch.photons, launch.params, launch.statistics[pixel],
                            &launch.pixels[pixel]);

@@ -21,8 +21,8 @@ struct CameraLaunch {
     uint32_t count = 0;
 };
 
-/// Where the visible points are, and which cell sizes they ask for: each thread takes every `slices`-th
-/// pixel.
+/// Where the visible points are, and which cell sizes they ask for: each thread takes every
+/// `slices`-th pixel.
 struct SpaceLaunch {
     SppmParams params;
     GridSpace space;  ///< for the levels

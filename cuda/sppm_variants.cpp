@@ -17,7 +17,7 @@ std::span<const CudaSppmVariant> cudaSppmVariants() {
 const CudaSppmVariant& chooseCudaSppmVariant(FeatureMask needed) {
     const std::span<const CudaSppmVariant> variants = cudaSppmVariants();
     for (const CudaSppmVariant& candidate : variants) {
-        if ((needed & ~candidate.mask) == 0) return candidate;
+        if ((needed & ~candidate.mask) == 0) { return candidate; }
     }
     return variants.back();
 }

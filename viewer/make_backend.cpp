@@ -29,11 +29,11 @@ Result<std::unique_ptr<Backend>> tryCuda() {
 Result<std::unique_ptr<Backend>> makeBackend(std::string_view name, int threads) {
     if (name == "cuda") {
         Result<std::unique_ptr<Backend>> cuda = tryCuda();
-        if (cuda) return cuda;
+        if (cuda) { return cuda; }
         logWarning("CUDA: {}; rendering on the CPU instead.", cuda.error().message);
         return makeCpuBackend(threads);
     }
-    if (name == "cpu") return makeCpuBackend(threads);
+    if (name == "cpu") { return makeCpuBackend(threads); }
     return Error{fmt::format("Unknown back end \"{}\"{}: expected cpu or cuda.", name,
                              didYouMean(name, kBackendNames)),
                  {}};

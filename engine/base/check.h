@@ -1,7 +1,7 @@
 // CHECK: for what only we can get wrong. It prints the operands and aborts, in every build type.
 //
-// Never use it for anything a file, an option or an edit can cause: those are Errors (result.h). Host code
-// only.
+// Never use it for anything a file, an option or an edit can cause: those are Errors (result.h). Host
+// code only.
 #pragma once
 
 #include <cstdio>
@@ -19,11 +19,9 @@ namespace glint::detail {
 
 }  // namespace glint::detail
 
-#define GLINT_CHECK(condition)                                                \
-    do {                                                                      \
-        if (!(condition)) {                                                   \
-            ::glint::detail::checkFailed(__FILE__, __LINE__, #condition, ""); \
-        }                                                                     \
+#define GLINT_CHECK(condition)                                                                  \
+    do {                                                                                        \
+        if (!(condition)) { ::glint::detail::checkFailed(__FILE__, __LINE__, #condition, ""); } \
     } while (false)
 
 #define GLINT_CHECK_OP(a, op, b)                                                \

@@ -1,5 +1,5 @@
-// Two lanes of multiply and rotate over 64-bit words, each lane fed by the other, with murmur-like final
-// mixing.
+// Two lanes of multiply and rotate over 64-bit words, each lane fed by the other, with murmur-like
+// final mixing.
 #include "engine/base/content_hash.h"
 
 #include <bit>

@@ -20,7 +20,7 @@ void* allocateHugePages(size_t bytes) {
     void* memory = ::operator new(bytes, alignmentFor(bytes));
 #if defined(__linux__)
     // Only advice: where it is refused, ordinary pages do.
-    if (bytes >= kHugePage) madvise(memory, bytes, MADV_HUGEPAGE);
+    if (bytes >= kHugePage) { madvise(memory, bytes, MADV_HUGEPAGE); }
 #endif
     return memory;
 }

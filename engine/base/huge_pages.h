@@ -1,5 +1,5 @@
-// An allocator for large arrays that are read at random: asks the system for 2 MB pages, where it offers
-// them.
+// An allocator for large arrays that are read at random: asks the system for 2 MB pages, where it
+// offers them.
 //
 // Used for acceleration structures, whose traversal otherwise spends its time on page table look-ups. Small
 // arrays are allocated as usual.

@@ -1,5 +1,5 @@
-// spdlog formats the lines for standard error; the ring is ours, since the panel wants levels and times
-// apart.
+// spdlog formats the lines for standard error; the ring is ours, since the panel wants levels and
+// times apart.
 #include "engine/base/log.h"
 
 #include <atomic>
@@ -56,18 +56,12 @@ spdlog::level::level_enum consoleLevel(LogLevel level) {
 void logMessage(LogLevel level, std::string_view text) {
     Log& log = theLog();
     const LogLevel least = log.least.load();
-    if (level >= least) {
-        log.console->log(consoleLevel(level), "{}", text);
-    }
-    if (level == LogLevel::Debug && least != LogLevel::Debug) {
-        return;
-    }
+    if (level >= least) { log.console->log(consoleLevel(level), "{}", text); }
+    if (level == LogLevel::Debug && least != LogLevel::Debug) { return; }
     const double seconds = std::chrono::duration<double>(Clock::now() - log.began).count();
     const std::lock_guard lock(log.mutex);
     log.lines.push_back({level, seconds, std::string(text)});
-    if (log.lines.size() > kLogLinesKept) {
-        log.lines.pop_front();
-    }
+    if (log.lines.size() > kLogLinesKept) { log.lines.pop_front(); }
     ++log.count;
 }
 
@@ -76,9 +70,7 @@ void setLogLevel(LogLevel least) { theLog().least = least; }
 std::vector<LogLine> recentLogLines(uint64_t* seen) {
     Log& log = theLog();
     const std::lock_guard lock(log.mutex);
-    if (*seen == log.count) {
-        return {};
-    }
+    if (*seen == log.count) { return {}; }
     *seen = log.count;
     return {log.lines.begin(), log.lines.end()};
 }

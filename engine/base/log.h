@@ -1,7 +1,7 @@
 // The log: lines to standard error, and the most recent ones kept for the window's panel.
 //
-// Any thread may write. Not for a command's results, which go to standard output, nor for its one error
-// message.
+// Any thread may write. Not for a command's results, which go to standard output, nor for its one
+// error message.
 #pragma once
 
 #include <cstdint>

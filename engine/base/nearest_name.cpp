@@ -27,9 +27,7 @@ size_t editDistance(std::string_view a, std::string_view b) {
             current[j] = std::min({previous[j] + 1, current[j - 1] + 1, previous[j - 1] + (same ? 0 : 1)});
             const bool exchanged =
                 i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]);
-            if (exchanged) {
-                current[j] = std::min(current[j], beforePrevious[j - 2] + 1);
-            }
+            if (exchanged) { current[j] = std::min(current[j], beforePrevious[j - 2] + 1); }
         }
         std::swap(beforePrevious, previous);
         std::swap(previous, current);
@@ -40,9 +38,7 @@ size_t editDistance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string nearestName(std::string_view unknown, std::span<const std::string_view> known) {
-    if (unknown.empty() || unknown.size() > kLongestName) {
-        return {};
-    }
+    if (unknown.empty() || unknown.size() > kLongestName) { return {}; }
     std::string_view best;
     size_t bestDistance = std::numeric_limits<size_t>::max();
     for (std::string_view name : known) {

@@ -8,8 +8,8 @@
 
 namespace glint {
 
-/// Calls body(begin, end) over disjoint chunks of [0, count) of about `chunkSize`, on `threads` threads (0:
-/// all).
+/// Calls body(begin, end) over disjoint chunks of [0, count) of about `chunkSize`, on `threads` threads
+/// (0: all).
 void parallelChunks(int64_t count, int64_t chunkSize, int threads,
                     const std::function<void(int64_t begin, int64_t end)>& body);
 

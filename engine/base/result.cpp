@@ -23,9 +23,7 @@ std::string printable(std::string text) {
 std::string caretLines(const SourcePlace& place) {
     const size_t caret = static_cast<size_t>(place.column - 1);
     const size_t start = caret > kShownColumns / 2 ? caret - kShownColumns / 2 : 0;
-    if (start > place.lineText.size()) {
-        return {};
-    }
+    if (start > place.lineText.size()) { return {}; }
     const std::string shown = printable(place.lineText.substr(start, kShownColumns));
     return "\n  " + shown + "\n  " + std::string(std::min(caret - start, shown.size()), ' ') + "^";
 }
@@ -38,16 +36,12 @@ std::string Error::format() const {
         out = printable(place.file);
         if (place.line > 0) {
             out += ":" + std::to_string(place.line);
-            if (place.column > 0) {
-                out += ":" + std::to_string(place.column);
-            }
+            if (place.column > 0) { out += ":" + std::to_string(place.column); }
         }
         out += ": ";
     }
     out += printable(message);
-    if (place.column > 0 && !place.lineText.empty()) {
-        out += caretLines(place);
-    }
+    if (place.column > 0 && !place.lineText.empty()) { out += caretLines(place); }
     return out;
 }
 

@@ -1,5 +1,5 @@
-// What a user can get wrong comes back as an Error with its place; what only we can get wrong is a CHECK
-// (check.h).
+// What a user can get wrong comes back as an Error with its place; what only we can get wrong is a
+// CHECK (check.h).
 //
 // Result<T> holds a value or an Error. Nothing here throws.
 #pragma once
@@ -24,9 +24,9 @@ struct Error {
     std::string message;
     SourcePlace place;
 
-    /// `file:line:column: message`, and below it the line with a caret where both are known. Long lines are
-    /// cut around the caret and control characters are replaced, so that binary input cannot garble a
-    /// terminal.
+    /// `file:line:column: message`, and below it the line with a caret where both are known. Long lines
+    /// are cut around the caret and control characters are replaced, so that binary input cannot garble
+    /// a terminal.
     std::string format() const;
 };
 

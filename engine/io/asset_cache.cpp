@@ -56,9 +56,7 @@ std::string resolvePath(const std::string& path, const std::string& from) {
 
 std::string rebasePath(const std::string& path, const std::string& from, const std::string& to) {
     const fs::path given(path);
-    if (path.empty() || given.is_absolute()) {
-        return path;
-    }
+    if (path.empty() || given.is_absolute()) { return path; }
     const fs::path absolute = (folderOf(from) / given).lexically_normal();
     const fs::path relative = absolute.lexically_relative(folderOf(to));
     return relative.empty() ? absolute.string() : relative.string();
@@ -107,9 +105,7 @@ Result<AssetCache::Obj*> AssetCache::obj(const std::string& path) {
     if (!cached) {
         const std::string resolved = resolvePath(path, scenePath_);
         Result<ObjScene> loaded = loadObjGeometry(resolved);
-        if (!loaded) {
-            return loaded.error();
-        }
+        if (!loaded) { return loaded.error(); }
         cached = std::make_unique<Obj>(Obj{std::move(*loaded)});
         ++counts_->meshFiles;
         counts_->meshFileBytes += fileBytes(resolved);
@@ -119,17 +115,13 @@ Result<AssetCache::Obj*> AssetCache::obj(const std::string& path) {
 
 Result<const ObjScene*> AssetCache::objGeometry(const std::string& path) {
     const Result<Obj*> found = obj(path);
-    if (!found) {
-        return found.error();
-    }
+    if (!found) { return found.error(); }
     return &(*found)->scene;
 }
 
 Result<const ObjScene*> AssetCache::objWithMaterials(const std::string& path) {
     const Result<Obj*> found = obj(path);
-    if (!found) {
-        return found.error();
-    }
+    if (!found) { return found.error(); }
     Obj& whole = **found;
     if (!whole.hasMaterials) {
         if (Status read = readObjMaterials(resolvePath(path, scenePath_), &whole.scene); !read) {
@@ -152,13 +144,9 @@ Result<std::shared_ptr<MeshData>> AssetCache::meshFile(const MeshSource& source)
         return mesh;
     }
     const auto scene = objGeometry(source.path);
-    if (!scene) {
-        return scene.error();
-    }
+    if (!scene) { return scene.error(); }
     const auto& parts = (*scene)->parts;
-    if (source.part < 0) {
-        return joinParts(parts);
-    }
+    if (source.part < 0) { return joinParts(parts); }
     if (static_cast<size_t>(source.part) >= parts.size()) {
         return Error{
             fmt::format("has {} parts; there is no part {} (they count from 0)", parts.size(), source.part),
@@ -174,9 +162,7 @@ Result<std::shared_ptr<const MeshData>> AssetCache::mesh(const MeshSource& sourc
     auto& cached = meshes_[key];
     if (!cached) {
         auto loaded = source.generator.empty() ? meshFile(source) : generateMesh(source);
-        if (!loaded) {
-            return loaded.error();
-        }
+        if (!loaded) { return loaded.error(); }
         counts_->generatedMeshes += source.generator.empty() ? 0 : 1;
         cached = std::move(*loaded);
     }
@@ -194,9 +180,7 @@ Result<ImageSource> AssetCache::texture(const ImageSource& wanted) {
     if (!cached.isRead()) {
         const std::string resolved = resolvePath(wanted.path, scenePath_);
         Result<ImageSource> image = loadImage(resolved);
-        if (!image) {
-            return image.error();
-        }
+        if (!image) { return image.error(); }
         countImage(*image, resolved);
         cached = std::move(*image);
     }
@@ -206,9 +190,7 @@ Result<ImageSource> AssetCache::texture(const ImageSource& wanted) {
 }
 
 void AssetCache::remember(const ImageSource& texture) {
-    if (texture.isRead() && !texture.path.empty()) {
-        textures_[keyOf(texture.path)] = texture;
-    }
+    if (texture.isRead() && !texture.path.empty()) { textures_[keyOf(texture.path)] = texture; }
 }
 
 Result<ImageSource> AssetCache::environment(const ImageSource& wanted) {
@@ -221,9 +203,7 @@ Result<ImageSource> AssetCache::environment(const ImageSource& wanted) {
     }
     const std::string resolved = resolvePath(wanted.path, scenePath_);
     auto image = loadImageF(resolved);
-    if (!image) {
-        return image.error();
-    }
+    if (!image) { return image.error(); }
     source.floats = std::move(*image);
     countImage(source, resolved);
     return source;
@@ -233,9 +213,7 @@ void AssetCache::dropUnusedUvs(const SceneDescription& scene) {
     std::set<const MeshData*> needed;
     const std::vector<bool> textured = texturedMeshes(scene);
     for (size_t i = 0; i < textured.size(); ++i) {
-        if (textured[i]) {
-            needed.insert(scene.meshes[i].data.get());
-        }
+        if (textured[i]) { needed.insert(scene.meshes[i].data.get()); }
     }
     const auto drop = [&needed](MeshData& mesh) {
         if (!mesh.uvs.empty() && needed.count(&mesh) == 0) {
@@ -244,9 +222,7 @@ void AssetCache::dropUnusedUvs(const SceneDescription& scene) {
         }
     };
     for (auto& [key, mesh] : meshes_) {
-        if (mesh) {
-            drop(*mesh);
-        }
+        if (mesh) { drop(*mesh); }
     }
     for (auto& [key, obj] : objs_) {
         if (obj) {

@@ -26,9 +26,9 @@ std::string rebasePath(const std::string& path, const std::string& from, const s
 /// True when the resolved path names an existing file that is not a folder.
 bool fileExists(const std::string& resolvedPath);
 
-/// Appends all parts of an OBJ file as objects like `prototype`, with the file's own materials and textures,
-/// which are not read. `path` is as written in the scene; the textures' paths become relative to the scene's
-/// folder.
+/// Appends all parts of an OBJ file as objects like `prototype`, with the file's own materials and
+/// textures, which are not read. `path` is as written in the scene; the textures' paths become relative to
+/// the scene's folder.
 void appendObj(const ObjScene& obj, const std::string& path, const Object& prototype,
                SceneDescription* scene);
 
@@ -42,8 +42,8 @@ class AssetCache {
 
     const std::string& scenePath() const { return scenePath_; }
 
-    /// The mesh that `source` names by file or generator. Error: as the loader's; a part the file does not
-    /// have.
+    /// The mesh that `source` names by file or generator. Error: as the loader's; a part the file does
+    /// not have.
     Result<std::shared_ptr<const MeshData>> mesh(const MeshSource& source);
 
     /// The parts of an OBJ file, without or with its materials. Valid as long as the cache.

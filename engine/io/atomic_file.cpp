@@ -53,23 +53,19 @@ class FileDescriptor {
 int writeAll(int fd, std::string_view bytes) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(fd, bytes.data(), bytes.size());
-        if (written < 0 && errno != EINTR) {
-            return errno;
-        }
+        if (written < 0 && errno != EINTR) { return errno; }
         bytes.remove_prefix(written > 0 ? static_cast<size_t>(written) : 0);
     }
     return 0;
 }
 
-/// Makes the new name last through a power cut. Not every file system can; the file itself is safe either
-/// way.
+/// Makes the new name last through a power cut. Not every file system can; the file itself is safe
+/// either way.
 void flushFolder(const std::string& target) {
     const size_t slash = target.find_last_of('/');
     const std::string folder = slash == std::string::npos ? "." : target.substr(0, slash + 1);
     const FileDescriptor fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (fd.valid()) {
-        ::fsync(fd.get());
-    }
+    if (fd.valid()) { ::fsync(fd.get()); }
 }
 
 /// Where a symbolic link leads; the path itself when it is none or leads nowhere.
@@ -82,23 +78,15 @@ Status replaceFile(const std::string& path, const std::string& target, std::stri
     removeStaleTemporaries(target);
     std::string temporary;
     FileDescriptor fd(createTemporary(target, &temporary));
-    if (!fd.valid()) {
-        return fileError(path, "cannot create a file in this folder", errno);
-    }
+    if (!fd.valid()) { return fileError(path, "cannot create a file in this folder", errno); }
     int code = writeAll(fd.get(), bytes);
     if (code == 0 && mode != 0) {
         ::fchmod(fd.get(),
                  mode);  // keeping the old permissions is a courtesy; failing to is no reason not to save
     }
-    if (code == 0 && ::fsync(fd.get()) != 0) {
-        code = errno;
-    }
-    if (!fd.close() && code == 0) {
-        code = errno;
-    }
-    if (code == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) {
-        code = errno;
-    }
+    if (code == 0 && ::fsync(fd.get()) != 0) { code = errno; }
+    if (!fd.close() && code == 0) { code = errno; }
+    if (code == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) { code = errno; }
     if (code != 0) {
         ::unlink(temporary.c_str());
         return fileError(path, "cannot write", code);
@@ -109,9 +97,7 @@ Status replaceFile(const std::string& path, const std::string& target, std::stri
 
 Status writeDirectly(const std::string& path, std::string_view bytes) {
     FileDescriptor fd(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-    if (!fd.valid()) {
-        return fileError(path, "cannot open for writing", errno);
-    }
+    if (!fd.valid()) { return fileError(path, "cannot open for writing", errno); }
     if (const int code = writeAll(fd.get(), bytes); code != 0) {
         return fileError(path, "cannot write", code);
     }
@@ -134,12 +120,8 @@ Result<std::string> readFile(const std::string& path) {
     // Opening a pipe would otherwise wait until somebody writes to it.
     const FileDescriptor fd(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
     struct stat info {};
-    if (!fd.valid() || ::fstat(fd.get(), &info) != 0) {
-        return fileError(path, "cannot open", errno);
-    }
-    if (!S_ISREG(info.st_mode)) {
-        return notRegular(path, info.st_mode, "a file");
-    }
+    if (!fd.valid() || ::fstat(fd.get(), &info) != 0) { return fileError(path, "cannot open", errno); }
+    if (!S_ISREG(info.st_mode)) { return notRegular(path, info.st_mode, "a file"); }
     if (static_cast<uint64_t>(info.st_size) > kMaxFileBytes) {
         return fileError(path, fmt::format("has {} bytes; at most {} are read", info.st_size, kMaxFileBytes),
                          0);
@@ -148,13 +130,9 @@ Result<std::string> readFile(const std::string& path) {
     // byte more lets a file of the expected size end without growing the buffer.
     std::string bytes(static_cast<size_t>(info.st_size) + 1, '\0');
     for (size_t filled = 0;;) {
-        if (filled == bytes.size()) {
-            bytes.resize(std::max<size_t>(2 * bytes.size(), 65536));
-        }
+        if (filled == bytes.size()) { bytes.resize(std::max<size_t>(2 * bytes.size(), 65536)); }
         const ssize_t count = ::read(fd.get(), bytes.data() + filled, bytes.size() - filled);
-        if (count < 0 && errno != EINTR) {
-            return fileError(path, "cannot read", errno);
-        }
+        if (count < 0 && errno != EINTR) { return fileError(path, "cannot read", errno); }
         if (count == 0) {
             bytes.resize(filled);
             return bytes;
@@ -172,9 +150,7 @@ Status writeFileAtomically(const std::string& path, std::string_view bytes) {
     if (exists && S_ISDIR(info.st_mode)) {
         return fileError(path, "is a folder; expected a file name to write to", 0);
     }
-    if (exists && !S_ISREG(info.st_mode)) {
-        return writeDirectly(path, bytes);
-    }
+    if (exists && !S_ISREG(info.st_mode)) { return writeDirectly(path, bytes); }
     return replaceFile(path, exists ? resolveLink(path) : path, bytes, exists ? info.st_mode & 07777 : 0);
 }
 

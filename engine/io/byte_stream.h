@@ -1,5 +1,5 @@
-// Plain numbers and text to and from bytes, little-endian, with every read checked. For Glint's own binary
-// files.
+// Plain numbers and text to and from bytes, little-endian, with every read checked. For Glint's own
+// binary files.
 //
 // Knows nothing of any format. A reader that has failed stays failed and gives zeros, so that a caller may
 // read a whole record and ask once.
@@ -43,9 +43,7 @@ class ByteReader {
     requires std::is_arithmetic_v<T> T read() {
         T value{};
         const std::string_view raw = readRaw(sizeof value);
-        if (!failed_) {
-            std::memcpy(&value, raw.data(), sizeof value);
-        }
+        if (!failed_) { std::memcpy(&value, raw.data(), sizeof value); }
         return value;
     }
     std::string readText() { return std::string(readRaw(read<uint64_t>())); }

@@ -1,5 +1,5 @@
-// A bounding sphere of the scene decides the camera; the environment is a plain one, since nothing says
-// otherwise.
+// A bounding sphere of the scene decides the camera; the environment is a plain one, since nothing
+// says otherwise.
 #include "engine/io/default_view.h"
 
 #include <cmath>
@@ -37,9 +37,7 @@ Bounds sceneBounds(const SceneDescription& scene) {
     Bounds bounds;
     for (const Object& object : scene.objects) {
         const Bounds shape = shapeBounds(scene, object);
-        if (!shape.empty()) {
-            bounds.grow(transformBounds(object.objectToWorld, shape));
-        }
+        if (!shape.empty()) { bounds.grow(transformBounds(object.objectToWorld, shape)); }
     }
     return bounds;
 }
@@ -72,9 +70,7 @@ void frame(const Bounds& bounds, Camera* camera) {
 
 void applyDefaultView(SceneDescription* scene) {
     scene->resolution = {800, 600};
-    if (scene->objects.empty()) {
-        return;
-    }
+    if (scene->objects.empty()) { return; }
     const Bounds bounds = sceneBounds(*scene);
     frame(bounds.empty() ? Bounds{Vec3(-1.0f), Vec3(1.0f)} : bounds, &scene->camera);
     if (scene->materials.empty()) {

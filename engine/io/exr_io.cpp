@@ -39,9 +39,7 @@ class MemoryInput : public Imf::IStream {
     }
     uint64_t tellg() override { return position_; }
     void seekg(uint64_t position) override {
-        if (position > bytes_.size()) {
-            throw std::runtime_error("the file ends too early");
-        }
+        if (position > bytes_.size()) { throw std::runtime_error("the file ends too early"); }
         position_ = static_cast<size_t>(position);
     }
 
@@ -102,7 +100,7 @@ std::map<std::string, std::string> textAttributes(const Imf::Header& header) {
     return out;
 }
 
-Result<ExrPicture> readPicture(Imf::InputFile& file, const std::string& path) {
+Result<ExrImage> readRgbImage(Imf::InputFile& file, const std::string& path) {
     const Imath::Box2i window = file.header().dataWindow();
     const int64_t width = int64_t{window.max.x} - window.min.x + 1;
     const int64_t height = int64_t{window.max.y} - window.min.y + 1;
@@ -111,10 +109,10 @@ Result<ExrPicture> readPicture(Imf::InputFile& file, const std::string& path) {
         return exrError(path, fmt::format("the data window is {} x {}; expected between 1 and {} pixels",
                                           width, height, kMaxImagePixels));
     }
-    ExrPicture picture{.width = static_cast<int>(width),
-                       .height = static_cast<int>(height),
-                       .channels = {},
-                       .attributes = textAttributes(file.header())};
+    ExrImage image{.width = static_cast<int>(width),
+                   .height = static_cast<int>(height),
+                   .channels = {},
+                   .attributes = textAttributes(file.header())};
     const Imf::ChannelList& list = file.header().channels();
     for (auto it = list.begin(); it != list.end(); ++it) {
         if (it.channel().xSampling != 1 || it.channel().ySampling != 1) {
@@ -129,21 +127,21 @@ Result<ExrPicture> readPicture(Imf::InputFile& file, const std::string& path) {
             .ids = {}};
         const size_t count = static_cast<size_t>(width * height);
         isId ? channel.ids.resize(count) : channel.floats.resize(count);
-        picture.channels.push_back(std::move(channel));
+        image.channels.push_back(std::move(channel));
     }
     Imf::FrameBuffer frame;
-    for (ExrChannel& channel : picture.channels) {
+    for (ExrChannel& channel : image.channels) {
         const bool isId = channel.type == ExrPixelType::Uint;
         frame.insert(channel.name, isId ? sliceOver(channel.ids.data(), Imf::UINT, window)
                                         : sliceOver(channel.floats.data(), Imf::FLOAT, window));
     }
     file.setFrameBuffer(frame);
     file.readPixels(window.min.y, window.max.y);
-    return picture;
+    return image;
 }
 
-/// What OpenEXR reads while the file is written. Half values are converted here, since it does not convert on
-/// output.
+/// What OpenEXR reads while the file is written. Half values are converted here, since it does not convert
+/// on output.
 struct OutputBuffers {
     std::vector<std::vector<half>> halves;
     Imf::FrameBuffer frame;
@@ -167,12 +165,12 @@ void addChannel(const ExrChannel& channel, const Imath::Box2i& window, OutputBuf
     buffers->frame.insert(channel.name, sliceOver(values, imfType(channel.type), window));
 }
 
-Status checkToSave(const ExrPicture& picture, const std::string& path) {
-    if (picture.width <= 0 || picture.height <= 0 || picture.channels.empty()) {
+Status checkToSave(const ExrImage& image, const std::string& path) {
+    if (image.width <= 0 || image.height <= 0 || image.channels.empty()) {
         return exrError(path, "there is no picture to save");
     }
-    const size_t pixels = static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height);
-    for (const ExrChannel& channel : picture.channels) {
+    const size_t pixels = static_cast<size_t>(image.width) * static_cast<size_t>(image.height);
+    for (const ExrChannel& channel : image.channels) {
         const size_t count = channel.type == ExrPixelType::Uint ? channel.ids.size() : channel.floats.size();
         if (count != pixels || channel.name.empty()) {
             return exrError(path, fmt::format("channel \"{}\" has {} values; expected a name and {} values",
@@ -184,18 +182,16 @@ Status checkToSave(const ExrPicture& picture, const std::string& path) {
 
 }  // namespace
 
-const ExrChannel* ExrPicture::find(std::string_view name) const {
+const ExrChannel* ExrImage::find(std::string_view name) const {
     for (const ExrChannel& channel : channels) {
-        if (channel.name == name) {
-            return &channel;
-        }
+        if (channel.name == name) { return &channel; }
     }
     return nullptr;
 }
 
 bool looksLikeExr(std::string_view bytes) { return bytes.starts_with("\x76\x2f\x31\x01"); }
 
-Result<ExrPicture> decodeExr(std::string_view bytes, const std::string& path) {
+Result<ExrImage> decodeExr(std::string_view bytes, const std::string& path) {
     if (!looksLikeExr(bytes)) {
         return exrError(path, "is not an OpenEXR file (its first four bytes are wrong)");
     }
@@ -203,36 +199,34 @@ Result<ExrPicture> decodeExr(std::string_view bytes, const std::string& path) {
         Imf::Header::setMaxImageSize(kMaxExrSide, kMaxExrSide);
         MemoryInput stream(bytes, path);
         Imf::InputFile file(stream, 1);
-        return readPicture(file, path);
+        return readRgbImage(file, path);
     } catch (const std::exception& problem) {
         return exrError(path, fmt::format("is a broken or unsupported OpenEXR file: {}", problem.what()));
     }
 }
 
-Result<ExrPicture> loadExr(const std::string& path) {
+Result<ExrImage> loadExr(const std::string& path) {
     const Result<std::string> bytes = readFile(path);
-    if (!bytes) {
-        return bytes.error();
-    }
+    if (!bytes) { return bytes.error(); }
     return decodeExr(*bytes, path);
 }
 
-Result<ImageF> exrColor(const ExrPicture& picture, const std::string& path) {
-    const ExrChannel* grey = picture.find("Y");
-    const ExrChannel* channels[3] = {picture.find("R"), picture.find("G"), picture.find("B")};
+Result<ImageF> exrColor(const ExrImage& exr, const std::string& path) {
+    const ExrChannel* grey = exr.find("Y");
+    const ExrChannel* channels[3] = {exr.find("R"), exr.find("G"), exr.find("B")};
     for (const ExrChannel*& channel : channels) {
         channel = channel != nullptr ? channel : grey;
         if (channel == nullptr || channel->type == ExrPixelType::Uint) {
             return exrError(path, "has no colour; expected the channels R, G and B, or Y");
         }
     }
-    ImageF image{.width = picture.width, .height = picture.height, .rgb = {}};
+    ImageF image{.width = exr.width, .height = exr.height, .rgb = {}};
     image.rgb.resize(3 * channels[0]->floats.size());
     for (size_t c = 0; c < 3; ++c) {
         for (size_t i = 0; i < channels[c]->floats.size(); ++i) {
             const float value = channels[c]->floats[i];
             if (!std::isfinite(value)) {
-                const size_t width = static_cast<size_t>(picture.width);
+                const size_t width = static_cast<size_t>(exr.width);
                 return exrError(path,
                                 fmt::format("the pixel in column {}, row {} is {}; expected finite numbers",
                                             i % width, i / width, value));
@@ -243,18 +237,16 @@ Result<ImageF> exrColor(const ExrPicture& picture, const std::string& path) {
     return image;
 }
 
-Status saveExr(const std::string& path, const ExrPicture& picture) {
-    if (Status whole = checkToSave(picture, path); !whole) {
-        return whole;
-    }
+Status saveExr(const std::string& path, const ExrImage& image) {
+    if (Status whole = checkToSave(image, path); !whole) { return whole; }
     try {
-        Imf::Header header(picture.width, picture.height);
+        Imf::Header header(image.width, image.height);
         header.compression() = Imf::ZIP_COMPRESSION;
-        for (const auto& [name, text] : picture.attributes) {
+        for (const auto& [name, text] : image.attributes) {
             header.insert(name, Imf::StringAttribute(text));
         }
         OutputBuffers buffers;
-        for (const ExrChannel& channel : picture.channels) {
+        for (const ExrChannel& channel : image.channels) {
             header.channels().insert(channel.name, Imf::Channel(imfType(channel.type)));
             addChannel(channel, header.dataWindow(), &buffers);
         }
@@ -262,7 +254,7 @@ Status saveExr(const std::string& path, const ExrPicture& picture) {
         {
             Imf::OutputFile file(stream, header, 1);  // its destructor writes the line table
             file.setFrameBuffer(buffers.frame);
-            file.writePixels(picture.height);
+            file.writePixels(image.height);
         }
         return writeFileAtomically(path, stream.bytes());
     } catch (const std::exception& problem) {

@@ -1,7 +1,7 @@
 // OpenEXR pictures with any number of named channels and text attributes.
 //
 // The only place that sees OpenEXR's headers and its exceptions, none of which escape. Which layers and
-// attributes a render saves is decided in render/picture_file.h.
+// attributes a render saves is decided in render/image_file.h.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ struct ExrChannel {
     std::vector<uint32_t> ids;
 };
 
-struct ExrPicture {
+struct ExrImage {
     int width = 0;
     int height = 0;
     std::vector<ExrChannel> channels;
@@ -40,13 +40,13 @@ bool looksLikeExr(std::string_view bytes);
 
 /// Error: not an OpenEXR file, broken, truncated, deep, or more than kMaxImagePixels (image_io.h) in the data
 /// window. Only text attributes are returned. `path` is used in messages.
-Result<ExrPicture> decodeExr(std::string_view bytes, const std::string& path);
-Result<ExrPicture> loadExr(const std::string& path);
+Result<ExrImage> decodeExr(std::string_view bytes, const std::string& path);
+Result<ExrImage> loadExr(const std::string& path);
 
 /// The picture's colour: R, G and B, or Y alone as grey. Error: neither there, or a value is not finite.
-Result<ImageF> exrColor(const ExrPicture& picture, const std::string& path);
+Result<ImageF> exrColor(const ExrImage& image, const std::string& path);
 
 /// ZIP-compressed scan lines, saved atomically. Finite half values beyond 65504 are stored as 65504.
-Status saveExr(const std::string& path, const ExrPicture& picture);
+Status saveExr(const std::string& path, const ExrImage& image);
 
 }  // namespace glint

@@ -21,14 +21,10 @@ std::string_view pixelBytes(std::string_view bytes) {
 size_t channelSize(std::string_view bytes, size_t width) {
     size_t at = 0;
     for (size_t pixel = 0; pixel < width;) {
-        if (at >= bytes.size()) {
-            return 0;
-        }
+        if (at >= bytes.size()) { return 0; }
         const size_t code = static_cast<uint8_t>(bytes[at]);
         const size_t count = code > 128 ? code - 128 : code;
-        if (count == 0 || count > width - pixel) {
-            return 0;
-        }
+        if (count == 0 || count > width - pixel) { return 0; }
         pixel += count;
         at += 1 + (code > 128 ? 1 : count);
     }
@@ -48,15 +44,11 @@ bool hdrPixelsAreWhole(std::string_view bytes, int width, int height) {
         return rest.size() >= 4 * columns * static_cast<size_t>(height);
     }
     for (int row = 0; row < height; ++row) {
-        if (!beginsRuns()) {
-            return false;
-        }
+        if (!beginsRuns()) { return false; }
         rest.remove_prefix(4);
         for (int channel = 0; channel < 4; ++channel) {
             const size_t size = channelSize(rest, columns);
-            if (size == 0) {
-                return false;
-            }
+            if (size == 0) { return false; }
             rest.remove_prefix(size);
         }
     }

@@ -1,5 +1,5 @@
-// stb_image and stb_image_write come compiled from the distribution's libstb; only their declarations are
-// included.
+// stb_image and stb_image_write come compiled from the distribution's libstb; only their declarations
+// are included.
 #include "engine/io/image_io.h"
 
 #include <algorithm>
@@ -53,9 +53,7 @@ std::string unreadableReason(const std::string& bytes) {
 
 /// Checks the size that the header states, before stb allocates for it.
 Status checkHeader(const std::string& bytes, const std::string& path) {
-    if (bytes.empty()) {
-        return imageError(path, fmt::format("the file is empty; {}", kExpectedFormats));
-    }
+    if (bytes.empty()) { return imageError(path, fmt::format("the file is empty; {}", kExpectedFormats)); }
     if (bytes.size() > INT32_MAX) {
         return imageError(path,
                           fmt::format("has {} bytes; an image file may have at most 2 GiB", bytes.size()));
@@ -91,18 +89,14 @@ Error brokenImage(const std::string& path) {
 }
 
 /// Decodes with stb's `load`, for 8-bit or float components.
-template <typename Picture, typename Load>
-Result<std::shared_ptr<Picture>> decodeWith(Load load, const std::string& bytes, const std::string& path) {
-    if (Status header = checkHeader(bytes, path); !header) {
-        return header.error();
-    }
-    auto image = std::make_shared<Picture>();
+template <typename ImageFile, typename Load>
+Result<std::shared_ptr<ImageFile>> decodeWith(Load load, const std::string& bytes, const std::string& path) {
+    if (Status header = checkHeader(bytes, path); !header) { return header.error(); }
+    auto image = std::make_shared<ImageFile>();
     int channels = 0;
     auto* pixels =
         load(stbBytes(bytes), static_cast<int>(bytes.size()), &image->width, &image->height, &channels, 3);
-    if (pixels == nullptr) {
-        return brokenImage(path);
-    }
+    if (pixels == nullptr) { return brokenImage(path); }
     image->rgb.assign(
         pixels, pixels + size_t{3} * static_cast<size_t>(image->width) * static_cast<size_t>(image->height));
     stbi_image_free(pixels);
@@ -111,9 +105,7 @@ Result<std::shared_ptr<Picture>> decodeWith(Load load, const std::string& bytes,
 
 Result<std::shared_ptr<const Image8>> decode8(const std::string& bytes, const std::string& path) {
     const auto image = decodeWith<Image8>(stbi_load_from_memory, bytes, path);
-    if (!image) {
-        return image.error();
-    }
+    if (!image) { return image.error(); }
     return std::shared_ptr<const Image8>(*image);
 }
 
@@ -132,24 +124,16 @@ Status checkFinite(const ImageF& image, const std::string& path) {
 
 Result<std::shared_ptr<const ImageF>> decodeHdr(const std::string& bytes, const std::string& path) {
     const auto image = decodeWith<ImageF>(stbi_loadf_from_memory, bytes, path);
-    if (!image) {
-        return image.error();
-    }
-    if (Status finite = checkFinite(**image, path); !finite) {
-        return finite.error();
-    }
+    if (!image) { return image.error(); }
+    if (Status finite = checkFinite(**image, path); !finite) { return finite.error(); }
     return std::shared_ptr<const ImageF>(*image);
 }
 
 Result<std::shared_ptr<const ImageF>> decodeExrColor(const std::string& bytes, const std::string& path) {
-    const Result<ExrPicture> picture = decodeExr(bytes, path);
-    if (!picture) {
-        return picture.error();
-    }
-    Result<ImageF> color = exrColor(*picture, path);
-    if (!color) {
-        return color.error();
-    }
+    const Result<ExrImage> image = decodeExr(bytes, path);
+    if (!image) { return image.error(); }
+    Result<ImageF> color = exrColor(*image, path);
+    if (!color) { return color.error(); }
     return std::shared_ptr<const ImageF>(std::make_shared<ImageF>(std::move(color).value()));
 }
 
@@ -184,9 +168,7 @@ Status checkToSave(const Image& image, const std::string& path) {
 
 Result<std::shared_ptr<const Image8>> loadImage8(const std::string& path) {
     const Result<std::string> bytes = readFile(path);
-    if (!bytes) {
-        return bytes.error();
-    }
+    if (!bytes) { return bytes.error(); }
     if (looksLikeExr(*bytes) || looksLikeHdr(*bytes)) {
         return imageError(path,
                           "holds high-dynamic-range values; expected an 8-bit image (PNG, JPEG, BMP, TGA)");
@@ -196,9 +178,7 @@ Result<std::shared_ptr<const Image8>> loadImage8(const std::string& path) {
 
 Result<std::shared_ptr<const ImageF>> loadImageF(const std::string& path) {
     const Result<ImageSource> source = loadImage(path);
-    if (!source) {
-        return source.error();
-    }
+    if (!source) { return source.error(); }
     return linearColors(*source);
 }
 
@@ -208,30 +188,22 @@ std::shared_ptr<const ImageF> linearColors(const ImageSource& image) {
 
 Result<ImageSource> loadImage(const std::string& path) {
     const Result<std::string> bytes = readFile(path);
-    if (!bytes) {
-        return bytes.error();
-    }
+    if (!bytes) { return bytes.error(); }
     ImageSource source{.path = path, .bytes = nullptr, .floats = nullptr};
     if (looksLikeExr(*bytes) || looksLikeHdr(*bytes)) {
         auto floats = looksLikeExr(*bytes) ? decodeExrColor(*bytes, path) : decodeHdr(*bytes, path);
-        if (!floats) {
-            return floats.error();
-        }
+        if (!floats) { return floats.error(); }
         source.floats = std::move(floats).value();
     } else {
         auto decoded = decode8(*bytes, path);
-        if (!decoded) {
-            return decoded.error();
-        }
+        if (!decoded) { return decoded.error(); }
         source.bytes = std::move(decoded).value();
     }
     return source;
 }
 
 std::optional<uint64_t> statedPixelBytes(const std::string& path) {
-    if (!checkRegularFile(path, "an image")) {
-        return {};
-    }
+    if (!checkRegularFile(path, "an image")) { return {}; }
     std::string head(size_t{64} << 10, '\0');
     std::ifstream file(path, std::ios::binary);
     file.read(head.data(), static_cast<std::streamsize>(head.size()));
@@ -249,9 +221,7 @@ std::optional<uint64_t> statedPixelBytes(const std::string& path) {
 }
 
 Status savePng(const std::string& path, const Image8& image) {
-    if (Status whole = checkToSave(image, path); !whole) {
-        return whole;
-    }
+    if (Status whole = checkToSave(image, path); !whole) { return whole; }
     std::string bytes;
     if (stbi_write_png_to_func(appendBytes, &bytes, image.width, image.height, 3, image.rgb.data(),
                                3 * image.width) == 0) {
@@ -261,9 +231,7 @@ Status savePng(const std::string& path, const Image8& image) {
 }
 
 Status saveHdr(const std::string& path, const ImageF& image) {
-    if (Status whole = checkToSave(image, path); !whole) {
-        return whole;
-    }
+    if (Status whole = checkToSave(image, path); !whole) { return whole; }
     std::vector<float> representable(image.rgb);
     for (float& value : representable) {
         value = clampf(value, 0.0f, 1e38f);

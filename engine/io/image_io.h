@@ -1,8 +1,8 @@
 // Pictures from and to files: PNG, JPEG, BMP, TGA and Radiance HDR through stb_image, OpenEXR through exr_io.
 //
 // Formats are told by content, not by name. Grey images become RGB, alpha is dropped. Used by the scene
-// loaders, `glint diff`, and everything that saves a picture. Nothing here knows of exposure or tone mapping
-// (render/tonemap.h).
+// loaders, `glint diff`, and everything that saves a picture. Nothing here knows of exposure or tone
+// mapping (render/tonemap.h).
 #pragma once
 
 #include <memory>
@@ -17,19 +17,19 @@ namespace glint {
 /// Most pixels in an image that is read; checked before anything is allocated.
 constexpr uint64_t kMaxImagePixels = uint64_t{1} << 28;
 
-/// An 8-bit image as stored. Error: not readable, an HDR or EXR image, broken, empty, more than
-/// kMaxImagePixels.
+/// An 8-bit image as stored. Error: not readable, an HDR or EXR image, broken, empty, more
+/// than kMaxImagePixels.
 Result<std::shared_ptr<const Image8>> loadImage8(const std::string& path);
 
-/// Linear colours: HDR and EXR as stored, 8-bit images decoded from sRGB. Every value of the result is
-/// finite.
+/// Linear colours: HDR and EXR as stored, 8-bit images decoded from sRGB. Every value of the result
+/// is finite.
 Result<std::shared_ptr<const ImageF>> loadImageF(const std::string& path);
 
 /// What loadImageF() makes of an image that loadImage() has read.
 std::shared_ptr<const ImageF> linearColors(const ImageSource& image);
 
-/// Either of the two, as the file's content asks for; `path` is set to the given path, which the caller may
-/// replace.
+/// Either of the two, as the file's content asks for; `path` is set to the given path, which the caller
+/// may replace.
 Result<ImageSource> loadImage(const std::string& path);
 
 /// Memory that the pixels would take, as the first 64 KiB of the file say; nothing where they do not (EXR,

@@ -17,9 +17,7 @@ namespace {
 std::string shown(const JsonValue& value) {
     const bool isShort =
         value.raw().size() <= 24 && value.type() != JsonType::Object && value.type() != JsonType::Array;
-    if (!isShort) {
-        return std::string(describe(value.type()));
-    }
+    if (!isShort) { return std::string(describe(value.type())); }
     return value.is(JsonType::String) ? fmt::format("\"{}\"", value.raw()) : std::string(value.raw());
 }
 
@@ -33,9 +31,7 @@ bool readHexColor(JsonErrors& errors, const JsonValue& value, std::string_view w
     const char* end = text.data() + text.size();
     const bool isHex =
         text.size() == 7 && text[0] == '#' && std::from_chars(text.data() + 1, end, code, 16).ptr == end;
-    if (!isHex) {
-        return wrong(errors, value, what, "a grey level, [r, g, b] or \"#rrggbb\"");
-    }
+    if (!isHex) { return wrong(errors, value, what, "a grey level, [r, g, b] or \"#rrggbb\""); }
     const auto channel = [code](int shift) {
         return srgbToLinear(static_cast<float>((code >> shift) & 0xFF) / 255.0f);
     };
@@ -51,16 +47,12 @@ bool expectType(JsonErrors& errors, const JsonValue& value, std::string_view wha
 
 bool readNumber(JsonErrors& errors, const JsonValue& value, std::string_view what, const NumberRange& range,
                 float* out) {
-    if (!value.is(JsonType::Number)) {
-        return wrong(errors, value, what, range.expected);
-    }
+    if (!value.is(JsonType::Number)) { return wrong(errors, value, what, range.expected); }
     float number = 0.0f;
     if (parseFloat(value.raw(), &number) != NumberParse::Ok) {
         return wrong(errors, value, what, "a number that a 32-bit float can hold, up to 3.4e38");
     }
-    if (!range.contains(number)) {
-        return wrong(errors, value, what, range.expected);
-    }
+    if (!range.contains(number)) { return wrong(errors, value, what, range.expected); }
     *out = number;
     return true;
 }
@@ -68,18 +60,14 @@ bool readNumber(JsonErrors& errors, const JsonValue& value, std::string_view wha
 bool readNumbers(JsonErrors& errors, const JsonValue& value, std::string_view what, const NumberRange& range,
                  int count, float* out) {
     const std::string expected = fmt::format("an array of {} numbers", count);
-    if (!value.is(JsonType::Array)) {
-        return wrong(errors, value, what, expected);
-    }
+    if (!value.is(JsonType::Array)) { return wrong(errors, value, what, expected); }
     int read = 0;
     for (JsonValue item = value.first(); item.present(); item = value.next(item)) {
         if (read == count) {
             return errors.add(
                 item, fmt::format("\"{}\" has more than {} numbers; expected {}", what, count, expected));
         }
-        if (!readNumber(errors, item, what, range, &out[read++])) {
-            return false;
-        }
+        if (!readNumber(errors, item, what, range, &out[read++])) { return false; }
     }
     return read == count || errors.add(value, fmt::format("\"{}\" has {} of {} numbers; expected {}", what,
                                                           read, count, expected));
@@ -88,28 +76,20 @@ bool readNumbers(JsonErrors& errors, const JsonValue& value, std::string_view wh
 bool readVec3(JsonErrors& errors, const JsonValue& value, std::string_view what, const NumberRange& range,
               Vec3* out) {
     float xyz[3];
-    if (!readNumbers(errors, value, what, range, 3, xyz)) {
-        return false;
-    }
+    if (!readNumbers(errors, value, what, range, 3, xyz)) { return false; }
     *out = {xyz[0], xyz[1], xyz[2]};
     return true;
 }
 
 bool readColor(JsonErrors& errors, const JsonValue& value, std::string_view what, const NumberRange& range,
                Vec3* out) {
-    if (value.is(JsonType::String)) {
-        return readHexColor(errors, value, what, out);
-    }
-    if (value.is(JsonType::Array)) {
-        return readVec3(errors, value, what, range, out);
-    }
+    if (value.is(JsonType::String)) { return readHexColor(errors, value, what, out); }
+    if (value.is(JsonType::Array)) { return readVec3(errors, value, what, range, out); }
     float grey = 0.0f;
     if (!value.is(JsonType::Number)) {
         return wrong(errors, value, what, "a colour: a grey level, [r, g, b] or \"#rrggbb\"");
     }
-    if (!readNumber(errors, value, what, range, &grey)) {
-        return false;
-    }
+    if (!readNumber(errors, value, what, range, &grey)) { return false; }
     *out = Vec3(grey);
     return true;
 }
@@ -132,9 +112,7 @@ bool readInteger(JsonErrors& errors, const JsonValue& value, std::string_view wh
 }
 
 bool readString(JsonErrors& errors, const JsonValue& value, std::string_view what, std::string* out) {
-    if (!expectType(errors, value, what, JsonType::String)) {
-        return false;
-    }
+    if (!expectType(errors, value, what, JsonType::String)) { return false; }
     *out = value.string();
     return out->find('\0') == std::string::npos ||
            errors.add(value, fmt::format("\"{}\" holds a zero byte", what));
@@ -152,9 +130,7 @@ std::string joinNames(std::span<const std::string_view> names) {
 JsonFields::JsonFields(JsonErrors& errors, const JsonValue& object, std::string_view what,
                        std::span<const std::string_view> keys)
     : errors_(errors), what_(what), keys_(keys) {
-    if (errors.failed() || !expectType(errors, object, what, JsonType::Object)) {
-        return;
-    }
+    if (errors.failed() || !expectType(errors, object, what, JsonType::Object)) { return; }
     object_ = object;
     for (JsonValue key = object.first(); key.present(); key = object.next(object.next(key))) {
         const std::string name = key.string();
@@ -168,9 +144,7 @@ JsonFields::JsonFields(JsonErrors& errors, const JsonValue& object, std::string_
 
 JsonValue JsonFields::find(std::string_view key) const {
     GLINT_CHECK(std::find(keys_.begin(), keys_.end(), key) != keys_.end());
-    if (!object_.present()) {
-        return {};
-    }
+    if (!object_.present()) { return {}; }
     for (JsonValue name = object_.first(); name.present();) {
         const JsonValue value = object_.next(name);
         if (name.raw() == key || (name.raw().find('\\') != std::string_view::npos && name.string() == key)) {
@@ -182,13 +156,9 @@ JsonValue JsonFields::find(std::string_view key) const {
 }
 
 bool JsonFields::hasAny(std::initializer_list<std::string_view> keys) const {
-    if (!object_.present()) {
-        return false;
-    }
+    if (!object_.present()) { return false; }
     for (JsonValue key = object_.first(); key.present(); key = object_.next(object_.next(key))) {
-        if (std::find(keys.begin(), keys.end(), key.string()) != keys.end()) {
-            return true;
-        }
+        if (std::find(keys.begin(), keys.end(), key.string()) != keys.end()) { return true; }
     }
     return false;
 }
@@ -202,9 +172,7 @@ JsonValue JsonFields::require(std::string_view key) const {
 }
 
 void JsonFields::number(std::string_view key, const NumberRange& range, float* out) const {
-    if (const JsonValue value = find(key); value.present()) {
-        readNumber(errors_, value, key, range, out);
-    }
+    if (const JsonValue value = find(key); value.present()) { readNumber(errors_, value, key, range, out); }
 }
 
 void JsonFields::vec3(std::string_view key, Vec3* out) const {
@@ -221,30 +189,22 @@ void JsonFields::direction(std::string_view key, Vec3* out) const {
 }
 
 void JsonFields::color(std::string_view key, const NumberRange& range, Vec3* out) const {
-    if (const JsonValue value = find(key); value.present()) {
-        readColor(errors_, value, key, range, out);
-    }
+    if (const JsonValue value = find(key); value.present()) { readColor(errors_, value, key, range, out); }
 }
 
 void JsonFields::boolean(std::string_view key, bool* out) const {
     const JsonValue value = find(key);
-    if (value.present() && expectType(errors_, value, key, JsonType::Bool)) {
-        *out = value.raw() == "true";
-    }
+    if (value.present() && expectType(errors_, value, key, JsonType::Bool)) { *out = value.raw() == "true"; }
 }
 
 void JsonFields::string(std::string_view key, std::string* out) const {
-    if (const JsonValue value = find(key); value.present()) {
-        readString(errors_, value, key, out);
-    }
+    if (const JsonValue value = find(key); value.present()) { readString(errors_, value, key, out); }
 }
 
 int JsonFields::word(std::string_view key, std::span<const std::string_view> names) const {
     const JsonValue value = find(key);
     std::string text;
-    if (!value.present() || !readString(errors_, value, key, &text)) {
-        return -1;
-    }
+    if (!value.present() || !readString(errors_, value, key, &text)) { return -1; }
     const auto found = std::find(names.begin(), names.end(), text);
     if (found == names.end()) {
         errors_.add(value, fmt::format("unknown \"{}\" \"{}\"{}; expected {}", key, text.substr(0, 60),

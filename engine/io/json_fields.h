@@ -23,9 +23,7 @@ class JsonErrors {
     const Error& error() const { return *error_; }
     /// Keeps the first error only; returns false, so that `return errors.add(...)` reads well.
     bool add(Error error) {
-        if (!error_) {
-            error_ = std::move(error);
-        }
+        if (!error_) { error_ = std::move(error); }
         return false;
     }
     bool add(const JsonValue& at, std::string message) {
@@ -52,8 +50,8 @@ constexpr NumberRange kPositive{.lo = 0.0f, .openLo = true, .expected = "a numbe
 constexpr NumberRange kNotNegative{.lo = 0.0f, .expected = "a number >= 0"};
 constexpr NumberRange kUnitInterval{.lo = 0.0f, .hi = 1.0f, .expected = "a number from 0 to 1"};
 
-/// Readers of single values. `what` names the field in messages. They leave *out alone and return false on an
-/// error.
+/// Readers of single values. `what` names the field in messages. They leave *out alone and return false on
+/// an error.
 bool readNumber(JsonErrors& errors, const JsonValue& value, std::string_view what, const NumberRange& range,
                 float* out);
 bool readNumbers(JsonErrors& errors, const JsonValue& value, std::string_view what, const NumberRange& range,
@@ -107,9 +105,7 @@ class JsonFields {
         for (size_t i = 0; i < kCount; ++i) {
             names[i] = words[i].first;
         }
-        if (const int index = word(key, names); index >= 0) {
-            *out = words[index].second;
-        }
+        if (const int index = word(key, names); index >= 0) { *out = words[index].second; }
     }
 
   private:

@@ -27,15 +27,11 @@ class JsonParser {
     Result<std::shared_ptr<const JsonDocument>> parse() {
         constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
         at_ = text().starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
-        if (text().size() > size_t{1} << 31) {
-            return document_->source.error(0, "is larger than 2 GiB");
-        }
+        if (text().size() > size_t{1} << 31) { return document_->source.error(0, "is larger than 2 GiB"); }
         if (skipBlank() && parseValue(0) && skipBlank() && at_ < text().size()) {
             fail(at_, fmt::format("unexpected {} after the end of the scene", here()));
         }
-        if (error_) {
-            return std::move(*error_);
-        }
+        if (error_) { return std::move(*error_); }
         return std::shared_ptr<const JsonDocument>(std::move(document_));
     }
 
@@ -44,17 +40,13 @@ class JsonParser {
     char peek() const { return at_ < text().size() ? text()[at_] : '\0'; }
 
     bool fail(size_t offset, std::string message) {
-        if (!error_) {
-            error_ = document_->source.error(offset, std::move(message));
-        }
+        if (!error_) { error_ = document_->source.error(offset, std::move(message)); }
         return false;
     }
 
     /// What stands at the current place, for messages.
     std::string here() const {
-        if (at_ >= text().size()) {
-            return "end of the file";
-        }
+        if (at_ >= text().size()) { return "end of the file"; }
         const char c = text()[at_];
         return c > ' ' && c < 0x7f ? fmt::format("'{}'", c)
                                    : fmt::format("byte 0x{:02x}", static_cast<unsigned char>(c));
@@ -87,9 +79,7 @@ class JsonParser {
     }
 
     bool parseValue(int depth) {
-        if (depth > kMaxDepth) {
-            return fail(at_, fmt::format("nested deeper than {} levels", kMaxDepth));
-        }
+        if (depth > kMaxDepth) { return fail(at_, fmt::format("nested deeper than {} levels", kMaxDepth)); }
         switch (peek()) {
             case '{':
                 return parseObject(depth);
@@ -106,9 +96,7 @@ class JsonParser {
         const size_t begin = at_++;
         const uint32_t index = addNode(JsonType::Object, begin, begin + 1);
         std::set<std::string> keys;
-        if (!skipBlank()) {
-            return false;
-        }
+        if (!skipBlank()) { return false; }
         while (peek() != '}' || !keys.empty()) {
             if (peek() != '"') {
                 return fail(at_, fmt::format("expected a key in double quotes{}, not {}",
@@ -116,25 +104,15 @@ class JsonParser {
             }
             const size_t keyAt = at_;
             const auto keyIndex = static_cast<uint32_t>(document_->nodes.size());
-            if (!parseString()) {
-                return false;
-            }
+            if (!parseString()) { return false; }
             const std::string key = JsonValue(document_.get(), keyIndex).string();
             if (!keys.insert(key).second) {
                 return fail(keyAt, fmt::format("the key \"{}\" stands twice in one object", key));
             }
-            if (!skipBlank() || !expect(':', "after the key")) {
-                return false;
-            }
-            if (!skipBlank() || !parseValue(depth + 1) || !skipBlank()) {
-                return false;
-            }
-            if (!separator('}', begin, "object")) {
-                return false;
-            }
-            if (closed_) {
-                break;
-            }
+            if (!skipBlank() || !expect(':', "after the key")) { return false; }
+            if (!skipBlank() || !parseValue(depth + 1) || !skipBlank()) { return false; }
+            if (!separator('}', begin, "object")) { return false; }
+            if (closed_) { break; }
         }
         return close(index);
     }
@@ -142,18 +120,12 @@ class JsonParser {
     bool parseArray(int depth) {
         const size_t begin = at_++;
         const uint32_t index = addNode(JsonType::Array, begin, begin + 1);
-        if (!skipBlank()) {
-            return false;
-        }
+        if (!skipBlank()) { return false; }
         bool first = true;
         while (peek() != ']' || !first) {
             first = false;
-            if (!parseValue(depth + 1) || !skipBlank() || !separator(']', begin, "array")) {
-                return false;
-            }
-            if (closed_) {
-                break;
-            }
+            if (!parseValue(depth + 1) || !skipBlank() || !separator(']', begin, "array")) { return false; }
+            if (closed_) { break; }
         }
         return close(index);
     }
@@ -161,17 +133,13 @@ class JsonParser {
     /// Between two elements: eats a comma, or stops before the closing bracket and sets closed_.
     bool separator(char closing, size_t begin, std::string_view what) {
         closed_ = peek() == closing;
-        if (closed_) {
-            return true;
-        }
+        if (closed_) { return true; }
         if (at_ >= text().size()) {
             return fail(begin, fmt::format("this {} is never closed; expected '{}' before the file ends",
                                            what, closing));
         }
         const size_t comma = at_;
-        if (!expect(',', fmt::format("or '{}' after a value", closing)) || !skipBlank()) {
-            return false;
-        }
+        if (!expect(',', fmt::format("or '{}' after a value", closing)) || !skipBlank()) { return false; }
         if (peek() == closing) {
             return fail(comma, fmt::format("a comma before '{}'; expected another value", closing));
         }
@@ -200,14 +168,10 @@ class JsonParser {
                 return fail(
                     at_, fmt::format("{} inside a string; expected the closing quote or an escape", here()));
             }
-            if (text()[at_] == '\\' && !skipEscape()) {
-                return false;
-            }
+            if (text()[at_] == '\\' && !skipEscape()) { return false; }
             ++at_;
         }
-        if (at_ >= text().size()) {
-            return fail(begin, "this string is never closed; expected '\"'");
-        }
+        if (at_ >= text().size()) { return fail(begin, "this string is never closed; expected '\"'"); }
         addNode(JsonType::String, begin + 1, at_);
         ++at_;
         return true;
@@ -219,9 +183,7 @@ class JsonParser {
         if (peek() == 'u') {
             for (int i = 0; i < 4; ++i) {
                 ++at_;
-                if (!isHexDigit(peek())) {
-                    return fail(begin, "expected four hexadecimal digits after \\u");
-                }
+                if (!isHexDigit(peek())) { return fail(begin, "expected four hexadecimal digits after \\u"); }
             }
             return true;
         }
@@ -237,9 +199,7 @@ class JsonParser {
             ++at_;
         }
         const std::string_view word = text().substr(begin, at_ - begin);
-        if (word.empty()) {
-            return fail(begin, fmt::format("expected a value, not {}", here()));
-        }
+        if (word.empty()) { return fail(begin, fmt::format("expected a value, not {}", here())); }
         if (word == "true" || word == "false") {
             addNode(JsonType::Bool, begin, at_);
         } else if (word == "null") {
@@ -273,21 +233,15 @@ class JsonParser {
         };
         const size_t integerBegin = at;
         const size_t integerDigits = digits();
-        if (integerDigits == 0 || (integerDigits > 1 && word[integerBegin] == '0')) {
-            return false;
-        }
+        if (integerDigits == 0 || (integerDigits > 1 && word[integerBegin] == '0')) { return false; }
         if (at < word.size() && word[at] == '.') {
             ++at;
-            if (digits() == 0) {
-                return false;
-            }
+            if (digits() == 0) { return false; }
         }
         if (at < word.size() && (word[at] == 'e' || word[at] == 'E')) {
             ++at;
             at += at < word.size() && (word[at] == '+' || word[at] == '-') ? 1 : 0;
-            if (digits() == 0) {
-                return false;
-            }
+            if (digits() == 0) { return false; }
         }
         return at == word.size();
     }

@@ -1,5 +1,5 @@
-// JSON text with comments as a flat tree whose every value knows its place. For the scene reader; no general
-// library.
+// JSON text with comments as a flat tree whose every value knows its place. For the scene reader; no
+// general library.
 //
 // Numbers stay text until they are asked for, so that a float is rounded once. A value costs 16 bytes beside
 // the text.
@@ -18,8 +18,8 @@ namespace glint {
 
 enum class JsonType : uint8_t { Null, Bool, Number, String, Array, Object };
 
-/// One value of the tree. Children follow their parent directly; an object's children alternate key and
-/// value.
+/// One value of the tree. Children follow their parent directly; an object's children alternate key
+/// and value.
 struct JsonNode {
     uint32_t begin;  ///< bytes of the source: [begin, end); strings without their quotes
     uint32_t end;
@@ -53,8 +53,8 @@ class JsonValue {
     /// An error at the value's first character, a string's opening quote.
     Error error(std::string message) const;
 
-    /// Elements of an array, or keys and values in turn of an object: for (v = first(); v.present(); v =
-    /// next(v)).
+    /// Elements of an array, or keys and values in turn of an object: for (v = first(); v.present(); v
+    /// = next(v)).
     JsonValue first() const;
     JsonValue next(const JsonValue& child) const;
     uint32_t size() const;  ///< elements, or members; walks them

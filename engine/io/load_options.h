@@ -19,8 +19,8 @@ struct LoadCounts {
 };
 
 struct LoadOptions {
-    /// Missing textures and meshes, and what Glint cannot draw, become warnings: the rest of the scene is
-    /// loaded.
+    /// Missing textures and meshes, and what Glint cannot draw, become warnings: the rest of the scene
+    /// is loaded.
     bool allowMissing = false;
     LoadCounts* counts = nullptr;  ///< added to, where it is not null
 };

@@ -50,9 +50,7 @@ bool checkNumbers(TextCursor& cursor, std::string_view keyword) {
     for (int i = 0; i < count; ++i) {
         float number = 0.0f;
         const std::string what = fmt::format("{} of {}", count == 3 ? kParts[i] : "the value", keyword);
-        if (!cursor.readFloat(what.c_str(), &number)) {
-            return false;
-        }
+        if (!cursor.readFloat(what.c_str(), &number)) { return false; }
     }
     return count == 0 || cursor.expectLineEnd("the last number");
 }
@@ -63,9 +61,7 @@ bool checkLine(TextCursor& cursor, NotesByName* notes, MtlNotes** current,
     const std::string_view keyword = cursor.word();
     if (keyword == "newmtl") {
         const std::string name(cursor.restOfLine());
-        if (name.empty()) {
-            return cursor.fail(cursor.position(), "expected a name after newmtl");
-        }
+        if (name.empty()) { return cursor.fail(cursor.position(), "expected a name after newmtl"); }
         *current = &(*notes)[name];
         if ((*current)->place != nullptr) {
             warnings->push_back(cursor.warning(
@@ -82,9 +78,7 @@ bool checkLine(TextCursor& cursor, NotesByName* notes, MtlNotes** current,
         warnings->push_back(
             cursor.warning(lineBegin, fmt::format("{} is not supported and left out", keyword)));
     }
-    if (*current != nullptr) {
-        (*current)->hasKd |= keyword == "Kd";
-    }
+    if (*current != nullptr) { (*current)->hasKd |= keyword == "Kd"; }
     return checkNumbers(cursor, keyword);
 }
 
@@ -161,9 +155,7 @@ std::string withJoinedLines(std::string text) {
 Status checkFile(TextCursor& cursor, NotesByName* notes, std::vector<std::string>* warnings) {
     MtlNotes* current = nullptr;
     for (; !cursor.atEnd(); cursor.nextLine()) {
-        if (!cursor.atLineEnd() && !checkLine(cursor, notes, &current, warnings)) {
-            return cursor.error();
-        }
+        if (!cursor.atLineEnd() && !checkLine(cursor, notes, &current, warnings)) { return cursor.error(); }
     }
     return {};
 }
@@ -172,14 +164,10 @@ Status checkFile(TextCursor& cursor, NotesByName* notes, std::vector<std::string
 
 Result<std::vector<MtlMaterial>> loadMtl(const std::string& path, std::vector<std::string>* warnings) {
     const Result<std::string> text = readFile(path);
-    if (!text) {
-        return text.error();
-    }
+    if (!text) { return text.error(); }
     TextCursor cursor(*text, path);
     NotesByName notes;
-    if (Status checked = checkFile(cursor, &notes, warnings); !checked) {
-        return checked.error();
-    }
+    if (Status checked = checkFile(cursor, &notes, warnings); !checked) { return checked.error(); }
     std::map<std::string, int> indexByName;
     std::vector<tinyobj::material_t> found;
     std::string ignoredWarning;

@@ -68,9 +68,7 @@ class ObjParser {
 
 Status ObjParser::run() {
     for (; !cursor_.atEnd(); cursor_.nextLine()) {
-        if (!cursor_.atLineEnd() && !parseLine()) {
-            return cursor_.error();
-        }
+        if (!cursor_.atLineEnd() && !parseLine()) { return cursor_.error(); }
     }
     finishPart();
     if (scene.parts.empty()) {
@@ -86,18 +84,10 @@ Status ObjParser::run() {
 bool ObjParser::parseLine() {
     const char* where = cursor_.position();
     const std::string_view keyword = cursor_.word();
-    if (keyword == "v") {
-        return parseVertex();
-    }
-    if (keyword == "f" || keyword == "fo") {
-        return parseFace();
-    }
-    if (keyword == "vn") {
-        return parseNormal();
-    }
-    if (keyword == "vt") {
-        return parseUv();
-    }
+    if (keyword == "v") { return parseVertex(); }
+    if (keyword == "f" || keyword == "fo") { return parseFace(); }
+    if (keyword == "vn") { return parseNormal(); }
+    if (keyword == "vt") { return parseUv(); }
     if (keyword == "usemtl") {
         useMaterial(where);
         return true;
@@ -145,9 +135,7 @@ bool ObjParser::parseVertex() {
     while (count < 7 && (count < 3 || !cursor_.atLineEnd())) {
         cursor_.atLineEnd();
         const char* numberPlace = cursor_.position();
-        if (!cursor_.readFloat(kNames[count], &numbers[count])) {
-            return false;
-        }
+        if (!cursor_.readFloat(kNames[count], &numbers[count])) { return false; }
         if (count < 3 && std::fabs(numbers[count]) > kMaxCoordinate) {
             return cursor_.fail(numberPlace, "this coordinate is too large; expected at most 1e18");
         }
@@ -196,17 +184,13 @@ bool ObjParser::parseFace() {
     const char* where = cursor_.position();
     corners_.clear();
     while (!cursor_.atLineEnd()) {
-        if (!parseCorner(&corners_.emplace_back())) {
-            return false;
-        }
+        if (!parseCorner(&corners_.emplace_back())) { return false; }
     }
     if (corners_.size() < 3) {
         return cursor_.fail(where,
                             fmt::format("the face has {} corners; expected at least 3", corners_.size()));
     }
-    if (builder_.empty()) {
-        partGroup_ = group_;
-    }
+    if (builder_.empty()) { partGroup_ = group_; }
     return builder_.addFace(corners_) ||
            cursor_.fail(where, fmt::format("the polygon has {} corners, too many of them not convex",
                                            corners_.size()));
@@ -214,9 +198,7 @@ bool ObjParser::parseFace() {
 
 bool ObjParser::parseCorner(ObjCorner* corner) {
     const char* at = cursor_.position();
-    if (!parseIndex(&at, pools_.positions.size(), "vertex", &corner->position)) {
-        return false;
-    }
+    if (!parseIndex(&at, pools_.positions.size(), "vertex", &corner->position)) { return false; }
     if (*at == '/') {
         ++at;
         if (*at != '/' && !parseIndex(&at, pools_.uvs.size(), "texture coordinate", &corner->uv)) {
@@ -224,9 +206,7 @@ bool ObjParser::parseCorner(ObjCorner* corner) {
         }
         if (*at == '/') {
             ++at;
-            if (!parseIndex(&at, pools_.normals.size(), "normal", &corner->normal)) {
-                return false;
-            }
+            if (!parseIndex(&at, pools_.normals.size(), "normal", &corner->normal)) { return false; }
         }
     }
     const char* wordEnd = cursor_.position() + cursor_.word().size();
@@ -257,9 +237,7 @@ bool ObjParser::parseIndex(const char** at, size_t poolSize, const char* what, i
 
 void ObjParser::useMaterial(const char* where) {
     std::string name(cursor_.restOfLine());
-    if (name == materialName_) {
-        return;
-    }
+    if (name == materialName_) { return; }
     finishPart();
     materialName_ = std::move(name);
     const SourcePlace place = cursor_.placeOf(where);
@@ -267,9 +245,7 @@ void ObjParser::useMaterial(const char* where) {
 }
 
 void ObjParser::finishPart() {
-    if (builder_.empty()) {
-        return;
-    }
+    if (builder_.empty()) { return; }
     const std::string& named = !partGroup_.empty() ? partGroup_ : materialName_;
     scene.parts.push_back({.name = !named.empty() ? named : fmt::format("part {}", scene.parts.size()),
                            .materialName = materialName_,
@@ -281,21 +257,15 @@ void ObjParser::finishPart() {
 
 Result<ObjScene> loadObjGeometry(const std::string& path) {
     const Result<std::string> text = readFile(path);
-    if (!text) {
-        return text.error();
-    }
+    if (!text) { return text.error(); }
     ObjParser parser(*text, path);
-    if (Status parsed = parser.run(); !parsed) {
-        return parsed.error();
-    }
+    if (Status parsed = parser.run(); !parsed) { return parsed.error(); }
     return std::move(parser.scene);
 }
 
 Status readObjMaterials(const std::string& path, ObjScene* scene) {
     MaterialResolver resolver(path, scene);
-    if (Status read = resolver.readLibraries(scene->libraries); !read) {
-        return read;
-    }
+    if (Status read = resolver.readLibraries(scene->libraries); !read) { return read; }
     for (ObjPart& part : scene->parts) {
         part.material = resolver.indexOf(part.materialName, part.materialPlace);
     }
@@ -305,17 +275,13 @@ Status readObjMaterials(const std::string& path, ObjScene* scene) {
 Result<ObjScene> loadObj(const std::string& path) {
     Result<ObjScene> scene = loadObjGeometry(path);
     if (scene) {
-        if (Status read = readObjMaterials(path, &*scene); !read) {
-            return read.error();
-        }
+        if (Status read = readObjMaterials(path, &*scene); !read) { return read.error(); }
     }
     return scene;
 }
 
 std::shared_ptr<MeshData> joinParts(const std::vector<ObjPart>& parts) {
-    if (parts.size() == 1) {
-        return parts[0].mesh;
-    }
+    if (parts.size() == 1) { return parts[0].mesh; }
     auto out = std::make_shared<MeshData>();
     const auto append = [&](auto& values, const auto& added, auto missing, size_t before, size_t count) {
         if (!values.empty() || !added.empty()) {

@@ -1,10 +1,10 @@
 // Wavefront OBJ with MTL materials.
 //
-// Geometry is read by our own tokenizer: tinyobjloader silently reads a malformed number as 0 and knows no
-// columns. Materials come from tinyobjloader, with texture options, after a check of their numbers
-// (mtl_loader.h, which also holds the mapping to Glint's materials); they are left alone where the scene
-// brings its own. No image is opened here. Left out, with a warning: points, lines, free-form curves and
-// surfaces.
+// Geometry is read by our own tokenizer: tinyobjloader silently reads a malformed number as 0 and knows
+// no columns. Materials come from tinyobjloader, with texture options, after a check of their numbers
+// (mtl_loader.h, which also holds the mapping to Glint's materials); they are left alone where the
+// scene brings its own. No image is opened here. Left out, with a warning: points, lines, free-form
+// curves and surfaces.
 #pragma once
 
 #include <memory>
@@ -18,8 +18,8 @@ namespace glint {
 
 /// Faces that follow each other and have one material.
 struct ObjPart {
-    std::string
-        name;  ///< group or object name in force at the first face, else its material's, else "part N"
+    /// group or object name in force at the first face, else its material's, else "part N"
+    std::string name;
     std::string materialName;             ///< as usemtl says; empty: none in force
     std::string materialPlace;            ///< `file:line` of that usemtl
     int material = -1;                    ///< index into ObjScene::materials; -1: not resolved
@@ -31,8 +31,8 @@ struct ObjScene {
     std::vector<std::string> libraries;  ///< what mtllib lines name, whole lines
     std::vector<Material> materials;     ///< those that parts use, in order of first use
     std::vector<Texture> textures;  ///< what these materials use, not read; paths include the MTL's folder
-    std::vector<std::string>
-        warnings;  ///< `file:line: …`: missing MTL files, materials and images, statements left out
+    /// `file:line: …`: missing MTL files, materials and images, statements left out
+    std::vector<std::string> warnings;
 };
 
 /// Reads the OBJ file alone; parts have no materials yet. Polygons are triangulated (polygon.h); vertices

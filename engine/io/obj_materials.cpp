@@ -57,9 +57,7 @@ Status MaterialResolver::readLibrary(const std::string& name) {
         return {};
     }
     Result<std::vector<MtlMaterial>> materials = loadMtl(path, &scene_.warnings);
-    if (!materials) {
-        return materials.error();
-    }
+    if (!materials) { return materials.error(); }
     for (MtlMaterial& mtl : *materials) {
         std::string key = mtl.material.name;
         found_.try_emplace(std::move(key), Found{std::move(mtl), path});
@@ -68,9 +66,7 @@ Status MaterialResolver::readLibrary(const std::string& name) {
 }
 
 int MaterialResolver::indexOf(const std::string& name, const std::string& place) {
-    if (const auto taken = taken_.find(name); taken != taken_.end()) {
-        return taken->second;
-    }
+    if (const auto taken = taken_.find(name); taken != taken_.end()) { return taken->second; }
     Material material;
     if (const auto found = found_.find(name); found != found_.end()) {
         material = found->second.mtl.material;
@@ -98,9 +94,7 @@ void MaterialResolver::warnMissing(const std::string& name, const std::string& p
 
 void MaterialResolver::takeTexture(const Found& found, Material* material) {
     const MtlMaterial& mtl = found.mtl;
-    if (mtl.colorMap.empty()) {
-        return;
-    }
+    if (mtl.colorMap.empty()) { return; }
     const std::string path = besideFile(found.library, mtl.colorMap);
     const std::string key = fmt::format("{}\n{} {}", path, mtl.colorMapScale.x, mtl.colorMapScale.y);
     if (const auto known = textures_.find(key); known != textures_.end()) {

@@ -17,9 +17,7 @@ bool ObjPartBuilder::addFace(const std::vector<ObjCorner>& corners) {
         polygon_.push_back(pools_.positions[static_cast<size_t>(corner.position)]);
     }
     triangles_.clear();
-    if (!triangulatePolygon(polygon_, &triangles_)) {
-        return false;
-    }
+    if (!triangulatePolygon(polygon_, &triangles_)) { return false; }
     for (const uint32_t corner : triangles_) {
         mesh_.indices.push_back(vertexFor(corners[corner]));
     }
@@ -28,17 +26,11 @@ bool ObjPartBuilder::addFace(const std::vector<ObjCorner>& corners) {
 
 uint32_t ObjPartBuilder::vertexFor(const ObjCorner& corner) {
     const size_t position = static_cast<size_t>(corner.position);
-    if (position >= heads_.size()) {
-        heads_.resize(pools_.positions.size());
-    }
+    if (position >= heads_.size()) { heads_.resize(pools_.positions.size()); }
     Head& head = heads_[position];
-    if (head.part != part_) {
-        head = {part_, kNone};
-    }
+    if (head.part != part_) { head = {part_, kNone}; }
     for (uint32_t i = head.first; i != kNone; i = known_[i].next) {
-        if (known_[i].uv == corner.uv && known_[i].normal == corner.normal) {
-            return i;
-        }
+        if (known_[i].uv == corner.uv && known_[i].normal == corner.normal) { return i; }
     }
     known_.push_back({corner.uv, corner.normal, head.first});
     head.first = appendVertex(corner);
@@ -67,9 +59,7 @@ uint32_t ObjPartBuilder::appendVertex(const ObjCorner& corner) {
 std::shared_ptr<MeshData> ObjPartBuilder::finish() {
     const size_t count = mesh_.positions.size();
     const auto fill = [count](auto& values, auto missing) {
-        if (!values.empty()) {
-            values.resize(count, missing);
-        }
+        if (!values.empty()) { values.resize(count, missing); }
     };
     fill(mesh_.colors, Vec3(1.0f));
     fill(mesh_.uvs, Vec2(0.0f));

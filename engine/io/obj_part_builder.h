@@ -1,5 +1,5 @@
-// Collects the faces of one OBJ part into a mesh: vertices with equal (position, uv, normal) numbers become
-// one.
+// Collects the faces of one OBJ part into a mesh: vertices with equal (position, uv, normal) numbers
+// become one.
 //
 // Called by obj_loader.cpp only, which checks every number before it comes here.
 #pragma once

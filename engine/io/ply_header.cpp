@@ -1,5 +1,5 @@
-// One function per header line. The file's format is described in G. Turk's "The PLY Polygon File Format"
-// (1994).
+// One function per header line. The file's format is described in G. Turk's "The PLY Polygon File
+// Format" (1994).
 #include "engine/io/ply_header.h"
 
 #include <optional>
@@ -24,9 +24,7 @@ std::optional<PlyType> typeFromName(std::string_view name) {
         {"float", PlyType::Float32},  {"float32", PlyType::Float32}, {"double", PlyType::Float64},
         {"float64", PlyType::Float64}};
     for (const auto& [known, type] : kNames) {
-        if (known == name) {
-            return type;
-        }
+        if (known == name) { return type; }
     }
     return std::nullopt;
 }
@@ -43,9 +41,7 @@ class HeaderParser {
         }
         bool ended = false;
         for (cursor_.nextLine(); !ended && !cursor_.atEnd(); cursor_.nextLine()) {
-            if (!cursor_.atLineEnd() && !parseLine(&ended)) {
-                return cursor_.error();
-            }
+            if (!cursor_.atLineEnd() && !parseLine(&ended)) { return cursor_.error(); }
         }
         if (!ended || !hasFormat_) {
             cursor_.fail(cursor_.position(), ended ? "expected a format line in the header"
@@ -64,15 +60,9 @@ class HeaderParser {
             cursor_.restOfLine();
             return true;
         }
-        if (keyword == "format") {
-            return parseFormat();
-        }
-        if (keyword == "element") {
-            return parseElement(where);
-        }
-        if (keyword == "property") {
-            return parseProperty(where);
-        }
+        if (keyword == "format") { return parseFormat(); }
+        if (keyword == "element") { return parseElement(where); }
+        if (keyword == "property") { return parseProperty(where); }
         *ended = keyword == "end_header";
         return *ended || cursor_.fail(where, "expected format, comment, element, property or end_header");
     }
@@ -130,9 +120,7 @@ class HeaderParser {
         } else if (isFloat(property.countType)) {
             return cursor_.fail(at, "the number of a list's items must have an integer type");
         }
-        if (!parseType(&property.type)) {
-            return false;
-        }
+        if (!parseType(&property.type)) { return false; }
         property.name = cursor_.word();
         if (property.name.empty()) {
             return cursor_.fail(where, "expected a type and a name after property");
@@ -161,9 +149,7 @@ class HeaderParser {
 int PlyElement::find(std::initializer_list<const char*> names) const {
     for (size_t i = 0; i < properties.size(); ++i) {
         for (const char* candidate : names) {
-            if (properties[i].name == candidate) {
-                return static_cast<int>(i);
-            }
+            if (properties[i].name == candidate) { return static_cast<int>(i); }
         }
     }
     return -1;

@@ -42,9 +42,7 @@ SlotTable slotsOf(const PlyElement& vertex) {
 
 /// Stored colour to linear: integers are sRGB-encoded fractions of the type's largest value.
 float linearColor(double stored, PlyType type) {
-    if (isFloat(type)) {
-        return static_cast<float>(std::fmax(stored, 0.0));
-    }
+    if (isFloat(type)) { return static_cast<float>(std::fmax(stored, 0.0)); }
     const double largest = std::exp2(8.0 * static_cast<double>(sizeOf(type))) - 1.0;
     return srgbToLinear(static_cast<float>(std::fmin(std::fmax(stored / largest, 0.0), 1.0)));
 }
@@ -56,15 +54,11 @@ class PlyBody {
 
     Result<std::shared_ptr<MeshData>> run() {
         for (const PlyElement& element : header_.elements) {
-            if (!fits(element)) {
-                return *headerError_;
-            }
+            if (!fits(element)) { return *headerError_; }
             const bool ok = element.name == "vertex" ? readVertices(element)
                             : element.name == "face" ? readFaces(element)
                                                      : skipElement(element);
-            if (!ok) {
-                return headerError_ ? *headerError_ : source_.error();
-            }
+            if (!ok) { return headerError_ ? *headerError_ : source_.error(); }
         }
         return std::make_shared<MeshData>(std::move(mesh_));
     }
@@ -81,9 +75,7 @@ class PlyBody {
         for (const PlyProperty& property : element.properties) {
             perRecord += Source::leastBytes(property.isList ? property.countType : property.type, 1);
         }
-        if (perRecord == 0 || element.count <= source_.bytesLeft() / perRecord) {
-            return true;
-        }
+        if (perRecord == 0 || element.count <= source_.bytesLeft() / perRecord) { return true; }
         return headerFailure(
             element,
             fmt::format("{} \"{}\" elements need at least {} bytes, but only {} are left in the file",
@@ -105,18 +97,14 @@ class PlyBody {
         }
         mesh_.positions.reserve(element.count);
         for (uint64_t i = 0; i < element.count; ++i) {
-            if (!readVertex(element, slots)) {
-                return false;
-            }
+            if (!readVertex(element, slots)) { return false; }
         }
         return true;
     }
 
     bool readVertex(const PlyElement& element, const SlotTable& slots) {
         std::array<double, kSlotCount> values{};
-        if (!source_.beginRecord()) {
-            return false;
-        }
+        if (!source_.beginRecord()) { return false; }
         for (size_t p = 0; p < element.properties.size(); ++p) {
             const PlyProperty& property = element.properties[p];
             size_t slot = 0;
@@ -124,9 +112,7 @@ class PlyBody {
                 ++slot;
             }
             if (slot == kSlotCount) {
-                if (!skipProperty(property)) {
-                    return false;
-                }
+                if (!skipProperty(property)) { return false; }
             } else if (!source_.read(property.type, kSlotNames[slot], &values[slot])) {
                 return false;
             } else if (!(std::fabs(values[slot]) <= kMaxCoordinate)) {
@@ -145,9 +131,7 @@ class PlyBody {
         if (slots[kNx] >= 0 && slots[kNy] >= 0 && slots[kNz] >= 0) {
             mesh_.normals.emplace_back(number(kNx), number(kNy), number(kNz));
         }
-        if (slots[kU] >= 0 && slots[kV] >= 0) {
-            mesh_.uvs.emplace_back(number(kU), number(kV));
-        }
+        if (slots[kU] >= 0 && slots[kV] >= 0) { mesh_.uvs.emplace_back(number(kU), number(kV)); }
         if (slots[kRed] >= 0 && slots[kGreen] >= 0 && slots[kBlue] >= 0) {
             const auto color = [&](Slot slot) {
                 return linearColor(values[slot], element.properties[static_cast<size_t>(slots[slot])].type);
@@ -168,37 +152,27 @@ class PlyBody {
                                  "expected the element vertex, with at least one, before the element face");
         }
         for (uint64_t i = 0; i < element.count; ++i) {
-            if (!source_.beginRecord()) {
-                return false;
-            }
+            if (!source_.beginRecord()) { return false; }
             for (size_t p = 0; p < element.properties.size(); ++p) {
                 const bool ok = static_cast<int>(p) == list ? readPolygon(element.properties[p])
                                                             : skipProperty(element.properties[p]);
-                if (!ok) {
-                    return false;
-                }
+                if (!ok) { return false; }
             }
-            if (!source_.endRecord()) {
-                return false;
-            }
+            if (!source_.endRecord()) { return false; }
         }
         return true;
     }
 
     bool readPolygon(const PlyProperty& property) {
         uint64_t count = 0;
-        if (!readCount(property, &count)) {
-            return false;
-        }
+        if (!readCount(property, &count)) { return false; }
         if (count < 3) {
             return source_.fail(fmt::format("the face has {} corners; expected at least 3", count));
         }
         corners_.clear();
         for (uint64_t i = 0; i < count; ++i) {
             double index = 0.0;
-            if (!source_.read(property.type, "a vertex number", &index)) {
-                return false;
-            }
+            if (!source_.read(property.type, "a vertex number", &index)) { return false; }
             if (index < 0.0 || index >= static_cast<double>(mesh_.positions.size())) {
                 return source_.fail(fmt::format("there is no vertex {}; they count from 0 to {}", index,
                                                 mesh_.positions.size() - 1));
@@ -230,9 +204,7 @@ class PlyBody {
 
     bool readCount(const PlyProperty& property, uint64_t* count) {
         double number = 0.0;
-        if (!source_.read(property.countType, "the number of items", &number)) {
-            return false;
-        }
+        if (!source_.read(property.countType, "the number of items", &number)) { return false; }
         if (number < 0.0 || number > 4294967295.0 ||
             Source::leastBytes(property.type, static_cast<uint64_t>(number)) > source_.bytesLeft()) {
             return source_.fail(
@@ -245,30 +217,20 @@ class PlyBody {
 
     bool skipProperty(const PlyProperty& property) {
         uint64_t count = 1;
-        if (property.isList && !readCount(property, &count)) {
-            return false;
-        }
+        if (property.isList && !readCount(property, &count)) { return false; }
         for (uint64_t i = 0; i < count; ++i) {
-            if (!source_.skip(property.type)) {
-                return false;
-            }
+            if (!source_.skip(property.type)) { return false; }
         }
         return true;
     }
 
     bool skipElement(const PlyElement& element) {
         for (uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
-            if (!source_.beginRecord()) {
-                return false;
-            }
+            if (!source_.beginRecord()) { return false; }
             for (const PlyProperty& property : element.properties) {
-                if (!skipProperty(property)) {
-                    return false;
-                }
+                if (!skipProperty(property)) { return false; }
             }
-            if (!source_.endRecord()) {
-                return false;
-            }
+            if (!source_.endRecord()) { return false; }
         }
         return true;
     }
@@ -286,9 +248,7 @@ class PlyBody {
 
 Result<std::shared_ptr<MeshData>> parsePly(const std::string& bytes, const std::string& path) {
     const Result<PlyHeader> header = parsePlyHeader(bytes, path);
-    if (!header) {
-        return header.error();
-    }
+    if (!header) { return header.error(); }
     Result<std::shared_ptr<MeshData>> mesh =
         header->format == PlyFormat::Ascii
             ? PlyBody(*header, PlyTextSource(bytes, path, header->bodyOffset)).run()
@@ -304,9 +264,7 @@ Result<std::shared_ptr<MeshData>> parsePly(const std::string& bytes, const std::
 
 Result<std::shared_ptr<MeshData>> loadPly(const std::string& path) {
     const Result<std::string> bytes = readFile(path);
-    if (!bytes) {
-        return bytes.error();
-    }
+    if (!bytes) { return bytes.error(); }
     return parsePly(*bytes, path);
 }
 

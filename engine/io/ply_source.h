@@ -1,8 +1,8 @@
-// Where the numbers of a PLY body come from: text or bytes, behind the same few functions. For ply_loader.cpp
-// only.
+// Where the numbers of a PLY body come from: text or bytes, behind the same few functions. For
+// ply_loader.cpp only.
 //
-// A source reads one scalar after the other and knows the place of the last one. Nothing here knows what they
-// mean.
+// A source reads one scalar after the other and knows the place of the last one. Nothing here knows what
+// they mean.
 #pragma once
 
 #include <cstring>
@@ -75,9 +75,7 @@ class PlyBinarySource {
     bool read(PlyType type, const char* what, double* out) {
         last_ = at_;
         const size_t size = sizeOf(type);
-        if (bytesLeft() < size) {
-            return fail(fmt::format("the file ends too early, in {}", what));
-        }
+        if (bytesLeft() < size) { return fail(fmt::format("the file ends too early, in {}", what)); }
         unsigned char raw[8] = {};
         for (size_t i = 0; i < size; ++i) {
             raw[bigEndian_ ? size - 1 - i : i] = static_cast<unsigned char>(bytes_[at_ + i]);
@@ -88,9 +86,7 @@ class PlyBinarySource {
     }
     bool skip(PlyType type) {
         last_ = at_;
-        if (bytesLeft() < sizeOf(type)) {
-            return fail("the file ends too early");
-        }
+        if (bytesLeft() < sizeOf(type)) { return fail("the file ends too early"); }
         at_ += sizeOf(type);
         return true;
     }

@@ -26,9 +26,7 @@ std::vector<Point> projected(const std::vector<Vec3>& corners) {
     }
     int axis = std::fabs(area.x) > std::fabs(area.y) ? 0 : 1;
     axis = std::fabs(area.z) > std::fabs(area[axis]) ? 2 : axis;
-    if (area[axis] == 0.0) {
-        return {};
-    }
+    if (area[axis] == 0.0) { return {}; }
     const int u = (axis + 1) % 3;
     const int v = (axis + 2) % 3;
     std::vector<Point> points;
@@ -49,9 +47,7 @@ bool isStrictlyConvex(const std::vector<Point>& points) {
     for (size_t i = 0; i < n; ++i) {
         const Point& a = points[i];
         const Point& b = points[(i + 1) % n];
-        if (!(cross(a, b, points[(i + 2) % n]) > 0.0)) {
-            return false;
-        }
+        if (!(cross(a, b, points[(i + 2) % n]) > 0.0)) { return false; }
         const double dx = b.x - a.x;
         if (dx != 0.0) {
             directionChanges += lastDx * dx < 0.0 ? 1 : 0;
@@ -79,9 +75,7 @@ class EarClipper {
             removed_.push_back(false);
         }
         for (uint32_t i = 0; i < n; ++i) {
-            if (!turnsLeft(i)) {
-                blockers_.push_back(i);
-            }
+            if (!turnsLeft(i)) { blockers_.push_back(i); }
         }
     }
 
@@ -118,9 +112,7 @@ class EarClipper {
         const Point& a = points_[previous_[i]];
         const Point& b = points_[i];
         const Point& c = points_[next_[i]];
-        if (!(cross(a, b, c) > 0.0)) {
-            return false;
-        }
+        if (!(cross(a, b, c) > 0.0)) { return false; }
         for (size_t k = 0; k < blockers_.size();) {
             const uint32_t blocker = blockers_[k];
             if (removed_[blocker] || turnsLeft(blocker)) {
@@ -142,9 +134,7 @@ class EarClipper {
     uint32_t queueEars(uint32_t start) {
         uint32_t i = start;
         do {
-            if (isEar(i)) {
-                candidates_.push_back(i);
-            }
+            if (isEar(i)) { candidates_.push_back(i); }
             i = next_[i];
         } while (i != start);
         return start;
@@ -152,18 +142,14 @@ class EarClipper {
 
     void queueNeighbours(uint32_t after) {
         for (const uint32_t i : {previous_[after], after}) {
-            if (isEar(i)) {
-                candidates_.push_back(i);
-            }
+            if (isEar(i)) { candidates_.push_back(i); }
         }
     }
 
     uint32_t leftTurnFrom(uint32_t start) const {
         uint32_t i = start;
         do {
-            if (turnsLeft(i)) {
-                return i;
-            }
+            if (turnsLeft(i)) { return i; }
             i = next_[i];
         } while (i != start);
         return start;
@@ -203,9 +189,7 @@ bool triangulatePolygon(const std::vector<Vec3>& corners, std::vector<uint32_t>*
         return true;
     }
     EarClipper clipper(points, triangles);
-    if (clipper.tests() > kMaxEarTests) {
-        return false;
-    }
+    if (clipper.tests() > kMaxEarTests) { return false; }
     clipper.run();
     return true;
 }

@@ -31,9 +31,7 @@ SceneJsonReader::SceneJsonReader(std::shared_ptr<const JsonDocument> document, c
 Result<SceneDescription> SceneJsonReader::read() {
     const JsonValue root(document_.get());
     readRoot(fieldsOf(root, "the scene", "scene"));
-    if (errors_.failed()) {
-        return errors_.error();
-    }
+    if (errors_.failed()) { return errors_.error(); }
     return std::move(scene_);
 }
 
@@ -58,9 +56,7 @@ void SceneJsonReader::readRoot(const JsonFields& root) {
 }
 
 void SceneJsonReader::readResolution(const JsonValue& value) {
-    if (!value.present() || !expectType(errors_, value, "resolution", JsonType::Array)) {
-        return;
-    }
+    if (!value.present() || !expectType(errors_, value, "resolution", JsonType::Array)) { return; }
     if (value.size() != 2) {
         errors_.add(value, "\"resolution\" needs two numbers: [width, height] in pixels");
         return;
@@ -78,9 +74,7 @@ void SceneJsonReader::readResolution(const JsonValue& value) {
 }
 
 void SceneJsonReader::readCamera(const JsonValue& value) {
-    if (!value.present()) {
-        return;
-    }
+    if (!value.present()) { return; }
     const JsonFields fields = fieldsOf(value, "camera", "camera");
     Camera& camera = scene_.camera;
     fields.vec3("position", &camera.position);
@@ -114,9 +108,7 @@ void SceneJsonReader::readCamera(const JsonValue& value) {
 }
 
 void SceneJsonReader::readRender(const JsonValue& value) {
-    if (!value.present()) {
-        return;
-    }
+    if (!value.present()) { return; }
     const JsonFields fields = fieldsOf(value, "render", "render");
     RenderOptions& options = scene_.options;
     constexpr std::pair<std::string_view, IntegratorKind> kIntegrators[] = {
@@ -131,9 +123,7 @@ void SceneJsonReader::readRender(const JsonValue& value) {
     fields.integer("maxDepth", 0, 1 << 16, &options.maxDepth);
     fields.integer("rouletteStartDepth", 0, 1 << 16, &options.rouletteStartDepth);
     fields.choice("filter", kFilters, &options.filter);
-    if (options.filter == FilterKind::Box) {
-        options.filterRadius = 0.5f;
-    }
+    if (options.filter == FilterKind::Box) { options.filterRadius = 0.5f; }
     fields.number(
         "filterRadiusPixels",
         {.lo = 0.0f, .hi = 16.0f, .openLo = true, .expected = "a radius above 0 and up to 16 pixels"},
@@ -145,9 +135,7 @@ void SceneJsonReader::readRender(const JsonValue& value) {
 }
 
 void SceneJsonReader::readSppm(const JsonValue& value) {
-    if (!value.present()) {
-        return;
-    }
+    if (!value.present()) { return; }
     const JsonFields fields = fieldsOf(value, "sppm", "sppm");
     SppmOptions& sppm = scene_.sppm;
     constexpr std::pair<std::string_view, bool> kDirectLights[] = {{"sampled", true}, {"photons", false}};
@@ -169,9 +157,7 @@ JsonFields SceneJsonReader::fieldsOf(const JsonValue& value, std::string_view wh
 
 int SceneJsonReader::typeOf(const JsonValue& value, std::string_view what,
                             std::span<const std::string_view> kinds) {
-    if (errors_.failed() || !expectType(errors_, value, what, JsonType::Object)) {
-        return -1;
-    }
+    if (errors_.failed() || !expectType(errors_, value, what, JsonType::Object)) { return -1; }
     JsonValue type;
     forEachMember(errors_, value, [&](const std::string& key, const JsonValue& member) {
         type = key == "type" ? member : type;
@@ -181,13 +167,9 @@ int SceneJsonReader::typeOf(const JsonValue& value, std::string_view what,
         errors_.add(value, fmt::format("{} has no \"type\"; expected {}", what, joinNames(kinds)));
         return -1;
     }
-    if (!readString(errors_, type, "type", &name)) {
-        return -1;
-    }
+    if (!readString(errors_, type, "type", &name)) { return -1; }
     for (size_t i = 0; i < kinds.size(); ++i) {
-        if (kinds[i] == name) {
-            return static_cast<int>(i);
-        }
+        if (kinds[i] == name) { return static_cast<int>(i); }
     }
     errors_.add(type, fmt::format("unknown type \"{}\" of {}{}; expected {}", name.substr(0, 60), what,
                                   didYouMean(name, kinds), joinNames(kinds)));
@@ -197,12 +179,8 @@ int SceneJsonReader::typeOf(const JsonValue& value, std::string_view what,
 int SceneJsonReader::findName(const std::map<std::string, int>& names, const JsonValue& value,
                               std::string_view what) {
     std::string name;
-    if (!readString(errors_, value, what, &name)) {
-        return -1;
-    }
-    if (const auto found = names.find(name); found != names.end()) {
-        return found->second;
-    }
+    if (!readString(errors_, value, what, &name)) { return -1; }
+    if (const auto found = names.find(name); found != names.end()) { return found->second; }
     std::vector<std::string_view> known;
     known.reserve(names.size());
     for (const auto& entry : names) {
@@ -220,9 +198,7 @@ int SceneJsonReader::findName(const std::map<std::string, int>& names, const Jso
 
 Result<SceneDescription> readSceneJson(TextSource source, const LoadOptions& options) {
     auto document = parseJson(std::move(source));
-    if (!document) {
-        return document.error();
-    }
+    if (!document) { return document.error(); }
     return SceneJsonReader(std::move(*document), options).read();
 }
 

@@ -1,5 +1,5 @@
-// Glint's own scene format: JSON with comments, described for people in scenes/README.md and for editors in
-// scenes/glint.schema.json.
+// Glint's own scene format: JSON with comments, described for people in scenes/README.md and for editors
+// in scenes/glint.schema.json.
 //
 // Reading a saved scene gives back every field that affects the picture, bit for bit.
 #pragma once
@@ -13,8 +13,8 @@
 
 namespace glint {
 
-/// Error: anything that is not a valid scene, with its place. Relative paths count from the folder of
-/// source.path.
+/// Error: anything that is not a valid scene, with its place. Relative paths count from the folder
+/// of source.path.
 Result<SceneDescription> readSceneJson(TextSource source, const LoadOptions& options);
 
 /// The scene as JSON text, for a file at `path`: relative paths are rewritten to count from its folder.

@@ -7,9 +7,7 @@
 namespace glint {
 
 void SceneJsonReader::readAssets() {
-    if (errors_.failed()) {
-        return;
-    }
+    if (errors_.failed()) { return; }
     checkIdleAssets();
     readUsedAssets(&assets_, &scene_, [this](const Asset& asset, const Error& error) {
         const std::string& file = assetFile(scene_, asset);

@@ -94,9 +94,7 @@ std::span<const JsonKind> sceneJsonKinds() { return kKinds; }
 
 std::span<const std::string_view> sceneJsonKeys(std::string_view kind) {
     for (const JsonKind& known : kKinds) {
-        if (known.name == kind) {
-            return known.keys;
-        }
+        if (known.name == kind) { return known.keys; }
     }
     GLINT_CHECK(!"the kind is in the table");
     return {};

@@ -1,5 +1,5 @@
-// Every kind of object in a Glint JSON scene and the keys it takes: what the reader knows and the schema must
-// list.
+// Every kind of object in a Glint JSON scene and the keys it takes: what the reader knows and the schema
+// must list.
 //
 // The reader looks kinds up here and cannot read a key that is not listed; a test compares the table with
 // scenes/glint.schema.json, whose definitions have the same names.

@@ -13,14 +13,10 @@ constexpr std::string_view kLightTypes[] = {"point", "spot", "directional"};
 }  // namespace
 
 void SceneJsonReader::readLights(const JsonValue& value) {
-    if (!value.present() || !expectType(errors_, value, "lights", JsonType::Array)) {
-        return;
-    }
+    if (!value.present() || !expectType(errors_, value, "lights", JsonType::Array)) { return; }
     forEachItem(errors_, value, [&](const JsonValue& item, size_t number) {
         Light light = readLight(item);
-        if (light.name.empty()) {
-            light.name = fmt::format("light {}", number + 1);
-        }
+        if (light.name.empty()) { light.name = fmt::format("light {}", number + 1); }
         scene_.lights.push_back(std::move(light));
     });
 }
@@ -28,9 +24,7 @@ void SceneJsonReader::readLights(const JsonValue& value) {
 Light SceneJsonReader::readLight(const JsonValue& value) {
     Light light;
     const int type = typeOf(value, "light", kLightTypes);
-    if (type < 0) {
-        return light;
-    }
+    if (type < 0) { return light; }
     light.kind = static_cast<LightKind>(type);
     const JsonFields fields = fieldsOf(value, kLightTypes[type], kLightTypes[type]);
     fields.string("name", &light.name);
@@ -61,41 +55,31 @@ Light SceneJsonReader::readLight(const JsonValue& value) {
 }
 
 void SceneJsonReader::readEnvironment(const JsonValue& value) {
-    if (!value.present()) {
-        return;
-    }
+    if (!value.present()) { return; }
     const JsonFields fields = fieldsOf(value, "environment", "environment");
     Environment& environment = scene_.environment;
     environment.color = Vec3(1.0f);
     fields.color("color", kNotNegative, &environment.color);
     fields.number("strength", kNotNegative, &environment.strength);
     fields.number("rotationDeg", kAnyNumber, &environment.rotationDeg);
-    if (const JsonValue image = fields.find("image"); image.present()) {
-        readEnvironmentImage(image);
-    }
+    if (const JsonValue image = fields.find("image"); image.present()) { readEnvironmentImage(image); }
 }
 
 void SceneJsonReader::readEnvironmentImage(const JsonValue& value) {
-    if (errors_.failed() || !expectType(errors_, value, "image", JsonType::Object)) {
-        return;
-    }
+    if (errors_.failed() || !expectType(errors_, value, "image", JsonType::Object)) { return; }
     bool isSky = false;
     forEachMember(errors_, value,
                   [&](const std::string& key, const JsonValue&) { isSky |= key == "generator"; });
     ImageSource source;
     if (isSky) {
         source.sky = readSky(fieldsOf(value, "sky", "sky"));
-        if (errors_.failed()) {
-            return;
-        }
+        if (errors_.failed()) { return; }
         environmentPlace_ = value;
     } else {
         const JsonFields fields = fieldsOf(value, "image", "environmentFile");
         const JsonValue file = fields.require("file");
         fields.string("file", &source.path);
-        if (errors_.failed()) {
-            return;
-        }
+        if (errors_.failed()) { return; }
         environmentPlace_ = file;
     }
     scene_.environment.image = static_cast<int>(scene_.environmentImages.size());

@@ -20,9 +20,7 @@ constexpr NumberRange kIor{.lo = 0.01f, .hi = 100.0f, .expected = "an index of r
 }  // namespace
 
 void SceneJsonReader::readTextures(const JsonValue& value) {
-    if (!value.present() || !expectType(errors_, value, "textures", JsonType::Object)) {
-        return;
-    }
+    if (!value.present() || !expectType(errors_, value, "textures", JsonType::Object)) { return; }
     forEachMember(errors_, value, [&](const std::string& name, const JsonValue& texture) {
         textureNames_[name] = addTexture(texture, name);
     });
@@ -41,18 +39,14 @@ int SceneJsonReader::addTexture(const JsonValue& value, const std::string& name)
     if (const JsonValue scale = fields.find("scale"); scale.present()) {
         readNumbers(errors_, scale, "scale", kAnyNumber, 2, &texture.scale.x);
     }
-    if (errors_.failed()) {
-        return -1;
-    }
+    if (errors_.failed()) { return -1; }
     texturePlaces_.push_back(file);
     scene_.textures.push_back(std::move(texture));
     return static_cast<int>(scene_.textures.size()) - 1;
 }
 
 void SceneJsonReader::readMaterials(const JsonValue& value) {
-    if (!value.present() || !expectType(errors_, value, "materials", JsonType::Object)) {
-        return;
-    }
+    if (!value.present() || !expectType(errors_, value, "materials", JsonType::Object)) { return; }
     forEachMember(errors_, value, [&](const std::string& name, const JsonValue& material) {
         Material read = readMaterial(material, name);
         materialNames_[name] = static_cast<int>(scene_.materials.size());
@@ -64,9 +58,7 @@ Material SceneJsonReader::readMaterial(const JsonValue& value, const std::string
     Material material;
     material.name = name;
     const int type = typeOf(value, "material", kMaterialTypes);
-    if (type < 0) {
-        return material;
-    }
+    if (type < 0) { return material; }
     material.kind = static_cast<MaterialKind>(type);
     const bool isTint = material.kind == MaterialKind::Mirror || material.kind == MaterialKind::Conductor ||
                         material.kind == MaterialKind::Dielectric;
@@ -76,18 +68,10 @@ Material SceneJsonReader::readMaterial(const JsonValue& value, const std::string
         return std::find(keys.begin(), keys.end(), key) != keys.end();
     };
     readColorInput(fields, &material.color);
-    if (material.kind == MaterialKind::Conductor) {
-        readMetal(fields, &material);
-    }
-    if (takes("ior")) {
-        fields.number("ior", kIor, &material.ior);
-    }
-    if (takes("roughness")) {
-        fields.number("roughness", kUnitInterval, &material.roughness);
-    }
-    if (takes("thin")) {
-        fields.boolean("thin", &material.thin);
-    }
+    if (material.kind == MaterialKind::Conductor) { readMetal(fields, &material); }
+    if (takes("ior")) { fields.number("ior", kIor, &material.ior); }
+    if (takes("roughness")) { fields.number("roughness", kUnitInterval, &material.roughness); }
+    if (takes("thin")) { fields.boolean("thin", &material.thin); }
     if (takes("weights")) {
         fields.color("weights", kNotNegative, &material.mixtureWeights);
         if (isZero(material.mixtureWeights)) {
@@ -144,9 +128,7 @@ int SceneJsonReader::textureIndex(const JsonValue& value) {
 }
 
 int SceneJsonReader::materialIndex(const JsonValue& value, const std::string& ownerName) {
-    if (!value.is(JsonType::Object)) {
-        return std::max(0, findName(materialNames_, value, "material"));
-    }
+    if (!value.is(JsonType::Object)) { return std::max(0, findName(materialNames_, value, "material")); }
     scene_.materials.push_back(readMaterial(value, "material of " + ownerName));
     return static_cast<int>(scene_.materials.size()) - 1;
 }

@@ -25,22 +25,16 @@ bool hasMember(const JsonErrors& errors, const JsonValue& object, std::string_vi
 template <int kCount, class Vector>
 void readVectors(JsonErrors& errors, const JsonValue& value, std::string_view what,
                  std::vector<Vector>* out) {
-    if (!value.present() || !expectType(errors, value, what, JsonType::Array)) {
-        return;
-    }
+    if (!value.present() || !expectType(errors, value, what, JsonType::Array)) { return; }
     out->reserve(value.size());
     forEachItem(errors, value, [&](const JsonValue& item, size_t) {
         Vector vector;
-        if (readNumbers(errors, item, what, kAnyNumber, kCount, &vector[0])) {
-            out->push_back(vector);
-        }
+        if (readNumbers(errors, item, what, kAnyNumber, kCount, &vector[0])) { out->push_back(vector); }
     });
 }
 
 void readIndices(JsonErrors& errors, const JsonValue& value, size_t vertexCount, std::vector<uint32_t>* out) {
-    if (!value.present() || !expectType(errors, value, "triangles", JsonType::Array)) {
-        return;
-    }
+    if (!value.present() || !expectType(errors, value, "triangles", JsonType::Array)) { return; }
     out->reserve(size_t{3} * value.size());
     forEachItem(errors, value, [&](const JsonValue& triangle, size_t) {
         if (!triangle.is(JsonType::Array) || triangle.size() != 3) {
@@ -73,18 +67,14 @@ bool isObjFile(const std::string& path) {
 }  // namespace
 
 void SceneJsonReader::readMeshes(const JsonValue& value) {
-    if (!value.present() || !expectType(errors_, value, "meshes", JsonType::Object)) {
-        return;
-    }
+    if (!value.present() || !expectType(errors_, value, "meshes", JsonType::Object)) { return; }
     forEachMember(errors_, value, [&](const std::string& name, const JsonValue& mesh) {
         meshNames_[name] = addMesh(mesh, name);
     });
 }
 
 int SceneJsonReader::addMesh(const JsonValue& value, const std::string& name) {
-    if (errors_.failed() || !expectType(errors_, value, "mesh", JsonType::Object)) {
-        return -1;
-    }
+    if (errors_.failed() || !expectType(errors_, value, "mesh", JsonType::Object)) { return -1; }
     Mesh mesh;
     mesh.name = name;
     if (hasMember(errors_, value, "positions")) {
@@ -104,9 +94,7 @@ int SceneJsonReader::addMesh(const JsonValue& value, const std::string& name) {
         fields.string("file", &mesh.source.path);
         fields.integer("part", 0, kMaxTriangles, &mesh.source.part);
     }
-    if (errors_.failed()) {
-        return -1;
-    }
+    if (errors_.failed()) { return -1; }
     meshPlaces_.push_back(value);
     scene_.meshes.push_back(std::move(mesh));
     return static_cast<int>(scene_.meshes.size()) - 1;
@@ -124,24 +112,18 @@ std::shared_ptr<const MeshData> SceneJsonReader::readInlineMesh(const JsonValue&
     checkCount(errors_, fields.find("uvs"), "uvs", mesh->uvs.size(), vertexCount);
     checkCount(errors_, fields.find("colors"), "colors", mesh->colors.size(), vertexCount);
     readIndices(errors_, fields.require("triangles"), vertexCount, &mesh->indices);
-    if (mesh->indices.empty()) {
-        errors_.add(value, "the mesh has no triangles");
-    }
+    if (mesh->indices.empty()) { errors_.add(value, "the mesh has no triangles"); }
     return mesh;
 }
 
 void SceneJsonReader::readObjects(const JsonValue& value) {
-    if (!value.present() || !expectType(errors_, value, "objects", JsonType::Array)) {
-        return;
-    }
+    if (!value.present() || !expectType(errors_, value, "objects", JsonType::Array)) { return; }
     forEachItem(errors_, value, [&](const JsonValue& item, size_t number) { readObject(item, number); });
 }
 
 void SceneJsonReader::readObject(const JsonValue& value, size_t number) {
     const int type = typeOf(value, "object", kShapeTypes);
-    if (type < 0) {
-        return;
-    }
+    if (type < 0) { return; }
     const JsonFields fields = fieldsOf(value, kShapeTypes[type], kShapeTypes[type]);
     Object object;
     object.shape = static_cast<ShapeKind>(type);
@@ -160,12 +142,8 @@ void SceneJsonReader::readObject(const JsonValue& value, size_t number) {
     }
     const JsonValue material =
         object.shape == ShapeKind::Mesh ? fields.find("material") : fields.require("material");
-    if (material.present() && !errors_.failed()) {
-        object.material = materialIndex(material, object.name);
-    }
-    if (errors_.failed()) {
-        return;
-    }
+    if (material.present() && !errors_.failed()) { object.material = materialIndex(material, object.name); }
+    if (errors_.failed()) { return; }
     if (object.shape == ShapeKind::Mesh) {
         readMeshObject(fields, std::move(object));
     } else {
@@ -176,9 +154,7 @@ void SceneJsonReader::readObject(const JsonValue& value, size_t number) {
 void SceneJsonReader::readMeshObject(const JsonFields& fields, Object object) {
     const JsonValue mesh = fields.require("mesh");
     const bool hasMaterial = fields.find("material").present();
-    if (!mesh.present()) {
-        return;
-    }
+    if (!mesh.present()) { return; }
     std::string file;
     if (!hasMaterial && mesh.is(JsonType::Object)) {
         forEachMember(errors_, mesh, [&](const std::string& key, const JsonValue& member) {
@@ -195,9 +171,7 @@ void SceneJsonReader::readMeshObject(const JsonFields& fields, Object object) {
         return;
     }
     object.mesh = meshIndex(mesh, object.name);
-    if (object.mesh >= 0) {
-        scene_.objects.push_back(std::move(object));
-    }
+    if (object.mesh >= 0) { scene_.objects.push_back(std::move(object)); }
 }
 
 void SceneJsonReader::addWholeObj(const std::string& path, const JsonValue& at, const Object& prototype) {

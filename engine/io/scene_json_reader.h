@@ -1,8 +1,8 @@
-// The reader behind readSceneJson: one method per part of the format, in one file per part. Internal to
-// engine/io.
+// The reader behind readSceneJson: one method per part of the format, in one file per part. Internal
+// to engine/io.
 //
-// The first error is kept in errors_; methods go on with defaults after it and the root method asks at the
-// end.
+// The first error is kept in errors_; methods go on with defaults after it and the root method asks at
+// the end.
 #pragma once
 
 #include <map>

@@ -66,15 +66,9 @@ Affine SceneJsonReader::readPlacement(ShapeKind shape, const JsonFields& fields)
 
 Affine SceneJsonReader::readTransform(const JsonValue& value) {
     Affine transform;
-    if (!value.present()) {
-        return transform;
-    }
-    if (value.is(JsonType::Object)) {
-        return readTransformStep(value);
-    }
-    if (!expectType(errors_, value, "transform", JsonType::Array)) {
-        return transform;
-    }
+    if (!value.present()) { return transform; }
+    if (value.is(JsonType::Object)) { return readTransformStep(value); }
+    if (!expectType(errors_, value, "transform", JsonType::Array)) { return transform; }
     forEachItem(errors_, value, [&](const JsonValue& step, size_t number) {
         const Affine next = readTransformStep(step);
         transform = number == 0 ? next : next * transform;
@@ -84,9 +78,7 @@ Affine SceneJsonReader::readTransform(const JsonValue& value) {
 
 Affine SceneJsonReader::readTransformStep(const JsonValue& value) {
     const JsonFields fields = fieldsOf(value, "transform step", "transformStep");
-    if (errors_.failed()) {
-        return {};
-    }
+    if (errors_.failed()) { return {}; }
     if (value.size() != 1) {
         errors_.add(value, fmt::format("a transform step has {} keys; expected one of {}", value.size(),
                                        joinNames(sceneJsonKeys("transformStep"))));

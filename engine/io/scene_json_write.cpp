@@ -72,9 +72,7 @@ class SceneJsonWriter {
 
   private:
     void fail(std::string message) {
-        if (!error_) {
-            error_ = Error{std::move(message), {path_, 0, 0, ""}};
-        }
+        if (!error_) { error_ = Error{std::move(message), {path_, 0, 0, ""}}; }
     }
 
     std::string rebased(const std::string& path) const { return rebasePath(path, scene_.path, path_); }
@@ -184,12 +182,8 @@ class SceneJsonWriter {
             kind == MaterialKind::Plastic) {
             json_.field("roughness", material.roughness);
         }
-        if (kind == MaterialKind::Dielectric) {
-            json_.field("thin", material.thin);
-        }
-        if (isMixture) {
-            json_.field("weights", material.mixtureWeights);
-        }
+        if (kind == MaterialKind::Dielectric) { json_.field("thin", material.thin); }
+        if (isMixture) { json_.field("weights", material.mixtureWeights); }
         json_.field("emission", material.emission);
         json_.field("emissionStrength", material.emissionStrength);
         json_.field("emitsBothSides", material.emitsBothSides);
@@ -199,9 +193,7 @@ class SceneJsonWriter {
         const MeshSource& source = mesh.source;
         if (!source.path.empty()) {
             json_.field("file", rebased(source.path));
-            if (source.part >= 0) {
-                json_.field("part", source.part);
-            }
+            if (source.part >= 0) { json_.field("part", source.part); }
         } else if (!source.generator.empty()) {
             json_.field("generator", source.generator);
             json_.field("triangleCount", static_cast<int64_t>(source.triangles));
@@ -213,9 +205,7 @@ class SceneJsonWriter {
 
     template <class Vector>
     void writeVectors(std::string_view key, const std::vector<Vector>& vectors) {
-        if (vectors.empty()) {
-            return;
-        }
+        if (vectors.empty()) { return; }
         json_.key(key);
         json_.beginArray();
         for (const Vector& v : vectors) {
@@ -281,12 +271,8 @@ class SceneJsonWriter {
             json_.beginObject();
             json_.field("type", kTypes[static_cast<int>(light.kind)]);
             json_.field("name", light.name);
-            if (light.kind != LightKind::Directional) {
-                json_.field("position", light.position);
-            }
-            if (light.kind != LightKind::Point) {
-                json_.field("direction", light.direction);
-            }
+            if (light.kind != LightKind::Directional) { json_.field("position", light.position); }
+            if (light.kind != LightKind::Point) { json_.field("direction", light.direction); }
             json_.field("color", light.color);
             json_.field(light.kind == LightKind::Directional ? "irradiance" : "intensity", light.strength);
             if (light.kind == LightKind::Spot) {

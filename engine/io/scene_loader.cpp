@@ -45,18 +45,12 @@ SceneKind kindByContent(const std::string& path) {
     text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
     const auto begins = [text](std::initializer_list<std::string_view> words) {
         for (const std::string_view word : words) {
-            if (text.starts_with(word)) {
-                return true;
-            }
+            if (text.starts_with(word)) { return true; }
         }
         return false;
     };
-    if (begins({"ply\n", "ply\r\n"})) {
-        return SceneKind::Ply;
-    }
-    if (begins({"{", "//", "/*", "\xEF\xBB\xBF{"})) {
-        return SceneKind::Json;
-    }
+    if (begins({"ply\n", "ply\r\n"})) { return SceneKind::Ply; }
+    if (begins({"{", "//", "/*", "\xEF\xBB\xBF{"})) { return SceneKind::Json; }
     if (begins({"PerspectiveCamera", "Background", "Lights", "DiskLights", "Materials", "Group"})) {
         return SceneKind::Text;
     }
@@ -67,16 +61,12 @@ Result<SceneDescription> loadObjScene(const std::string& path, const LoadOptions
     AssetCache assets(path, options.counts);
     const std::string name = fs::path(path).filename().string();
     const auto obj = assets.objWithMaterials(name);
-    if (!obj) {
-        return obj.error();
-    }
+    if (!obj) { return obj.error(); }
     SceneDescription scene;
     scene.path = path;
     scene.title = name;
     appendObj(**obj, name, {}, &scene);
-    if (Status read = readUsedAssets(&assets, &scene); !read) {
-        return read.error();
-    }
+    if (Status read = readUsedAssets(&assets, &scene); !read) { return read.error(); }
     applyDefaultView(&scene);
     return scene;
 }
@@ -94,18 +84,14 @@ Result<SceneDescription> loadPlyScene(const std::string& path, const LoadOptions
     Mesh& whole = scene.meshes.emplace_back();
     whole.name = scene.title;
     whole.source.path = scene.title;
-    if (Status read = readUsedAssets(&assets, &scene); !read) {
-        return read.error();
-    }
+    if (Status read = readUsedAssets(&assets, &scene); !read) { return read.error(); }
     applyDefaultView(&scene);
     return scene;
 }
 
 Result<SceneDescription> loadTextual(const std::string& path, SceneKind kind, const LoadOptions& options) {
     auto source = readTextFile(path, kMaxSceneBytes);
-    if (!source) {
-        return source.error();
-    }
+    if (!source) { return source.error(); }
     if (source->text.find_first_not_of(" \t\r\n") == std::string::npos) {
         return Error{"is empty; expected a scene", {path, 0, 0, ""}};
     }
@@ -114,9 +100,7 @@ Result<SceneDescription> loadTextual(const std::string& path, SceneKind kind, co
 }
 
 Result<SceneDescription> loadByKind(const std::string& path, const LoadOptions& options) {
-    if (Status regular = checkRegularFile(path, "a scene file"); !regular) {
-        return regular.error();
-    }
+    if (Status regular = checkRegularFile(path, "a scene file"); !regular) { return regular.error(); }
     const SceneKind named = kindByExtension(path);
     const SceneKind kind = named != SceneKind::Unknown ? named : kindByContent(path);
     switch (kind) {

@@ -18,12 +18,8 @@ SceneTextReader::SceneTextReader(TextSource source, const LoadOptions& options)
 
 Result<SceneDescription> SceneTextReader::read() {
     readBlocks();
-    if (!tokens_.failed()) {
-        finish();
-    }
-    if (tokens_.failed()) {
-        return tokens_.error();
-    }
+    if (!tokens_.failed()) { finish(); }
+    if (tokens_.failed()) { return tokens_.error(); }
     return std::move(scene_);
 }
 
@@ -93,9 +89,7 @@ void SceneTextReader::readCamera() {
     if (!tokens_.failed() && isZero(glm::cross(glm::normalize(direction), up))) {
         tokens_.fail(at, "the camera looks along 'up'; expected an 'up' that is not parallel to 'direction'");
     }
-    if (!tokens_.failed()) {
-        placeCamera(direction, up, angleDeg, focalLength, halfAperture);
-    }
+    if (!tokens_.failed()) { placeCamera(direction, up, angleDeg, focalLength, halfAperture); }
 }
 
 void SceneTextReader::placeCamera(const Vec3& direction, const Vec3& up, float angleDeg, float focalLength,
@@ -227,9 +221,7 @@ void SceneTextReader::useLights() {
     const Vec3 center = sceneCenter();
     for (Light& light : scene_.lights) {
         light.strength = kPi;  // Phong's diffuse term lacks Lambert's 1 / pi.
-        if (light.kind == LightKind::Point) {
-            light.strength *= lengthSquared(light.position - center);
-        }
+        if (light.kind == LightKind::Point) { light.strength *= lengthSquared(light.position - center); }
     }
     scene_.warnings.push_back(
         fmt::format("{}: no material emits, so the Lights block shines; point lights fall off "
@@ -248,17 +240,13 @@ Vec3 SceneTextReader::sceneCenter() const {
                 local.grow(p);
             }
         }
-        if (!local.empty()) {
-            bounds.grow(transformBounds(object.objectToWorld, local));
-        }
+        if (!local.empty()) { bounds.grow(transformBounds(object.objectToWorld, local)); }
     }
     return bounds.empty() ? scene_.camera.target : bounds.center();
 }
 
 void SceneTextReader::missing(const TextToken& at, std::string what) {
-    if (!tokens_.failed()) {
-        missing_.push_back({at, std::move(what)});
-    }
+    if (!tokens_.failed()) { missing_.push_back({at, std::move(what)}); }
 }
 
 std::string SceneTextReader::locate(const std::string& path) const {

@@ -1,5 +1,5 @@
-// The text format of MIT's course 6.837 with the path-tracing additions of later coursework: blocks in
-// braces.
+// The text format of MIT's course 6.837 with the path-tracing additions of later coursework: blocks
+// in braces.
 //
 // Read only. What is read and left out is described in scenes/README.md.
 #pragma once

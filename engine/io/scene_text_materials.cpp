@@ -65,9 +65,7 @@ void SceneTextReader::setScattering(const TextToken& at, const Vec3& weights, bo
     if (!tokens_.failed() && !(sum > 0.0f)) {
         tokens_.fail(at, "type is 0 0 0; expected shares of diffuse, mirror and refractive scattering");
     }
-    if (tokens_.failed()) {
-        return;
-    }
+    if (tokens_.failed()) { return; }
     if (weights.x == sum) {
         material->kind = MaterialKind::Diffuse;
     } else if (weights.y == sum) {
@@ -78,15 +76,11 @@ void SceneTextReader::setScattering(const TextToken& at, const Vec3& weights, bo
         material->kind = MaterialKind::Mixture;
         material->mixtureWeights = weights / sum;
     }
-    if (weights.z > 0.0f) {
-        material->ior = hasIor ? ior : 1.0f;
-    }
+    if (weights.z > 0.0f) { material->ior = hasIor ? ior : 1.0f; }
 }
 
 int SceneTextReader::addTexture(const TextToken& at, const std::string& path) {
-    if (tokens_.failed()) {
-        return -1;
-    }
+    if (tokens_.failed()) { return -1; }
     const auto [found, isNew] = textures_.try_emplace(path, static_cast<int>(scene_.textures.size()));
     if (isNew) {
         Texture texture;

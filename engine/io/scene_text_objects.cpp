@@ -92,14 +92,11 @@ void SceneTextReader::readTransform(const Affine& toWorld, int depth) {
     }
     tokens_.expect("{", "Transform");
     Affine transform;
-    while (!tokens_.failed() && readOperation(&transform)) {
-    }
+    while (!tokens_.failed() && readOperation(&transform)) {}
     if (!tokens_.failed() && !isInvertible(transform)) {
         tokens_.fail(at, "this Transform flattens its object; expected scales other than 0");
     }
-    if (!tokens_.failed()) {
-        readObject(toWorld == Affine() ? transform : toWorld * transform, depth + 1);
-    }
+    if (!tokens_.failed()) { readObject(toWorld == Affine() ? transform : toWorld * transform, depth + 1); }
     tokens_.expect("}", "the object of a Transform");
 }
 
@@ -121,9 +118,7 @@ bool SceneTextReader::readOperation(Affine* transform) {
         const Vec3 axis = tokens_.direction("the axis of Rotate");
         const float angleDeg = tokens_.number("the angle of Rotate");
         tokens_.expect("}", "Rotate's axis and angle");
-        if (!tokens_.failed()) {
-            *transform = *transform * rotate(axis, radians(angleDeg));
-        }
+        if (!tokens_.failed()) { *transform = *transform * rotate(axis, radians(angleDeg)); }
     } else if (tokens_.peek().text == "Matrix4f") {
         const TextToken at = tokens_.take();
         tokens_.expect("{", "Matrix4f");
@@ -161,9 +156,7 @@ void SceneTextReader::readSphere(const Affine& toWorld) {
             tokens_.failUnknown("Sphere", kFields);
         }
     }
-    if (!tokens_.failed() && radius == 0.0f) {
-        tokens_.fail(at, "this Sphere has no radius");
-    }
+    if (!tokens_.failed() && radius == 0.0f) { tokens_.fail(at, "this Sphere has no radius"); }
     addObject(at, ShapeKind::Sphere, toWorld * Affine{Mat3(radius), center}, -1, false);
 }
 
@@ -217,9 +210,7 @@ void SceneTextReader::readMesh(const Affine& toWorld) {
     const TextToken at = tokens_.peek();
     const std::string path = tokens_.path("a mesh");
     tokens_.expect("}", "the path of a TriangleMesh");
-    if (tokens_.failed()) {
-        return;
-    }
+    if (tokens_.failed()) { return; }
     const std::string located = locate(path);
     if (!fileExists(resolvePath(located, scene_.path))) {
         missing(at, fmt::format("the mesh \"{}\" is missing", path));
@@ -276,9 +267,7 @@ void SceneTextReader::addObject(const TextToken& at, ShapeKind shape, const Affi
     if (!tokens_.failed() && !isInvertible(toWorld)) {
         tokens_.fail(at, "this object is flattened or not finite; expected numbers that leave it a size");
     }
-    if (tokens_.failed()) {
-        return;
-    }
+    if (tokens_.failed()) { return; }
     Object object;
     object.name = fmt::format("object {} ({})", scene_.objects.size() + 1,
                               shape == ShapeKind::Mesh ? scene_.meshes[static_cast<size_t>(mesh)].name
@@ -303,9 +292,7 @@ int SceneTextReader::addMesh(const std::string& path, int part, std::shared_ptr<
     mesh.source.path = path;
     mesh.source.part = part;
     mesh.data = std::move(data);
-    if (!path.empty()) {
-        meshes_[key] = index;
-    }
+    if (!path.empty()) { meshes_[key] = index; }
     return index;
 }
 

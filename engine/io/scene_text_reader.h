@@ -1,5 +1,5 @@
-// The reader behind readSceneText: recursive descent over the blocks, one file per part. Internal to
-// engine/io.
+// The reader behind readSceneText: recursive descent over the blocks, one file per part. Internal
+// to engine/io.
 #pragma once
 
 #include <map>
@@ -58,8 +58,8 @@ class SceneTextReader {
 
     /// Something the scene asks for and does not get: reported once all is read.
     void missing(const TextToken& at, std::string what);
-    /// `path` as it has to be written to be found from the scene's folder: as it is, or from the folder
-    /// above.
+    /// `path` as it has to be written to be found from the scene's folder: as it is, or from the
+    /// folder above.
     std::string locate(const std::string& path) const;
 
     struct Missing {

@@ -26,35 +26,25 @@ SceneTextTokens::SceneTextTokens(TextSource source) : source_(std::move(source))
 TextToken SceneTextTokens::scan(size_t from) const {
     const std::string_view text = source_.text;
     const size_t begin = text.find_first_not_of(kBlanks, from);
-    if (begin == std::string_view::npos) {
-        return {{}, text.size()};
-    }
-    if (kBraces.find(text[begin]) != std::string_view::npos) {
-        return {text.substr(begin, 1), begin};
-    }
+    if (begin == std::string_view::npos) { return {{}, text.size()}; }
+    if (kBraces.find(text[begin]) != std::string_view::npos) { return {text.substr(begin, 1), begin}; }
     const size_t end =
         std::min({text.find_first_of(kBlanks, begin), text.find_first_of(kBraces, begin), text.size()});
     return {text.substr(begin, end - begin), begin};
 }
 
 void SceneTextTokens::fail(const TextToken& at, std::string message) {
-    if (!error_) {
-        error_ = source_.error(at.offset, std::move(message));
-    }
+    if (!error_) { error_ = source_.error(at.offset, std::move(message)); }
 }
 
 TextToken SceneTextTokens::take() {
     const TextToken token = peek();
-    if (!failed()) {
-        next_ = scan(token.offset + token.text.size());
-    }
+    if (!failed()) { next_ = scan(token.offset + token.text.size()); }
     return token;
 }
 
 bool SceneTextTokens::accept(std::string_view word) {
-    if (peek().text != word) {
-        return false;
-    }
+    if (peek().text != word) { return false; }
     take();
     return true;
 }
@@ -127,9 +117,7 @@ Vec3 SceneTextTokens::color(std::string_view what) {
 Vec3 SceneTextTokens::direction(std::string_view what) {
     const TextToken token = peek();
     const Vec3 value = vec3(what);
-    if (!failed() && isZero(value)) {
-        fail(token, fmt::format("{} is 0 0 0, which has no direction", what));
-    }
+    if (!failed() && isZero(value)) { fail(token, fmt::format("{} is 0 0 0, which has no direction", what)); }
     return value;
 }
 

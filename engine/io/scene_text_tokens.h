@@ -1,7 +1,7 @@
 // Words, braces and numbers of a 6.837-style scene, with their places. Internal to the text scene reader.
 //
-// The first error is kept; after it every getter answers at once with nothing, so that the reader's loops
-// end.
+// The first error is kept; after it every getter answers at once with nothing, so that the reader's
+// loops end.
 #pragma once
 
 #include <cstdint>

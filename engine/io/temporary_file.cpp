@@ -29,9 +29,7 @@ bool isStillNamed(int fd, const std::string& name) {
 
 /// <digits>-<digits>.tmp: what follows the target's name and a dot.
 bool isOurEnding(std::string_view rest) {
-    if (!rest.ends_with(kEnding)) {
-        return false;
-    }
+    if (!rest.ends_with(kEnding)) { return false; }
     rest.remove_suffix(kEnding.size());
     const size_t dash = rest.find('-');
     const auto isNumber = [](std::string_view text) {
@@ -44,9 +42,7 @@ bool isOurEnding(std::string_view rest) {
 void removeIfAbandoned(const std::string& name) {
     const int fd = ::open(name.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     struct stat info {};
-    if (fd < 0) {
-        return;
-    }
+    if (fd < 0) { return; }
     // The name may have become another file, or none, between the look into the folder and the lock.
     if (::fstat(fd, &info) == 0 && S_ISREG(info.st_mode) && ::flock(fd, LOCK_EX | LOCK_NB) == 0 &&
         isStillNamed(fd, name)) {
@@ -61,13 +57,9 @@ int createTemporary(const std::string& target, std::string* name) {
     for (unsigned attempt = 0; attempt < 10000; ++attempt) {
         *name = fmt::format("{}.{}-{}{}", target, ::getpid(), attempt, kEnding);
         const int fd = ::open(name->c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (fd < 0 && errno != EEXIST) {
-            return fd;
-        }
+        if (fd < 0 && errno != EEXIST) { return fd; }
         // Without a lock the file is as good, and nobody else can lock it either.
-        if (fd >= 0 && (::flock(fd, LOCK_EX | LOCK_NB) != 0 || isStillNamed(fd, *name))) {
-            return fd;
-        }
+        if (fd >= 0 && (::flock(fd, LOCK_EX | LOCK_NB) != 0 || isStillNamed(fd, *name))) { return fd; }
         if (fd >= 0) {
             ::close(fd);  // taken for a leftover before it was locked
         }

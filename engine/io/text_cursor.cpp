@@ -1,5 +1,5 @@
-// The text is NUL-terminated (it lives in a std::string), so that one character may be looked at beyond any
-// position.
+// The text is NUL-terminated (it lives in a std::string), so that one character may be looked at beyond
+// any position.
 #include "engine/io/text_cursor.h"
 
 #include <algorithm>
@@ -16,9 +16,7 @@ constexpr size_t kShownWord = 40;
 
 /// The length of a backslash followed by a line's end, or 0.
 int continuationLength(const char* p) {
-    if (p[0] != '\\') {
-        return 0;
-    }
+    if (p[0] != '\\') { return 0; }
     return p[1] == '\n' ? 2 : (p[1] == '\r' && p[2] == '\n' ? 3 : 0);
 }
 
@@ -91,9 +89,7 @@ std::string_view TextCursor::wordAt(const char* p) const {
 }
 
 std::string_view TextCursor::word() {
-    if (atLineEnd()) {
-        return {};
-    }
+    if (atLineEnd()) { return {}; }
     const std::string_view found = wordAt(at_);
     at_ += found.size();
     return found;
@@ -113,9 +109,7 @@ std::string_view TextCursor::restOfLine() {
 }
 
 bool TextCursor::readFloat(const char* what, float* out) {
-    if (atLineEnd()) {
-        return fail(at_, fmt::format("expected {}, but the line ends", what));
-    }
+    if (atLineEnd()) { return fail(at_, fmt::format("expected {}, but the line ends", what)); }
     const char* first = at_[0] == '+' && at_[1] != '-' ? at_ + 1 : at_;
     auto [last, code] = std::from_chars(first, end_, *out);
     if (code == std::errc::result_out_of_range) {
@@ -135,9 +129,7 @@ bool TextCursor::readFloat(const char* what, float* out) {
 }
 
 bool TextCursor::readInt(const char* what, int64_t* out) {
-    if (atLineEnd()) {
-        return fail(at_, fmt::format("expected {}, but the line ends", what));
-    }
+    if (atLineEnd()) { return fail(at_, fmt::format("expected {}, but the line ends", what)); }
     const auto [last, code] = std::from_chars(at_, end_, *out);
     if (code != std::errc() || !isWordEnd(last)) {
         return fail(at_, fmt::format("expected {}, a whole number, but found \"{}\"", what,

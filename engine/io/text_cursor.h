@@ -1,9 +1,9 @@
-// Walks a text file word by word and line by line, and says where in it something is wrong. For OBJ, MTL and
-// PLY.
+// Walks a text file word by word and line by line, and says where in it something is wrong. For OBJ, MTL
+// and PLY.
 //
 // A backslash at the end of a line joins it with the next one; `#` at the start of a word begins a comment.
-// Reading counts no lines: a place is found only when there is something to report, so that large files read
-// fast.
+// Reading counts no lines: a place is found only when there is something to report, so that large files
+// read fast.
 #pragma once
 
 #include <optional>
@@ -35,8 +35,8 @@ class TextCursor {
     /// What is left of the line, without blanks around it; a comment is not cut off.
     std::string_view restOfLine();
 
-    /// Reads a finite number into `out`. False, with error() set, when the next word is none; `what` names it
-    /// there.
+    /// Reads a finite number into `out`. False, with error() set, when the next word is none; `what` names
+    /// it there.
     bool readFloat(const char* what, float* out);
     bool readInt(const char* what, int64_t* out);
     /// False, with error() set, when there is something left on the line.

@@ -18,9 +18,7 @@ SourcePlace TextSource::place(size_t offset) const {
     const size_t before = offset == 0 ? std::string::npos : text.rfind('\n', offset - 1);
     const size_t lineStart = before == std::string::npos ? 0 : before + 1;
     size_t lineEnd = std::min(text.find('\n', offset), text.size());
-    if (lineEnd > lineStart && text[lineEnd - 1] == '\r') {
-        lineEnd = std::max(lineEnd - 1, offset);
-    }
+    if (lineEnd > lineStart && text[lineEnd - 1] == '\r') { lineEnd = std::max(lineEnd - 1, offset); }
     const auto line =
         std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(lineStart), '\n') + 1;
     return {path, static_cast<int>(line), static_cast<int>(offset - lineStart + 1),
@@ -29,13 +27,9 @@ SourcePlace TextSource::place(size_t offset) const {
 
 Result<TextSource> readTextFile(const std::string& path, size_t maxBytes) {
     const SourcePlace place{path, 0, 0, ""};
-    if (Status regular = checkRegularFile(path, "a file"); !regular) {
-        return regular.error();
-    }
+    if (Status regular = checkRegularFile(path, "a file"); !regular) { return regular.error(); }
     std::ifstream file(path, std::ios::binary);
-    if (!file) {
-        return Error{fmt::format("cannot be opened: {}", std::strerror(errno)), place};
-    }
+    if (!file) { return Error{fmt::format("cannot be opened: {}", std::strerror(errno)), place}; }
     TextSource source{path, {}};
     char block[1 << 16];
     while (file.read(block, sizeof block), file.gcount() > 0) {
@@ -49,14 +43,10 @@ Result<TextSource> readTextFile(const std::string& path, size_t maxBytes) {
 }
 
 NumberParse parseFloat(std::string_view text, float* value) {
-    if (!text.empty() && text.front() == '+') {
-        text.remove_prefix(1);
-    }
+    if (!text.empty() && text.front() == '+') { text.remove_prefix(1); }
     const char* end = text.data() + text.size();
     const auto [stop, code] = std::from_chars(text.data(), end, *value);
-    if (stop != end || code == std::errc::invalid_argument) {
-        return NumberParse::NotANumber;
-    }
+    if (stop != end || code == std::errc::invalid_argument) { return NumberParse::NotANumber; }
     if (code == std::errc::result_out_of_range) {
         // Too small or too large: the exponent of the first significant digit tells which.
         const size_t mark = text.find_first_of("eE");

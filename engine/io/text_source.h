@@ -20,8 +20,8 @@ struct TextSource {
     Error error(size_t offset, std::string message) const { return {std::move(message), place(offset)}; }
 };
 
-/// Reads a whole file. Error: missing, a folder, unreadable, or larger than `maxBytes` (found before it is
-/// read).
+/// Reads a whole file. Error: missing, a folder, unreadable, or larger than `maxBytes` (found before it
+/// is read).
 Result<TextSource> readTextFile(const std::string& path, size_t maxBytes);
 
 /// What became of a decimal number's text.

@@ -27,9 +27,7 @@ std::vector<bool> materialsThatLackUvs(const SceneDescription& scene) {
 
 Status readMesh(Mesh* mesh, AssetCache* assets) {
     auto data = assets->mesh(mesh->source);
-    if (!data) {
-        return data.error();
-    }
+    if (!data) { return data.error(); }
     if (mesh->data && !sameTriangles(*mesh->data, **data)) {
         return Error{"has changed since the scene was opened; open the scene again",
                      {resolvePath(mesh->source.path, assets->scenePath()), 0, 0, ""}};
@@ -39,9 +37,7 @@ Status readMesh(Mesh* mesh, AssetCache* assets) {
 }
 
 Status readImage(Result<ImageSource> read, ImageSource* image) {
-    if (!read) {
-        return read.error();
-    }
+    if (!read) { return read.error(); }
     *image = std::move(*read);
     return {};
 }
@@ -53,21 +49,15 @@ std::vector<Asset> lackingAssets(const SceneDescription& scene) {
     const std::vector<bool> placed = usedMeshes(scene);
     const std::vector<bool> textured = texturedMeshes(scene);
     for (size_t i = 0; i < placed.size(); ++i) {
-        if (placed[i] && isLeftOut(scene.meshes[i], textured[i])) {
-            lacking.push_back({AssetKind::Mesh, i});
-        }
+        if (placed[i] && isLeftOut(scene.meshes[i], textured[i])) { lacking.push_back({AssetKind::Mesh, i}); }
     }
     const std::vector<bool> used = usedTextures(scene);
     for (size_t i = 0; i < used.size(); ++i) {
-        if (used[i] && !scene.textures[i].image.isRead()) {
-            lacking.push_back({AssetKind::Texture, i});
-        }
+        if (used[i] && !scene.textures[i].image.isRead()) { lacking.push_back({AssetKind::Texture, i}); }
     }
     if (usesEnvironmentImage(scene)) {
         const auto image = static_cast<size_t>(scene.environment.image);
-        if (!scene.environmentImages[image].isRead()) {
-            lacking.push_back({AssetKind::Environment, image});
-        }
+        if (!scene.environmentImages[image].isRead()) { lacking.push_back({AssetKind::Environment, image}); }
     }
     return lacking;
 }
@@ -76,21 +66,15 @@ std::vector<Asset> idleAssets(const SceneDescription& scene) {
     std::vector<Asset> idle;
     const std::vector<bool> placed = usedMeshes(scene);
     for (size_t i = 0; i < placed.size(); ++i) {
-        if (!placed[i] && !scene.meshes[i].data) {
-            idle.push_back({AssetKind::Mesh, i});
-        }
+        if (!placed[i] && !scene.meshes[i].data) { idle.push_back({AssetKind::Mesh, i}); }
     }
     const std::vector<bool> used = usedTextures(scene);
     for (size_t i = 0; i < used.size(); ++i) {
-        if (!used[i] && !scene.textures[i].image.isRead()) {
-            idle.push_back({AssetKind::Texture, i});
-        }
+        if (!used[i] && !scene.textures[i].image.isRead()) { idle.push_back({AssetKind::Texture, i}); }
     }
     for (size_t i = 0; i < scene.environmentImages.size(); ++i) {
         const bool isUsed = usesEnvironmentImage(scene) && static_cast<size_t>(scene.environment.image) == i;
-        if (!isUsed && !scene.environmentImages[i].isRead()) {
-            idle.push_back({AssetKind::Environment, i});
-        }
+        if (!isUsed && !scene.environmentImages[i].isRead()) { idle.push_back({AssetKind::Environment, i}); }
     }
     return idle;
 }
@@ -148,9 +132,7 @@ void readUsedAssets(AssetCache* assets, SceneDescription* scene,
         again = false;
         for (const Asset& asset : lackingAssets(*scene)) {
             if (Status read = readAsset(asset, assets, scene); !read) {
-                if (!goesOn(asset, read.error())) {
-                    return;
-                }
+                if (!goesOn(asset, read.error())) { return; }
                 goWithout(asset, scene);
                 again = true;
                 break;
@@ -177,9 +159,7 @@ CompletedScene completeScene(const SceneDescription& scene) {
     }
     for (const Asset& asset : lackingAssets(scene)) {
         Status read = readAsset(asset, &assets, &completed.scene);
-        if (!read && !completed.error) {
-            completed.error = read.error();
-        }
+        if (!read && !completed.error) { completed.error = read.error(); }
     }
     assets.dropUnusedUvs(completed.scene);
     return completed;
@@ -189,21 +169,15 @@ void takeAssets(const SceneDescription& from, SceneDescription* to) {
     const size_t meshes = std::min(from.meshes.size(), to->meshes.size());
     for (size_t i = 0; i < meshes; ++i) {
         const auto& read = from.meshes[i].data;
-        if (read && isLeftOut(to->meshes[i], !read->uvsLeftOut)) {
-            to->meshes[i].data = read;
-        }
+        if (read && isLeftOut(to->meshes[i], !read->uvsLeftOut)) { to->meshes[i].data = read; }
     }
     const size_t textures = std::min(from.textures.size(), to->textures.size());
     for (size_t i = 0; i < textures; ++i) {
-        if (!to->textures[i].image.isRead()) {
-            to->textures[i].image = from.textures[i].image;
-        }
+        if (!to->textures[i].image.isRead()) { to->textures[i].image = from.textures[i].image; }
     }
     const size_t images = std::min(from.environmentImages.size(), to->environmentImages.size());
     for (size_t i = 0; i < images; ++i) {
-        if (!to->environmentImages[i].isRead()) {
-            to->environmentImages[i] = from.environmentImages[i];
-        }
+        if (!to->environmentImages[i].isRead()) { to->environmentImages[i] = from.environmentImages[i]; }
     }
 }
 
@@ -214,14 +188,10 @@ SceneDescription withoutLacking(const SceneDescription& draft, const SceneDescri
     for (size_t i = 0; i < materials; ++i) {
         const int texture = draft.materials[i].color.texture;
         const bool unread = texture >= 0 && !draft.textures[static_cast<size_t>(texture)].image.isRead();
-        if (unread || lackUvs[i]) {
-            scene.materials[i].color.texture = before.materials[i].color.texture;
-        }
+        if (unread || lackUvs[i]) { scene.materials[i].color.texture = before.materials[i].color.texture; }
     }
     for (const Asset& asset : lackingAssets(draft)) {
-        if (asset.kind == AssetKind::Environment) {
-            scene.environment = before.environment;
-        }
+        if (asset.kind == AssetKind::Environment) { scene.environment = before.environment; }
     }
     return scene;
 }

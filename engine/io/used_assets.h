@@ -36,8 +36,8 @@ const std::string& assetFile(const SceneDescription& scene, const Asset& asset);
 /// Error: the file cannot be read or is malformed; it holds other triangles than those it has given before.
 Status readAsset(const Asset& asset, AssetCache* assets, SceneDescription* scene);
 
-/// What used the asset goes without: materials take their colour, the environment too; objects of a mesh are
-/// removed.
+/// What used the asset goes without: materials take their colour, the environment too; objects of a mesh
+/// are removed.
 void goWithout(const Asset& asset, SceneDescription* scene);
 
 /// Reads what the scene uses and drops the texture coordinates that it does not. `goesOn` is asked about each

@@ -17,7 +17,7 @@ GLINT_HD AovSample traceAovPixel(const SceneView& view, const PassParams& params
     const Ray ray = pixelRay<kMask>(view.camera, params, sampler, x, y);
     AovSample result;
     Hit hit;
-    if (!intersect<kMask>(view, ray, &hit)) return result;
+    if (!intersect<kMask>(view, ray, &hit)) { return result; }
     const SurfacePoint surface = surfaceAt<kMask>(view, ray, hit);
     const Vec3 wo = -ray.direction;
     result.albedo = displayAlbedo(makeBsdf<kMask>(view, surface, wo));

@@ -23,9 +23,10 @@ struct BsdfSample {
     Vec3 wiWorld{0.0f};
     Vec3 weight{0.0f};           ///< f |cos wi| / density, the lobe's probability included
     float pdfSolidAngle = 0.0f;  ///< density of wi over all lobes; 0 when isSpecular
-    float etaScale = 1.0f;       ///< squared relative index that radiance was divided by; Russian roulette
-                                 ///< multiplies its throughput by this, or paths die inside glass for nothing
-    bool isSpecular = false;     ///< wi is the only direction it could be: no light sampling could find it
+    /// squared relative index that radiance was divided by; Russian roulette multiplies its throughput by
+    /// this, or paths die inside glass for nothing
+    float etaScale = 1.0f;
+    bool isSpecular = false;  ///< wi is the only direction it could be: no light sampling could find it
     bool isTransmission = false;
     bool valid = false;  ///< false: absorbed; nothing else is set
 };
@@ -71,9 +72,7 @@ template <FeatureMask kMask>
 GLINT_HD BsdfValue evaluateWithPdf(const Bsdf<kMask>& bsdf, const Vec3& wiWorld) {
     const Vec3 wi = detail::toLocal(bsdf, wiWorld);
     const float ngWi = detail::geometricCosine(bsdf, wiWorld, wi.z);
-    if (!(ngWi * wi.z > 0.0f)) {
-        return {};
-    }
+    if (!(ngWi * wi.z > 0.0f)) { return {}; }
     const LobeValue lobe = detail::evaluateLocal(bsdf, wi, ngWi);
     return {lobe.value, lobe.pdfSolidAngle};
 }
@@ -95,16 +94,12 @@ GLINT_HD float pdfSolidAngle(const Bsdf<kMask>& bsdf, const Vec3& wiWorld) {
 template <FeatureMask kMask>
 GLINT_HD BsdfSample sample(const Bsdf<kMask>& bsdf, float uLobe, Vec2 u) {
     const LobeSample lobe = detail::sampleLocal(bsdf, uLobe, u);
-    if (!lobe.valid) {
-        return {};
-    }
+    if (!lobe.valid) { return {}; }
     BsdfSample result;
     result.wiWorld = detail::frameOf(bsdf).toWorld(lobe.wiLocal);
     const float ngWi = detail::geometricCosine(bsdf, result.wiWorld, lobe.wiLocal.z);
     if (!(ngWi * lobe.wiLocal.z > 0.0f)) {
-        if (!lobe.isSpecular || ngWi == 0.0f) {
-            return {};
-        }
+        if (!lobe.isSpecular || ngWi == 0.0f) { return {}; }
         result.wiWorld -= 2.0f * ngWi * bsdf.ngWorld;
     }
     result.weight = lobe.weight;

@@ -28,9 +28,7 @@ GLINT_HD inline LobeSample sampleSmoothDielectric(const Vec3& tint, float eta, c
     const float cosO = minf(wo.z, 1.0f);
     float cosT = 0.0f;
     const float fresnel = fresnelDielectric(cosO, eta, &cosT);
-    if (uLobe < fresnel) {
-        return detail::specularSample(detail::mirrored(wo), tint);
-    }
+    if (uLobe < fresnel) { return detail::specularSample(detail::mirrored(wo), tint); }
     LobeSample sample = detail::specularSample(Vec3(-wo.x / eta, -wo.y / eta, -cosT),
                                                tint * detail::radianceScale(eta, transport));
     detail::markTransmission(&sample, eta, transport);
@@ -54,25 +52,19 @@ GLINT_HD inline LobeSample sampleThinDielectric(const Vec3& tint, float ior, con
 /// Reflection uses the height-correlated G2; refraction the product of both G1 (their eq. 23).
 GLINT_HD inline LobeValue evaluateRoughDielectric(const Vec3& tint, float alpha, float eta, const Vec3& wo,
                                                   const Vec3& wi, TransportMode transport) {
-    if (wi.z == 0.0f) {
-        return {};
-    }
+    if (wi.z == 0.0f) { return {}; }
     const bool reflects = wi.z > 0.0f;
     Vec3 h = glm::normalize(reflects ? wo + wi : wo + eta * wi);
     h = h.z < 0.0f ? -h : h;
     const float cosO = glm::dot(wo, h);
-    if (!(cosO > 0.0f)) {
-        return {};
-    }
+    if (!(cosO > 0.0f)) { return {}; }
     float cosT = 0.0f;
     const float fresnel = fresnelDielectric(minf(cosO, 1.0f), eta, &cosT);
     if (reflects) {
         return {tint * (fresnel * ggxReflection(wo, wi, h, alpha)), fresnel * ggxReflectionPdf(wo, h, alpha)};
     }
     const float cosI = glm::dot(wi, h);
-    if (!(cosI < 0.0f)) {
-        return {};
-    }
+    if (!(cosI < 0.0f)) { return {}; }
     const float jacobian = square(eta) * -cosI / maxf(square(cosO + eta * cosI), 1e-20f);
     const float pdf = (1.0f - fresnel) * visibleNormalPdf(wo, h, alpha) * jacobian;
     return {tint * (pdf * ggxVisible(-wi, alpha) * detail::radianceScale(eta, transport)), pdf};
@@ -86,16 +78,12 @@ GLINT_HD inline LobeSample sampleRoughDielectric(const Vec3& tint, float alpha, 
     const float fresnel = fresnelDielectric(cosO, eta, &cosT);
     if (uLobe < fresnel) {
         const Vec3 wi = reflect(wo, h);
-        if (!(wi.z > 0.0f)) {
-            return {};
-        }
+        if (!(wi.z > 0.0f)) { return {}; }
         return detail::glossySample(wi, tint * detail::ggxReflectionWeight(wo, wi, alpha),
                                     fresnel * ggxReflectionPdf(wo, h, alpha));
     }
     const Vec3 wi = glm::normalize(refract(wo, h, eta, cosO, cosT));
-    if (!(wi.z < 0.0f)) {
-        return {};
-    }
+    if (!(wi.z < 0.0f)) { return {}; }
     const float jacobian = square(eta) * cosT / maxf(square(cosO - eta * cosT), 1e-20f);
     LobeSample sample =
         detail::glossySample(wi, tint * (ggxVisible(-wi, alpha) * detail::radianceScale(eta, transport)),

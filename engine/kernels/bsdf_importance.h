@@ -27,8 +27,8 @@ GLINT_HD inline Unfolded unfold(const Vec3& w, const Vec3& mirror, const Vec3& s
     const Vec3 image = w - 2.0f * glm::dot(w, mirror) * mirror;
     const bool itself = glm::dot(w, side) > 0.0f;
     const bool other = glm::dot(image, side) > 0.0f;
-    if (itself && other) return {u < 0.5f ? w : image, 2.0f};
-    if (itself) return {w, 1.0f};
+    if (itself && other) { return {u < 0.5f ? w : image, 2.0f}; }
+    if (itself) { return {w, 1.0f}; }
     return {image, other ? 1.0f : 0.0f};
 }
 
@@ -38,7 +38,7 @@ GLINT_HD BsdfSample specularImportance(const Bsdf<kMask>& bsdf, const Unfolded& 
     const Vec3 side = bsdf.frame.toLocal(lobe.isTransmission ? -bsdf.ngWorld : bsdf.ngWorld);
     const Unfolded to = unfold(lobe.wiLocal, Vec3(0.0f, 0.0f, 1.0f), side, u);
     const float below = absDot(bsdf.ngWorld, wo) * std::fabs(to.direction.z);
-    if (!(from.ways * to.ways > 0.0f) || !(below > 0.0f)) return {};
+    if (!(from.ways * to.ways > 0.0f) || !(below > 0.0f)) { return {}; }
     BsdfSample result;
     result.wiWorld = bsdf.frame.toWorld(to.direction);
     const float above = std::fabs(from.direction.z) * absDot(bsdf.ngWorld, result.wiWorld);
@@ -50,13 +50,13 @@ GLINT_HD BsdfSample specularImportance(const Bsdf<kMask>& bsdf, const Unfolded& 
 }
 
 template <FeatureMask kMask>
-GLINT_HD BsdfSample denseImportance(const SceneView& view, const SurfacePoint& surface,
+GLINT_HD BsdfSample nonDeltaAdjoint(const SceneView& view, const SurfacePoint& surface,
                                     const Bsdf<kMask>& bsdf, const Vec3& wo, const LobeSample& lobe) {
     BsdfSample result;
     result.wiWorld = frameOf(bsdf).toWorld(lobe.wiLocal);
-    if (!(geometricCosine(bsdf, result.wiWorld, lobe.wiLocal.z) * lobe.wiLocal.z > 0.0f)) return {};
+    if (!(geometricCosine(bsdf, result.wiWorld, lobe.wiLocal.z) * lobe.wiLocal.z > 0.0f)) { return {}; }
     const float below = absDot(surface.ng, wo) * lobe.pdfSolidAngle;
-    if (!(below > 0.0f)) return {};
+    if (!(below > 0.0f)) { return {}; }
     const Bsdf<kMask> seen = makeBsdf<kMask>(view, surface, result.wiWorld);
     result.weight = evaluate(seen, wo) * (absDot(surface.ng, result.wiWorld) / below);
     result.pdfSolidAngle = lobe.pdfSolidAngle;
@@ -81,17 +81,17 @@ GLINT_HD BsdfSample sampleImportance(const SceneView& view, const SurfacePoint& 
                 if (detail::hasSpecularLobe<kMask>(*bsdf.material)) {
                     from = detail::unfold(bsdf.woLocal, bsdf.frame.toLocal(bsdf.ngWorld), up, u.x);
                     unfolded.woLocal = from.direction;
-                    if (from.ways > 1.0f) u.x = 2.0f * (u.x < 0.5f ? u.x : u.x - 0.5f);
+                    if (from.ways > 1.0f) { u.x = 2.0f * (u.x < 0.5f ? u.x : u.x - 0.5f); }
                 }
                 // Only lobes with a density are left where no camera path leads to wo.
                 unfolded.woLocal.z = std::fabs(unfolded.woLocal.z);
             }
             const LobeSample lobe = detail::sampleLocal(unfolded, uLobe, u);
-            if (!lobe.valid) return {};
+            if (!lobe.valid) { return {}; }
             if constexpr (!isDiffuseOnly<kMask>()) {
-                if (lobe.isSpecular) return detail::specularImportance(bsdf, from, wo, lobe, u.y);
+                if (lobe.isSpecular) { return detail::specularImportance(bsdf, from, wo, lobe, u.y); }
             }
-            return detail::denseImportance(view, surface, bsdf, wo, lobe);
+            return detail::nonDeltaAdjoint(view, surface, bsdf, wo, lobe);
         }
     }
     return sample(bsdf, uLobe, u);

@@ -1,9 +1,9 @@
-// What the BSDFs' parts have in common: the results of sampling and evaluating in the local frame. Host and
-// device.
+// What the BSDFs' parts have in common: the results of sampling and evaluating in the local frame. Host
+// and device.
 //
 // Local frame: z is the shading normal on wo's side, so wo.z >= 0; wi.z > 0 is reflection, wi.z < 0
-// transmission. All directions point away from the surface. Nothing here knows scenes, textures or world
-// space.
+// transmission. All directions point away from the surface. Nothing here knows scenes, textures or
+// world space.
 #pragma once
 
 #include "engine/kernels/fresnel.h"
@@ -85,9 +85,7 @@ GLINT_HD inline LobeSample sampleDiffuse(const Vec3& color, Vec2 u) {
 /// A rough metal: `color` times Fresnel, GGX of `alpha`.
 GLINT_HD inline LobeValue evaluateRoughConductor(const MaterialData& material, const Vec3& color,
                                                  const Vec3& wo, const Vec3& wi) {
-    if (!(wi.z > 0.0f)) {
-        return {};
-    }
+    if (!(wi.z > 0.0f)) { return {}; }
     const Vec3 h = glm::normalize(wo + wi);
     const Vec3 fresnel = fresnelConductor(clampf(glm::dot(wo, h), 0.0f, 1.0f), material.eta, material.k);
     return {color * fresnel * ggxReflection(wo, wi, h, material.alpha),
@@ -98,9 +96,7 @@ GLINT_HD inline LobeSample sampleRoughConductor(const MaterialData& material, co
                                                 const Vec3& wo, Vec2 u) {
     const Vec3 h = sampleVisibleNormal(wo, material.alpha, u);
     const Vec3 wi = reflect(wo, h);
-    if (!(wi.z > 0.0f)) {
-        return {};
-    }
+    if (!(wi.z > 0.0f)) { return {}; }
     const Vec3 fresnel = fresnelConductor(clampf(glm::dot(wo, h), 0.0f, 1.0f), material.eta, material.k);
     return detail::glossySample(wi, color * fresnel * detail::ggxReflectionWeight(wo, wi, material.alpha),
                                 ggxReflectionPdf(wo, h, material.alpha));

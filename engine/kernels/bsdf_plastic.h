@@ -1,14 +1,14 @@
-// Plastic: a diffuse base under a clear dielectric coat, smooth or GGX. Host and device. Called by bsdf.h
-// only.
+// Plastic: a diffuse base under a clear dielectric coat, smooth or GGX. Host and device. Called by
+// bsdf.h only.
 //
 // What the coat does not reflect, 1 - E(wo), enters; inside, it goes back and forth between the diffuse base
 // and the coat's underside, which reflects the share Fi of diffuse light; what leaves is shaped by 1 - E(wi):
 //     f = base (1 - E(wo)) (1 - E(wi)) / pi * (1 - Fi) / ((1 - Eavg) (1 - base Fi)),
 // which is reciprocal and, for base = 1, reflects exactly what enters. E is the coat's directional albedo:
-// Fresnel for a smooth coat, a table for a rough one. For a smooth coat 1 - Fi = (1 - Eavg) / ior^2, and this
-// is the usual model (Pharr, Jakob and Humphreys 2023, section 14.3, discuss it; Kelemen and Szirmay-Kalos
-// 2001 for the coupling). Left out: absorption in the coat; the broadening of what enters through a rough
-// coat.
+// Fresnel for a smooth coat, a table for a rough one. For a smooth coat 1 - Fi = (1 - Eavg) / ior^2, and
+// this is the usual model (Pharr, Jakob and Humphreys 2023, section 14.3, discuss it; Kelemen and
+// Szirmay-Kalos 2001 for the coupling). Left out: absorption in the coat; the broadening of what enters
+// through a rough coat.
 #pragma once
 
 #include "engine/kernels/bsdf_lobes.h"
@@ -22,9 +22,7 @@ GLINT_HD inline float coatAlbedo(const MaterialData& material, float mu) {
     const float cosine = clampf(mu, 0.0f, 1.0f);
     float cosT = 0.0f;
     const float fresnel = fresnelDielectric(cosine, material.ior, &cosT);
-    if (material.alpha < kSmoothAlpha) {
-        return fresnel;
-    }
+    if (material.alpha < kSmoothAlpha) { return fresnel; }
     const float position = std::sqrt(cosine) * static_cast<float>(kCoatSamples - 1);
     const int index =
         position < static_cast<float>(kCoatSamples - 2) ? static_cast<int>(position) : kCoatSamples - 2;
@@ -77,9 +75,7 @@ GLINT_HD inline LobeValue evaluatePlasticWith(const MaterialData& material, cons
 /// baseScale multiplies the base: how much of it the shadow terminator leaves.
 GLINT_HD inline LobeValue evaluatePlastic(const MaterialData& material, const Vec3& color, const Vec3& wo,
                                           const Vec3& wi, float baseScale) {
-    if (!(wi.z > 0.0f)) {
-        return {};
-    }
+    if (!(wi.z > 0.0f)) { return {}; }
     return detail::evaluatePlasticWith(material, detail::plasticChoice(material, color, wo), wo, wi,
                                        baseScale);
 }
@@ -100,13 +96,9 @@ GLINT_HD LobeSample samplePlastic(const MaterialData& material, const Vec3& colo
     } else {
         wi = sampleCosineHemisphere(u);
     }
-    if (!(wi.z > 0.0f)) {
-        return {};
-    }
+    if (!(wi.z > 0.0f)) { return {}; }
     const LobeValue value = detail::evaluatePlasticWith(material, choice, wo, wi, baseScale(wi));
-    if (!(value.pdfSolidAngle > 0.0f)) {
-        return {};
-    }
+    if (!(value.pdfSolidAngle > 0.0f)) { return {}; }
     return detail::glossySample(wi, value.value / value.pdfSolidAngle, value.pdfSolidAngle);
 }
 

@@ -52,15 +52,11 @@ namespace detail {
 /// ns, or the nearest normal about which wo's mirror direction stays above the surface. All on one side of
 /// the surface.
 GLINT_HD inline Vec3 bendShadingNormal(const Vec3& wo, const Vec3& ng, const Vec3& ns) {
-    if (ns == ng) {
-        return ns;
-    }
+    if (ns == ng) { return ns; }
     const Vec3 mirror = reflect(wo, ns);
     const float above = glm::dot(mirror, ng);
     const float least = minf(0.9f * glm::dot(wo, ng), 0.01f);
-    if (above >= least) {
-        return ns;
-    }
+    if (above >= least) { return ns; }
     const Vec3 half = wo + glm::normalize(mirror + (least - above) * ng);
     const float squared = lengthSquared(half);
     return squared > 1e-12f ? half / std::sqrt(squared) : ng;
@@ -97,9 +93,7 @@ GLINT_HD bool hasSpecularLobe(const MaterialData& material) {
 template <FeatureMask kMask>
 GLINT_HD Vec3 usedShadingNormal(const MaterialData& material, const Vec3& wo, const Vec3& ng, const Vec3& ns,
                                 TransportMode transport) {
-    if (hasSpecularLobe<kMask>(material)) {
-        return ns;
-    }
+    if (hasSpecularLobe<kMask>(material)) { return ns; }
     const bool anyDirection =
         transport == TransportMode::Importance && kindOf<kMask>(material) == MaterialTag::Diffuse;
     return anyDirection ? ng : bendShadingNormal(wo, ng, ns);
@@ -146,9 +140,7 @@ GLINT_HD Vec3 toLocal(const Bsdf<kMask>& bsdf, const Vec3& wiWorld) {
 template <FeatureMask kMask>
 GLINT_HD float geometricCosine(const Bsdf<kMask>& bsdf, const Vec3& wiWorld, float nsWi) {
     if constexpr (hasFeature<kMask>(kFeatureMeshNormals)) {
-        if (bsdf.ngNs < 1.0f) {
-            return glm::dot(bsdf.ngWorld, wiWorld);
-        }
+        if (bsdf.ngNs < 1.0f) { return glm::dot(bsdf.ngWorld, wiWorld); }
     }
     return nsWi;
 }
@@ -181,9 +173,7 @@ GLINT_HD Bsdf<kMask> makeBsdf(const View<MaterialData>& materials, const View<Te
         bsdf.frame = Frame::fromNormal(bsdf.nsWorld);
         bsdf.woLocal = bsdf.frame.toLocal(woWorld);
         if (bsdf.ngNs < 1.0f && detail::hasSpecularLobe<kMask>(*bsdf.material)) {
-            if (transport == TransportMode::Radiance) {
-                bsdf.woLocal.z = std::fabs(bsdf.woLocal.z);
-            }
+            if (transport == TransportMode::Radiance) { bsdf.woLocal.z = std::fabs(bsdf.woLocal.z); }
         } else {
             bsdf.woLocal.z = maxf(bsdf.woLocal.z, 0.0f);
         }

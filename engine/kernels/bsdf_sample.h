@@ -76,9 +76,7 @@ GLINT_HD LobeSample sampleLocal(const Bsdf<kMask>& bsdf, float uLobe, Vec2 u) {
             }
             break;
         case MaterialTag::Dielectric:
-            if constexpr (hasFeature<kMask>(kFeatureDielectric)) {
-                return sampleGlass(bsdf, uLobe, u);
-            }
+            if constexpr (hasFeature<kMask>(kFeatureDielectric)) { return sampleGlass(bsdf, uLobe, u); }
             break;
         case MaterialTag::Plastic:
             if constexpr (hasFeature<kMask>(kFeaturePlastic)) {
@@ -87,9 +85,7 @@ GLINT_HD LobeSample sampleLocal(const Bsdf<kMask>& bsdf, float uLobe, Vec2 u) {
             }
             break;
         case MaterialTag::Mixture:
-            if constexpr (hasFeature<kMask>(kFeatureMixture)) {
-                return sampleMixture(bsdf, uLobe, u);
-            }
+            if constexpr (hasFeature<kMask>(kFeatureMixture)) { return sampleMixture(bsdf, uLobe, u); }
             break;
     }
     return {};

@@ -1,8 +1,8 @@
 // Memory layout of the acceleration structures: wide nodes and clusters of triangles. Plain data, host and
 // device alike.
 //
-// Built by engine/build/bvh_builder and mesh_builder, read by box_test.h, triangle.h and intersect.h. Nothing
-// but layout belongs here.
+// Built by engine/builders/bvh_builder and mesh_builder, read by box_test.h, triangle.h and intersect.h.
+// Nothing but layout belongs here.
 #pragma once
 
 #include <cstdint>

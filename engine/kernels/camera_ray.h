@@ -1,5 +1,5 @@
-// From a place in the picture to a ray: pinhole or thin lens. Host and device. Called by the path and AOV
-// kernels.
+// From a place in the picture to a ray: pinhole or thin lens. Host and device. Called by the path and
+// AOV kernels.
 //
 // Left out: lens distortion, vignetting (cos^4 of the film), motion of the camera.
 #pragma once
@@ -19,8 +19,8 @@ GLINT_HD inline Vec2 pixelToNdc(int width, int height, int x, int y, Vec2 offset
     return {2.0f * right - 1.0f, 1.0f - 2.0f * down};
 }
 
-/// A point on the lens in its own radius, uniform by area: round, or a regular polygon within the unit
-/// circle.
+/// A point on the lens in its own radius, uniform by area: round, or a regular polygon within the
+/// unit circle.
 GLINT_HD inline Vec2 sampleLens(const CameraData& camera, Vec2 uLens) {
     return camera.blades >= 3 ? sampleRegularPolygon(uLens, camera.blades, camera.bladeRotationRad)
                               : sampleDisc(uLens);

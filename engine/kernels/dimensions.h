@@ -35,8 +35,8 @@ enum class EmissionDimension : uint32_t {
     Count,
 };
 
-/// A dimension of a path's sample vector. Draws of one dimension in one and in two dimensions are not
-/// independent.
+/// A dimension of a path's sample vector. Draws of one dimension in one and in two dimensions are
+/// not independent.
 struct Dimension {
     uint32_t index = 0;
 };

@@ -11,7 +11,7 @@ template <FeatureMask kMask>
 GLINT_HD inline Vec3 emittedRadiance(const SceneView& view, const SurfacePoint& surface,
                                      const Vec3& woWorld) {
     const MaterialData& material = view.materials[surface.material];
-    if ((material.flags & kMaterialEmissive) == 0) return Vec3(0.0f);
+    if ((material.flags & kMaterialEmissive) == 0) { return Vec3(0.0f); }
     const bool seen = (material.flags & kMaterialEmitsBothSides) != 0 || glm::dot(woWorld, surface.ng) > 0.0f;
     return seen ? material.emission : Vec3(0.0f);
 }

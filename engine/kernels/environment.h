@@ -59,7 +59,7 @@ GLINT_HD inline Vec3 environmentRadiance(const SceneView& view, const Vec3& w) {
             return lights.environmentRadiance * environmentLookup(lights.environment, uv);
         }
     }
-    if constexpr (hasFeature<kMask>(kFeatureEnvironmentConstant)) return lights.environmentRadiance;
+    if constexpr (hasFeature<kMask>(kFeatureEnvironmentConstant)) { return lights.environmentRadiance; }
     return Vec3(0.0f);
 }
 
@@ -97,7 +97,7 @@ GLINT_HD inline DirectionSample sampleEnvironmentImage(const EnvironmentView& e,
     const int x = findInterval(columns, e.width, u.x);
     const float rowWidth = e.rowCdf[y + 1] - e.rowCdf[y];
     const float columnWidth = columns[x + 1] - columns[x];
-    if (!(rowWidth > 0.0f && columnWidth > 0.0f)) return {};
+    if (!(rowWidth > 0.0f && columnWidth > 0.0f)) { return {}; }
     const float fy = (u.y - e.rowCdf[y]) / rowWidth;
     const float fx = (u.x - columns[x]) / columnWidth;
     const float theta = (static_cast<float>(y) + fy) / static_cast<float>(e.height) * kPi;
@@ -119,7 +119,7 @@ GLINT_HD inline float pdfEnvironmentImage(const EnvironmentView& e, const Vec3& 
 
 /// A constant environment: by the cosine where only one side counts, otherwise uniformly.
 GLINT_HD inline DirectionSample sampleEnvironmentConstant(const LightContext& at, const Vec2& u) {
-    if (at.bothSides) return {sampleSphere(u), 0.25f * kInvPi};
+    if (at.bothSides) { return {sampleSphere(u), 0.25f * kInvPi}; }
     const Vec3 local = sampleCosineHemisphere(u);
     return {Frame::fromNormal(at.n).toWorld(local), local.z * kInvPi};
 }
@@ -132,7 +132,7 @@ template <FeatureMask kMask>
 GLINT_HD inline DirectionSample sampleEnvironment(const LightView& lights, const LightContext& at,
                                                   const Vec2& u) {
     if constexpr (hasFeature<kMask>(kFeatureEnvironmentImage)) {
-        if (lights.environment.width > 0) return sampleEnvironmentImage(lights.environment, u);
+        if (lights.environment.width > 0) { return sampleEnvironmentImage(lights.environment, u); }
     }
     return sampleEnvironmentConstant(at, u);
 }
@@ -141,7 +141,7 @@ GLINT_HD inline DirectionSample sampleEnvironment(const LightView& lights, const
 template <FeatureMask kMask>
 GLINT_HD inline float pdfEnvironment(const LightView& lights, const LightContext& at, const Vec3& wiWorld) {
     if constexpr (hasFeature<kMask>(kFeatureEnvironmentImage)) {
-        if (lights.environment.width > 0) return pdfEnvironmentImage(lights.environment, wiWorld);
+        if (lights.environment.width > 0) { return pdfEnvironmentImage(lights.environment, wiWorld); }
     }
     return pdfEnvironmentConstant(at, wiWorld);
 }

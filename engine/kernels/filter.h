@@ -1,7 +1,7 @@
 // Reconstruction filters by filter importance sampling: a path's place in its pixel is drawn from the filter
 // itself, so that every sample weighs 1, no sample reaches another pixel's memory, and the film needs no
-// weights (Ernst et al. 2006, "Filter Importance Sampling"). Host and device. Left out: filters with negative
-// lobes.
+// weights (Ernst et al. 2006, "Filter Importance Sampling"). Host and device. Left out: filters with
+// negative lobes.
 #pragma once
 
 #include "engine/kernels/pass.h"

@@ -29,8 +29,8 @@ struct InstanceData {
     Affine worldToObject;
     uint32_t mesh = kNone;  ///< ShapeTag::Mesh: index into GeometryView::meshes
     uint32_t material = 0;  ///< index into SceneView::materials
-    uint32_t firstEmitter =
-        kNone;  ///< emissive: index of this instance's first emitter (one per triangle, in order)
+    /// emissive: index of this instance's first emitter (one per triangle, in order)
+    uint32_t firstEmitter = kNone;
     ShapeTag shape = ShapeTag::Sphere;
     uint8_t flags = 0;
 };

@@ -14,8 +14,8 @@
 
 namespace glint {
 
-/// Where a ray meets the scene. Barycentric weights of a triangle's second and third vertex; 0 for other
-/// shapes.
+/// Where a ray meets the scene. Barycentric weights of a triangle's second and third vertex; 0 for
+/// other shapes.
 struct Hit {
     float t;
     uint32_t instance;
@@ -27,8 +27,8 @@ struct Hit {
 template <FeatureMask kMask>
 GLINT_HD inline bool isMesh(const InstanceData& instance) {
     constexpr FeatureMask kOthers = kFeatureSphere | kFeaturePlane | kFeatureFlat;
-    if constexpr (!hasFeature<kMask>(kFeatureMesh)) return false;
-    if constexpr ((kMask & kOthers) == 0) return true;
+    if constexpr (!hasFeature<kMask>(kFeatureMesh)) { return false; }
+    if constexpr ((kMask & kOthers) == 0) { return true; }
     return instance.shape == ShapeTag::Mesh;
 }
 
@@ -44,7 +44,7 @@ GLINT_HD inline Ray toObjectSpace(const InstanceData& instance, const Ray& ray) 
 /// triangle number.
 template <bool kAnyHit, bool kFrontOnly>
 GLINT_ONE_PIECE GLINT_HD inline bool intersectMesh(const MeshView& mesh, const Ray& ray, Hit* hit) {
-    if (mesh.nodeCount == 0) return false;
+    if (mesh.nodeCount == 0) { return false; }
     const ShearRay shear = makeShearRay(ray);
     TriangleHit nearest{ray.tMax, 0.0f, 0.0f, kNone};
     traverse<kAnyHit>(mesh.nodes, ray, [&](uint32_t first, uint32_t count, float* tMax) {
@@ -56,7 +56,7 @@ GLINT_ONE_PIECE GLINT_HD inline bool intersectMesh(const MeshView& mesh, const R
         *tMax = nearest.t;
         return found;
     });
-    if (nearest.primitive == kNone) return false;
+    if (nearest.primitive == kNone) { return false; }
     hit->t = nearest.t;
     hit->primitive = mesh.clusterPrimitives[nearest.primitive];
     hit->barycentric = Vec2(nearest.b1, nearest.b2);
@@ -65,13 +65,18 @@ GLINT_ONE_PIECE GLINT_HD inline bool intersectMesh(const MeshView& mesh, const R
 
 template <FeatureMask kMask, bool kFrontOnly>
 GLINT_HD inline float intersectAnalytic(ShapeTag shape, const Ray& local) {
-    if (hasFeature<kMask>(kFeatureSphere) && shape == ShapeTag::Sphere)
+    if (hasFeature<kMask>(kFeatureSphere) && shape == ShapeTag::Sphere) {
         return intersectUnitSphere<kFrontOnly>(local);
-    if (hasFeature<kMask>(kFeaturePlane) && shape == ShapeTag::Plane)
+    }
+    if (hasFeature<kMask>(kFeaturePlane) && shape == ShapeTag::Plane) {
         return intersectPlane<kFrontOnly>(local);
-    if (hasFeature<kMask>(kFeatureFlat) && shape == ShapeTag::Rectangle)
+    }
+    if (hasFeature<kMask>(kFeatureFlat) && shape == ShapeTag::Rectangle) {
         return intersectRectangle<kFrontOnly>(local);
-    if (hasFeature<kMask>(kFeatureFlat) && shape == ShapeTag::Disc) return intersectDisc<kFrontOnly>(local);
+    }
+    if (hasFeature<kMask>(kFeatureFlat) && shape == ShapeTag::Disc) {
+        return intersectDisc<kFrontOnly>(local);
+    }
     return kNoHit;
 }
 
@@ -84,10 +89,10 @@ GLINT_HD inline bool intersectInstanceSided(const SceneView& view, uint32_t inde
         const bool transformed =
             hasFeature<kMask>(kFeatureTransforms) && !(instance.flags & kInstanceIdentity);
         const Ray local = transformed ? toObjectSpace(instance, ray) : ray;
-        if (!intersectMesh<kAnyHit, kFrontOnly>(mesh, local, hit)) return false;
+        if (!intersectMesh<kAnyHit, kFrontOnly>(mesh, local, hit)) { return false; }
     } else {
         const float t = intersectAnalytic<kMask, kFrontOnly>(instance.shape, toObjectSpace(instance, ray));
-        if (t < 0.0f) return false;
+        if (t < 0.0f) { return false; }
         hit->t = t;
         hit->primitive = 0;
         hit->barycentric = Vec2(0.0f);
@@ -110,22 +115,24 @@ GLINT_HD inline bool intersectScene(const SceneView& view, const Ray& worldRay, 
     bool found = false;
     if (hasFeature<kMask>(kFeaturePlane)) {
         for (uint32_t i = 0; i < view.geometry.planes.count; ++i) {
-            if (!intersectInstance<kMask, kAnyHit>(view, view.geometry.planes[i], ray, hit)) continue;
+            if (!intersectInstance<kMask, kAnyHit>(view, view.geometry.planes[i], ray, hit)) { continue; }
             found = true;
-            if (kAnyHit) return true;
+            if (kAnyHit) { return true; }
             ray.tMax = hit->t;
         }
     }
-    if (view.geometry.topNodes.empty()) return found;
+    if (view.geometry.topNodes.empty()) { return found; }
     if (view.geometry.topInstances.count == 1) {
         return intersectInstance<kMask, kAnyHit>(view, view.geometry.topInstances[0], ray, hit) || found;
     }
     traverse<kAnyHit>(view.geometry.topNodes.data, ray, [&](uint32_t first, uint32_t count, float* tMax) {
         bool foundHere = false;
         for (uint32_t i = first; i < first + count; ++i) {
-            if (!intersectInstance<kMask, kAnyHit>(view, view.geometry.topInstances[i], ray, hit)) continue;
+            if (!intersectInstance<kMask, kAnyHit>(view, view.geometry.topInstances[i], ray, hit)) {
+                continue;
+            }
             foundHere = true;
-            if (kAnyHit) break;
+            if (kAnyHit) { break; }
             ray.tMax = hit->t;
         }
         found = found || foundHere;

@@ -1,5 +1,5 @@
-// Photons leaving lights: one light by its power, one point on it, one direction. Called by the photon
-// kernel.
+// Photons leaving lights: one light by its power, one point on it, one direction. Called by the
+// photon kernel.
 //
 // Every light kind emits: area lights by area and cosine, spheres over their whole surface, point and spot
 // lights from their place, directional lights and the environment from a disc that covers the scene. Infinite
@@ -17,8 +17,8 @@ namespace glint {
 
 /// How photons are shared out among the lights. Built by build/emission_table.
 struct EmissionView {
-    const float* cdf =
-        nullptr;                ///< emitterCount + 1 entries from 0 to 1, in the order of LightView::emitters
+    /// emitterCount + 1 entries from 0 to 1, in the order of LightView::emitters
+    const float* cdf = nullptr;
     uint32_t emitterCount = 0;  ///< 0: nothing emits photons
     float totalPower = 0.0f;    ///< luminance, W
 };
@@ -80,7 +80,7 @@ GLINT_HD inline EmittedPhoton emitFromArea(const SceneView& view, const EmitterD
     EmittedPhoton photon;
     float pdfArea = 0.0f;
     const SurfacePoint surface = emitterSurface(view, e, uPoint, &pdfArea);
-    if (!(pdfArea > 0.0f) || !std::isfinite(pdfArea)) return photon;
+    if (!(pdfArea > 0.0f) || !std::isfinite(pdfArea)) { return photon; }
     Vec2 u = uDirection;
     float side = 1.0f;
     if (e.emitsBothSides) {
@@ -125,7 +125,7 @@ GLINT_HD inline EmittedPhoton emitFromEnvironment(const SceneView& view, const V
     LightContext everywhere;
     everywhere.bothSides = true;
     const DirectionSample towards = sampleEnvironment<kMask>(view.lights, everywhere, uDirection);
-    if (!(towards.pdfSolidAngle > 0.0f)) return photon;
+    if (!(towards.pdfSolidAngle > 0.0f)) { return photon; }
     photon.ray = rayFromFarAway(view, -towards.wiWorld, uPoint);
     photon.flux = environmentRadiance<kMask>(view, towards.wiWorld) *
                   (kPi * square(view.sceneRadius) / towards.pdfSolidAngle);
@@ -139,10 +139,10 @@ GLINT_HD inline EmittedPhoton emitFromEnvironment(const SceneView& view, const V
 template <FeatureMask kMask>
 GLINT_HD inline EmittedPhoton emitPhoton(const SceneView& view, const EmissionView& emission, float uChoice,
                                          const Vec2& uPoint, const Vec2& uDirection) {
-    if (emission.emitterCount == 0) return {};
+    if (emission.emitterCount == 0) { return {}; }
     const int chosen = findInterval(emission.cdf, static_cast<int>(emission.emitterCount), uChoice);
     const float probability = emission.cdf[chosen + 1] - emission.cdf[chosen];
-    if (!(probability > 0.0f)) return {};
+    if (!(probability > 0.0f)) { return {}; }
     const EmitterData& e = view.lights.emitters[static_cast<uint32_t>(chosen)];
     EmittedPhoton photon;
     switch (e.tag) {

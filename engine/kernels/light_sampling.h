@@ -24,8 +24,8 @@ struct LightSample {
 
 /// 1 inside the inner cone, 0 outside the outer one, smooth (cubic) in the cosine between.
 GLINT_HD inline float spotFalloff(const EmitterData& e, float oneMinusCos) {
-    if (oneMinusCos <= e.oneMinusCosInner) return 1.0f;
-    if (oneMinusCos >= e.oneMinusCosOuter) return 0.0f;
+    if (oneMinusCos <= e.oneMinusCosInner) { return 1.0f; }
+    if (oneMinusCos >= e.oneMinusCosOuter) { return 0.0f; }
     const float t = (e.oneMinusCosOuter - oneMinusCos) / (e.oneMinusCosOuter - e.oneMinusCosInner);
     return t * t * (3.0f - 2.0f * t);
 }
@@ -76,9 +76,9 @@ GLINT_HD inline LightSample sampleAreaLight(const SceneView& view, const Emitter
     const EmitterPoint point = sampleEmitterShape(view, e, from, u);
     const Vec3 d = point.p - from;
     const float distance2 = lengthSquared(d);
-    if (!(point.pdfSolidAngle > 0.0f) || !(distance2 > 0.0f)) return s;
+    if (!(point.pdfSolidAngle > 0.0f) || !(distance2 > 0.0f)) { return s; }
     s.wiWorld = d * (1.0f / std::sqrt(distance2));
-    if (!e.emitsBothSides && glm::dot(s.wiWorld, point.normal) >= 0.0f) return s;
+    if (!e.emitsBothSides && glm::dot(s.wiWorld, point.normal) >= 0.0f) { return s; }
     s.point = point.p;
     s.pointError = point.pError;
     s.pointNormal = point.normal;
@@ -99,12 +99,13 @@ GLINT_HD inline LightSample sampleDeltaLight(const EmitterData& e, const Vec3& f
     }
     const Vec3 d = e.position - from;
     const float distance2 = lengthSquared(d);
-    if (!(distance2 > 0.0f)) return s;
+    if (!(distance2 > 0.0f)) { return s; }
     s.wiWorld = d * (1.0f / std::sqrt(distance2));
     s.point = e.position;
     s.radiance = e.radiance * (1.0f / distance2);
-    if (e.tag == EmitterTag::Spot)
+    if (e.tag == EmitterTag::Spot) {
         s.radiance *= spotFalloff(e, 0.5f * lengthSquared(s.wiWorld + e.direction));
+    }
     s.pdfSolidAngle = isZero(s.radiance) ? 0.0f : 1.0f;
     return s;
 }
@@ -120,7 +121,7 @@ GLINT_HD inline LightSample sampleEmitter(const SceneView& view, const LightCont
     constexpr bool kEnvironment =
         hasFeature<kMask>(kFeatureEnvironmentConstant) || hasFeature<kMask>(kFeatureEnvironmentImage);
     if constexpr (hasFeature<kMask>(kFeatureDeltaLights)) {
-        if (isDeltaLight(e.tag)) return sampleDeltaLight(e, at.p);
+        if (isDeltaLight(e.tag)) { return sampleDeltaLight(e, at.p); }
     }
     if constexpr (kEnvironment) {
         if (e.tag == EmitterTag::Environment) {
@@ -133,7 +134,7 @@ GLINT_HD inline LightSample sampleEmitter(const SceneView& view, const LightCont
             return s;
         }
     }
-    if constexpr (hasFeature<kMask>(kFeatureAreaLights)) return sampleAreaLight(view, e, at.p, u);
+    if constexpr (hasFeature<kMask>(kFeatureAreaLights)) { return sampleAreaLight(view, e, at.p, u); }
     return {};
 }
 
@@ -142,7 +143,7 @@ template <FeatureMask kMask>
 GLINT_HD inline LightSample sampleLight(const SceneView& view, const LightContext& at, float uChoice,
                                         const Vec2& uPoint) {
     const LightChoice choice = chooseLight<kMask>(view.lights, at, uChoice);
-    if (!(choice.probability > 0.0f)) return {};
+    if (!(choice.probability > 0.0f)) { return {}; }
     LightSample s = sampleEmitter<kMask>(view, at, view.lights.emitters[choice.emitter], uPoint);
     s.emitter = choice.emitter;
     s.pdfSolidAngle *= choice.probability;
@@ -153,7 +154,7 @@ GLINT_HD inline LightSample sampleLight(const SceneView& view, const LightContex
 template <FeatureMask kMask>
 GLINT_HD inline float pdfLightSurface(const SceneView& view, const LightContext& at, uint32_t emitter,
                                       const Vec3& p) {
-    if (emitter == kNone) return 0.0f;
+    if (emitter == kNone) { return 0.0f; }
     const float probability = lightProbability<kMask>(view.lights, at, emitter);
     return probability > 0.0f ? probability * pdfEmitterShape(view, view.lights.emitters[emitter], at.p, p)
                               : 0.0f;
@@ -164,19 +165,19 @@ template <FeatureMask kMask>
 GLINT_HD inline float pdfLightEnvironment(const SceneView& view, const LightContext& at,
                                           const Vec3& wiWorld) {
     const LightView& lights = view.lights;
-    if (lights.emitters.count == 0) return 0.0f;
+    if (lights.emitters.count == 0) { return 0.0f; }
     const uint32_t last = lights.emitters.count - 1;
-    if (lights.emitters[last].tag != EmitterTag::Environment) return 0.0f;
+    if (lights.emitters[last].tag != EmitterTag::Environment) { return 0.0f; }
     const float probability = lightProbability<kMask>(lights, at, last);
     return probability > 0.0f ? probability * pdfEnvironment<kMask>(lights, at, wiWorld) : 0.0f;
 }
 
-/// The emitter of a hit: the index of the emissive triangle or shape, or kNone where light sampling never
-/// comes.
+/// The emitter of a hit: the index of the emissive triangle or shape, or kNone where light sampling
+/// never comes.
 GLINT_HD inline uint32_t emitterOf(const SceneView& view, uint32_t instance, uint32_t primitive) {
     const InstanceData& data = view.geometry.instances[instance];
-    if (data.firstEmitter == kNone) return kNone;
-    if (data.shape != ShapeTag::Mesh) return data.firstEmitter;
+    if (data.firstEmitter == kNone) { return kNone; }
+    if (data.shape != ShapeTag::Mesh) { return data.firstEmitter; }
     return view.lights.emitters[data.firstEmitter + primitive].original;
 }
 

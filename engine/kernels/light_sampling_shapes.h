@@ -1,5 +1,5 @@
-// Points on emissive shapes as seen from a place, and the density of choosing them, per solid angle at that
-// place.
+// Points on emissive shapes as seen from a place, and the density of choosing them, per solid angle at
+// that place.
 //
 // Called by light_sampling.h only. Which of two ways samples a shape depends on the shape and on `from`
 // alone, so that the density of a direction found otherwise (MIS) is the one that sampling would have had.
@@ -32,7 +32,7 @@ GLINT_HD inline float areaToSolidAngle(float pdfArea, const Vec3& from, const Ve
     const Vec3 d = p - from;
     const float distance2 = lengthSquared(d);
     const float cosTimesDistance = absDot(d, normal);
-    if (!(cosTimesDistance > 0.0f) || !(distance2 > 0.0f)) return 0.0f;
+    if (!(cosTimesDistance > 0.0f) || !(distance2 > 0.0f)) { return 0.0f; }
     const float pdf = pdfArea * distance2 * (std::sqrt(distance2) / cosTimesDistance);
     return std::isfinite(pdf) ? pdf : 0.0f;
 }
@@ -53,8 +53,8 @@ GLINT_HD inline EmitterPoint sampleFlatByArea(const EmitterData& e, const Vec3& 
     return s;
 }
 
-/// area * cos / distance^2 towards `center` is at least kSmallSolidAngle, or `from` is so near that it says
-/// nothing.
+/// area * cos / distance^2 towards `center` is at least kSmallSolidAngle, or `from` is so near that it
+/// says nothing.
 GLINT_HD inline bool looksLarge(const EmitterData& e, const Vec3& center, const Vec3& from) {
     const Vec3 d = center - from;
     const float distance2 = lengthSquared(d);
@@ -84,7 +84,7 @@ GLINT_HD inline EmitterPoint sampleRectangle(const EmitterData& e, const Vec3& f
 GLINT_HD inline float pdfRectangle(const EmitterData& e, const Vec3& from, const Vec3& p) {
     if (looksLarge(e, e.position, from)) {
         const float solidAngle = sphericalRectangleOf(e, from).solidAngle;
-        if (solidAngle > kSmallSolidAngle * 0.5f) return 1.0f / solidAngle;
+        if (solidAngle > kSmallSolidAngle * 0.5f) { return 1.0f / solidAngle; }
     }
     return areaToSolidAngle(1.0f / e.area, from, p, e.direction);
 }
@@ -106,7 +106,7 @@ GLINT_HD inline EmitterPoint sampleTriangleEmitter(const EmitterData& e, const V
         if (q.solidAngle > kSmallSolidAngle * 0.5f) {
             const Vec3 wi = sampleSphericalTriangle(q, u);
             Vec2 ab;
-            if (!intersectTrianglePlane(e.position - from, e.axisU, e.axisV, wi, &ab)) return {};
+            if (!intersectTrianglePlane(e.position - from, e.axisU, e.axisV, wi, &ab)) { return {}; }
             EmitterPoint s = flatEmitterPoint(e, ab.x, ab.y);
             s.pdfSolidAngle = 1.0f / q.solidAngle;
             return s;
@@ -119,7 +119,7 @@ GLINT_HD inline EmitterPoint sampleTriangleEmitter(const EmitterData& e, const V
 GLINT_HD inline float pdfTriangleEmitter(const EmitterData& e, const Vec3& from, const Vec3& p) {
     if (looksLarge(e, triangleCenter(e), from)) {
         const float solidAngle = sphericalTriangleOf(e, from).solidAngle;
-        if (solidAngle > kSmallSolidAngle * 0.5f) return 1.0f / solidAngle;
+        if (solidAngle > kSmallSolidAngle * 0.5f) { return 1.0f / solidAngle; }
     }
     return areaToSolidAngle(1.0f / e.area, from, p, e.direction);
 }
@@ -136,8 +136,9 @@ struct SphereView {
     Vec3 toCenter;
     float radius;
     float distance;
-    float oneMinusCosMax;  ///< of the cone around it, accurate for far and near spheres alike; 2: seen all
-                           ///< around; 0: from the surface itself, and never sampled
+    /// of the cone around it, accurate for far and near spheres alike; 2: seen all around; 0: from the
+    /// surface itself, and never sampled
+    float oneMinusCosMax;
 };
 
 /// `magnitude`: the size of the numbers that `from` was computed from, which its rounding error goes by.
@@ -146,7 +147,7 @@ GLINT_HD inline SphereView viewSphere(const Vec3& center, float radius, const Ve
     v.distance = std::sqrt(lengthSquared(v.toCenter));
     const float outside = v.distance - radius;
     const float band = kSphereSurfaceBand * (radius + magnitude);
-    if (outside < -band) return v;
+    if (outside < -band) { return v; }
     if (!(outside > band)) {
         v.oneMinusCosMax = 0.0f;
         return v;
@@ -169,7 +170,7 @@ struct SphereDirection {
 /// Uniform over the directions in which the sphere is seen: all from inside, the cone around it from outside.
 GLINT_HD inline SphereDirection sampleSphereDirection(const SphereView& v, const Vec2& u) {
     const float pdf = pdfSphereDirection(v);
-    if (!(pdf > 0.0f)) return {};
+    if (!(pdf > 0.0f)) { return {}; }
     if (v.oneMinusCosMax >= 2.0f) {
         const Vec3 w = sampleSphere(u);
         const float along = glm::dot(w, v.toCenter);
@@ -204,7 +205,7 @@ GLINT_HD inline EmitterPoint spherePoint(const EmitterData& e, const Vec3& norma
 
 GLINT_HD inline EmitterPoint sampleSphereEmitter(const EmitterData& e, const Vec3& from, const Vec2& u) {
     const SphereDirection direction = sampleSphereDirection(viewSphereEmitter(e, from), u);
-    if (!(direction.pdfSolidAngle > 0.0f)) return {};
+    if (!(direction.pdfSolidAngle > 0.0f)) { return {}; }
     EmitterPoint s = spherePoint(e, direction.normal);
     s.pdfSolidAngle = direction.pdfSolidAngle;
     return s;
@@ -239,7 +240,7 @@ GLINT_HD inline EmitterPoint ellipsoidPoint(const InstanceData& instance, const 
 
 GLINT_HD inline EmitterPoint sampleEllipsoid(const InstanceData& instance, const Vec3& from, const Vec2& u) {
     const SphereDirection direction = sampleSphereDirection(viewEllipsoid(instance, from), u);
-    if (!(direction.pdfSolidAngle > 0.0f)) return {};
+    if (!(direction.pdfSolidAngle > 0.0f)) { return {}; }
     EmitterPoint s = ellipsoidPoint(instance, direction.normal);
     s.pdfSolidAngle = direction.pdfSolidAngle * objectSolidAnglePerWorld(instance.worldToObject, s.p - from);
     return s;

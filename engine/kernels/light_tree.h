@@ -37,26 +37,26 @@ GLINT_HD inline float lightImportance(const LightNode& node, const LightContext&
     const float distance2 = lengthSquared(d);
     const float radius2 = node.radius * node.radius;
     const float weight = minf(node.intensity / maxf(maxf(distance2, radius2), 1e-30f), 1e30f);
-    if (!(distance2 > radius2)) return weight;
+    if (!(distance2 > radius2)) { return weight; }
 
     const float inverseDistance = 1.0f / std::sqrt(distance2);
     const float sinSpread = node.radius * inverseDistance;
     const float cosSpread = safeSqrt(1.0f - sinSpread * sinSpread);
 
     float cosReceiver = glm::dot(at.n, d) * inverseDistance;
-    if (at.bothSides) cosReceiver = std::fabs(cosReceiver);
+    if (at.bothSides) { cosReceiver = std::fabs(cosReceiver); }
     const float cosReceiverBest =
         cosDifferenceClamped(sinFromCos(cosReceiver), cosReceiver, sinSpread, cosSpread);
-    if (cosReceiverBest <= 0.0f) return 0.0f;
+    if (cosReceiverBest <= 0.0f) { return 0.0f; }
 
     float cosAxis = -glm::dot(node.axis, d) * inverseDistance;
-    if (node.bothSides) cosAxis = std::fabs(cosAxis);
+    if (node.bothSides) { cosAxis = std::fabs(cosAxis); }
     const float sinAxis = sinFromCos(cosAxis);
     const float sinNormals = sinFromCos(node.cosNormals);
     const float cosToNormals = cosDifferenceClamped(sinAxis, cosAxis, sinNormals, node.cosNormals);
     const float sinToNormals = sinDifferenceClamped(sinAxis, cosAxis, sinNormals, node.cosNormals);
     const float cosEmitterBest = cosDifferenceClamped(sinToNormals, cosToNormals, sinSpread, cosSpread);
-    if (cosEmitterBest <= node.cosEmission) return 0.0f;
+    if (cosEmitterBest <= node.cosEmission) { return 0.0f; }
 
     return weight * cosEmitterBest * (kGrazingWeight + (1.0f - kGrazingWeight) * cosReceiverBest);
 }
@@ -71,7 +71,7 @@ struct LightChoice {
 
 GLINT_HD inline float infiniteImportance(const LightView& lights, const EmitterData& e,
                                          const LightContext& at) {
-    if (e.tag == EmitterTag::Environment) return lights.environmentIrradiance;
+    if (e.tag == EmitterTag::Environment) { return lights.environmentIrradiance; }
     const float cosine = -glm::dot(at.n, e.direction);
     return e.area *
            (at.bothSides ? std::fabs(cosine) : maxf(cosine, 0.0f));  // area: the irradiance's luminance
@@ -92,9 +92,9 @@ GLINT_HD inline LightChoice chooseInfinite(const LightView& lights, const LightC
     float left = u * sum;
     for (uint32_t i = lights.finiteCount; i < lights.emitters.count; ++i) {
         const float importance = infiniteImportance(lights, lights.emitters[i], at);
-        if (importance <= 0.0f) continue;
+        if (importance <= 0.0f) { continue; }
         choice = {i, importance / sum};
-        if (left < importance) break;
+        if (left < importance) { break; }
         left -= importance;
     }
     return choice;
@@ -104,20 +104,22 @@ GLINT_HD inline LightChoice chooseInfinite(const LightView& lights, const LightC
 
 GLINT_HD inline float fewImportanceSum(const LightView& lights, const LightContext& at) {
     float sum = 0.0f;
-    for (uint32_t i = 0; i < lights.finiteCount; ++i) sum += lightImportance(lights.nodes[i], at);
+    for (uint32_t i = 0; i < lights.finiteCount; ++i) {
+        sum += lightImportance(lights.nodes[i], at);
+    }
     return sum;
 }
 
 GLINT_HD inline LightChoice chooseAmongFew(const LightView& lights, const LightContext& at, float sum,
                                            float u) {
-    if (lights.finiteCount == 1) return {0, 1.0f};
+    if (lights.finiteCount == 1) { return {0, 1.0f}; }
     LightChoice choice;
     float left = u * sum;
     for (uint32_t i = 0; i < lights.finiteCount; ++i) {
         const float importance = lightImportance(lights.nodes[i], at);
-        if (importance <= 0.0f) continue;
+        if (importance <= 0.0f) { continue; }
         choice = {i, importance / sum};
-        if (left < importance) break;
+        if (left < importance) { break; }
         left -= importance;
     }
     return choice;
@@ -125,8 +127,8 @@ GLINT_HD inline LightChoice chooseAmongFew(const LightView& lights, const LightC
 
 // ---- Many lights: the tree ----
 
-/// From the root down, at each node choosing a child by importance and stretching what is left of `u` to [0,
-/// 1).
+/// From the root down, at each node choosing a child by importance and stretching what is left of `u` to
+/// [0, 1).
 GLINT_HD inline LightChoice chooseInTree(const LightView& lights, const LightContext& at, float u) {
     float probability = 1.0f;
     uint32_t index = 0;
@@ -134,7 +136,7 @@ GLINT_HD inline LightChoice chooseInTree(const LightView& lights, const LightCon
         const uint32_t child = lights.nodes[index].child;
         const float first = lightImportance(lights.nodes[child], at);
         const float second = lightImportance(lights.nodes[child + 1], at);
-        if (!(first + second > 0.0f)) return {};
+        if (!(first + second > 0.0f)) { return {}; }
         const float share = first / (first + second);
         if (u < share) {
             index = child;
@@ -157,7 +159,7 @@ GLINT_HD inline float treeProbability(const LightView& lights, const LightContex
         const uint32_t child = lights.nodes[parent].child;
         const float first = lightImportance(lights.nodes[child], at);
         const float second = lightImportance(lights.nodes[child + 1], at);
-        if (!(first + second > 0.0f)) return 0.0f;
+        if (!(first + second > 0.0f)) { return 0.0f; }
         const float share = first / (first + second);
         probability *= index == child ? share : 1.0f - share;
         index = parent;
@@ -170,8 +172,8 @@ GLINT_HD inline float treeProbability(const LightView& lights, const LightContex
 /// Probability of turning to the lights with a place: their share of the importance, but at least a tenth for
 /// either kind, because the bounds know nothing of shadows. Certain where the other kind cannot contribute.
 GLINT_HD inline float finiteShare(float finite, float infinite) {
-    if (infinite <= 0.0f) return 1.0f;
-    if (finite <= 0.0f) return 0.0f;
+    if (infinite <= 0.0f) { return 1.0f; }
+    if (finite <= 0.0f) { return 0.0f; }
     return clampf(finite / (finite + infinite), 0.1f, 0.9f);
 }
 
@@ -182,18 +184,18 @@ GLINT_HD inline bool usesLightTree(const LightView& lights) {
 
 template <FeatureMask kMask>
 GLINT_HD inline float finiteImportanceSum(const LightView& lights, const LightContext& at) {
-    if (lights.finiteCount == 0) return 0.0f;
-    if (usesLightTree<kMask>(lights)) return lightImportance(lights.nodes[0], at);
+    if (lights.finiteCount == 0) { return 0.0f; }
+    if (usesLightTree<kMask>(lights)) { return lightImportance(lights.nodes[0], at); }
     return fewImportanceSum(lights, at);
 }
 
 /// Chooses one of all lights for a place; `u` in [0, 1).
 template <FeatureMask kMask>
 GLINT_HD inline LightChoice chooseLight(const LightView& lights, const LightContext& at, float u) {
-    if (lights.emitters.count <= 1) return {0, lights.emitters.count == 1 ? 1.0f : 0.0f};
+    if (lights.emitters.count <= 1) { return {0, lights.emitters.count == 1 ? 1.0f : 0.0f}; }
     const float finite = finiteImportanceSum<kMask>(lights, at);
     const float infinite = infiniteImportanceSum(lights, at);
-    if (!(finite + infinite > 0.0f)) return {};
+    if (!(finite + infinite > 0.0f)) { return {}; }
     const float share = finiteShare(finite, infinite);
     LightChoice choice;
     if (u < share) {
@@ -210,18 +212,18 @@ GLINT_HD inline LightChoice chooseLight(const LightView& lights, const LightCont
 /// Probability with which chooseLight() chooses `emitter` for a place.
 template <FeatureMask kMask>
 GLINT_HD inline float lightProbability(const LightView& lights, const LightContext& at, uint32_t emitter) {
-    if (lights.emitters.count == 1) return 1.0f;
+    if (lights.emitters.count == 1) { return 1.0f; }
     const float finite = finiteImportanceSum<kMask>(lights, at);
     const float infinite = infiniteImportanceSum(lights, at);
-    if (!(finite + infinite > 0.0f)) return 0.0f;
+    if (!(finite + infinite > 0.0f)) { return 0.0f; }
     const float share = finiteShare(finite, infinite);
     if (emitter >= lights.finiteCount) {
-        if (share >= 1.0f) return 0.0f;
+        if (share >= 1.0f) { return 0.0f; }
         return (1.0f - share) * infiniteImportance(lights, lights.emitters[emitter], at) / infinite;
     }
-    if (share <= 0.0f) return 0.0f;
-    if (usesLightTree<kMask>(lights)) return share * treeProbability(lights, at, emitter);
-    if (lights.finiteCount == 1) return share;
+    if (share <= 0.0f) { return 0.0f; }
+    if (usesLightTree<kMask>(lights)) { return share * treeProbability(lights, at, emitter); }
+    if (lights.finiteCount == 1) { return share; }
     return share * lightImportance(lights.nodes[emitter], at) / finite;
 }
 

@@ -25,21 +25,21 @@ enum class EmitterTag : uint8_t {
 /// One light that can be chosen. Area emitters stand in the order of SceneDescription::objects, the triangles
 /// of an emissive mesh in order and without gaps (degenerate ones included, with area 0).
 struct EmitterData {
-    Vec3 position{0.0f};  ///< centre of sphere, ellipsoid, rectangle, disc; triangle: vertex 0; point and
-                          ///< spot: position
-    Vec3 axisU{0.0f};     ///< rectangle, disc: images of the unit half axes; triangle: vertex 1 - vertex 0
-    Vec3 axisV{0.0f};     ///< likewise; triangle: vertex 2 - vertex 0
+    /// centre of sphere, ellipsoid, rectangle, disc; triangle: vertex 0; point and spot: position
+    Vec3 position{0.0f};
+    Vec3 axisU{0.0f};  ///< rectangle, disc: images of the unit half axes; triangle: vertex 1 - vertex 0
+    Vec3 axisV{0.0f};  ///< likewise; triangle: vertex 2 - vertex 0
     Vec3 direction{
         0.0f};  ///< flat shapes: unit normal of the front; spot, directional: unit, where the light travels
     Vec3 radiance{0.0f};  ///< area: W/(sr m^2); point, spot: W/sr; directional: W/m^2 facing it
-    float area =
-        0.0f;  ///< rectangle, parallelogram, disc, triangle: area; directional: luminance of `radiance`
+    /// rectangle, parallelogram, disc, triangle: area; directional: luminance of `radiance`
+    float area = 0.0f;
     float radiusWorld = 0.0f;       ///< sphere
     float oneMinusCosOuter = 2.0f;  ///< spot: the light ends here; narrow cones' cosines have no digits left
     float oneMinusCosInner = 2.0f;  ///< spot: begins to fall off here
     uint32_t instance = 0;          ///< area emitters: index into GeometryView::instances
-    uint32_t original = 0;  ///< triangle: the emitter that this one repeats and that is sampled in its stead,
-                            ///< or its own index
+    /// triangle: the emitter that this one repeats and that is sampled in its stead, or its own index
+    uint32_t original = 0;
     EmitterTag tag = EmitterTag::Point;
     bool emitsBothSides = false;
 };
@@ -74,15 +74,15 @@ struct EnvironmentView {
 };
 
 struct LightView {
-    View<EmitterData>
-        emitters;  ///< area, point and spot lights first, then directional ones, then the environment
-    View<LightNode>
-        nodes;  ///< usesTree: the tree, root first; otherwise one leaf for each finite emitter, in order
+    /// area, point and spot lights first, then directional ones, then the environment
+    View<EmitterData> emitters;
+    /// usesTree: the tree, root first; otherwise one leaf for each finite emitter, in order
+    View<LightNode> nodes;
     View<uint32_t> emitterNodes;  ///< usesTree: the leaf of each finite emitter; otherwise empty
     uint32_t finiteCount = 0;     ///< emitters[0 .. finiteCount) have a place, the rest are infinitely far
     bool usesTree = false;
-    float environmentIrradiance =
-        0.0f;                        ///< luminance times pi, averaged over all directions: weighs its choice
+    /// luminance times pi, averaged over all directions: weighs its choice
+    float environmentIrradiance = 0.0f;
     Vec3 environmentRadiance{0.0f};  ///< constant environment; multiplies the image where there is one
     EnvironmentView environment;
 };

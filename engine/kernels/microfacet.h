@@ -28,8 +28,8 @@ GLINT_HD inline float ggxVisible(const Vec3& w, float alpha) {
     return 2.0f * w.z / maxf(w.z + ggxRoot(w, alpha), 1e-20f);
 }
 
-/// Density of h by solid angle under sampleVisibleNormal(wo): G1(wo) D(h) (wo . h) / wo.z. 0 where wo . h <=
-/// 0.
+/// Density of h by solid angle under sampleVisibleNormal(wo): G1(wo) D(h) (wo . h) / wo.z. 0 where wo . h
+/// <= 0.
 GLINT_HD inline float visibleNormalPdf(const Vec3& wo, const Vec3& h, float alpha) {
     const float cosine = maxf(glm::dot(wo, h), 0.0f);
     return 2.0f * ggxDistribution(h, alpha) * cosine / maxf(wo.z + ggxRoot(wo, alpha), 1e-20f);

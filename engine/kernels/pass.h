@@ -8,13 +8,13 @@ namespace glint {
 enum class FilterTag : uint8_t { Box, Gaussian, BlackmanHarris };  ///< same order as FilterKind
 enum class SamplerTag : uint8_t { Sobol, Independent };            ///< same order as SamplerKind
 
-/// How direct light is found. All three have the same expectation; the last two are for tests and for showing
-/// why.
+/// How direct light is found. All three have the same expectation; the last two are for tests and for
+/// showing why.
 enum class DirectLightTag : uint8_t {
-    Mis,        ///< light and BSDF sampling, combined by the power heuristic (Veach and Guibas 1995)
-    LightOnly,  ///< light sampling; light that cannot be sampled (planes, through mirrors) still counts when
-                ///< hit
-    BsdfOnly,   ///< no light sampling, except of point, spot and directional lights
+    Mis,  ///< light and BSDF sampling, combined by the power heuristic (Veach and Guibas 1995)
+    /// light sampling; light that cannot be sampled (planes, through mirrors) still counts when hit
+    LightOnly,
+    BsdfOnly,  ///< no light sampling, except of point, spot and directional lights
 };
 
 /// Extra pictures of the first hit, made on request only, by passes of their own: asking for one never

@@ -23,11 +23,11 @@ struct PathState {
     Vec3 radiance{0.0f};
     LightContext context;
     float pdfBsdf = 0.0f;
-    float etaScale =
-        1.0f;       ///< undoes refraction's squared index ratio for the roulette, which it says nothing about
+    /// undoes refraction's squared index ratio for the roulette, which it says nothing about
+    float etaScale = 1.0f;
     int depth = 0;  ///< scattering events so far
-    bool lightNotSampled =
-        true;  ///< light sampling could not find the ray: it left the camera or a specular vertex
+    /// light sampling could not find the ray: it left the camera or a specular vertex
+    bool specularBounce = true;
     uint32_t rays = 0;
 };
 
@@ -37,11 +37,12 @@ GLINT_HD inline float powerHeuristic(float pdfUsed, float pdfOther) {
     return 1.0f / (1.0f + ratio * ratio);
 }
 
-/// Weight of light that the path ran into and light sampling would have found with density pdfLight (0:
-/// never).
+/// Weight of light that the path ran into and light sampling would have found with density pdfLight
+/// (0: never).
 GLINT_HD inline float hitLightWeight(const PassParams& params, const PathState& path, float pdfLight) {
-    if (path.lightNotSampled || !(pdfLight > 0.0f) || params.directLight == DirectLightTag::BsdfOnly)
+    if (path.specularBounce || !(pdfLight > 0.0f) || params.directLight == DirectLightTag::BsdfOnly) {
         return 1.0f;
+    }
     return params.directLight == DirectLightTag::LightOnly ? 0.0f : powerHeuristic(path.pdfBsdf, pdfLight);
 }
 
@@ -72,7 +73,7 @@ GLINT_HD inline void addEnvironment(const SceneView& view, const PassParams& par
     if constexpr (hasFeature<kMask>(kFeatureEnvironmentConstant) ||
                   hasFeature<kMask>(kFeatureEnvironmentImage)) {
         const Vec3 radiance = environmentRadiance<kMask>(view, path->ray.direction);
-        const float pdfLight = path->lightNotSampled
+        const float pdfLight = path->specularBounce
                                    ? 0.0f
                                    : pdfLightEnvironment<kMask>(view, path->context, path->ray.direction);
         addHitLight(params, radiance, pdfLight, PathEventKind::Escape, path, log);
@@ -86,10 +87,10 @@ template <FeatureMask kMask, class Log>
 GLINT_HD inline void addEmission(const SceneView& view, const PassParams& params, const SurfacePoint& surface,
                                  const Vec3& wo, PathState* path, Log* log) {
     const Vec3 radiance = emittedRadiance<kMask>(view, surface, wo);
-    if (isZero(radiance)) return;
+    if (isZero(radiance)) { return; }
     float pdfLight = 0.0f;
     if constexpr (hasFeature<kMask>(kFeatureAreaLights)) {
-        if (!path->lightNotSampled) {
+        if (!path->specularBounce) {
             const uint32_t emitter = emitterOf(view, surface.instance, surface.primitive);
             pdfLight = pdfLightSurface<kMask>(view, path->context, emitter, surface.p);
         }
@@ -112,25 +113,27 @@ template <FeatureMask kMask, class Log>
 GLINT_HD inline void addSampledLight(const SceneView& view, const PassParams& params, const Sampler& sampler,
                                      const SurfacePoint& surface, const Bsdf<kMask>& bsdf, PathState* path,
                                      Log* log) {
-    if (view.lights.emitters.empty()) return;
+    if (view.lights.emitters.empty()) { return; }
     const float uChoice = view.lights.emitters.count > 1
                               ? get1D<kMask>(sampler, dimension(BounceDimension::LightChoice, path->depth))
                               : 0.0f;
     const Vec2 uPoint = get2D<kMask>(sampler, dimension(BounceDimension::LightPoint, path->depth));
     const LightSample light = sampleLight<kMask>(view, path->context, uChoice, uPoint);
-    if (!(light.pdfSolidAngle > 0.0f) || isZero(light.radiance)) return;
-    if (params.directLight == DirectLightTag::BsdfOnly && !light.isDelta) return;
+    if (!(light.pdfSolidAngle > 0.0f) || isZero(light.radiance)) { return; }
+    if (params.directLight == DirectLightTag::BsdfOnly && !light.isDelta) { return; }
     const BsdfValue scattered = evaluateWithPdf(bsdf, light.wiWorld);
-    if (isZero(scattered.value)) return;
+    if (isZero(scattered.value)) { return; }
     ++path->rays;
     const bool arrives = lightArrives<kMask>(view, surface, light);
-    if (!arrives && !Log::kEnabled) return;
+    if (!arrives && !Log::kEnabled) { return; }
 
     const bool alone = light.isDelta || params.directLight == DirectLightTag::LightOnly;
     const float pdfBsdf = alone ? 0.0f : scattered.pdfSolidAngle;
     const float weight = alone ? 1.0f : powerHeuristic(light.pdfSolidAngle, pdfBsdf);
     Vec3 value(0.0f);
-    if (arrives) value = path->throughput * scattered.value * light.radiance * (weight / light.pdfSolidAngle);
+    if (arrives) {
+        value = path->throughput * scattered.value * light.radiance * (weight / light.pdfSolidAngle);
+    }
     path->radiance += value;
     if constexpr (Log::kEnabled) {
         PathEvent event;
@@ -154,7 +157,7 @@ GLINT_HD inline void addSampledLight(const SceneView& view, const PassParams& pa
 template <FeatureMask kMask, class Log>
 GLINT_HD inline bool survivesRoulette(const PassParams& params, const Sampler& sampler, PathState* path,
                                       Log* log) {
-    if (path->depth < params.rouletteStartDepth) return true;
+    if (path->depth < params.rouletteStartDepth) { return true; }
     const float chance = minf(maxComponent(path->throughput) * path->etaScale, 1.0f);
     bool survives = true;
     if (chance < 1.0f) {
@@ -169,7 +172,7 @@ GLINT_HD inline bool survivesRoulette(const PassParams& params, const Sampler& s
         event.flag = survives;
         log->add(event);
     }
-    if (survives && chance < 1.0f) path->throughput *= 1.0f / chance;
+    if (survives && chance < 1.0f) { path->throughput *= 1.0f / chance; }
     return survives;
 }
 
@@ -190,10 +193,10 @@ GLINT_HD inline bool scatterBy(const PassParams& params, const Sampler& sampler,
         event.flag = next.isSpecular;
         log->add(event);
     }
-    if (!next.valid) return false;
+    if (!next.valid) { return false; }
     path->throughput *= next.weight;
     path->pdfBsdf = next.pdfSolidAngle;
-    path->lightNotSampled = next.isSpecular;
+    path->specularBounce = next.isSpecular;
     path->etaScale *= next.etaScale;
     path->ray = spawnRay(surface, next.wiWorld);
     const bool goesOn = survivesRoulette<kMask>(params, sampler, path, log);
@@ -206,8 +209,9 @@ template <FeatureMask kMask, class Log>
 GLINT_HD inline bool scatter(const PassParams& params, const Sampler& sampler, const SurfacePoint& surface,
                              const Bsdf<kMask>& bsdf, PathState* path, Log* log) {
     float uLobe = 0.0f;
-    if constexpr (usesLobeChoice<kMask>())
+    if constexpr (usesLobeChoice<kMask>()) {
         uLobe = get1D<kMask>(sampler, dimension(BounceDimension::Lobe, path->depth));
+    }
     return scatterBy<kMask>(params, sampler, surface, bsdf, uLobe, path, log);
 }
 
@@ -256,20 +260,23 @@ GLINT_HD inline void followPath(const SceneView& view, const PassParams& params,
         const Vec3 wo = -path->ray.direction;
         logVertex(*path, surface, log);
         addEmission<kMask>(view, params, surface, wo, path, log);
-        if (path->depth >= params.maxDepth) return;
+        if (path->depth >= params.maxDepth) { return; }
 
         const Bsdf<kMask> bsdf = makeBsdf<kMask>(view, surface, wo);
         path->context = lightContextAt<kMask>(view, surface, wo);
-        if (!isSpecularOnly(bsdf)) addSampledLight<kMask>(view, params, sampler, surface, bsdf, path, log);
-        if (!scatter<kMask>(params, sampler, surface, bsdf, path, log)) return;
+        if (!isSpecularOnly(bsdf)) {
+            addSampledLight<kMask>(view, params, sampler, surface, bsdf, path, log);
+        }
+        if (!scatter<kMask>(params, sampler, surface, bsdf, path, log)) { return; }
     }
 }
 
 /// Why a radiance must not enter the film.
 GLINT_HD inline SampleFault findFault(const Vec3& radiance) {
-    if (std::isnan(radiance.x) || std::isnan(radiance.y) || std::isnan(radiance.z))
+    if (std::isnan(radiance.x) || std::isnan(radiance.y) || std::isnan(radiance.z)) {
         return SampleFault::NotANumber;
-    if (!isFinite(radiance)) return SampleFault::Infinite;
+    }
+    if (!isFinite(radiance)) { return SampleFault::Infinite; }
     return minComponent(radiance) < 0.0f ? SampleFault::Negative : SampleFault::None;
 }
 
@@ -287,8 +294,8 @@ GLINT_HD inline PixelSample finishSample(const PassParams& params, const PathSta
     return result;
 }
 
-/// Traces the path that sets out along `cameraRay`. The log sees every event; the result does not depend on
-/// it.
+/// Traces the path that sets out along `cameraRay`. The log sees every event; the result does not depend
+/// on it.
 template <FeatureMask kMask, class Log>
 GLINT_HD PixelSample tracePathLogged(const SceneView& view, const PassParams& params, const Sampler& sampler,
                                      const Ray& cameraRay, Log* log) {

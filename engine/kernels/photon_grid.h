@@ -1,11 +1,11 @@
-// Where to look for photons near a point: cells of any power-of-two size over one sorted array. Host and
-// device.
+// Where to look for photons near a point: cells of any power-of-two size over one sorted array. Host
+// and device.
 //
 // Photons are sorted along a Z-order curve, so that the photons of a cell are contiguous at every cell size
-// at once. A query picks the level whose cells are just larger than its diameter and visits at most eight of
-// them: its cost does not depend on how much radii differ within a picture. One small hash table a level,
-// built only for levels in use, finds a cell's range. The order of the visit is fixed, and so are sums over
-// it.
+// at once. A query picks the level whose cells are just larger than its diameter and visits at most eight
+// of them: its cost does not depend on how much radii differ within a picture. One small hash table a
+// level, built only for levels in use, finds a cell's range. The order of the visit is fixed, and so are
+// sums over it.
 #pragma once
 
 #include "engine/base/view.h"
@@ -100,7 +100,9 @@ GLINT_HD inline uint32_t gridHash(uint64_t cell) {
 /// Slots of a table for so many cells: less than half of them will be in use.
 GLINT_HD inline uint32_t gridTableCapacity(uint32_t cells) {
     uint32_t capacity = 1;
-    while (capacity < 2 * cells + 1) capacity *= 2;
+    while (capacity < 2 * cells + 1) {
+        capacity *= 2;
+    }
     return capacity;
 }
 
@@ -110,7 +112,9 @@ template <class Accept>
 GLINT_HD uint32_t probeGridTable(uint32_t capacity, uint64_t cell, Accept&& accept) {
     const uint32_t mask = capacity - 1;
     uint32_t slot = gridHash(cell) & mask;
-    while (!accept(slot)) slot = (slot + 1) & mask;
+    while (!accept(slot)) {
+        slot = (slot + 1) & mask;
+    }
     return slot;
 }
 
@@ -126,9 +130,7 @@ struct PhotonGridView {
         const float radius = radiusWorld * 1.0001f;  // rounding must not lose a photon at the rim of a cell
         const int level = space.levelFor(radiusWorld);
         const GridTable& table = tables[level];
-        if (table.capacity == 0) {
-            return;
-        }
+        if (table.capacity == 0) { return; }
         const float cells = static_cast<float>(1 << (kGridBitsPerAxis - level));
         const float cellSize = std::ldexp(space.finestCell, level);
         const Vec3 lo = glm::clamp(glm::floor((center - radius - space.origin) / cellSize), Vec3(0.0f),
@@ -150,7 +152,9 @@ struct PhotonGridView {
         const GridSlot found = table.slots[probeGridTable(table.capacity, cell, [&](uint32_t slot) {
             return table.slots[slot].end == 0 || table.slots[slot].cell == cell;
         })];
-        for (uint32_t i = found.begin; i < found.end; ++i) visit(photons[i]);
+        for (uint32_t i = found.begin; i < found.end; ++i) {
+            visit(photons[i]);
+        }
     }
 };
 

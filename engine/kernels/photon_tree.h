@@ -26,9 +26,7 @@ struct PhotonTreeView {
         uint32_t end = photons.count;
         while (true) {
             if (begin >= end) {
-                if (size == 0) {
-                    return;
-                }
+                if (size == 0) { return; }
                 --size;
                 begin = stack[size][0];
                 end = stack[size][1];

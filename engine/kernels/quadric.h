@@ -20,7 +20,7 @@ GLINT_HD inline float intersectUnitSphere(const Ray& ray) {
     const float b = -glm::dot(ray.origin, d);
     const Vec3 nearest = ray.origin + (b / a) * d;
     const float discriminant = 1.0f - glm::dot(nearest, nearest);
-    if (!(discriminant >= 0.0f)) return kNoHit;
+    if (!(discriminant >= 0.0f)) { return kNoHit; }
     // In double: where a ball touches what it stands on, the gap is all in the last digits of |o|^2.
     const auto x = static_cast<double>(ray.origin.x);
     const auto y = static_cast<double>(ray.origin.y);
@@ -31,15 +31,15 @@ GLINT_HD inline float intersectUnitSphere(const Ray& ray) {
     const float rootB = q / a;
     const float t0 = b >= 0.0f ? rootA : rootB;  // the nearer root
     const float t1 = b >= 0.0f ? rootB : rootA;
-    if (t0 > ray.tMin && t0 < ray.tMax) return t0;
-    if (!kFrontOnly && t1 > ray.tMin && t1 < ray.tMax) return t1;
+    if (t0 > ray.tMin && t0 < ray.tMax) { return t0; }
+    if (!kFrontOnly && t1 > ray.tMin && t1 < ray.tMax) { return t1; }
     return kNoHit;
 }
 
 /// z = 0, normal +z, infinite.
 template <bool kFrontOnly>
 GLINT_HD inline float intersectPlane(const Ray& ray) {
-    if (kFrontOnly && !(ray.direction.z < 0.0f)) return kNoHit;
+    if (kFrontOnly && !(ray.direction.z < 0.0f)) { return kNoHit; }
     const float t = -ray.origin.z / ray.direction.z;
     return t > ray.tMin && t < ray.tMax ? t : kNoHit;  // fails for the NaN of a ray within the plane
 }

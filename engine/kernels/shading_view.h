@@ -16,8 +16,8 @@ enum MaterialFlag : uint8_t {
     kMaterialEmissive = 1u << 2,
 };
 
-/// A GGX alpha below this is treated as perfectly smooth: its lobe is narrower than float directions resolve
-/// well.
+/// A GGX alpha below this is treated as perfectly smooth: its lobe is narrower than float directions
+/// resolve well.
 constexpr float kSmoothAlpha = 1e-4f;
 
 /// Entries of a rough coat's table.
@@ -36,12 +36,12 @@ struct MaterialData {
     float coatAverageAlbedo = 0.0f;   ///< plastic: cosine-weighted mean of the coat's albedo from outside
     MaterialTag kind = MaterialTag::Diffuse;
     uint8_t flags = 0;
-    float coatRatio[kCoatSamples] =
-        {};  ///< plastic, rough: albedo over Fresnel at cosine (i / (kCoatSamples - 1))^2
+    /// plastic, rough: albedo over Fresnel at cosine (i / (kCoatSamples - 1))^2
+    float coatRatio[kCoatSamples] = {};
 };
 
-/// 3 bytes (sRGB or linear) or 3 floats a texel; exactly one of the pointers is set. Row 0 is the image's top
-/// row.
+/// 3 bytes (sRGB or linear) or 3 floats a texel; exactly one of the pointers is set. Row 0 is the image's
+/// top row.
 struct TextureView {
     const uint8_t* bytes = nullptr;
     const float* floats = nullptr;

@@ -1,5 +1,5 @@
-// Rectangles and triangles projected onto the unit sphere: their solid angle, and uniform directions inside
-// them.
+// Rectangles and triangles projected onto the unit sphere: their solid angle, and uniform directions
+// inside them.
 //
 // Called by light_sampling_shapes.h. The sums of angles keep about six digits after the point: callers take
 // another way for solid angles below some hundredths of a steradian.
@@ -35,8 +35,8 @@ GLINT_HD inline SphericalRectangle makeSphericalRectangle(const Vec3& corner, co
     q.x1 = q.x0 + lengthX;
     q.y1 = q.y0 + lengthY;
     q.z0 = -absDot(d, normal);
-    // z components of the unit normals of the four planes through the edges; their x and y components never
-    // meet.
+    // z components of the unit normals of the four planes through the edges; their x and y components
+    // never meet.
     const float z2 = q.z0 * q.z0;
     const float n0 = -q.y0 / std::sqrt(z2 + q.y0 * q.y0);
     const float n1 = q.x1 / std::sqrt(z2 + q.x1 * q.x1);
@@ -82,7 +82,7 @@ struct SphericalTriangle {
 GLINT_HD inline SphericalTriangle makeSphericalTriangle(const Vec3& v0, const Vec3& v1, const Vec3& v2) {
     SphericalTriangle q;
     const float l0 = lengthSquared(v0), l1 = lengthSquared(v1), l2 = lengthSquared(v2);
-    if (!(l0 > 0.0f && l1 > 0.0f && l2 > 0.0f)) return q;
+    if (!(l0 > 0.0f && l1 > 0.0f && l2 > 0.0f)) { return q; }
     q.a = v0 * (1.0f / std::sqrt(l0));
     q.b = v1 * (1.0f / std::sqrt(l1));
     q.c = v2 * (1.0f / std::sqrt(l2));
@@ -90,7 +90,7 @@ GLINT_HD inline SphericalTriangle makeSphericalTriangle(const Vec3& v0, const Ve
     // Van Oosterom and Strackee 1983, "The Solid Angle of a Plane Triangle".
     const float triple = std::fabs(glm::dot(q.a, glm::cross(q.b, q.c)));
     q.solidAngle = 2.0f * std::atan2(triple, 1.0f + q.cosAb + glm::dot(q.b, q.c) + glm::dot(q.c, q.a));
-    if (q.solidAngle < 0.0f) q.solidAngle += kTwoPi;
+    if (q.solidAngle < 0.0f) { q.solidAngle += kTwoPi; }
     const Vec3 ab = glm::cross(q.a, q.b);
     const Vec3 ac = glm::cross(q.a, q.c);
     q.alpha = std::atan2(triple, glm::dot(ab, ac));
@@ -128,7 +128,7 @@ GLINT_HD inline bool intersectTrianglePlane(const Vec3& v0, const Vec3& e1, cons
                                             const Vec3& direction, Vec2* barycentric) {
     const Vec3 h = glm::cross(direction, e2);
     const float determinant = glm::dot(e1, h);
-    if (determinant == 0.0f || !std::isfinite(1.0f / determinant)) return false;
+    if (determinant == 0.0f || !std::isfinite(1.0f / determinant)) { return false; }
     const float f = 1.0f / determinant;
     const float a = maxf(-f * glm::dot(v0, h), 0.0f);
     const float b = maxf(-f * glm::dot(direction, glm::cross(v0, e1)), 0.0f);

@@ -1,5 +1,5 @@
-// The camera half of an SPPM pass: one path a pixel to its visible point. Host and device; called by the
-// backends.
+// The camera half of an SPPM pass: one path a pixel to its visible point. Host and device; called by
+// the backends.
 //
 // It is the path tracer's path up to the first lobe that is neither specular nor sharply glossy. There it
 // rests: photons bring what is scattered further. Emission on the way and, where it is sampled, direct light
@@ -47,7 +47,7 @@ GLINT_HD bool followToVisiblePoint(const SceneView& view, const SppmParams& para
         const SurfacePoint surface = surfaceAt<kMask>(view, path->ray, hit);
         const Vec3 wo = -path->ray.direction;
         addEmission<kMask>(view, pass, surface, wo, path, &log);
-        if (rests || path->depth >= pass.maxDepth) return rests;
+        if (rests || path->depth >= pass.maxDepth) { return rests; }
         distance += hit.t;
 
         const Bsdf<kMask> bsdf = makeBsdf<kMask>(view, surface, wo);
@@ -55,18 +55,18 @@ GLINT_HD bool followToVisiblePoint(const SceneView& view, const SppmParams& para
         const bool sampleLight =
             stored.probability() > 0.0f ? params.sampleDirectLight : !isSpecularOnly(bsdf);
         path->context = lightContextAt<kMask>(view, surface, wo);
-        if (sampleLight) addSampledLight<kMask>(view, pass, sampler, surface, bsdf, path, &log);
+        if (sampleLight) { addSampledLight<kMask>(view, pass, sampler, surface, bsdf, path, &log); }
 
         const float uLobe = get1D<kMask>(sampler, dimension(BounceDimension::Lobe, path->depth));
         if (stored.contains(uLobe)) {
             *point = makeVisiblePoint(surface, wo, *path, stored.probability());
             point->footprint = distance * 2.0f * view.camera.tanHalfFovY / static_cast<float>(pass.height);
             rests = true;
-            if (!sampleLight) return true;
-            // One more ray, for light that the sampled direction finds: the other half of multiple importance
-            // sampling.
+            if (!sampleLight) { return true; }
+            // One more ray, for light that the sampled direction finds: the other half of multiple
+            // importance sampling.
         }
-        if (!scatterBy<kMask>(pass, sampler, surface, bsdf, uLobe, path, &log)) return rests;
+        if (!scatterBy<kMask>(pass, sampler, surface, bsdf, uLobe, path, &log)) { return rests; }
     }
 }
 

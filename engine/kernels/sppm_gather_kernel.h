@@ -61,14 +61,14 @@ GLINT_HD Gathered gatherPhotons(const SceneView& view, const PhotonMap& photons,
     const Bsdf<kMask> bsdf = makeBsdf<kMask>(view, surface, point.woWorld);
     const uint32_t scatteringsLeft = static_cast<uint32_t>(params.pass.maxDepth) - 1u - point.depth;
     photons.visitNear(point.p, std::sqrt(radiusSquared), [&](const Photon& photon) {
-        if (!detail::liesOnSurface(photon, point, ng, radiusSquared)) return;
-        if (photon.ngAndDepth >> 24 > scatteringsLeft) return;
+        if (!detail::liesOnSurface(photon, point, ng, radiusSquared)) { return; }
+        if (photon.ngAndDepth >> 24 > scatteringsLeft) { return; }
         const Vec3 wi = unpackUnitVector<16>(photon.wiPacked);
         const float cosine = absDot(wi, ng);
-        if (!(cosine > 0.0f)) return;
+        if (!(cosine > 0.0f)) { return; }
         const Vec3 reflected =
             evaluate(bsdf, wi) * (1.0f / cosine);  // evaluate() has |cos| to ns, flux is per area of ng
-        if (isZero(reflected)) return;
+        if (isZero(reflected)) { return; }
         const Vec3 flux = reflected * photon.flux;
         gathered.flux += flux;
         bias += flux * detail::biasWeight(lengthSquared(photon.p - point.p) / radiusSquared);
@@ -92,7 +92,7 @@ namespace detail {
 /// Luminance of tau / (pi R^2): the sum over all passes of what each brought by its own radius, since tau is
 /// scaled along with R^2. 0 before the first visible point.
 GLINT_HD inline double summedLuminance(const SppmPixel& pixel) {
-    if (!(pixel.radiusSquared > 0.0)) return 0.0;
+    if (!(pixel.radiusSquared > 0.0)) { return 0.0; }
     return (0.2126 * pixel.flux[0] + 0.7152 * pixel.flux[1] + 0.0722 * pixel.flux[2]) /
            (3.14159265358979323846 * pixel.radiusSquared);
 }
@@ -131,7 +131,7 @@ GLINT_HD inline void updatePixel(const Gathered& gathered, double alpha, uint32_
 
 /// Radiance that the photons of all passes brought: tau / (emitted photons * pi R^2).
 GLINT_HD inline Vec3 photonRadiance(const SppmPixel& pixel, double emittedPhotons) {
-    if (!(pixel.radiusSquared > 0.0) || !(emittedPhotons > 0.0)) return Vec3(0.0f);
+    if (!(pixel.radiusSquared > 0.0) || !(emittedPhotons > 0.0)) { return Vec3(0.0f); }
     const double scale = 1.0 / (emittedPhotons * 3.14159265358979323846 * pixel.radiusSquared);
     return {static_cast<float>(pixel.flux[0] * scale), static_cast<float>(pixel.flux[1] * scale),
             static_cast<float>(pixel.flux[2] * scale)};

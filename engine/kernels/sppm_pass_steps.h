@@ -32,7 +32,7 @@ GLINT_HD inline Bounds searchBounds(const SppmParams& params, const SppmPixel* s
     Bounds bounds;
     for (size_t i = slice.begin; i < slice.end; i += slice.step) {
         const VisiblePoint& point = pixels[i].visiblePoint;
-        if (isZero(point.throughput)) continue;
+        if (isZero(point.throughput)) { continue; }
         const Vec3 radius(static_cast<float>(std::sqrt(searchRadiusSquared(params, statistics[i], point))));
         bounds.grow(point.p - radius);
         bounds.grow(point.p + radius);
@@ -43,7 +43,7 @@ GLINT_HD inline Bounds searchBounds(const SppmParams& params, const SppmPixel* s
 /// The grid that covers the box around all visible points. Any grid will do when there are none.
 GLINT_HD inline GridSpace gridSpaceFor(const Bounds& all) {
     GridSpace space;
-    if (all.empty()) return space;
+    if (all.empty()) { return space; }
     constexpr float kSlack = 1.0001f;  // rounding must not push a point out of its own box
     const float cell = maxComponent(all.extent()) * kSlack / static_cast<float>(1 << kGridBitsPerAxis);
     space.origin = all.lo;
@@ -58,7 +58,7 @@ GLINT_HD inline uint32_t searchLevels(const SppmParams& params, const GridSpace&
     uint32_t levels = 0;
     for (size_t i = slice.begin; i < slice.end; i += slice.step) {
         const VisiblePoint& point = pixels[i].visiblePoint;
-        if (isZero(point.throughput)) continue;
+        if (isZero(point.throughput)) { continue; }
         const double radius = std::sqrt(searchRadiusSquared(params, statistics[i], point));
         levels |= 1u << space.levelFor(static_cast<float>(radius));
     }

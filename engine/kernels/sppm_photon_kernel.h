@@ -1,5 +1,5 @@
-// The light half of an SPPM pass: one photon from its light through the scene. Host and device; called by the
-// backends.
+// The light half of an SPPM pass: one photon from its light through the scene. Host and device; called by
+// the backends.
 //
 // A photon is stored at every surface that can hold a visible point, before it is scattered there. Flux, not
 // radiance, is transported: bsdf_importance.h.
@@ -15,8 +15,8 @@
 
 namespace glint {
 
-/// Where one photon's power went, luminance; emitted is what it set out with. For energy balances and
-/// counters.
+/// Where one photon's power went, luminance; emitted is what it set out with. For energy balances
+/// and counters.
 struct PhotonTally {
     float emitted = 0.0f;
     float escaped = 0.0f;
@@ -48,12 +48,13 @@ GLINT_HD bool scatterPhoton(const SceneView& view, const Sampler& sampler, const
     const float uLobe = get1D<kMask>(sampler, dimension(BounceDimension::Lobe, depth));
     const Vec2 u = get2D<kMask>(sampler, dimension(BounceDimension::Direction, depth));
     const BsdfSample next = sampleImportance<kMask>(view, surface, bsdf, wo, uLobe, u);
-    if (!next.valid) return false;
+    if (!next.valid) { return false; }
     const Vec3 scattered = *flux * next.weight;
     const float chance = minf(1.0f, maxComponent(scattered) / maxComponent(*flux));
-    if (!(chance > 0.0f)) return false;
-    if (chance < 1.0f && get1D<kMask>(sampler, dimension(BounceDimension::Roulette, depth)) >= chance)
+    if (!(chance > 0.0f)) { return false; }
+    if (chance < 1.0f && get1D<kMask>(sampler, dimension(BounceDimension::Roulette, depth)) >= chance) {
         return false;
+    }
     *flux = scattered * (1.0f / chance);
     *ray = spawnRay(surface, next.wiWorld);
     return true;
@@ -97,12 +98,12 @@ GLINT_HD PhotonTally tracePhoton(const SceneView& view, const EmissionView& emis
         }
         const SurfacePoint surface = surfaceAt<kMask>(view, ray, hit);
         const Vec3 wo = -ray.direction;
-        if (hitsHiddenBack<kMask>(view, surface, wo)) return tally;
+        if (hitsHiddenBack<kMask>(view, surface, wo)) { return tally; }
         const Bsdf<kMask> bsdf = makeBsdf<kMask>(view, surface, wo, TransportMode::Importance);
         if (depth >= firstStored && storedLobes(bsdf, params.storeAlpha).probability() > 0.0f) {
             store(makePhoton(surface, wo, flux, depth));
         }
-        if (!scatterPhoton<kMask>(view, sampler, surface, bsdf, wo, depth, &ray, &flux)) return tally;
+        if (!scatterPhoton<kMask>(view, sampler, surface, bsdf, wo, depth, &ray, &flux)) { return tally; }
     }
     return tally;
 }

@@ -18,10 +18,10 @@ struct SppmParams {
     uint32_t photonsPerPass = 262144;
     double alpha = 2.0 / 3.0;  ///< share of each pass's photons that is kept, in (0, 1)
     float radiusWorld = 0.0f;  ///< initial radius; 0: automatic
-    float radiusFootprints =
-        4.0f;  ///< automatic: initial radius in footprints of a pixel at its first visible point
-    float storeAlpha =
-        0.1f;  ///< metal and glass of at least this GGX alpha store visible points; sharper ones reflect
+    /// automatic: initial radius in footprints of a pixel at its first visible point
+    float radiusFootprints = 4.0f;
+    /// metal and glass of at least this GGX alpha store visible points; sharper ones reflect
+    float storeAlpha = 0.1f;
     PhotonLookup lookup = PhotonLookup::Grid;
     bool sampleDirectLight = true;  ///< photons then carry only light that was scattered at least once
 };
@@ -35,8 +35,8 @@ struct SppmPixel {
     float passM2 = 0.0f;         ///< squared deviations of the passes' luminances from their mean (Welford)
 };
 
-/// Where a pixel's camera path of this pass came to rest. `throughput` zero: nowhere, and no photon can
-/// count.
+/// Where a pixel's camera path of this pass came to rest. `throughput` zero: nowhere, and no photon
+/// can count.
 struct VisiblePoint {
     Vec3 p{0.0f};
     Vec3 throughput{0.0f};  ///< of the camera path up to here, filter and lens included
@@ -47,8 +47,8 @@ struct VisiblePoint {
     uint32_t ngPacked = 0;  ///< geometric normal of the front side
     uint32_t material : 24 = 0;
     uint32_t depth : 8 = 0;  ///< scattering events before this one
-    float footprint =
-        0.0f;  ///< about the width of a pixel here, world units: length of the path times the pixel's angle
+    /// about the width of a pixel here, world units: length of the path times the pixel's angle
+    float footprint = 0.0f;
 };
 
 /// What one pass found around one visible point.
@@ -56,8 +56,8 @@ struct Gathered {
     Vec3 flux{0.0f};  ///< sum of BSDF times photon flux times the camera path's throughput
     uint32_t count = 0;
     float bias = 0.0f;  ///< what the disc's width adds to the flux's luminance, by a noisy estimate
-    float initialRadiusSquared =
-        0.0f;  ///< for a pixel whose first visible point this was; 0: it has none yet
+    /// for a pixel whose first visible point this was; 0: it has none yet
+    float initialRadiusSquared = 0.0f;
 };
 
 /// One pixel's place in a pass: its visible point until the photons were gathered, then what they brought.
@@ -73,8 +73,8 @@ struct Photon {
     Vec3 p;
     Vec3 flux;  ///< power that arrives, before this surface's reflectance; not divided by the emitted count
     uint32_t wiPacked = 0;  ///< where it came from: away from the surface
-    uint32_t ngAndDepth =
-        0;  ///< front normal of the surface in 24 bits, scattering events before this one in 8
+    /// front normal of the surface in 24 bits, scattering events before this one in 8
+    uint32_t ngAndDepth = 0;
 };
 
 /// Everything SPPM keeps for a pixel beyond the film, and for a stored photon.

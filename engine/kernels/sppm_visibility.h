@@ -1,8 +1,8 @@
 // Which surfaces hold visible points and photons, and which ones camera paths and photons merely pass on
 // their way.
 //
-// One rule for both sides: what a photon leaves out, the camera path has to find, and nothing may be counted
-// twice.
+// One rule for both sides: what a photon leaves out, the camera path has to find, and nothing may be
+// counted twice.
 #pragma once
 
 #include "engine/kernels/bsdf.h"
@@ -10,9 +10,9 @@
 
 namespace glint {
 
-/// The values of sample()'s uLobe that choose a lobe which holds visible points: [begin, end), empty for
-/// surfaces that only reflect or refract sharply. The other values choose specular lobes, which a path
-/// follows.
+/// The values of sample()'s uLobe that choose a lobe which holds visible points: [begin, end), empty
+/// for surfaces that only reflect or refract sharply. The other values choose specular lobes, which a
+/// path follows.
 struct LobeRange {
     float begin = 0.0f;
     float end = 0.0f;

@@ -1,10 +1,10 @@
-// What a hit means for shading, and rays that leave it: position with error bounds, normals, texture
-// coordinates.
+// What a hit means for shading, and rays that leave it: position with error bounds, normals,
+// texture coordinates.
 //
-// Called by the path kernels and the light sampling. Every position carries a bound of its rounding error per
-// axis, so that the next ray starts beyond it and no fixed epsilon is needed: Pharr, Jakob and Humphreys
-// 2023, Physically Based Rendering, section 6.8. Errors through instance transforms are bounded there and
-// back.
+// Called by the path kernels and the light sampling. Every position carries a bound of its rounding error
+// per axis, so that the next ray starts beyond it and no fixed epsilon is needed: Pharr, Jakob and
+// Humphreys 2023, Physically Based Rendering, section 6.8. Errors through instance transforms are bounded
+// there and back.
 //
 // Texture coordinates (v runs upwards). Sphere: u = 0.5 + atan2(n.x, n.z) / 2 pi, v = 0.5 + asin(n.y) / pi,
 // with n the object-space normal: north is +y. Plane: the object-space x and y. Rectangle and disc: (x + 1) /
@@ -18,14 +18,14 @@
 namespace glint {
 
 struct SurfacePoint {
-    Vec3 p;       ///< world space
-    Vec3 pError;  ///< the true point of the surface lies within p +- pError, per axis; transforms back and
-                  ///< forth included
-    Vec3 ng;  ///< unit geometric normal of the surface's FRONT side: outward for spheres, +z of flat shapes,
-              ///< the side a triangle is counter-clockwise from in object space (also under mirroring
-              ///< transforms)
-    Vec3 ns;  ///< unit shading normal on ng's side
-    Vec2 uv;  ///< set where the mask has textures
+    Vec3 p;  ///< world space
+    /// the true point of the surface lies within p +- pError, per axis; transforms back and forth included
+    Vec3 pError;
+    /// unit geometric normal of the surface's FRONT side: outward for spheres, +z of flat shapes, the side a
+    /// triangle is counter-clockwise from in object space (also under mirroring transforms)
+    Vec3 ng;
+    Vec3 ns;           ///< unit shading normal on ng's side
+    Vec2 uv;           ///< set where the mask has textures
     Vec3 vertexColor;  ///< interpolated; 1 without colours
     uint32_t instance;
     uint32_t primitive;
@@ -37,7 +37,7 @@ namespace detail {
 /// v / |v| without overflow or underflow; `fallback` for zero and non-finite vectors.
 GLINT_HD inline Vec3 normalizeOr(const Vec3& v, const Vec3& fallback) {
     const float largest = maxComponent(absVec(v));
-    if (!(largest > 0.0f && largest < kInfinity)) return fallback;
+    if (!(largest > 0.0f && largest < kInfinity)) { return fallback; }
     return glm::normalize(v / largest);
 }
 
@@ -92,9 +92,9 @@ GLINT_HD inline void normalsToWorld(const InstanceData& instance, const ObjectPo
     point->ng = normalizeOr(toWorld(local.ng), normalizeOr(-ray.direction, Vec3(0.0f, 0.0f, 1.0f)));
     point->ns = point->ng;
     if constexpr (hasFeature<kMask>(kFeatureMeshNormals)) {
-        if (isZero(local.ns)) return;
+        if (isZero(local.ns)) { return; }
         point->ns = normalizeOr(toWorld(local.ns), point->ng);
-        if (glm::dot(point->ns, point->ng) < 0.0f) point->ns = -point->ns;
+        if (glm::dot(point->ns, point->ng) < 0.0f) { point->ns = -point->ns; }
     }
 }
 
@@ -131,7 +131,7 @@ GLINT_HD inline Vec3 triangleNormal(const Vec3& p0, const Vec3& p1, const Vec3& 
     const Vec3 e1 = p1 - p0;
     const Vec3 e2 = p2 - p0;
     const float scale = maxComponent(glm::max(absVec(e1), absVec(e2)));
-    if (!(scale > 0.0f)) return Vec3(0.0f);
+    if (!(scale > 0.0f)) { return Vec3(0.0f); }
     const Vec3 a = e1 / scale;
     const Vec3 b = e2 / scale;
     return {differenceOfProducts(a.y, b.z, a.z, b.y), differenceOfProducts(a.z, b.x, a.x, b.z),
@@ -145,7 +145,7 @@ GLINT_HD inline void refineOnLargeTriangle(const Vec3& p0, const Vec3& p1, const
     const float t = planeDistance(p0, p1, p2, ray.origin, ray.direction);
     const Vec3 way = ray.direction * t;
     const Vec3 error = errorGamma(3) * (absVec(ray.origin) + absVec(way));
-    if (!(maxComponent(error) < maxComponent(local->error))) return;
+    if (!(maxComponent(error) < maxComponent(local->error))) { return; }
     local->p = ray.origin + way;
     local->error = error;
 }
@@ -185,19 +185,19 @@ GLINT_HD inline ObjectPoint triangleSurface(const MeshView& mesh, const Hit& hit
 
 /// The next float up or down (|x| finite).
 GLINT_HD inline float nextFloat(float x, bool up) {
-    if (x == 0.0f) return up ? 0x1p-149f : -0x1p-149f;
+    if (x == 0.0f) { return up ? 0x1p-149f : -0x1p-149f; }
     const uint32_t bits = std::bit_cast<uint32_t>(x);
     return std::bit_cast<float>((x > 0.0f) == up ? bits + 1 : bits - 1);
 }
 
-/// p moved along the normal `n`, to the side of `direction`, until it is surely beyond the error box around
-/// it.
+/// p moved along the normal `n`, to the side of `direction`, until it is surely beyond the error box
+/// around it.
 GLINT_HD inline Vec3 offsetPoint(const Vec3& p, const Vec3& pError, const Vec3& n, const Vec3& direction) {
     const float distance = glm::dot(absVec(n), pError);
     const Vec3 offset = n * (glm::dot(direction, n) < 0.0f ? -distance : distance);
     Vec3 moved = p + offset;
     for (int axis = 0; axis < 3; ++axis) {
-        if (offset[axis] != 0.0f) moved[axis] = nextFloat(moved[axis], offset[axis] > 0.0f);
+        if (offset[axis] != 0.0f) { moved[axis] = nextFloat(moved[axis], offset[axis] > 0.0f); }
     }
     return moved;
 }

@@ -10,8 +10,8 @@
 
 namespace glint {
 
-/// A child still to visit: its entry distance in the high half, so that keys order by distance (never
-/// negative).
+/// A child still to visit: its entry distance in the high half, so that keys order by distance
+/// (never negative).
 using StackEntry = uint64_t;
 
 GLINT_HD inline uint32_t floatBits(float x) { return std::bit_cast<uint32_t>(x); }
@@ -64,8 +64,8 @@ inline StackEntry* pushSortedSimd(const WideNode& node, uint32_t mask, const flo
 }
 #endif
 
-/// Pushes the children of `mask`, farthest first, so that the nearest is on top. `distance` is aligned to 32
-/// bytes.
+/// Pushes the children of `mask`, farthest first, so that the nearest is on top. `distance` is aligned to
+/// 32 bytes.
 GLINT_HD inline StackEntry* pushSorted(const WideNode& node, uint32_t mask, const float* distance,
                                        StackEntry* top) {
 #if GLINT_HAS_AVX512
@@ -91,7 +91,7 @@ GLINT_HD inline bool traverse(const WideNode* nodes, const Ray& ray, VisitLeaf&&
         if (isLeaf(current)) {
             if (visitLeaf(leafFirst(current), leafCount(current), &tMax)) {
                 found = true;
-                if (kAnyHit) return true;
+                if (kAnyHit) { return true; }
             }
         } else {
             const WideNode& node = nodes[current];
@@ -104,7 +104,7 @@ GLINT_HD inline bool traverse(const WideNode* nodes, const Ray& ray, VisitLeaf&&
         }
         const uint64_t limit = uint64_t{floatBits(tMax)} << 32;
         do {
-            if (top == stack) return found;
+            if (top == stack) { return found; }
             --top;
         } while (*top > limit);
         current = static_cast<uint32_t>(*top);

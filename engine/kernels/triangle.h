@@ -131,7 +131,7 @@ GLINT_HD inline float refineDistance(const TriangleCluster& cluster, int lane, c
     const float coarse = kCoarseDistance * std::fabs(ray.sz) * extent;
     const bool nearStart = t < tMin + coarse;
     const bool nearEnd = kAnyHit && t > tMax - coarse;
-    if (!nearStart && !nearEnd) return t;
+    if (!nearStart && !nearEnd) { return t; }
     return planeDistance(clusterCorner(cluster, 0, lane), clusterCorner(cluster, 1, lane),
                          clusterCorner(cluster, 2, lane), ray.origin, ray.direction);
 }
@@ -142,11 +142,11 @@ GLINT_HD inline bool acceptTriangle(const TriangleCluster& cluster, int lane, co
                                     const EdgeValues& e, float tMin, TriangleHit* hit) {
     const bool anyNegative = e.u < 0.0f || e.v < 0.0f || e.w < 0.0f;
     const bool anyPositive = e.u > 0.0f || e.v > 0.0f || e.w > 0.0f;
-    if ((anyNegative && anyPositive) || e.det == 0.0f) return false;
-    if (kFrontOnly && !(e.det > 0.0f)) return false;
+    if ((anyNegative && anyPositive) || e.det == 0.0f) { return false; }
+    if (kFrontOnly && !(e.det > 0.0f)) { return false; }
     const float inverseDet = 1.0f / e.det;
     const float t = refineDistance<kAnyHit>(cluster, lane, ray, e.tScaled * inverseDet, tMin, hit->t);
-    if (!(t > tMin && t < hit->t)) return false;
+    if (!(t > tMin && t < hit->t)) { return false; }
     hit->t = t;
     hit->b1 = e.v * inverseDet;
     hit->b2 = e.w * inverseDet;
@@ -161,11 +161,12 @@ GLINT_HD inline bool intersectClusterScalar(const TriangleCluster& cluster, cons
     bool found = false;
     for (uint32_t lane = 0; lane < cluster.count; ++lane) {
         const EdgeValues e = edgeValues(cluster, static_cast<int>(lane), ray);
-        if (!acceptTriangle<kAnyHit, kFrontOnly>(cluster, static_cast<int>(lane), ray, e, tMin, hit))
+        if (!acceptTriangle<kAnyHit, kFrontOnly>(cluster, static_cast<int>(lane), ray, e, tMin, hit)) {
             continue;
+        }
         hit->primitive = cluster.firstPrimitive + lane;
         found = true;
-        if (kAnyHit) return true;
+        if (kAnyHit) { return true; }
     }
     return found;
 }
@@ -178,8 +179,8 @@ inline __m256 differenceOfProducts(__m256 a, __m256 b, __m256 c, __m256 d) {
     return _mm256_add_ps(difference, error);
 }
 
-/// The SIMD body: shears the cluster's eight vertices once, then hands them to the eight triangles by
-/// permutation.
+/// The SIMD body: shears the cluster's eight vertices once, then hands them to the eight triangles
+/// by permutation.
 template <bool kAnyHit, bool kFrontOnly>
 inline bool intersectClusterSimd(const TriangleCluster& cluster, const ShearRay& ray, float tMin,
                                  TriangleHit* hit) {
@@ -213,7 +214,7 @@ inline bool intersectClusterSimd(const TriangleCluster& cluster, const ShearRay&
         _mm256_and_ps(_mm256_cmp_ps(highest, zero, _CMP_LE_OQ), _mm256_cmp_ps(lowest, zero, _CMP_LT_OQ));
     uint32_t inside = static_cast<uint32_t>(
         _mm256_movemask_ps(kFrontOnly ? allPositive : _mm256_or_ps(allPositive, allNegative)));
-    if (inside == 0) return false;
+    if (inside == 0) { return false; }
 
     const __m256 z = _mm256_mul_ps(_mm256_set1_ps(ray.sz), vz);
     const __m256 det = _mm256_add_ps(_mm256_add_ps(u, v), w);
@@ -232,10 +233,10 @@ inline bool intersectClusterSimd(const TriangleCluster& cluster, const ShearRay&
         const float inverseDet = 1.0f / values[2][lane];
         const float t = refineDistance<kAnyHit>(cluster, static_cast<int>(lane), ray,
                                                 values[3][lane] * inverseDet, tMin, hit->t);
-        if (!(t > tMin && t < hit->t)) continue;
+        if (!(t > tMin && t < hit->t)) { continue; }
         *hit = {t, values[0][lane] * inverseDet, values[1][lane] * inverseDet, cluster.firstPrimitive + lane};
         found = true;
-        if (kAnyHit) return true;
+        if (kAnyHit) { return true; }
     }
     return found;
 }

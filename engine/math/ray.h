@@ -8,8 +8,8 @@ namespace glint {
 struct Ray {
     Vec3 origin;
     Vec3 direction;  ///< need not be of unit length; t is measured in its lengths
-    float tMin =
-        0.0f;  ///< hits at t <= tMin do not count; 0 because origins are offset (surface.h), not epsilons
+    /// hits at t <= tMin do not count; 0 because origins are offset (surface.h), not epsilons
+    float tMin = 0.0f;
     float tMax = kInfinity;  ///< hits at t >= tMax do not count
 
     GLINT_HD Vec3 at(float t) const { return origin + direction * t; }

@@ -1,7 +1,7 @@
 // Hashes and bits that random numbers are made of. Host and device, without state.
 //
-// The samplers (kernels/sampler.h) build on these; nothing else should call them for random numbers of its
-// own.
+// The samplers (kernels/sampler.h) build on these; nothing else should call them for random numbers of
+// its own.
 #pragma once
 
 #include <cstdint>

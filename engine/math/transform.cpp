@@ -15,14 +15,10 @@ Affine inverse(const Affine& a) {
 }
 
 bool isInvertible(const Affine& a) {
-    if (!isFinite(a.translation)) {
-        return false;
-    }
+    if (!isFinite(a.translation)) { return false; }
     double columnProduct = 1.0;
     for (int column = 0; column < 3; ++column) {
-        if (!isFinite(a.linear[column])) {
-            return false;
-        }
+        if (!isFinite(a.linear[column])) { return false; }
         columnProduct *= glm::length(glm::dvec3(a.linear[column]));
     }
     constexpr double kFlatness = 1e-9;
@@ -51,9 +47,7 @@ Affine rotate(const Vec3& axis, float angleRad) {
 
 Bounds transformBounds(const Affine& a, const Bounds& b) {
     Bounds out;
-    if (b.empty()) {
-        return out;
-    }
+    if (b.empty()) { return out; }
     for (int corner = 0; corner < 8; ++corner) {
         const Vec3 p((corner & 1) != 0 ? b.hi.x : b.lo.x, (corner & 2) != 0 ? b.hi.y : b.lo.y,
                      (corner & 4) != 0 ? b.hi.z : b.lo.z);

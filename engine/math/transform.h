@@ -1,7 +1,7 @@
 // Affine maps as a 3x4 matrix, and the pair of a map with its inverse. Host and device.
 //
-// Any invertible affine map is allowed: non-uniform, mirrored, sheared. Inversion happens in double on the
-// host.
+// Any invertible affine map is allowed: non-uniform, mirrored, sheared. Inversion happens in double on
+// the host.
 #pragma once
 
 #include "engine/math/bounds.h"
@@ -34,8 +34,8 @@ GLINT_HD inline Vec3 transformNormal(const Mat3& inverseLinear, const Vec3& n) {
 /// The inverse, computed in double. The caller checks isInvertible() first.
 Affine inverse(const Affine& a);
 
-/// False for maps that flatten space or hold non-finite numbers. Scale does not matter: 1e-12 * identity is
-/// invertible.
+/// False for maps that flatten space or hold non-finite numbers. Scale does not matter: 1e-12 * identity
+/// is invertible.
 bool isInvertible(const Affine& a);
 
 Affine translate(const Vec3& t);

@@ -1,7 +1,7 @@
 // Maps from the unit square to the sets that path tracing samples, each with its density. Host and device.
 //
-// Inputs lie in [0, 1); every map is continuous almost everywhere and keeps areas, so stratified points stay
-// stratified.
+// Inputs lie in [0, 1); every map is continuous almost everywhere and keeps areas, so stratified points
+// stay stratified.
 #pragma once
 
 #include "engine/math/rng.h"
@@ -24,8 +24,8 @@ GLINT_HD inline SinCos sinCosSmall(float angleRad) {
     return {sine, cosine};
 }
 
-/// Sine and cosine of 2 pi turns, for turns in [0, 1]: the same on every compiler and device, errors below
-/// 1e-7.
+/// Sine and cosine of 2 pi turns, for turns in [0, 1]: the same on every compiler and device, errors
+/// below 1e-7.
 GLINT_HD inline SinCos sinCosTurns(float turns) {
     const float quarter = std::floor(turns * 4.0f + 0.5f);
     const SinCos small = sinCosSmall((turns - 0.25f * quarter) * kTwoPi);
@@ -42,9 +42,7 @@ GLINT_HD inline Vec2 sampleDisc(Vec2 u) {
     const bool wide = std::fabs(a) > std::fabs(b);
     const float radius = wide ? a : b;
     const float other = wide ? b : a;
-    if (radius == 0.0f) {
-        return Vec2(0.0f);
-    }
+    if (radius == 0.0f) { return Vec2(0.0f); }
     const SinCos angle = sinCosSmall(0.25f * kPi * (other / radius));
     return wide ? Vec2(radius * angle.cos, radius * angle.sin) : Vec2(radius * angle.sin, radius * angle.cos);
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/base/result.h"
-#include "engine/build/built_scene.h"
+#include "engine/builders/built_scene.h"
 #include "engine/kernels/pass.h"
 #include "engine/render/film.h"
 #include "engine/render/memory_use.h"
@@ -22,8 +22,8 @@ class Backend {
     /// "CPU, 2 threads" or "CUDA, <device name>".
     virtual std::string name() const = 0;
 
-    /// Takes the scene for the following passes (uploads what changed). Error: does not fit the device's
-    /// memory.
+    /// Takes the scene for the following passes (uploads what changed). Error: does not fit the
+    /// device's memory.
     virtual Status setScene(std::shared_ptr<const BuiltScene> scene) = 0;
 
     /// The kernel variant that the present scene runs, for status lines; empty before setScene().

@@ -54,7 +54,7 @@ struct FilmCheckpoint {
             }
             out->write(pixel.luminanceM2);
             out->write(pixel.count);
-            out->write(pixel.waypoint);
+            out->write(pixel.halfSampleMean);
         }
     }
 
@@ -81,7 +81,7 @@ struct FilmCheckpoint {
             }
             pixel.luminanceM2 = in.read<double>();
             pixel.count = in.read<uint32_t>();
-            pixel.waypoint = in.read<float>();
+            pixel.halfSampleMean = in.read<float>();
         }
         *film = std::move(out);
         return !in.failed();
@@ -106,9 +106,7 @@ struct FilmCheckpoint {
             count = in->read<uint64_t>();
         }
         const uint32_t records = in->read<uint32_t>();
-        if (records > Film::kMaxFaultRecords) {
-            return false;
-        }
+        if (records > Film::kMaxFaultRecords) { return false; }
         for (uint32_t i = 0; i < records; ++i) {
             const uint8_t kind = in->read<uint8_t>();
             const uint32_t x = in->read<uint32_t>();
@@ -235,9 +233,7 @@ void writeCurve(const ConvergenceCurve& curve, ByteWriter* out) {
 /// False when the payload is not a curve. Of a checkpoint without one: empty.
 bool readCurve(const Sections& sections, ConvergenceCurve* curve) {
     const auto section = sections.find("CURV");
-    if (section == sections.end()) {
-        return true;
-    }
+    if (section == sections.end()) { return true; }
     ByteReader in(section->second);
     const auto count = in.read<uint32_t>();
     uint32_t passes = 0;
@@ -248,9 +244,7 @@ bool readCurve(const Sections& sections, ConvergenceCurve* curve) {
                               &point.relativeErrorHigh, &point.relativeBias}) {
             *value = in.read<double>();
         }
-        if (i >= ConvergenceCurve::kMaxPoints || point.passes <= passes) {
-            return false;
-        }
+        if (i >= ConvergenceCurve::kMaxPoints || point.passes <= passes) { return false; }
         passes = point.passes;
         curve->add(point);
     }
@@ -334,17 +328,11 @@ Status saveCheckpoint(const std::string& path, const SessionCapture& capture) {
 
 Result<ResumePoint> loadCheckpoint(const std::string& path, const SceneDescription& scene) {
     const Result<std::string> bytes = readFile(path);
-    if (!bytes) {
-        return bytes.error();
-    }
+    if (!bytes) { return bytes.error(); }
     const Result<Sections> sections = findSections(*bytes, path);
-    if (!sections) {
-        return sections.error();
-    }
+    if (!sections) { return sections.error(); }
     const Result<CheckpointInfo> info = readInfo(*sections, path);
-    if (!info) {
-        return info.error();
-    }
+    if (!info) { return info.error(); }
     if (const std::string differing = differences(*info, scene); !differing.empty()) {
         return checkpointError(path, fmt::format("cannot go on from this checkpoint: {}", differing));
     }
@@ -368,13 +356,9 @@ Result<ResumePoint> loadCheckpoint(const std::string& path, const SceneDescripti
 
 Result<CheckpointInfo> readCheckpointInfo(const std::string& path) {
     const Result<std::string> bytes = readFile(path);
-    if (!bytes) {
-        return bytes.error();
-    }
+    if (!bytes) { return bytes.error(); }
     const Result<Sections> sections = findSections(*bytes, path);
-    if (!sections) {
-        return sections.error();
-    }
+    if (!sections) { return sections.error(); }
     return readInfo(*sections, path);
 }
 

@@ -64,12 +64,8 @@ Slope fitSlope(const std::vector<ConvergencePoint>& tail) {
 
 /// Seconds until the error has fallen from `from` to `target` along the slope; infinite if it does not fall.
 double secondsAlong(double slope, double from, double target, const ConvergencePoint& now) {
-    if (from <= target) {
-        return 0.0;
-    }
-    if (slope >= 0.0) {
-        return std::numeric_limits<double>::infinity();
-    }
+    if (from <= target) { return 0.0; }
+    if (slope >= 0.0) { return std::numeric_limits<double>::infinity(); }
     const double growth = std::pow(target / from, 1.0 / slope);
     return (growth - 1.0) * now.renderSeconds;
 }
@@ -77,9 +73,7 @@ double secondsAlong(double slope, double from, double target, const ConvergenceP
 }  // namespace
 
 bool ConvergenceCurve::isDue(uint32_t passes) const {
-    if (passes < 2) {
-        return false;
-    }
+    if (passes < 2) { return false; }
     return points_.empty() ||
            (points_.size() < kMaxPoints &&
             passes - points_.back().passes >= std::max(1u, points_.back().passes / kPointsPerFactor));
@@ -91,21 +85,15 @@ void ConvergenceCurve::add(const ConvergencePoint& point) {
 }
 
 std::optional<ErrorForecast> forecastError(const ConvergenceCurve& curve, double target) {
-    if (curve.empty() || !(target > 0.0)) {
-        return std::nullopt;
-    }
+    if (curve.empty() || !(target > 0.0)) { return std::nullopt; }
     const ConvergencePoint& now = curve.points().back();
-    if (hasReached(curve, target)) {
-        return ErrorForecast{};
-    }
+    if (hasReached(curve, target)) { return ErrorForecast{}; }
     const std::vector<ConvergencePoint> tail = tailOf(curve);
     if (tail.size() < kLeastTailPoints || tail.back().passes < kLeastTailFactor * tail.front().passes) {
         return std::nullopt;
     }
     const Slope slope = fitSlope(tail);
-    if (slope.value >= 0.0) {
-        return std::nullopt;
-    }
+    if (slope.value >= 0.0) { return std::nullopt; }
     ErrorForecast forecast;
     forecast.slope = slope.value;
     forecast.secondsLeft = secondsAlong(slope.value, now.relativeErrorHigh, target, now);
@@ -117,9 +105,7 @@ std::optional<ErrorForecast> forecastError(const ConvergenceCurve& curve, double
 
 bool hasReached(const ConvergenceCurve& curve, double target) {
     const std::vector<ConvergencePoint>& points = curve.points();
-    if (points.size() < 2 || points[points.size() - 2].passes < kLeastPassesForError) {
-        return false;
-    }
+    if (points.size() < 2 || points[points.size() - 2].passes < kLeastPassesForError) { return false; }
     return points.back().relativeErrorHigh <= target && points[points.size() - 2].relativeErrorHigh <= target;
 }
 

@@ -1,8 +1,8 @@
-// Runs a pass tile by tile in one OpenMP loop, with the smallest kernel variant that does what the scene
-// needs.
+// Runs a pass tile by tile in one OpenMP loop, with the smallest kernel variant that does what the
+// scene needs.
 //
-// Every pixel is a function of (scene, settings, pixel, pass) alone, so which thread takes a tile changes
-// nothing.
+// Every pixel is a function of (scene, settings, pixel, pass) alone, so which thread takes a tile
+// changes nothing.
 #include <algorithm>
 #include <new>
 #include <optional>
@@ -10,7 +10,7 @@
 #include <fmt/core.h>
 
 #include "engine/base/parallel.h"
-#include "engine/build/emission_table.h"
+#include "engine/builders/emission_table.h"
 #include "engine/render/backend.h"
 #include "engine/render/cpu_sppm.h"
 #include "engine/render/cpu_variants.h"
@@ -58,16 +58,10 @@ class CpuBackend final : public Backend {
 
     Result<bool> renderSppmPass(const SppmParams& params, const std::atomic<bool>& stop, SppmState* state,
                                 std::vector<PixelSample>* direct) override {
-        if (!scene_) {
-            return Error{"there is no scene to render", {}};
-        }
+        if (!scene_) { return Error{"there is no scene to render", {}}; }
         const SceneView view = scene_->view();
-        if (!emission_) {
-            emission_ = buildEmissionTable(view);
-        }
-        if (!sppm_) {
-            sppm_.emplace(threads_);
-        }
+        if (!emission_) { emission_ = buildEmissionTable(view); }
+        if (!sppm_) { sppm_.emplace(threads_); }
         return sppm_->renderPass(view, features(), emission_->view(), params, stop, state, direct);
     }
 
@@ -78,9 +72,7 @@ class CpuBackend final : public Backend {
     template <class Sample, class Tile>
     Result<bool> run(const PassParams& params, const std::atomic<bool>& stop, std::vector<Sample>* out,
                      Tile KernelVariant::*tileOf) const {
-        if (!scene_) {
-            return Error{"there is no scene to render", {}};
-        }
+        if (!scene_) { return Error{"there is no scene to render", {}}; }
         try {
             out->resize(static_cast<size_t>(params.width) * static_cast<size_t>(params.height));
         } catch (const std::bad_alloc&) {
@@ -89,9 +81,7 @@ class CpuBackend final : public Backend {
                 {}};
         }
         FeatureMask needed = features();
-        if (params.sampler == SamplerTag::Independent) {
-            needed |= kFeatureIndependentSampler;
-        }
+        if (params.sampler == SamplerTag::Independent) { needed |= kFeatureIndependentSampler; }
         runTiles(scene_->view(), params, stop, out->data(), chooseVariant(needed).*tileOf);
         return !stop.load();
     }
@@ -103,9 +93,7 @@ class CpuBackend final : public Backend {
         const int rows = (params.height + kTileSize - 1) / kTileSize;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads_)
         for (int index = 0; index < columns * rows; ++index) {
-            if (stop.load(std::memory_order_relaxed)) {
-                continue;
-            }
+            if (stop.load(std::memory_order_relaxed)) { continue; }
             const int x = index % columns * kTileSize;
             const int y = index / columns * kTileSize;
             const PixelRect rect{x, y, std::min(x + kTileSize, params.width),

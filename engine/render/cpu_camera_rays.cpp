@@ -46,7 +46,7 @@ void fillLens(const CameraData& camera, const PassParams& params, int x0, int y0
 }  // namespace
 
 void fillCameraTile(const CameraData& camera, const PassParams& params, int x0, int y0, CameraTile* tile) {
-    if (camera.lensRadius > 0.0f) return fillLens(camera, params, x0, y0, tile);
+    if (camera.lensRadius > 0.0f) { return fillLens(camera, params, x0, y0, tile); }
     switch (params.filter) {
         case FilterTag::Box:
             return fillPinhole<FilterTag::Box>(camera, params, x0, y0, tile);

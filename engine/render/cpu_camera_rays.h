@@ -47,7 +47,7 @@ void forEachCameraRay(const CameraData& camera, const PassParams& params, const 
             for (int i = 0; i < kCameraTilePixels; ++i) {
                 const int x = x0 + i % kCameraTileSize;
                 const int y = y0 + i / kCameraTileSize;
-                if (x >= rect.x1 || y >= rect.y1) continue;
+                if (x >= rect.x1 || y >= rect.y1) { continue; }
                 sampler.pixelKey = tile.pixelKey[i];
                 body(x, y, sampler, tile.ray(i));
             }

@@ -1,5 +1,5 @@
-// The bodies of cpu_kernel.h's templates. For cpu_kernel_*.cpp only: including it compiles the whole path
-// tracer.
+// The bodies of cpu_kernel.h's templates. For cpu_kernel_*.cpp only: including it compiles the whole
+// path tracer.
 #pragma once
 
 #include "engine/base/inlining.h"
@@ -29,7 +29,9 @@ void renderTile(const SceneView& view, const PassParams& params, const PixelRect
     }
     for (int y = tile.y0; y < tile.y1; ++y) {
         PixelSample* row = image + static_cast<size_t>(y) * static_cast<size_t>(params.width);
-        for (int x = tile.x0; x < tile.x1; ++x) row[x] = tracePixel<kMask>(view, params, x, y);
+        for (int x = tile.x0; x < tile.x1; ++x) {
+            row[x] = tracePixel<kMask>(view, params, x, y);
+        }
     }
 }
 
@@ -37,7 +39,9 @@ template <FeatureMask kMask>
 void renderAovTile(const SceneView& view, const PassParams& params, const PixelRect& tile, AovSample* image) {
     for (int y = tile.y0; y < tile.y1; ++y) {
         AovSample* row = image + static_cast<size_t>(y) * static_cast<size_t>(params.width);
-        for (int x = tile.x0; x < tile.x1; ++x) row[x] = traceAovPixel<kMask>(view, params, x, y);
+        for (int x = tile.x0; x < tile.x1; ++x) {
+            row[x] = traceAovPixel<kMask>(view, params, x, y);
+        }
     }
 }
 

@@ -44,9 +44,7 @@ bool CpuSppm::traceCamera(const Job& job, std::vector<PixelSample>* direct) {
     const int columns = (width + kTileSize - 1) / kTileSize;
     const int rows = (height + kTileSize - 1) / kTileSize;
     parallelChunks(int64_t{columns} * rows, 1, threads_, [&](int64_t tile, int64_t) {
-        if (job.stop.load(std::memory_order_relaxed)) {
-            return;
-        }
+        if (job.stop.load(std::memory_order_relaxed)) { return; }
         const int x = static_cast<int>(tile) % columns * kTileSize;
         const int y = static_cast<int>(tile) / columns * kTileSize;
         const PixelRect rect{x, y, std::min(x + kTileSize, width), std::min(y + kTileSize, height)};
@@ -104,9 +102,7 @@ Result<bool> CpuSppm::tracePhotons(const Job& job, const GridSpace& space) {
         }
         photons_.reset(photonRoom_, chunks);
         parallelChunks(static_cast<int64_t>(chunks), 1, threads_, [&](int64_t chunk, int64_t) {
-            if (job.stop.load(std::memory_order_relaxed)) {
-                return;
-            }
+            if (job.stop.load(std::memory_order_relaxed)) { return; }
             const uint64_t begin = first + static_cast<uint64_t>(chunk) * kPhotonsPerChunk;
             const uint64_t end = std::min(begin + kPhotonsPerChunk, first + job.params.photonsPerPass);
             const auto index = static_cast<size_t>(chunk);
@@ -162,17 +158,13 @@ Result<bool> CpuSppm::renderPass(const SceneView& view, FeatureMask features, co
         pixels_.resize(job.pixelCount());
 
         auto start = Clock::now();
-        if (!traceCamera(job, direct)) {
-            return false;
-        }
+        if (!traceCamera(job, direct)) { return false; }
         stats_.cameraSeconds = secondsSince(start);
 
         start = Clock::now();
         uint32_t levelsInUse = 0;
         const GridSpace space = findSpace(job, &levelsInUse);
-        if (const Result<bool> traced = tracePhotons(job, space); !traced || !*traced) {
-            return traced;
-        }
+        if (const Result<bool> traced = tracePhotons(job, space); !traced || !*traced) { return traced; }
         stats_.photonSeconds = secondsSince(start);
 
         start = Clock::now();
@@ -184,9 +176,7 @@ Result<bool> CpuSppm::renderPass(const SceneView& view, FeatureMask features, co
         stats_.sortSeconds = secondsSince(start);
 
         start = Clock::now();
-        if (!gather(job)) {
-            return false;
-        }
+        if (!gather(job)) { return false; }
         update(job);
         stats_.gatherSeconds = secondsSince(start);
     } catch (const std::bad_alloc&) {

@@ -28,7 +28,7 @@ std::span<const KernelVariant> kernelVariants() {
 const KernelVariant& chooseVariant(FeatureMask needed) {
     const std::span<const KernelVariant> variants = kernelVariants();
     for (const KernelVariant& candidate : variants) {
-        if ((needed & ~candidate.mask) == 0) return candidate;
+        if ((needed & ~candidate.mask) == 0) { return candidate; }
     }
     return variants.back();
 }

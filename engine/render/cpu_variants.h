@@ -1,5 +1,5 @@
-// The kernels compiled for the CPU: one variant for each named feature mask, each in its own translation
-// unit.
+// The kernels compiled for the CPU: one variant for each named feature mask, each in its own
+// translation unit.
 //
 // The CPU backend asks for the smallest variant that does what a scene needs and calls it tile by tile.
 #pragma once

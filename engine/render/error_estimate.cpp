@@ -62,9 +62,7 @@ double logSpread(const Film& film, const TrimmedErrors& total) {
 /// What a normal error with mean `bias` and standard deviation `sigma` stays within with 90 %: solved by
 /// Newton's method on P(x) = Phi((x - bias) / sigma) - Phi((-x - bias) / sigma).
 double boundOf(double bias, double sigma) {
-    if (!(sigma > 0.0)) {
-        return bias;
-    }
+    if (!(sigma > 0.0)) { return bias; }
     const double b = bias / sigma;
     const auto phi = [](double z) { return 0.5 * std::erfc(-z * 0.70710678118654752); };
     const auto density = [](double z) { return 0.3989422804014327 * std::exp(-0.5 * z * z); };
@@ -103,15 +101,11 @@ std::vector<float> blurred(const std::vector<float>& values, int width, int heig
 ErrorEstimate estimateError(const Film& film, const SppmState* sppm, int threads) {
     sppm = sppm && sppm->passes > 0 ? sppm : nullptr;
     ErrorEstimate estimate;
-    if (film.passes() < 2 || film.pixels().empty() || (sppm && sppm->passes < 2)) {
-        return estimate;
-    }
+    if (film.passes() < 2 || film.pixels().empty() || (sppm && sppm->passes < 2)) { return estimate; }
     const ErrorSums sums = sumPixels(film, sppm, threads);
     const auto pixels = static_cast<double>(film.pixels().size());
     const TrimmedErrors total = withoutWorst(sums, kTrimmedShare * pixels);
-    if (!(total.noise > 0.0)) {
-        return {.relative = 0.0, .low = 0.0, .high = 0.0};
-    }
+    if (!(total.noise > 0.0)) { return {.relative = 0.0, .low = 0.0, .high = 0.0}; }
     const double kept = (1.0 - kTrimmedShare) * pixels;
     const double mean = sums.luminance / pixels;
     estimate.relative = std::sqrt(total.squaredError() / kept) / mean;
@@ -180,9 +174,7 @@ std::vector<float> errorBounds(const Film& film, const SppmState* sppm, int thre
 double pixelLuminance(const Film& film, const SppmState* sppm, size_t index) {
     const std::array<double, 3>& mean = film.pixels()[index].mean;
     double sum = 0.2126 * mean[0] + 0.7152 * mean[1] + 0.0722 * mean[2];
-    if (sppm) {
-        sum += static_cast<double>(luminance(sppm->photonRadiance(index)));
-    }
+    if (sppm) { sum += static_cast<double>(luminance(sppm->photonRadiance(index))); }
     return sum;
 }
 

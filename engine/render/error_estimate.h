@@ -35,8 +35,8 @@ ErrorEstimate estimateError(const Film& film, const SppmState* sppm, int threads
 struct PixelError {
     double variance = 0.0;        ///< of its mean, calibrated; infinite with fewer than two passes
     double photonVariance = 0.0;  ///< the photons' share
-    double bias = 0.0;  ///< SPPM: estimate of the photons' bias, signed; its own variance is about three
-                        ///< times photonVariance
+    /// SPPM: estimate of the photons' bias, signed; its own variance is about three times photonVariance
+    double bias = 0.0;
 };
 PixelError pixelError(const Film& film, const SppmState* sppm, size_t index);
 

@@ -16,9 +16,7 @@ struct CutSquare {
     double chance = 1.0, mean = 1.0, square = 3.0;
 
     explicit CutSquare(double t) {
-        if (!(t < 100.0)) {
-            return;
-        }
+        if (!(t < 100.0)) { return; }
         const double density = std::exp(-0.5 * t);
         chance = std::erf(std::sqrt(0.5 * t));
         // Not below 0: for a tiny t both are differences of nearly equal numbers.
@@ -104,9 +102,7 @@ TrimmedErrors withoutWorst(const ErrorSums& sums, double worst) {
     TrimmedErrors total;
     for (size_t i = 0; i + 1 < ErrorSums::kBins; ++i) {
         const ErrorBin& bin = sums.bins[i];
-        if (bin.pixels == 0) {
-            continue;
-        }
+        if (bin.pixels == 0) { continue; }
         const BinError error(bin);
         const CutSquare part = error.below(cut);
         total.noise += bin.noise * part.mean;

@@ -75,9 +75,7 @@ void Film::commit(const std::vector<PixelSample>& samples, uint32_t passIndex, i
             faultCounts_[fault] += tallies[chunk].faults[fault];
             faultsHere += tallies[chunk].faults[fault];
         }
-        if (faultsHere > 0) {
-            recordFaults(samples, chunk * kChunkPixels, passIndex);
-        }
+        if (faultsHere > 0) { recordFaults(samples, chunk * kChunkPixels, passIndex); }
     }
 }
 
@@ -92,17 +90,13 @@ void Film::recordFaults(const std::vector<PixelSample>& samples, size_t begin, u
 }
 
 double Film::standardError(const FilmPixel& pixel) const {
-    if (pixel.count < 2) {
-        return std::numeric_limits<double>::infinity();
-    }
+    if (pixel.count < 2) { return std::numeric_limits<double>::infinity(); }
     const double n = pixel.count;
     return std::sqrt(std::max(0.0, pixel.luminanceM2) / ((n - 1.0) * n));
 }
 
 double Film::relativeErrorEstimate(int threads) const {
-    if (passes_ < 2 || pixels_.empty()) {
-        return std::numeric_limits<double>::infinity();
-    }
+    if (passes_ < 2 || pixels_.empty()) { return std::numeric_limits<double>::infinity(); }
     struct Sums {
         double squaredError = 0.0;
         double luminance = 0.0;
@@ -123,9 +117,7 @@ double Film::relativeErrorEstimate(int threads) const {
         total.squaredError += sums.squaredError;
         total.luminance += sums.luminance;
     }
-    if (total.squaredError == 0.0) {
-        return 0.0;
-    }
+    if (total.squaredError == 0.0) { return 0.0; }
     const double count = static_cast<double>(pixels_.size());
     return std::sqrt(total.squaredError / count) / (total.luminance / count);
 }

@@ -19,7 +19,7 @@ struct FilmPixel {
     std::array<double, 3> mean{};  ///< linear Rec.709 radiance
     double luminanceM2 = 0.0;      ///< sum of squared deviations of the luminance from its mean
     uint32_t count = 0;            ///< samples that entered; passes minus dropped ones
-    float waypoint = 0.0f;         ///< the picture's luminance here at calibration().passes
+    float halfSampleMean = 0.0f;   ///< the picture's luminance here at calibration().passes
 };
 
 /// A sample that was dropped, for the log and for replay.

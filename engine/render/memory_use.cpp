@@ -3,11 +3,11 @@
 #include <numeric>
 #include <set>
 
-#include "engine/build/instance_builder.h"
-#include "engine/build/light_table.h"
-#include "engine/build/material_table.h"
-#include "engine/build/mesh_builder.h"
-#include "engine/build/texture_table.h"
+#include "engine/builders/instance_builder.h"
+#include "engine/builders/light_table.h"
+#include "engine/builders/material_table.h"
+#include "engine/builders/mesh_builder.h"
+#include "engine/builders/texture_table.h"
 #include "engine/render/film.h"
 #include "engine/render/sppm_state.h"
 #include "engine/scene/scene_use.h"
@@ -85,9 +85,7 @@ MemoryUse plannedMemory(const SceneDescription& scene, IntegratorKind integrator
     MemoryUse use;
     use[MemoryPart::Film] = Film::bytesFor(width, height);
     use[MemoryPart::PassSamples] = pixels * sizeof(PixelSample);
-    if (aovs) {
-        use[MemoryPart::Aovs] = AovFilm::bytesFor(width, height) + pixels * sizeof(AovSample);
-    }
+    if (aovs) { use[MemoryPart::Aovs] = AovFilm::bytesFor(width, height) + pixels * sizeof(AovSample); }
     if (integrator == IntegratorKind::Sppm) {
         const SppmMemory plan = planSppmMemory(scene);
         use[MemoryPart::SppmStatistics] = SppmState::bytesFor(width, height);
@@ -108,17 +106,13 @@ MemoryUse unusedMemory(const SceneDescription& scene, FeatureMask features) {
         }
     }
     for (const Mesh& mesh : scene.meshes) {
-        if (mesh.data && meshes.insert(mesh.data.get()).second) {
-            addVertices(*mesh.data, true, &use);
-        }
+        if (mesh.data && meshes.insert(mesh.data.get()).second) { addVertices(*mesh.data, true, &use); }
     }
     const std::vector<bool> usedTexture = usedTextures(scene);
     std::vector<ImageSource> all, used;
     for (size_t i = 0; i < scene.textures.size(); ++i) {
         all.push_back(scene.textures[i].image);
-        if (usedTexture[i]) {
-            used.push_back(scene.textures[i].image);
-        }
+        if (usedTexture[i]) { used.push_back(scene.textures[i].image); }
     }
     use[MemoryPart::Textures] = imageBytes(all) - imageBytes(used);
     const auto chosen = static_cast<size_t>(scene.environment.image);

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "engine/build/built_scene.h"
+#include "engine/builders/built_scene.h"
 #include "engine/scene/scene.h"
 
 namespace glint {
@@ -53,9 +53,9 @@ MemoryUse memoryOf(const BuiltScene& scene);
 /// a guess before any is traced (planSppmMemory).
 MemoryUse plannedMemory(const SceneDescription& scene, IntegratorKind integrator, bool aovs);
 
-/// What the description holds and a render of these features never reads: what stands in the scene file
-/// itself and could not be read again, and what edits used before. Loaders leave out the rest
-/// (io/used_assets.h).
+/// What the description holds and a render of these features never reads: what stands in the
+/// scene file itself and could not be read again, and what edits used before. Loaders leave out
+/// the rest (io/used_assets.h).
 MemoryUse unusedMemory(const SceneDescription& scene, FeatureMask features);
 
 /// Texture coordinates that loaders left out.

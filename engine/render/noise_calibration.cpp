@@ -51,9 +51,7 @@ double factorFromRatio(double ratio, double doublings) {
 
 int NoiseCalibration::classOf(double variancePerPass) const {
     const double relative = variancePerPass / square(meanLuminance);
-    if (!(relative > 0.0)) {
-        return 0;
-    }
+    if (!(relative > 0.0)) { return 0; }
     // As std::ilogb, which is a call for every pixel; infinity has the largest exponent.
     const int exponent = static_cast<int>(std::bit_cast<uint64_t>(relative) >> 52) - 1023;
     return std::clamp(exponent - kLowestExponent, 0, kClasses - 1);
@@ -76,7 +74,7 @@ class NoiseCalibrator {
         }
         parallelChunks(pixels(), kChunkPixels, threads_, [&](int64_t begin, int64_t end) {
             for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
-                film_.pixels_[i].waypoint = static_cast<float>(pixelLuminance(film_, sppm_, i));
+                film_.pixels_[i].halfSampleMean = static_cast<float>(pixelLuminance(film_, sppm_, i));
             }
         });
         film_.calibration_ = next;
@@ -103,7 +101,7 @@ class NoiseCalibrator {
     }
 
     double difference(size_t i) const {
-        return pixelLuminance(film_, sppm_, i) - static_cast<double>(film_.pixels_[i].waypoint);
+        return pixelLuminance(film_, sppm_, i) - static_cast<double>(film_.pixels_[i].halfSampleMean);
     }
 
     /// Variance of the pixel's mean as if passes were independent: the whole's, and the photons' share.
@@ -163,9 +161,7 @@ class NoiseCalibrator {
             scaled[i] = variance > 0.0 ? difference(i) / std::sqrt(variance) : 0.0;
             squares += square(scaled[i]);
         }
-        if (!(squares > 0.0)) {
-            return 1.0;
-        }
+        if (!(squares > 0.0)) { return 1.0; }
         const auto width = static_cast<size_t>(film_.width_);
         double sum = 1.0;
         for (size_t lag = 1; lag <= kMaxLag; ++lag) {

@@ -27,8 +27,8 @@ struct NoiseCalibration {
     uint32_t passes = 0;                     ///< at which it was made; 0: not yet, every factor is 1
     double meanLuminance = 0.0;              ///< of the picture then
     std::array<double, kClasses> factors{};  ///< of the variance of a pixel's mean
-    double correlatedPixels =
-        1.0;  ///< so many neighbours err alike: 1, but for SPPM, whose pixels share photons
+    /// so many neighbours err alike: 1, but for SPPM, whose pixels share photons
+    double correlatedPixels = 1.0;
 
     /// The class of a pixel whose passes have this variance. 0 for no variance.
     int classOf(double variancePerPass) const;

@@ -85,7 +85,7 @@ std::string formatPathLog(const PathReplay& replay, const PassParams& params, in
     for (const PathEvent& event : replay.events) {
         text += formatEvent(event);
         const bool faulty = isFaulty(event.value) || isFaulty(event.throughput);
-        if (!faulty || faultNamed || event.kind == PathEventKind::End) continue;
+        if (!faulty || faultNamed || event.kind == PathEventKind::End) { continue; }
         text += "  ^^^ the first value that is not finite or is negative\n";
         faultNamed = true;
     }

@@ -15,8 +15,8 @@ namespace {
 constexpr int kDigitBits = 10;
 constexpr int kDigits = 1 << kDigitBits;
 
-/// One stable counting sort by the digit above `shift`, in `parts` parts: the result does not depend on their
-/// number.
+/// One stable counting sort by the digit above `shift`, in `parts` parts: the result does not depend on
+/// their number.
 void sortByDigit(const std::vector<uint64_t>& from, std::vector<uint64_t>* to, int shift, int parts) {
     const auto count = static_cast<int64_t>(from.size());
     const auto digitOf = [shift](uint64_t key) { return (key >> shift) & (kDigits - 1); };
@@ -63,7 +63,7 @@ void PhotonStore::Writer::add(const Photon& photon) {
 }
 
 Status PhotonStore::checkRoom(uint64_t photons) {
-    if (photons <= kMaxPhotons) return {};
+    if (photons <= kMaxPhotons) { return {}; }
     return Error{
         fmt::format("the photons of one pass are kept at {} places, but there is room for no more than {}; "
                     "trace fewer photons a pass",
@@ -143,9 +143,7 @@ void PhotonStore::permutePhotons() {
         }
     }
     for (uint32_t start = 0; start < count_; ++start) {
-        if (slotOfKey(keys_[start]) == start) {
-            continue;
-        }
+        if (slotOfKey(keys_[start]) == start) { continue; }
         const Photon displaced = photons_[start];
         uint32_t place = start;
         while (true) {

@@ -1,5 +1,5 @@
-// The photons of one pass and the structures that find them: filled, sorted and read once a pass, its memory
-// kept.
+// The photons of one pass and the structures that find them: filled, sorted and read once a pass, its
+// memory kept.
 //
 // Tracing threads claim blocks of slots and write into them alone; sorting puts the photons into an order
 // that depends on their numbers only, never on the threads. 48 bytes a photon at the most: 32 for itself, 16

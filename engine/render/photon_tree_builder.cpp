@@ -16,9 +16,7 @@ class TreeBuilder {
     TreeBuilder(Photon* photons, uint8_t* axes) : photons_(photons), axes_(axes) {}
 
     void build(uint32_t begin, uint32_t end) const {
-        if (begin >= end) {
-            return;
-        }
+        if (begin >= end) { return; }
         const uint32_t middle = begin + (end - begin) / 2;
         const int axis = widestAxis(begin, end);
         // Equal coordinates may end on either side of the median, which queries allow for; nth_element itself

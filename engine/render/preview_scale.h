@@ -1,5 +1,5 @@
-// How coarse a preview has to be so that it is on screen within a frame: measures passes and answers with a
-// scale.
+// How coarse a preview has to be so that it is on screen within a frame: measures passes and answers with
+// a scale.
 #pragma once
 
 #include <cstdint>

@@ -1,11 +1,11 @@
-// The session's outside: a mailbox, a bulletin and the thread between them.
+// The session's outside: a command queue, the published state and the thread between them.
 #include "engine/render/render_session.h"
 
 #include <thread>
 #include <utility>
 
-#include "engine/render/bulletin.h"
-#include "engine/render/mailbox.h"
+#include "engine/render/command_queue.h"
+#include "engine/render/published_state.h"
 #include "engine/render/session_worker.h"
 
 namespace glint {
@@ -13,17 +13,17 @@ namespace glint {
 class RenderSession::Impl {
   public:
     Impl(std::unique_ptr<Backend> backend, SessionOptions options)
-        : worker_(std::move(backend), std::move(options), &mailbox, &bulletin),
+        : worker_(std::move(backend), std::move(options), &commandQueue, &published),
           thread_([this] { worker_.run(); }) {}
     ~Impl() {
-        mailbox.postQuit();
+        commandQueue.postQuit();
         thread_.join();
     }
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
 
-    Mailbox mailbox;
-    Bulletin bulletin;
+    CommandQueue commandQueue;
+    PublishedState published;
 
   private:
     SessionWorker worker_;
@@ -35,65 +35,65 @@ RenderSession::RenderSession(std::unique_ptr<Backend> backend, SessionOptions op
 
 RenderSession::~RenderSession() = default;
 
-void RenderSession::post(SceneEdit edit) { impl_->mailbox.post(std::move(edit), std::nullopt); }
+void RenderSession::post(SceneEdit edit) { impl_->commandQueue.post(std::move(edit), std::nullopt); }
 
 void RenderSession::resume(std::shared_ptr<const SceneDescription> scene, ResumePoint from) {
-    impl_->mailbox.post({std::move(scene), EditKind::Everything}, std::move(from));
+    impl_->commandQueue.post({std::move(scene), EditKind::Everything}, std::move(from));
 }
 
 void RenderSession::setLimits(const StopLimits& limits) {
-    impl_->mailbox.change([&](Wishes& wishes) { wishes.limits = limits; });
+    impl_->commandQueue.change([&](RenderRequest& request) { request.limits = limits; });
 }
 
 void RenderSession::setPaused(bool paused) {
-    impl_->mailbox.change([&](Wishes& wishes) { wishes.paused = paused; });
+    impl_->commandQueue.change([&](RenderRequest& request) { request.paused = paused; });
 }
 
-void RenderSession::restart() { impl_->mailbox.postRestart(); }
+void RenderSession::restart() { impl_->commandQueue.postRestart(); }
 
 void RenderSession::setInteracting(bool interacting) {
-    impl_->mailbox.change([&](Wishes& wishes) { wishes.interacting = interacting; });
+    impl_->commandQueue.change([&](RenderRequest& request) { request.interacting = interacting; });
 }
 
 void RenderSession::request(uint32_t aovs, bool standardError) {
-    impl_->mailbox.change([&](Wishes& wishes) {
-        wishes.aovs = aovs;
-        wishes.standardError = standardError;
+    impl_->commandQueue.change([&](RenderRequest& request) {
+        request.aovs = aovs;
+        request.standardError = standardError;
     });
 }
 
 void RenderSession::requestErrorMaps(bool wanted) {
-    impl_->mailbox.change([&](Wishes& wishes) { wishes.errorMaps = wanted; });
+    impl_->commandQueue.change([&](RenderRequest& request) { request.errorMaps = wanted; });
 }
 
 void RenderSession::requestPhotonStatistics(bool wanted) {
-    impl_->mailbox.change([&](Wishes& wishes) { wishes.photonStatistics = wanted; });
+    impl_->commandQueue.change([&](RenderRequest& request) { request.photonStatistics = wanted; });
 }
 
 void RenderSession::setComparing(bool comparing) {
-    impl_->mailbox.change([&](Wishes& wishes) { wishes.compare = comparing; });
+    impl_->commandQueue.change([&](RenderRequest& request) { request.compare = comparing; });
 }
 
 std::shared_ptr<const FilmSnapshot> RenderSession::otherSnapshot() const {
-    return impl_->bulletin.otherSnapshot();
+    return impl_->published.otherSnapshot();
 }
 
-std::shared_ptr<const FilmSnapshot> RenderSession::snapshot() const { return impl_->bulletin.snapshot(); }
+std::shared_ptr<const FilmSnapshot> RenderSession::snapshot() const { return impl_->published.snapshot(); }
 
-SessionStatus RenderSession::status() const { return impl_->bulletin.status(); }
+SessionStatus RenderSession::status() const { return impl_->published.status(); }
 
 std::shared_ptr<const ConvergenceCurve> RenderSession::convergenceCurve(IntegratorKind integrator) const {
-    return impl_->bulletin.curve(integrator);
+    return impl_->published.curve(integrator);
 }
 
 SessionState RenderSession::wait(double seconds) {
-    return impl_->bulletin.wait(impl_->mailbox.ticket(), seconds);
+    return impl_->published.wait(impl_->commandQueue.ticket(), seconds);
 }
 
 std::future<std::optional<SessionCapture>> RenderSession::captureLater() {
     CapturePromise promise;
     std::future<std::optional<SessionCapture>> future = promise.get_future();
-    impl_->mailbox.postCapture(std::move(promise));
+    impl_->commandQueue.postCapture(std::move(promise));
     return future;
 }
 

@@ -2,9 +2,9 @@
 // the tests.
 //
 // Everything public may be called from one controlling thread (the UI) and returns at once, unless it says
-// otherwise. Edits and requests go into a mailbox, coalesced; the render thread takes them between passes, or
-// at once through the backend's stop flag. What comes back are immutable snapshots. Exceptions and errors end
-// up in SessionStatus.
+// otherwise. Edits and requests go into a command queue, coalesced; the render thread takes them between
+// passes, or at once through the backend's stop flag. What comes back are immutable snapshots. Exceptions and
+// errors end up in SessionStatus.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/build/scene_builder.h"
+#include "engine/builders/scene_builder.h"
 #include "engine/render/backend.h"
 #include "engine/render/convergence_curve.h"
 #include "engine/render/film.h"
@@ -45,14 +45,14 @@ struct FilmSnapshot {
     double relativeErrorHigh = 0.0;
     std::vector<float> radiance;       ///< linear RGB, 3 per pixel
     std::vector<float> standardError;  ///< of the mean luminance, 1 per pixel; empty unless asked for
-    std::vector<float>
-        radiusWorld;  ///< SPPM: present radius; 0: no visible point yet. Empty unless asked for
+    /// SPPM: present radius; 0: no visible point yet. Empty unless asked for
+    std::vector<float> radiusWorld;
     std::vector<float> photonCount;  ///< SPPM: photons kept so far (N). Empty unless asked for
     std::vector<float> bias;  ///< SPPM: estimate of the luminance's bias, signed. Empty unless asked for
-    std::vector<float>
-        errorBound;  ///< with 90 %, the true luminance is within +- this. Empty unless asked for
-    std::shared_ptr<const AovFilm>
-        aovs;  ///< of the snapshot's size; null unless asked for, and until the first is made
+    /// with 90 %, the true luminance is within +- this. Empty unless asked for
+    std::vector<float> errorBound;
+    /// of the snapshot's size; null unless asked for, and until the first is made
+    std::shared_ptr<const AovFilm> aovs;
 };
 
 enum class SessionState {
@@ -79,16 +79,16 @@ struct SessionStatus {
     double relativeErrorHigh = 0.0;
     std::array<uint64_t, kSampleFaultCount> faultCounts{};
     std::string backend;
-    std::string
-        error;  ///< why the last edit was refused (the scene before it goes on), or why the state is Failed
+    /// why the last edit was refused (the scene before it goes on), or why the state is Failed
+    std::string error;
     int previewScale = 1;    ///< of the newest snapshot
     uint32_t aovPasses = 0;  ///< of kAovPasses, where AOVs were asked for
     size_t filmBytes = 0;
     MemoryUse memory;               ///< all that is allocated: scene, films, SPPM, the back end's own
     std::string kernel;             ///< the kernel variant in use
     double lastBuildSeconds = 0.0;  ///< of the last edit
-    uint64_t picturesAfterEdits =
-        0;  ///< edits that have been answered by a picture: a new latency figure each time
+    /// edits that have been answered by a picture: a new latency figure each time
+    uint64_t imagesAfterEdits = 0;
     /// How often each part was rebuilt or cleared since the session began: what tests and the log read.
     struct Counters {
         uint64_t meshBuilds = 0;
@@ -103,10 +103,10 @@ struct SessionStatus {
         uint64_t editsRefused = 0;
         uint64_t previewPasses = 0;
     } counters;
-    /// Latency of the last edit, seconds: from post() to the stop of the pass in flight, and to the first new
-    /// snapshot.
+    /// Latency of the last edit, seconds: from post() to the stop of the pass in flight, and to the first
+    /// new snapshot.
     double lastCancelSeconds = 0.0;
-    double lastEditToPictureSeconds = 0.0;
+    double lastEditToImageSeconds = 0.0;
 };
 
 /// What is needed to go on exactly where a render stopped (io/checkpoint.h saves and loads it).
@@ -154,9 +154,9 @@ class RenderSession {
     void setLimits(const StopLimits& limits);
     void setPaused(bool paused);
     void restart();
-    /// While true (a drag, a flight), passes after an edit run at low resolution so that the picture stays
-    /// fluid. Full resolution follows at once when it turns false. Without an edit the picture keeps its
-    /// resolution.
+    /// While true (a drag, a flight), passes after an edit run at low resolution so that the picture
+    /// stays fluid. Full resolution follows at once when it turns false. Without an edit the picture
+    /// keeps its resolution.
     void setInteracting(bool interacting);
     /// Bits of Aov, plus whether snapshots carry standard errors. Never restarts the film.
     void request(uint32_t aovs, bool standardError);

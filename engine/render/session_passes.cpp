@@ -1,4 +1,4 @@
-// Which pass is next, running it, and committing it. session_pictures.cpp shows what came of it.
+// Which pass is next, running it, and committing it. session_snapshots.cpp shows what came of it.
 #include <algorithm>
 
 #include "engine/render/noise_calibration.h"
@@ -15,58 +15,48 @@ int64_t pixelCount(int width, int height) { return static_cast<int64_t>(width) *
 
 }  // namespace
 
-SessionWorker::NextPass SessionWorker::nextPass(const Wishes& wishes) const {
-    if (!built_ || failed_) {
-        return NextPass::None;
-    }
+SessionWorker::NextPass SessionWorker::nextPass(const RenderRequest& request) const {
+    if (!built_ || failed_) { return NextPass::None; }
     const bool isBare = (previewing_ ? preview_.passes() : filmPasses()) == 0;  // the picture that is shown
-    if (!isBare && otherPreviewIsDue(wishes)) {
-        return NextPass::OtherPreview;
-    }
-    if (previewsOnly(wishes)) {
-        const bool aovTurn = wishes.aovs != 0 &&
+    if (!isBare && otherPreviewIsDue(request)) { return NextPass::OtherPreview; }
+    if (previewsOnly(request)) {
+        const bool aovTurn = request.aovs != 0 &&
                              previewAovs_.passes() < std::min(RenderSession::kAovPasses, preview_.passes());
         return aovTurn ? NextPass::PreviewAov : NextPass::Preview;
     }
-    const bool film = wantsFilmPass(wishes);
-    if (wishes.aovs != 0 && filmPasses() > 0 && aovFilm_.passes() < RenderSession::kAovPasses) {
+    const bool film = wantsFilmPass(request);
+    if (request.aovs != 0 && filmPasses() > 0 && aovFilm_.passes() < RenderSession::kAovPasses) {
         // In step with the film while it grows, so that neither waits for the other.
-        if (!film || aovFilm_.passes() < filmPasses()) {
-            return NextPass::FilmAov;
-        }
+        if (!film || aovFilm_.passes() < filmPasses()) { return NextPass::FilmAov; }
     }
     return film ? NextPass::Film : NextPass::None;
 }
 
-bool SessionWorker::previewsOnly(const Wishes& wishes) const {
-    if (!previewing_) {
-        return false;
-    }
-    const bool incomplete = preview_.passes() == 0 || (wishes.aovs != 0 && previewAovs_.passes() == 0);
-    return incomplete || (wishes.interacting && captures_.empty());
+bool SessionWorker::previewsOnly(const RenderRequest& request) const {
+    if (!previewing_) { return false; }
+    const bool incomplete = preview_.passes() == 0 || (request.aovs != 0 && previewAovs_.passes() == 0);
+    return incomplete || (request.interacting && captures_.empty());
 }
 
 /// One at least, and then in turn with the other preview while something moves.
-bool SessionWorker::otherPreviewIsDue(const Wishes& wishes) const {
-    if (!wishes.compare || !otherPreviewing_ || trackOf(otherIntegrator()).passes() > 0) {
-        return false;
-    }
-    const bool isBehind = previewing_ && wishes.interacting && otherPreview_.passes() < preview_.passes();
+bool SessionWorker::otherPreviewIsDue(const RenderRequest& request) const {
+    if (!request.compare || !otherPreviewing_ || stateOf(otherIntegrator()).passes() > 0) { return false; }
+    const bool isBehind = previewing_ && request.interacting && otherPreview_.passes() < preview_.passes();
     return otherPreview_.passes() == 0 || isBehind;
 }
 
-bool SessionWorker::wantsFilmPass(const Wishes& wishes) const {
-    const bool otherIsMissing = wishes.compare && trackOf(otherIntegrator()).passes() == 0;
-    return filmPasses() == 0 || otherIsMissing || (!wishes.paused && !limitReached(wishes));
+bool SessionWorker::wantsFilmPass(const RenderRequest& request) const {
+    const bool otherIsMissing = request.compare && stateOf(otherIntegrator()).passes() == 0;
+    return filmPasses() == 0 || otherIsMissing || (!request.paused && !limitReached(request));
 }
 
-bool SessionWorker::limitReached(const Wishes& wishes) const {
-    const StopLimits& limits = wishes.limits;
-    const Track& shown = track();
+bool SessionWorker::limitReached(const RenderRequest& request) const {
+    const StopLimits& limits = request.limits;
+    const IntegratorState& shown = integratorState();
     const bool reached = (limits.passes > 0 && filmPasses() >= limits.passes) ||
                          (limits.renderSeconds > 0.0 && shown.renderSeconds >= limits.renderSeconds) ||
                          (limits.relativeError > 0.0 && hasReached(shown.curve, limits.relativeError));
-    return reached && (!wishes.compare || trackOf(otherIntegrator()).renderSeconds >= shown.renderSeconds);
+    return reached && (!request.compare || stateOf(otherIntegrator()).renderSeconds >= shown.renderSeconds);
 }
 
 PassParams SessionWorker::passParams(NextPass kind) const {
@@ -84,7 +74,7 @@ PassParams SessionWorker::passParams(NextPass kind) const {
             params.pass = otherPreview_.passes();
             break;
         case NextPass::Film:
-            params.pass = tracks_[static_cast<size_t>(passIntegrator_)].passes();
+            params.pass = integratorStates_[static_cast<size_t>(passIntegrator_)].passes();
             break;
         case NextPass::FilmAov:
             params.pass = aovFilm_.passes();
@@ -108,12 +98,11 @@ SppmParams SessionWorker::sppmParams(NextPass kind) const {
     return params;
 }
 
-IntegratorKind SessionWorker::nextIntegrator(const Wishes& wishes) const {
-    if (!wishes.compare || filmPasses() == 0) {
-        return integrator();
-    }
-    return tracks_[0].renderSeconds <= tracks_[1].renderSeconds ? IntegratorKind::PathTracing
-                                                                : IntegratorKind::Sppm;
+IntegratorKind SessionWorker::nextIntegrator(const RenderRequest& request) const {
+    if (!request.compare || filmPasses() == 0) { return integrator(); }
+    return integratorStates_[0].renderSeconds <= integratorStates_[1].renderSeconds
+               ? IntegratorKind::PathTracing
+               : IntegratorKind::Sppm;
 }
 
 void SessionWorker::prepareSppm(int width, int height, uint32_t passes, SppmState* state) const {
@@ -127,13 +116,14 @@ void SessionWorker::prepareSppm(int width, int height, uint32_t passes, SppmStat
 /// The integrator's pass into samples_, and for SPPM into the statistics.
 Result<bool> SessionWorker::renderInto(NextPass kind) {
     if (passIntegrator_ == IntegratorKind::PathTracing) {
-        return backend_->renderPass(passParams(kind), mailbox_->stopFlag(), &samples_);
+        return backend_->renderPass(passParams(kind), commandQueue_->stopFlag(), &samples_);
     }
     const SppmParams params = sppmParams(kind);
-    SppmState& state =
-        kind != NextPass::Film ? previewSppm_ : tracks_[static_cast<size_t>(IntegratorKind::Sppm)].sppm;
+    SppmState& state = kind != NextPass::Film
+                           ? previewSppm_
+                           : integratorStates_[static_cast<size_t>(IntegratorKind::Sppm)].sppm;
     prepareSppm(params.pass.width, params.pass.height, params.pass.pass, &state);
-    return backend_->renderSppmPass(params, mailbox_->stopFlag(), &state, &samples_);
+    return backend_->renderSppmPass(params, commandQueue_->stopFlag(), &state, &samples_);
 }
 
 PassInFlight SessionWorker::passInFlight(NextPass kind) const {
@@ -146,28 +136,28 @@ PassInFlight SessionWorker::passInFlight(NextPass kind) const {
         pass.previewSeconds = paceOf(otherIntegrator())
                                   .expectedSeconds(pixelCount(otherPreview_.width(), otherPreview_.height()));
     }
-    pass.mayWait = kind == NextPass::Film && filmPasses() > 0 && trackOf(passIntegrator_).passes() > 0;
+    pass.mayWait = kind == NextPass::Film && filmPasses() > 0 && stateOf(passIntegrator_).passes() > 0;
     return pass;
 }
 
 void SessionWorker::runPass(NextPass kind) {
     const bool aov = kind == NextPass::PreviewAov || kind == NextPass::FilmAov;
-    passIntegrator_ = kind == NextPass::Film           ? nextIntegrator(wishes_)
+    passIntegrator_ = kind == NextPass::Film           ? nextIntegrator(request_)
                       : kind == NextPass::OtherPreview ? otherIntegrator()
                                                        : integrator();
     const auto began = SessionClock::now();
-    mailbox_->beginPass(passInFlight(kind));
+    commandQueue_->beginPass(passInFlight(kind));
     const Result<bool> done =
-        aov ? backend_->renderAovPass(passParams(kind), mailbox_->stopFlag(), &aovSamples_)
+        aov ? backend_->renderAovPass(passParams(kind), commandQueue_->stopFlag(), &aovSamples_)
             : renderInto(kind);
-    mailbox_->endPass();
+    commandQueue_->endPass();
     if (!done) {
         fail(done.error().format());
     } else if (*done) {
         commitPass(kind, secondsSince(began));
     } else {
         ++status_.counters.passesDiscarded;
-        status_.lastCancelSeconds = secondsSince(mailbox_->stopRaised());
+        status_.lastCancelSeconds = secondsSince(commandQueue_->stopRaised());
     }
 }
 
@@ -209,7 +199,7 @@ void SessionWorker::commitFilmPass(double seconds) {
     } else {
         otherPreviewing_ = false;
     }
-    Track& rendered = tracks_[static_cast<size_t>(passIntegrator_)];
+    IntegratorState& rendered = integratorStates_[static_cast<size_t>(passIntegrator_)];
     prepareFilm(&rendered);
     const uint64_t raysBefore = rendered.film.rays();
     rendered.film.commit(samples_, rendered.film.passes(), options_.threads);
@@ -223,16 +213,14 @@ void SessionWorker::commitFilmPass(double seconds) {
     recordError(passIntegrator_);
 }
 
-ErrorEstimate SessionWorker::errorEstimate(const Track& of) const {
+ErrorEstimate SessionWorker::errorEstimate(const IntegratorState& of) const {
     return estimateError(of.film, &of.sppm, options_.threads);
 }
 
 /// A point of the convergence curve where one is due: rarely, so that no pass becomes noticeably slower.
 void SessionWorker::recordError(IntegratorKind kind) {
-    Track& rendered = trackOf(kind);
-    if (!rendered.curve.isDue(rendered.film.passes())) {
-        return;
-    }
+    IntegratorState& rendered = stateOf(kind);
+    if (!rendered.curve.isDue(rendered.film.passes())) { return; }
     rendered.error = errorEstimate(rendered);
     rendered.curve.add({.passes = rendered.film.passes(),
                         .renderSeconds = rendered.renderSeconds,
@@ -244,31 +232,27 @@ void SessionWorker::recordError(IntegratorKind kind) {
 }
 
 void SessionWorker::publishCurve(IntegratorKind kind) {
-    bulletin_->setCurve(kind, std::make_shared<const ConvergenceCurve>(trackOf(kind).curve));
+    published_->setCurve(kind, std::make_shared<const ConvergenceCurve>(stateOf(kind).curve));
 }
 
 void SessionWorker::refinePreview(double seconds) {
     const Resolution& size = scene_->resolution;
     paceOf(integrator()).measured(pixelCount(preview_.width(), preview_.height()), seconds);
     showIfDue();
-    if (wishes_.interacting) {
+    if (request_.interacting) {
         const int better = previewScaleNow(previewScale_);
-        if (2 * better <= previewScale_) {
-            startPreview(better);
-        }
+        if (2 * better <= previewScale_) { startPreview(better); }
         return;
     }
-    const bool passIsSlow = wishes_.aovs == 0 &&
+    const bool passIsSlow = request_.aovs == 0 &&
                             pace().expectedSeconds(pixelCount(size.width, size.height)) > kRefineAboveSeconds;
     if (passIsSlow && previewScale_ > 3) {
         startPreview(std::max(2, std::min(previewScale_ / 2, pace().choose(size.width, size.height, 0))));
     }
 }
 
-void SessionWorker::prepareFilm(Track* of) {
-    if (!of->isStale) {
-        return;
-    }
+void SessionWorker::prepareFilm(IntegratorState* of) {
+    if (!of->isStale) { return; }
     const Resolution& size = scene_->resolution;
     if (of->film.width() == size.width && of->film.height() == size.height) {
         of->film.clear();
@@ -280,9 +264,7 @@ void SessionWorker::prepareFilm(Track* of) {
 }
 
 void SessionWorker::prepareAovFilm(AovFilm* film, int width, int height) {
-    if (film->width() != width || film->height() != height) {
-        *film = AovFilm(width, height);
-    }
+    if (film->width() != width || film->height() != height) { *film = AovFilm(width, height); }
 }
 
 }  // namespace glint

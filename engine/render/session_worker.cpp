@@ -1,5 +1,5 @@
 // The loop, and what an edit does to it. Passes are in session_passes.cpp, what is shown of
-// them in session_pictures.cpp.
+// them in session_snapshots.cpp.
 #include "engine/render/session_worker.h"
 
 #include <algorithm>
@@ -25,52 +25,51 @@ void count(const BuildReport& report, SessionStatus::Counters* counters) {
 
 }  // namespace
 
-SessionWorker::SessionWorker(std::unique_ptr<Backend> backend, SessionOptions options, Mailbox* mailbox,
-                             Bulletin* bulletin)
-    : backend_(std::move(backend)), options_(std::move(options)), mailbox_(mailbox), bulletin_(bulletin) {
+SessionWorker::SessionWorker(std::unique_ptr<Backend> backend, SessionOptions options,
+                             CommandQueue* commandQueue, PublishedState* published)
+    : backend_(std::move(backend)),
+      options_(std::move(options)),
+      commandQueue_(commandQueue),
+      published_(published) {
     status_.backend = backend_->name();
     setStatus();
 }
 
 void SessionWorker::run() {
-    if (options_.lowPriority) {
-        lowerThreadPriority();
-    }
+    if (options_.lowPriority) { lowerThreadPriority(); }
     for (;;) {
-        Mail mail = mailbox_->take(
-            [this](const Wishes& wishes) { return nextPass(wishes) != NextPass::None; }, &wishes_);
-        if (mail.quit) {
-            std::ranges::move(mail.captures, std::back_inserter(captures_));
+        Commands commands = commandQueue_->take(
+            [this](const RenderRequest& request) { return nextPass(request) != NextPass::None; }, &request_);
+        if (commands.quit) {
+            std::ranges::move(commands.captures, std::back_inserter(captures_));
             answerCaptures();
             return;
         }
         try {
-            runOnce(std::move(mail));
+            runOnce(std::move(commands));
         } catch (const std::exception& problem) {
             fail(fmt::format("the render thread stopped: {}", problem.what()));
         }
     }
 }
 
-void SessionWorker::runOnce(Mail mail) {
-    ticket_ = mail.ticket;
-    std::ranges::move(mail.captures, std::back_inserter(captures_));
-    if (mail.firstPosted && !unansweredEdit_) {
-        unansweredEdit_ = mail.firstPosted;
-    }
-    if (mail.edit) {
-        if (mail.restart) {
-            mail.edit->kinds |= EditKind::Camera;  // empties the films of both integrators
+void SessionWorker::runOnce(Commands commands) {
+    ticket_ = commands.ticket;
+    std::ranges::move(commands.captures, std::back_inserter(captures_));
+    if (commands.firstPosted && !unansweredEdit_) { unansweredEdit_ = commands.firstPosted; }
+    if (commands.edit) {
+        if (commands.restart) {
+            commands.edit->kinds |= EditKind::Camera;  // empties the films of both integrators
         }
-        takeEdit(std::move(*mail.edit), std::move(mail.resume));
-    } else if (mail.restart && built_) {
+        takeEdit(std::move(*commands.edit), std::move(commands.resume));
+    } else if (commands.restart && built_) {
         failed_ = false;
         ++status_.generation;
-        restartPicture(EditKind::Everything);
+        restartImage(EditKind::Everything);
     }
     takeRequests();
     showIfDue();  // what is there already, before a pass that may take long
-    const NextPass kind = nextPass(wishes_);
+    const NextPass kind = nextPass(request_);
     if (kind != NextPass::None) {
         setStatus();
         runPass(kind);
@@ -81,28 +80,24 @@ void SessionWorker::runOnce(Mail mail) {
 }
 
 void SessionWorker::takeRequests() {
-    if (wishes_.aovs == 0 && (aovFilm_.width() > 0 || previewAovs_.width() > 0)) {
+    if (request_.aovs == 0 && (aovFilm_.width() > 0 || previewAovs_.width() > 0)) {
         aovFilm_ = AovFilm();
         previewAovs_ = AovFilm();
         shownAovs_.reset();
     }
-    if (built_ && wishes_.compare && !otherPreviewing_ && !comparing_) {
-        startOtherPreview();
-    }
-    comparing_ = wishes_.compare;
+    if (built_ && request_.compare && !otherPreviewing_ && !comparing_) { startOtherPreview(); }
+    comparing_ = request_.compare;
     // A picture at rest has to be shown again with what it lacked.
-    if (shownLacksWishes() && filmPasses() > 0) {
-        shownIsOld_ = true;
-    }
+    if (shownLacksRequest() && filmPasses() > 0) { shownIsOld_ = true; }
 }
 
-bool SessionWorker::shownLacksWishes() const {
-    return (wishes_.standardError && !shownStandardError_) ||
-           (wishes_.photonStatistics && !shownPhotonStatistics_) || (wishes_.errorMaps && !shownErrorMaps_);
+bool SessionWorker::shownLacksRequest() const {
+    return (request_.standardError && !shownStandardError_) ||
+           (request_.photonStatistics && !shownPhotonStatistics_) || (request_.errorMaps && !shownErrorMaps_);
 }
 
 void SessionWorker::fail(const std::string& why) {
-    mailbox_->endPass();
+    commandQueue_->endPass();
     failed_ = true;
     status_.error = why;
     logError("{}", why);
@@ -113,35 +108,28 @@ void SessionWorker::fail(const std::string& why) {
 void SessionWorker::takeEdit(SceneEdit edit, std::optional<ResumePoint> resume) {
     ++status_.generation;
     edit.kinds |= refusedKinds_;
-    if (!built_) {
-        edit.kinds |= EditKind::Everything;
-    }
+    if (!built_) { edit.kinds |= EditKind::Everything; }
     status_.state = SessionState::Building;
-    bulletin_->set(status_, ticket_);
-    if (!rebuild(edit)) {
-        return;
-    }
+    published_->set(status_, ticket_);
+    if (!rebuild(edit)) { return; }
     scene_ = std::move(edit.scene);
     refusedKinds_ = EditKind::None;
     failed_ = false;
     status_.error.clear();
-    if (has(edit.kinds, EditKind::Everything)) {
-        std::ranges::for_each(paces_, &PreviewScale::forget);
-    }
+    if (has(edit.kinds, EditKind::Everything)) { std::ranges::for_each(paces_, &PreviewScale::forget); }
     if (resume) {
         continueFrom(std::move(*resume));
     } else {
-        restartPicture(edit.kinds);
+        restartImage(edit.kinds);
     }
 }
 
 bool SessionWorker::rebuild(const SceneEdit& edit) {
-    if ((edit.kinds & (EditKind::SppmParameters | EditKind::Integrator)) == edit.kinds) {
-        return true;
-    }
+    if ((edit.kinds & (EditKind::SppmParameters | EditKind::Integrator)) == edit.kinds) { return true; }
     const auto began = SessionClock::now();
     BuildReport report;
-    auto result = options_.build(edit, built_.get(), options_.threads, &mailbox_->abandonBuild(), &report);
+    auto result =
+        options_.build(edit, built_.get(), options_.threads, &commandQueue_->abandonBuild(), &report);
     count(report, &status_.counters);
     if (!result) {
         refuse(edit.kinds, result.error().format());
@@ -160,7 +148,7 @@ bool SessionWorker::rebuild(const SceneEdit& edit) {
 
 void SessionWorker::refuse(EditKind kinds, const std::string& why) {
     refusedKinds_ |= kinds;
-    if (mailbox_->abandonBuild()) {
+    if (commandQueue_->abandonBuild()) {
         return;  // Given up for a newer scene, which will be built instead.
     }
     unansweredEdit_.reset();
@@ -178,17 +166,17 @@ IntegratorKind SessionWorker::otherIntegrator() const {
     return integrator() == IntegratorKind::Sppm ? IntegratorKind::PathTracing : IntegratorKind::Sppm;
 }
 
-void SessionWorker::restartPicture(EditKind kinds) {
+void SessionWorker::restartImage(EditKind kinds) {
     const bool sppmOnly = (kinds & (EditKind::SppmParameters | EditKind::Integrator)) == kinds;
-    for (size_t kind = 0; kind < kTracks; ++kind) {
+    for (size_t kind = 0; kind < kIntegrators; ++kind) {
         const bool isSppm = static_cast<IntegratorKind>(kind) == IntegratorKind::Sppm;
         if (!sppmOnly || (isSppm && has(kinds, EditKind::SppmParameters))) {
-            tracks_[kind].isStale = true;
-            ++tracks_[kind].restarts;
-            tracks_[kind].renderSeconds = 0.0;
-            tracks_[kind].error = {};
-            tracks_[kind].secondsPerPass = 0.0;
-            tracks_[kind].curve.clear();
+            integratorStates_[kind].isStale = true;
+            ++integratorStates_[kind].restarts;
+            integratorStates_[kind].renderSeconds = 0.0;
+            integratorStates_[kind].error = {};
+            integratorStates_[kind].secondsPerPass = 0.0;
+            integratorStates_[kind].curve.clear();
             publishCurve(static_cast<IntegratorKind>(kind));
         }
     }
@@ -201,29 +189,27 @@ void SessionWorker::restartPicture(EditKind kinds) {
         previewing_ = false;
         shownIsOld_ = true;
     } else {
-        startTrack();
+        startIntegratorState();
     }
     startOtherPreview();
 }
 
-void SessionWorker::startTrack() {
+void SessionWorker::startIntegratorState() {
     ++status_.counters.filmRestarts;
     const int scale = previewScaleNow(previewing_ ? previewScale_ : 0);
     previewing_ = scale > 1;
-    if (previewing_) {
-        startPreview(scale);
-    }
+    if (previewing_) { startPreview(scale); }
 }
 
 void SessionWorker::continueFrom(ResumePoint resume) {
     const Resolution& size = scene_->resolution;
-    restartPicture(EditKind::Everything);
+    restartImage(EditKind::Everything);
     if (resume.film.width() != size.width || resume.film.height() != size.height) {
         fail(fmt::format("the checkpoint's film has {}x{} pixels, the scene {}x{}", resume.film.width(),
                          resume.film.height(), size.width, size.height));
         return;
     }
-    Track& resumed = track();
+    IntegratorState& resumed = integratorState();
     resumed.film = std::move(resume.film);
     resumed.sppm = std::move(resume.sppm);
     resumed.isStale = false;
@@ -245,36 +231,26 @@ void SessionWorker::startPreview(int scale) {
     } else {
         preview_ = Film(width, height);
     }
-    if (integrator() == IntegratorKind::Sppm) {
-        previewSppm_.passes = 0;
-    }
+    if (integrator() == IntegratorKind::Sppm) { previewSppm_.passes = 0; }
     previewAovs_ = AovFilm();
     previewScale_ = scale;
 }
 
 /// While comparing, the two previews share the time and have one size: that of the slower integrator.
 int SessionWorker::previewScaleNow(int present) const {
-    if (!options_.previews) {
-        return 1;
-    }
+    if (!options_.previews) { return 1; }
     const Resolution& size = scene_->resolution;
-    if (!wishes_.compare) {
-        return pace().choose(size.width, size.height, present);
-    }
+    if (!request_.compare) { return pace().choose(size.width, size.height, present); }
     constexpr double kSeconds = 0.6 * PreviewScale::kTargetSeconds;
     return std::max(pace().choose(size.width, size.height, present, kSeconds),
                     paceOf(otherIntegrator()).choose(size.width, size.height, present, kSeconds));
 }
 
 void SessionWorker::startOtherPreview() {
-    if (!wishes_.compare || trackOf(otherIntegrator()).passes() > 0) {
-        return;
-    }
+    if (!request_.compare || stateOf(otherIntegrator()).passes() > 0) { return; }
     const int scale = previewing_ ? previewScale_ : previewScaleNow(otherPreviewScale_);
     otherPreviewing_ = scale > 1;
-    if (!otherPreviewing_) {
-        return;
-    }
+    if (!otherPreviewing_) { return; }
     otherPreviewScale_ = scale;
     const int width = previewSize(scene_->resolution.width, scale);
     const int height = previewSize(scene_->resolution.height, scale);
@@ -283,22 +259,18 @@ void SessionWorker::startOtherPreview() {
     } else {
         otherPreview_ = Film(width, height);
     }
-    if (otherIntegrator() == IntegratorKind::Sppm) {
-        previewSppm_.passes = 0;
-    }
+    if (otherIntegrator() == IntegratorKind::Sppm) { previewSppm_.passes = 0; }
 }
 
 void SessionWorker::serveCaptures() {
     const bool possible = built_ && !failed_;
-    if (!captures_.empty() && (!possible || filmPasses() > 0)) {
-        answerCaptures();
-    }
+    if (!captures_.empty() && (!possible || filmPasses() > 0)) { answerCaptures(); }
 }
 
 void SessionWorker::answerCaptures() {
     for (CapturePromise& promise : captures_) {
         if (filmPasses() > 0) {
-            const Track& shown = track();
+            const IntegratorState& shown = integratorState();
             promise.set_value(
                 SessionCapture{scene_, shown.film, shown.sppm, aovFilm_, shown.renderSeconds, shown.curve});
         } else {
@@ -309,22 +281,16 @@ void SessionWorker::answerCaptures() {
 }
 
 SessionState SessionWorker::state() const {
-    if (failed_) {
-        return SessionState::Failed;
-    }
-    if (!built_) {
-        return SessionState::Empty;
-    }
-    if (nextPass(wishes_) != NextPass::None) {
-        return SessionState::Rendering;
-    }
-    return limitReached(wishes_) ? SessionState::Finished : SessionState::Paused;
+    if (failed_) { return SessionState::Failed; }
+    if (!built_) { return SessionState::Empty; }
+    if (nextPass(request_) != NextPass::None) { return SessionState::Rendering; }
+    return limitReached(request_) ? SessionState::Finished : SessionState::Paused;
 }
 
 MemoryUse SessionWorker::memoryUse() const {
     MemoryUse use = sceneMemory_;
     use.add(backend_->memory());
-    for (const Track& kept : tracks_) {
+    for (const IntegratorState& kept : integratorStates_) {
         use[MemoryPart::Film] += kept.film.bytes();
         use[MemoryPart::SppmStatistics] += kept.sppm.bytes();
     }
@@ -338,7 +304,7 @@ MemoryUse SessionWorker::memoryUse() const {
 void SessionWorker::setStatus() {
     status_.state = state();
     status_.passes = filmPasses();
-    const Track& shown = track();
+    const IntegratorState& shown = integratorState();
     status_.integrator = integrator();
     status_.renderSeconds = shown.renderSeconds;
     const double passesPerSecond = shown.secondsPerPass > 0.0 ? 1.0 / shown.secondsPerPass : 0.0;
@@ -352,13 +318,13 @@ void SessionWorker::setStatus() {
     status_.memory = memoryUse();
     status_.filmBytes = preview_.bytes() + otherPreview_.bytes() + previewSppm_.bytes() + aovFilm_.bytes() +
                         previewAovs_.bytes();
-    for (const Track& kept : tracks_) {
+    for (const IntegratorState& kept : integratorStates_) {
         status_.filmBytes += kept.film.bytes() + kept.sppm.bytes();
     }
     status_.faultCounts =
         shown.isStale ? std::array<uint64_t, kSampleFaultCount>{} : shown.film.faultCounts();
     status_.photonsPerPass = scene_ ? planSppmMemory(*scene_).photonsPerPass : 0;
-    bulletin_->set(status_, ticket_);
+    published_->set(status_, ticket_);
 }
 
 }  // namespace glint

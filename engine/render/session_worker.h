@@ -1,8 +1,8 @@
-// The render thread's own state and its loop: take mail, rebuild what an edit names, run the next pass, show
-// it.
+// The render thread's own state and its loop: take mail, rebuild what an edit names, run the next pass,
+// show it.
 //
-// Used by render_session.cpp alone. Everything here belongs to the render thread; the mailbox and the
-// bulletin are the only ways in and out.
+// Used by render_session.cpp alone. Everything here belongs to the render thread; the command queue and the
+// published state are the only ways in and out.
 #pragma once
 
 #include <array>
@@ -10,27 +10,27 @@
 #include <string>
 #include <vector>
 
-#include "engine/render/bulletin.h"
+#include "engine/render/command_queue.h"
 #include "engine/render/error_estimate.h"
-#include "engine/render/mailbox.h"
 #include "engine/render/preview_scale.h"
+#include "engine/render/published_state.h"
 
 namespace glint {
 
 class SessionWorker {
   public:
-    SessionWorker(std::unique_ptr<Backend> backend, SessionOptions options, Mailbox* mailbox,
-                  Bulletin* bulletin);
+    SessionWorker(std::unique_ptr<Backend> backend, SessionOptions options, CommandQueue* commandQueue,
+                  PublishedState* published);
     /// Until Mail::quit. Never throws: what goes wrong becomes SessionState::Failed.
     void run();
 
   private:
     /// One integrator's picture. Both are kept, so that switching loses nothing.
-    struct Track {
+    struct IntegratorState {
         Film film;
         SppmState sppm;  ///< empty for path tracing
-        bool isStale =
-            true;  ///< cleared only when a pass is ready to be added, to keep it out of the edit's way
+        /// cleared only when a pass is ready to be added, to keep it out of the edit's way
+        bool isStale = true;
         uint64_t restarts = 0;  ///< tells this film from those before
         double renderSeconds = 0.0;
         ErrorEstimate error;
@@ -40,50 +40,52 @@ class SessionWorker {
 
         uint32_t passes() const { return isStale ? 0 : film.passes(); }
     };
-    static constexpr size_t kTracks = 2;
+    static constexpr size_t kIntegrators = 2;
 
     enum class NextPass { None, Preview, PreviewAov, OtherPreview, Film, FilmAov };
 
-    void runOnce(Mail mail);
+    void runOnce(Commands commands);
     void fail(const std::string& why);
 
     void takeEdit(SceneEdit edit, std::optional<ResumePoint> resume);
     bool rebuild(const SceneEdit& edit);
     void refuse(EditKind kinds, const std::string& why);
     /// Empties the films that an edit of these kinds makes wrong, and begins anew with the one that is shown.
-    void restartPicture(EditKind kinds);
-    void startTrack();
+    void restartImage(EditKind kinds);
+    void startIntegratorState();
     void continueFrom(ResumePoint resume);
     void startPreview(int scale);
     /// While comparing: previews of the integrator that is not shown, until its film has a pass.
     void startOtherPreview();
     int previewScaleNow(int present) const;
 
-    NextPass nextPass(const Wishes& wishes) const;
-    bool previewsOnly(const Wishes& wishes) const;
-    bool otherPreviewIsDue(const Wishes& wishes) const;
-    bool wantsFilmPass(const Wishes& wishes) const;
+    NextPass nextPass(const RenderRequest& request) const;
+    bool previewsOnly(const RenderRequest& request) const;
+    bool otherPreviewIsDue(const RenderRequest& request) const;
+    bool wantsFilmPass(const RenderRequest& request) const;
     /// Of the film that is shown; while comparing, the other one must have had as much time too.
-    bool limitReached(const Wishes& wishes) const;
-    uint32_t filmPasses() const { return track().passes(); }
+    bool limitReached(const RenderRequest& request) const;
+    uint32_t filmPasses() const { return integratorState().passes(); }
     /// The integrator that is shown, and the one that the next film pass is for: while comparing, whichever
     /// had less time.
     IntegratorKind integrator() const;
-    IntegratorKind nextIntegrator(const Wishes& wishes) const;
+    IntegratorKind nextIntegrator(const RenderRequest& request) const;
     IntegratorKind otherIntegrator() const;
-    Track& trackOf(IntegratorKind kind) { return tracks_[static_cast<size_t>(kind)]; }
-    const Track& trackOf(IntegratorKind kind) const { return tracks_[static_cast<size_t>(kind)]; }
-    Track& track() { return trackOf(integrator()); }
-    const Track& track() const { return trackOf(integrator()); }
+    IntegratorState& stateOf(IntegratorKind kind) { return integratorStates_[static_cast<size_t>(kind)]; }
+    const IntegratorState& stateOf(IntegratorKind kind) const {
+        return integratorStates_[static_cast<size_t>(kind)];
+    }
+    IntegratorState& integratorState() { return stateOf(integrator()); }
+    const IntegratorState& integratorState() const { return stateOf(integrator()); }
 
     void runPass(NextPass kind);
     Result<bool> renderInto(NextPass kind);
     void commitPass(NextPass kind, double seconds);
     void commitFilmPass(double seconds);
     void refinePreview(double seconds);
-    void prepareFilm(Track* track);
+    void prepareFilm(IntegratorState* integratorState);
     void prepareSppm(int width, int height, uint32_t passes, SppmState* state) const;
-    ErrorEstimate errorEstimate(const Track& track) const;
+    ErrorEstimate errorEstimate(const IntegratorState& integratorState) const;
     void recordError(IntegratorKind kind);
     void publishCurve(IntegratorKind kind);
     void prepareAovFilm(AovFilm* film, int width, int height);
@@ -92,7 +94,7 @@ class SessionWorker {
     PassInFlight passInFlight(NextPass kind) const;
 
     void takeRequests();
-    bool shownLacksWishes() const;
+    bool shownLacksRequest() const;
     void serveCaptures();
     void answerCaptures();
     void showIfDue();
@@ -108,20 +110,20 @@ class SessionWorker {
 
     std::unique_ptr<Backend> backend_;
     SessionOptions options_;
-    Mailbox* mailbox_;
-    Bulletin* bulletin_;
+    CommandQueue* commandQueue_;
+    PublishedState* published_;
 
-    Wishes wishes_;
+    RenderRequest request_;
     uint64_t ticket_ = 0;
     std::vector<CapturePromise> captures_;
     std::shared_ptr<const SceneDescription> scene_;
     std::shared_ptr<const BuiltScene> built_;
     MemoryUse sceneMemory_;  ///< of built_
-    EditKind refusedKinds_ =
-        EditKind::None;  ///< of edits that were refused: the next one has to make up for them
+    /// of edits that were refused: the next one has to make up for them
+    EditKind refusedKinds_ = EditKind::None;
     bool failed_ = false;
 
-    std::array<Track, kTracks> tracks_;
+    std::array<IntegratorState, kIntegrators> integratorStates_;
     AovFilm aovFilm_;
     std::vector<PixelSample> samples_;
     std::vector<AovSample> aovSamples_;
@@ -136,7 +138,7 @@ class SessionWorker {
     bool otherPreviewing_ = false;
     int otherPreviewScale_ = 1;
     Film otherPreview_;
-    std::array<PreviewScale, kTracks> paces_;  ///< by IntegratorKind
+    std::array<PreviewScale, kIntegrators> paces_;  ///< by IntegratorKind
 
     bool shownIsOld_ = false;  ///< something was committed since the last snapshot
     bool shownPreview_ = false;
@@ -163,7 +165,7 @@ class SessionWorker {
         bool operator==(const ShownOther&) const = default;
     };
     ShownOther shownOther_;
-    std::shared_ptr<const FilmSnapshot> shownOtherPicture_;
+    std::shared_ptr<const FilmSnapshot> shownOtherImage_;
     SessionClock::time_point shownOtherAt_;
 
     SessionStatus status_;

@@ -18,9 +18,7 @@ void copyPixel(const Film& film, const SppmState* sppm, size_t i, FilmSnapshot* 
     if (!snapshot->standardError.empty()) {
         snapshot->standardError[i] = static_cast<float>(std::sqrt(pixelError(film, sppm, i).variance));
     }
-    if (!snapshot->bias.empty()) {
-        snapshot->bias[i] = sppm->pixels[i].bias;
-    }
+    if (!snapshot->bias.empty()) { snapshot->bias[i] = sppm->pixels[i].bias; }
     if (!snapshot->radiusWorld.empty()) {
         snapshot->radiusWorld[i] = static_cast<float>(std::sqrt(sppm->pixels[i].radiusSquared));
         snapshot->photonCount[i] = static_cast<float>(sppm->pixels[i].photonCount);
@@ -38,9 +36,7 @@ std::shared_ptr<FilmSnapshot> makeSnapshot(const Film& film, const SppmState* sp
     snapshot->passes = film.passes();
     const size_t count = film.pixels().size();
     snapshot->radiance.resize(count * 3);
-    if (request.standardError) {
-        snapshot->standardError.resize(count);
-    }
+    if (request.standardError) { snapshot->standardError.resize(count); }
     if (sppm && request.photonStatistics) {
         snapshot->radiusWorld.resize(count);
         snapshot->photonCount.resize(count);

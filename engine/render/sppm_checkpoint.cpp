@@ -51,9 +51,7 @@ bool readSppmState(ByteReader in, const Film& film, SppmState* state) {
         }
         pixel.bias = in.read<float>();
         pixel.passM2 = in.read<float>();
-        if (!plausible(pixel)) {
-            return false;
-        }
+        if (!plausible(pixel)) { return false; }
     }
     *state = std::move(out);
     return !in.failed();

@@ -1,7 +1,7 @@
 // The SPPM loops that the CPU compiles, and the table of masks they are compiled for.
 //
-// Like cpu_kernel.h: each sppm_kernel_<name>.cpp holds the code of one mask. Only those include
-// sppm_kernel_loops.h.
+// Like cpu_kernel.h: each sppm_kernel_<name>.cpp holds the code of one mask. Only those
+// include sppm_kernel_loops.h.
 #pragma once
 
 #include "engine/kernels/features.h"

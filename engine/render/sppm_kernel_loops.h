@@ -37,9 +37,7 @@ PhotonTotals tracePhotons(const SceneView& view, const EmissionView& emission, c
         const PhotonTally tally =
             tracePhoton<kMask>(view, emission, params, number, [&](const Photon& photon) {
                 uint32_t cell[3];
-                if (space.locate(photon.p, cell)) {
-                    writer->add(photon);
-                }
+                if (space.locate(photon.p, cell)) { writer->add(photon); }
             });
         totals.emitted += static_cast<double>(tally.emitted);
         totals.escaped += static_cast<double>(tally.escaped);

@@ -25,9 +25,7 @@ Vec3 SppmState::photonRadiance(size_t index) const {
 }
 
 double SppmState::photonStandardError(size_t index) const {
-    if (passes < 2) {
-        return std::numeric_limits<double>::infinity();
-    }
+    if (passes < 2) { return std::numeric_limits<double>::infinity(); }
     const double n = passes;
     return std::sqrt(static_cast<double>(pixels[index].passM2) / (n - 1.0) / n);
 }

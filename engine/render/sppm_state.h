@@ -1,8 +1,8 @@
-// What SPPM carries from pass to pass: the statistics of every pixel and how many photons were emitted for
-// them.
+// What SPPM carries from pass to pass: the statistics of every pixel and how many photons were emitted
+// for them.
 //
-// Belongs to the render session, changes only when a whole pass is committed, and goes into checkpoints as it
-// is.
+// Belongs to the render session, changes only when a whole pass is committed, and goes into checkpoints as
+// it is.
 #pragma once
 
 #include <cstdint>
@@ -53,8 +53,8 @@ SppmMemory planSppmMemory(const SceneDescription& scene);
 /// A generous guess before anything is traced: closed rooms of albedo 0.75 store three to four times.
 constexpr double kExpectedStores = 4.0;
 
-/// storedPerPhoton: how many places a photon is stored at on average, measured or expected. budgetBytes 0: no
-/// limit.
+/// storedPerPhoton: how many places a photon is stored at on average, measured or expected. budgetBytes 0:
+/// no limit.
 SppmMemory planSppmMemory(int width, int height, uint32_t photonsPerPass, double storedPerPhoton,
                           size_t budgetBytes);
 

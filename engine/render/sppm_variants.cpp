@@ -22,9 +22,7 @@ std::span<const SppmVariant> sppmVariants() {
 const SppmVariant& chooseSppmVariant(FeatureMask needed) {
     const std::span<const SppmVariant> variants = sppmVariants();
     for (const SppmVariant& candidate : variants) {
-        if ((needed & ~candidate.mask) == 0) {
-            return candidate;
-        }
+        if ((needed & ~candidate.mask) == 0) { return candidate; }
     }
     return variants.back();
 }

@@ -44,8 +44,8 @@ Vec3 toneMapped(Vec3 radiance, float exposureStops, ToneMap map) {
     return x;
 }
 
-Image8 toneMapPicture(const float* radianceRgb, int width, int height, float exposureStops, ToneMap map,
-                      int threads) {
+Image8 toneMapImage(const float* radianceRgb, int width, int height, float exposureStops, ToneMap map,
+                    int threads) {
     Image8 out{.width = width, .height = height, .rgb = {}};
     out.rgb.resize(size_t{3} * static_cast<size_t>(width) * static_cast<size_t>(height));
     parallelChunks(height, 16, threads, [&](int64_t beginRow, int64_t endRow) {
@@ -67,9 +67,7 @@ Vec3 normalColor(const Vec3& unitOrZero) {
 }
 
 Vec3 idColor(uint32_t id) {
-    if (id == 0) {
-        return Vec3(0.0f);
-    }
+    if (id == 0) { return Vec3(0.0f); }
     // Hues a golden ratio apart stay far from each other for any run of ids.
     const double turns = static_cast<double>(id) * 0.61803398874989485;
     const float hue = 6.0f * static_cast<float>(turns - std::floor(turns));
@@ -81,9 +79,7 @@ Vec3 idColor(uint32_t id) {
 }
 
 Vec3 depthColor(float depth, float nearest, float farthest) {
-    if (!(depth > 0.0f)) {
-        return Vec3(0.0f);
-    }
+    if (!(depth > 0.0f)) { return Vec3(0.0f); }
     const float range = farthest - nearest;
     const float relative = range > 0.0f ? clampf((depth - nearest) / range, 0.0f, 1.0f) : 0.0f;
     return Vec3(1.0f - 0.9f * relative);

@@ -1,5 +1,5 @@
-// From linear radiance to 8-bit display values: exposure and tone curves, and false colours for the other
-// pictures.
+// From linear radiance to 8-bit display values: exposure and tone curves, and false colours for the
+// other pictures.
 //
 // `glint render` writes PNGs with this; shaders/tonemap.frag mirrors toneMapped() line by line and agrees to
 // 1/255. All formulas are plain float arithmetic, per channel except where said. Nothing here reaches the
@@ -61,8 +61,8 @@ inline uint8_t displayByte(float v) {
 }
 
 /// The whole picture, 3 floats a pixel, row 0 at the top, on `threads` threads (0: all).
-Image8 toneMapPicture(const float* radianceRgb, int width, int height, float exposureStops, ToneMap map,
-                      int threads);
+Image8 toneMapImage(const float* radianceRgb, int width, int height, float exposureStops, ToneMap map,
+                    int threads);
 
 /// False colours, in [0, 1]. A unit vector: 0.5 v + 0.5, and black for the zero vector (nothing hit).
 Vec3 normalColor(const Vec3& unitOrZero);

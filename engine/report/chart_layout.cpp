@@ -19,9 +19,7 @@ bool canShow(double value) { return std::isfinite(value) && value > 0.0; }
 std::vector<ChartPoint> shownPoints(const ChartSeries& series) {
     std::vector<ChartPoint> shown;
     for (const ChartPoint& point : series.points) {
-        if (canShow(point.x) && canShow(point.y)) {
-            shown.push_back(point);
-        }
+        if (canShow(point.x) && canShow(point.y)) { shown.push_back(point); }
     }
     std::ranges::stable_sort(shown, {}, &ChartPoint::x);
     return shown;
@@ -76,9 +74,7 @@ void findAxes(const LogLogChart& chart, ChartLayout* layout) {
 
 std::string levelText(const ChartLayout& layout, const ChartLevel& level) {
     const std::string text = fmt::format("{}: {:.2g}", cleanText(level.label), level.y);
-    if (layout.empty || !canShow(level.y) || layout.shows(level)) {
-        return text;
-    }
+    if (layout.empty || !canShow(level.y) || layout.shows(level)) { return text; }
     return text + (layout.yAxis.share(level.y) < 0.0 ? " (below)" : " (above)");
 }
 
@@ -104,18 +100,14 @@ double legendWidth(const ChartLayout& layout) {
 
 std::vector<std::string> notesOf(const ChartLayout& layout, const LogLogChart& chart) {
     std::vector<std::string> notes;
-    if (!chart.note.empty()) {
-        notes.push_back(cleanText(chart.note));
-    }
+    if (!chart.note.empty()) { notes.push_back(cleanText(chart.note)); }
     std::string missing;
     for (size_t i = 0; i < chart.series.size(); ++i) {
         if (const size_t left = chart.series[i].points.size() - layout.shown[i].size(); left > 0) {
             missing += fmt::format("{}{} of {}", missing.empty() ? "" : ", ", left, layout.legend[i]);
         }
     }
-    if (!missing.empty()) {
-        notes.push_back("Not shown, being zero, negative or not finite: " + missing);
-    }
+    if (!missing.empty()) { notes.push_back("Not shown, being zero, negative or not finite: " + missing); }
     return notes;
 }
 
@@ -129,9 +121,7 @@ void placeFrame(const LogLogChart& chart, ChartLayout* layout) {
     layout->bottom = layout->height - below;
     layout->right = layout->width - kChartMargin - legendWidth(*layout);
     layout->left = kChartMargin + kChartTextSize + 14.0;
-    if (layout->empty) {
-        return;
-    }
+    if (layout->empty) { return; }
     layout->yTicks = logTicks(layout->yAxis, layout->bottom - layout->top, kYLabelSpacing);
     double widest = 0.0;
     for (const LogTick& tick : layout->yTicks) {
@@ -156,9 +146,7 @@ double ChartLayout::tickY(const LogTick& tick) const {
 }
 
 bool ChartLayout::shows(const ChartLevel& level) const {
-    if (empty || !canShow(level.y)) {
-        return false;
-    }
+    if (empty || !canShow(level.y)) { return false; }
     const double share = yAxis.share(level.y);
     return share >= 0.0 && share <= 1.0;
 }

@@ -10,10 +10,8 @@ namespace {
 
 /// The reference's own share of a measure; NaN: not known.
 double floorOf(const ConvergenceReport& report, ErrorMeasure measure) {
-    const ReferencePicture& reference = report.reference;
-    if (!reference.knowsItsError()) {
-        return std::nan("");
-    }
+    const ReferenceImage& reference = report.reference;
+    if (!reference.knowsItsError()) { return std::nan(""); }
     switch (measure) {
         case ErrorMeasure::RelativeError:
             return report.summary.floor;
@@ -63,9 +61,7 @@ ChartSeries seriesOf(const ConvergenceReport& report, size_t index, ErrorMeasure
 }  // namespace
 
 std::string measureText(ErrorMeasure measure, double value) {
-    if (!std::isfinite(value)) {
-        return "–";
-    }
+    if (!std::isfinite(value)) { return "–"; }
     return isShare(measure) ? fmt::format("{:.3g} %", 100.0 * value) : fmt::format("{:.4g}", value);
 }
 
@@ -95,9 +91,7 @@ LogLogChart errorChart(const ConvergenceReport& report, ErrorMeasure measure) {
         chart.series.push_back(seriesOf(report, i, measure));
         marked = marked || report.summary.variants[i].sameMethodAsReference;
     }
-    if (marked) {
-        chart.note += " * Reference by the same method.";
-    }
+    if (marked) { chart.note += " * Reference by the same method."; }
     if (const double floor = floorOf(report, measure); floor > 0.0) {
         const bool biased = report.reference.integrator == IntegratorKind::Sppm;
         chart.levels.push_back(

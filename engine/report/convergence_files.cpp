@@ -24,9 +24,7 @@ Json pointJson(const SummaryPoint& point) {
 }
 
 Json fitJson(const VariantSummary& variant) {
-    if (!variant.fit) {
-        return nullptr;
-    }
+    if (!variant.fit) { return nullptr; }
     const LogLogFit& fit = *variant.fit;
     return {{"slope", fit.slope},
             {"slope_low", fit.slopeLow},
@@ -82,13 +80,13 @@ Json variantJson(const ConvergenceReport& report, size_t index) {
     for (const SummaryPoint& point : summary.points) {
         curve.push_back(pointJson(point));
     }
-    Json pictures = Json::array();
-    for (const KeptPicture& picture : measured.pictures) {
-        const MeasuredPoint& point = measured.curves.front().points[picture.point];
-        pictures.push_back({{"passes", point.passes},
-                            {"seconds", point.seconds},
-                            {"file", picture.file},
-                            {"error_file", picture.errorFile}});
+    Json images = Json::array();
+    for (const KeptImage& image : measured.images) {
+        const MeasuredPoint& point = measured.curves.front().points[image.point];
+        images.push_back({{"passes", point.passes},
+                          {"seconds", point.seconds},
+                          {"file", image.file},
+                          {"error_file", image.errorFile}});
     }
     return {{"name", measured.variant.name},
             {"text", measured.variant.text},
@@ -108,11 +106,11 @@ Json variantJson(const ConvergenceReport& report, size_t index) {
               {"bias_squared", summary.biasSquared},
               {"efficiency", summary.efficiency},
               {"relative_efficiency", summary.relativeEfficiency}}},
-            {"pictures", pictures}};
+            {"pictures", images}};
 }
 
 Json referenceJson(const ConvergenceReport& report) {
-    const ReferencePicture& reference = report.reference;
+    const ReferenceImage& reference = report.reference;
     const bool known = reference.knowsItsError();
     return {{"file", reference.path},
             {"method", reference.method.empty() ? Json() : Json(reference.method)},

@@ -49,9 +49,7 @@ std::optional<Line> leastSquares(const std::vector<CurvePoint>& curve) {
             meanY += logs.back().second;
         }
     }
-    if (logs.size() < 3) {
-        return std::nullopt;
-    }
+    if (logs.size() < 3) { return std::nullopt; }
     const double n = static_cast<double>(logs.size());
     meanX /= n;
     meanY /= n;
@@ -60,9 +58,7 @@ std::optional<Line> leastSquares(const std::vector<CurvePoint>& curve) {
         xx += (x - meanX) * (x - meanX);
         xy += (x - meanX) * (y - meanY);
     }
-    if (!(xx > 1e-12)) {
-        return std::nullopt;
-    }
+    if (!(xx > 1e-12)) { return std::nullopt; }
     Line line{
         .slope = xy / xx, .intercept = meanY - xy / xx * meanX, .points = static_cast<int>(logs.size())};
     double residual = 0.0;
@@ -100,9 +96,7 @@ std::optional<LogLogFit> fitLogLog(std::span<const std::vector<CurvePoint>> curv
             fit.points += line->points;
         }
     }
-    if (lines.empty()) {
-        return std::nullopt;
-    }
+    if (lines.empty()) { return std::nullopt; }
     const double n = static_cast<double>(lines.size());
     fit.curves = static_cast<int>(lines.size());
     fit.slope /= n;
@@ -125,16 +119,12 @@ std::optional<LogLogFit> fitLogLog(std::span<const std::vector<CurvePoint>> curv
 
 TimeToReach timeToReach(std::span<const CurvePoint> curve, double target,
                         const std::optional<LogLogFit>& fit) {
-    if (curve.empty()) {
-        return {};
-    }
+    if (curve.empty()) { return {}; }
     size_t firstBelow = curve.size();
     while (firstBelow > 0 && curve[firstBelow - 1].error <= target) {
         --firstBelow;
     }
-    if (firstBelow == 0) {
-        return {TimeToReach::Kind::Before, curve[0].seconds};
-    }
+    if (firstBelow == 0) { return {TimeToReach::Kind::Before, curve[0].seconds}; }
     if (firstBelow < curve.size()) {
         const CurvePoint& above = curve[firstBelow - 1];
         const CurvePoint& below = curve[firstBelow];
@@ -145,9 +135,7 @@ TimeToReach timeToReach(std::span<const CurvePoint> curve, double target,
                 above.seconds * std::pow(below.seconds / above.seconds, std::clamp(share, 0.0, 1.0))};
     }
     const CurvePoint& last = curve.back();
-    if (!fit || !(fit->slopeHigh < 0.0) || !std::isfinite(last.error)) {
-        return {};
-    }
+    if (!fit || !(fit->slopeHigh < 0.0) || !std::isfinite(last.error)) { return {}; }
     const auto at = [&](double slope) { return last.seconds * std::pow(last.error / target, -1.0 / slope); };
     return {TimeToReach::Kind::Predicted, at(fit->slope), at(fit->slopeLow), at(fit->slopeHigh)};
 }

@@ -36,7 +36,7 @@ figcaption { font-size: .85rem; color: var(--soft); } h3 { font-size: 1rem; marg
 
 class Page {
   public:
-    Page(const ConvergenceReport& report, const std::string& folder, const PictureLegend& legend)
+    Page(const ConvergenceReport& report, const std::string& folder, const ImageLegend& legend)
         : report_(report), folder_(folder), legend_(legend) {}
 
     std::string write() {
@@ -54,7 +54,7 @@ class Page {
             htmlText(context.processor), context.threads, GLINT_VERSION, htmlText(context.date));
         out += warnings() + chartSvg(errorChart(report_, ErrorMeasure::RelativeError)) +
                pageSpeedTable(report_) + pageMetricsTable(report_) + moreCharts() +
-               pagePictures(report_, folder_, legend_) + reference() + method();
+               pageImages(report_, folder_, legend_) + reference() + method();
         return out + "</body>\n</html>\n";
     }
 
@@ -83,27 +83,19 @@ class Page {
     }
 
     std::string reference() const {
-        const ReferencePicture& r = report_.reference;
+        const ReferenceImage& r = report_.reference;
         std::string out = fmt::format("<h2>The reference</h2>\n<p><code>{}</code>, by {}", htmlText(r.path),
                                       r.method.empty() ? "an unknown method" : htmlText(r.method));
-        if (r.renderSeconds > 0.0) {
-            out += fmt::format(" in {:.3g} s", r.renderSeconds);
-        }
-        if (r.passes > 0) {
-            out += fmt::format(", {} passes", r.passes);
-        }
-        if (!r.seeds.empty()) {
-            out += fmt::format(", seeds {}", fmt::join(r.seeds, ", "));
-        }
+        if (r.renderSeconds > 0.0) { out += fmt::format(" in {:.3g} s", r.renderSeconds); }
+        if (r.passes > 0) { out += fmt::format(", {} passes", r.passes); }
+        if (!r.seeds.empty()) { out += fmt::format(", seeds {}", fmt::join(r.seeds, ", ")); }
         if (!r.endedBy.empty()) {
             out += r.endedBy == "precision" ? "; it was precise enough"
                    : r.endedBy == "time"    ? "; its time was up"
                                             : "; it was interrupted";
         }
         out += r.cached ? "; from an earlier run.</p>\n" : ".</p>\n";
-        if (!r.knowsItsError()) {
-            return out;
-        }
+        if (!r.knowsItsError()) { return out; }
         return out + fmt::format(
                          "<p>Its own relative error is {}: {:.2g} of the smallest error measured. It adds "
                          "{:.3g} to every MSE{}.</p>\n",
@@ -132,13 +124,13 @@ class Page {
 
     const ConvergenceReport& report_;
     const std::string& folder_;
-    const PictureLegend& legend_;
+    const ImageLegend& legend_;
 };
 
 }  // namespace
 
 std::string convergencePage(const ConvergenceReport& report, const std::string& folder,
-                            const PictureLegend& legend) {
+                            const ImageLegend& legend) {
     return Page(report, folder, legend).write();
 }
 

@@ -3,15 +3,15 @@
 
 #include <string>
 
-#include "engine/report/convergence_pictures.h"
+#include "engine/report/convergence_images.h"
 #include "engine/report/convergence_report.h"
 
 namespace glint {
 
-/// `folder` holds the pictures that savePictures() wrote; larger ones than kMostPagePixels wide go into the
+/// `folder` holds the pictures that saveImages() wrote; larger ones than kMostPagePixels wide go into the
 /// page reduced. Pictures that cannot be read are left out.
 std::string convergencePage(const ConvergenceReport& report, const std::string& folder,
-                            const PictureLegend& legend);
+                            const ImageLegend& legend);
 
 constexpr int kMostPagePixels = 360;
 

@@ -11,8 +11,7 @@ namespace glint {
 std::string pageSpeedTable(const ConvergenceReport& report);
 /// Measures down, variants across: there are always more of the former.
 std::string pageMetricsTable(const ConvergenceReport& report);
-std::string pagePictures(const ConvergenceReport& report, const std::string& folder,
-                         const PictureLegend& legend);
+std::string pageImages(const ConvergenceReport& report, const std::string& folder, const ImageLegend& legend);
 
 /// The variant's name, with the mark of the reference's own method.
 std::string pageName(const ConvergenceReport& report, size_t variant);

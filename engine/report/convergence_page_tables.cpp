@@ -41,9 +41,7 @@ std::string timeText(const TimeToReach& time) {
 
 std::string speedRow(const ConvergenceReport& report, size_t index) {
     const VariantSummary& summary = report.summary.variants[index];
-    if (summary.points.empty()) {
-        return row({pageName(report, index), "nothing measured"});
-    }
+    if (summary.points.empty()) { return row({pageName(report, index), "nothing measured"}); }
     const SummaryPoint& last = summary.points.back();
     const Spread& error = last.errors[static_cast<size_t>(ErrorMeasure::RelativeError)];
     std::vector<std::string> cells = {

@@ -33,9 +33,7 @@ class Pilot {
     std::optional<double> predict() {
         const auto first = pointAt(0.5);
         const auto second = first ? pointAt(1.0) : first;
-        if (!second || !std::isfinite(second->error) || !(second->error > 0.0)) {
-            return std::nullopt;
-        }
+        if (!second || !std::isfinite(second->error) || !(second->error > 0.0)) { return std::nullopt; }
         double slope = 0.5;
         if (std::isfinite(first->error) && second->work > first->work) {
             slope = std::log(first->error / second->error) / std::log(second->work / first->work);
@@ -55,9 +53,7 @@ class Pilot {
             outcome = session_.runTo({.passes = byTime ? 0 : passes, .renderSeconds = seconds});
         }
         const auto capture = outcome == Outcome::Reached ? session_.capture() : std::nullopt;
-        if (!capture) {
-            return std::nullopt;
-        }
+        if (!capture) { return std::nullopt; }
         return PilotPoint{byTime ? capture->renderSeconds : static_cast<double>(capture->film.passes()),
                           kPessimism * estimateError(capture->film, &capture->sppm, threads_).low};
     }
@@ -77,12 +73,8 @@ double predictSmallestError(const ConvergencePlan& plan, const SceneDescription&
         VariantSettings settings = variant.applyTo(plan.defaults);
         settings.options.seed = plan.seeds[0];
         auto session = MeasuredSession::start(scene, settings, host);
-        if (!session) {
-            continue;
-        }
-        if (host.onPart) {
-            host.onPart(fmt::format("pilot of {}", variant.name));
-        }
+        if (!session) { continue; }
+        if (host.onPart) { host.onPart(fmt::format("pilot of {}", variant.name)); }
         if (const auto error = Pilot(plan, **session, mostSeconds, settings.threads).predict()) {
             smallest = smallest > 0.0 ? std::min(smallest, *error) : *error;
         }

@@ -14,13 +14,13 @@ namespace {
 /// Mean and spread of replicates, weighted by their passes (West 1979).
 class Replicates {
   public:
-    void add(const FilmSnapshot& picture) {
-        const std::vector<float>& values = picture.radiance;
+    void add(const FilmSnapshot& image) {
+        const std::vector<float>& values = image.radiance;
         if (count_ == 0) {
             mean_.resize(values.size());
             squares_.resize(values.size());
         }
-        const double w = picture.passes;
+        const double w = image.passes;
         weight_ += w;
         for (size_t i = 0; i < values.size(); ++i) {
             const double delta = static_cast<double>(values[i]) - mean_[i];
@@ -32,8 +32,8 @@ class Replicates {
     int count() const { return count_; }
 
     /// The picture and its figures; needs two.
-    void store(ReferencePicture* out) const {
-        out->picture.rgb.assign(mean_.begin(), mean_.end());
+    void store(ReferenceImage* out) const {
+        out->image.rgb.assign(mean_.begin(), mean_.end());
         out->variance.clear();
         for (const double sum : squares_) {
             out->variance.push_back(static_cast<float>(sum / weight_ / (count_ - 1)));
@@ -59,7 +59,7 @@ uint64_t droppedIn(const Film& film) {
     return dropped;
 }
 
-void addRemarks(const ReferencePlan& plan, uint64_t dropped, ReferencePicture* out) {
+void addRemarks(const ReferencePlan& plan, uint64_t dropped, ReferenceImage* out) {
     if (plan.variant.integrator == IntegratorKind::Sppm) {
         out->remarks.emplace_back(
             "The reference is by photon mapping: the bias of its finite radius is not in its error bar.");
@@ -81,13 +81,13 @@ class ReferenceMaker {
                    MeasuredSession& session)
         : plan_(plan), host_(host), session_(session), planned_(replicatesOf(plan.variant.integrator)) {
         made_.timeLimitSeconds = plan.renderSeconds;
-        made_.picture.width = scene.resolution.width;
-        made_.picture.height = scene.resolution.height;
+        made_.image.width = scene.resolution.width;
+        made_.image.height = scene.resolution.height;
         made_.method = plan.variant.text;
         made_.integrator = plan.variant.integrator;
     }
 
-    Result<std::optional<ReferencePicture>> make() {
+    Result<std::optional<ReferenceImage>> make() {
         // A replicate's own error is the root of R times the mean's.
         StopLimits limits{.renderSeconds = plan_.renderSeconds / planned_,
                           .relativeError = plan_.relativeError * std::sqrt(static_cast<double>(planned_))};
@@ -103,16 +103,14 @@ class ReferenceMaker {
             }
             limits = {.passes = passesEach_};
         }
-        if (sum_.count() < 2) {
-            return std::optional<ReferencePicture>();
-        }
+        if (sum_.count() < 2) { return std::optional<ReferenceImage>(); }
         made_.endedBy = isPrecise() ? "precision" : interrupted_ ? "interrupt" : "time";
         if (interrupted_) {
             made_.timeLimitSeconds =
                 made_.renderSeconds;  // Not what it could have been: the next run makes a better one.
         }
         addRemarks(plan_, dropped_, &made_);
-        return std::optional<ReferencePicture>(std::move(made_));
+        return std::optional<ReferenceImage>(std::move(made_));
     }
 
   private:
@@ -122,9 +120,7 @@ class ReferenceMaker {
 
     /// The planned ones always; then more while their spread is too large and another one fits into the time.
     bool wantsMore() const {
-        if (sum_.count() < planned_) {
-            return true;
-        }
+        if (sum_.count() < planned_) { return true; }
         const double each = made_.renderSeconds / sum_.count();
         return plan_.relativeError > 0.0 && !isPrecise() && made_.renderSeconds + each <= plan_.renderSeconds;
     }
@@ -137,26 +133,20 @@ class ReferenceMaker {
                 : fmt::format("reference by {}, replicate {}: its error is {:.3g} %, wanted is {:.3g} %",
                               plan_.variant.name, index + 1, 100.0 * made_.relativeError(),
                               100.0 * plan_.relativeError);
-        if (host_.onPart) {
-            host_.onPart(part);
-        }
+        if (host_.onPart) { host_.onPart(part); }
         const uint32_t seed = plan_.firstSeed + static_cast<uint32_t>(index);
-        if (index > 0) {
-            session_.restartWithSeed(seed);
-        }
+        if (index > 0) { session_.restartWithSeed(seed); }
         const auto outcome = session_.runTo(limits, part);
         if (outcome == MeasuredSession::Outcome::Reached) {
             const auto capture = session_.capture();
-            const auto picture = makeSnapshot(*capture, {}, plan_.settings.threads);
-            sum_.add(*picture);
+            const auto image = makeSnapshot(*capture, {}, plan_.settings.threads);
+            sum_.add(*image);
             made_.seeds.push_back(seed);
             made_.renderSeconds += capture->renderSeconds;
-            made_.passes += picture->passes;
-            passesEach_ = picture->passes;
+            made_.passes += image->passes;
+            passesEach_ = image->passes;
             dropped_ += droppedIn(capture->film);
-            if (sum_.count() >= 2) {
-                sum_.store(&made_);
-            }
+            if (sum_.count() >= 2) { sum_.store(&made_); }
         }
         return outcome;
     }
@@ -169,21 +159,21 @@ class ReferenceMaker {
     uint64_t dropped_ = 0;
     bool interrupted_ = false;
     Replicates sum_;
-    ReferencePicture made_;
+    ReferenceImage made_;
 };
 
 }  // namespace
 
-double ReferencePicture::rmse() const { return std::sqrt(mse); }
+double ReferenceImage::rmse() const { return std::sqrt(mse); }
 
-double ReferencePicture::relativeError() const { return rmse() / mean; }
+double ReferenceImage::relativeError() const { return rmse() / mean; }
 
-void ReferencePicture::summarize() {
+void ReferenceImage::summarize() {
     constexpr double kEpsilon = 0.01;  // MetricOptions::relativeEpsilon
-    const double count = static_cast<double>(picture.rgb.size());
+    const double count = static_cast<double>(image.rgb.size());
     mean = mse = relMse = 0.0;
-    for (size_t i = 0; i < picture.rgb.size(); ++i) {
-        const double value = static_cast<double>(picture.rgb[i]);
+    for (size_t i = 0; i < image.rgb.size(); ++i) {
+        const double value = static_cast<double>(image.rgb[i]);
         mean += value / count;
         if (knowsItsError()) {
             const double own = static_cast<double>(variance[i]);
@@ -193,15 +183,12 @@ void ReferencePicture::summarize() {
     }
 }
 
-Result<std::optional<ReferencePicture>> makeReference(const ReferencePlan& plan,
-                                                      const SceneDescription& scene,
-                                                      const ConvergenceHost& host) {
+Result<std::optional<ReferenceImage>> makeReference(const ReferencePlan& plan, const SceneDescription& scene,
+                                                    const ConvergenceHost& host) {
     VariantSettings settings = plan.settings;
     settings.options.seed = plan.firstSeed;
     auto session = MeasuredSession::start(scene, settings, host);
-    if (!session) {
-        return session.error();
-    }
+    if (!session) { return session.error(); }
     return ReferenceMaker(plan, scene, host, **session).make();
 }
 

@@ -16,8 +16,8 @@
 
 namespace glint {
 
-struct ReferencePicture {
-    ImageF picture;
+struct ReferenceImage {
+    ImageF image;
     std::vector<float> variance;  ///< squared standard error of each value, as picture.rgb; empty: not known
     std::string path;
     std::string method;  ///< a variant's text, such as "pt"; empty: not known
@@ -42,15 +42,15 @@ struct ReferencePicture {
     void summarize();
 };
 
-/// Reads R, G, B and standardError.R/G/B or .Y of an EXR picture and compares what it says about its scene
-/// with `scene`; settings that change nothing but noise may differ. Error: not readable, another size, or
-/// (unless `anyScene`, which makes it a remark) made of another scene or with settings that change the
-/// expectation.
-Result<ReferencePicture> loadReference(const std::string& path, const SceneDescription& scene, bool anyScene);
+/// Reads R, G, B and standardError.R/G/B or .Y of an EXR picture and compares what it says about its
+/// scene with `scene`; settings that change nothing but noise may differ. Error: not readable, another
+/// size, or (unless `anyScene`, which makes it a remark) made of another scene or with settings that
+/// change the expectation.
+Result<ReferenceImage> loadReference(const std::string& path, const SceneDescription& scene, bool anyScene);
 
 /// What keeps a picture that says so much about itself (the attributes of its EXR file) from being a
-/// reference of `scene`: "" when nothing does. Without a "sceneHash" there is nothing to go by: ask for that
-/// first.
+/// reference of `scene`: "" when nothing does. Without a "sceneHash" there is nothing to go by: ask for
+/// that first.
 std::string referenceDifference(const std::map<std::string, std::string>& attributes, SceneDescription scene);
 
 struct ReferencePlan {
@@ -70,16 +70,14 @@ constexpr int kPhotonReplicates = 2;
 /// then there are as many as above, and more of them while their spread says that the reference is not as
 /// precise as wanted. Weighted by passes, the mean m of x_j has the variance estimate sum w_j (x_j - m)^2 /
 /// (R - 1), sum w_j = 1. Nothing: interrupted before there were two. Error: nothing could be rendered.
-Result<std::optional<ReferencePicture>> makeReference(const ReferencePlan& plan,
-                                                      const SceneDescription& scene,
-                                                      const ConvergenceHost& host);
+Result<std::optional<ReferenceImage>> makeReference(const ReferencePlan& plan, const SceneDescription& scene,
+                                                    const ConvergenceHost& host);
 
 /// Float R, G, B, standardError.R/G/B, and .Y of the luminance with the channels' errors taken as one; and as
 /// attributes what `glint render` writes and referenceMethod, referenceSeeds, referenceSeconds,
 /// referenceTimeLimit, referencePasses, referenceEndedBy, referenceStandardError, referenceRelativeError and
-/// referenceRemarks.
-/// `settings` made it.
-Status saveReference(const std::string& path, const ReferencePicture& reference, SceneDescription scene,
+/// referenceRemarks. `settings` made it.
+Status saveReference(const std::string& path, const ReferenceImage& reference, SceneDescription scene,
                      const VariantSettings& settings);
 
 }  // namespace glint

@@ -63,8 +63,8 @@ bool hasSize(const ExrChannel* channel, size_t pixels) {
     return channel != nullptr && channel->floats.size() == pixels;
 }
 
-void readVariance(const ExrPicture& exr, ReferencePicture* out) {
-    const size_t pixels = out->picture.rgb.size() / 3;
+void readVariance(const ExrImage& exr, ReferenceImage* out) {
+    const size_t pixels = out->image.rgb.size() / 3;
     const ExrChannel* luminance = exr.find("standardError.Y");
     const ExrChannel* own[3] = {exr.find("standardError.R"), exr.find("standardError.G"),
                                 exr.find("standardError.B")};
@@ -98,15 +98,13 @@ std::vector<uint32_t> seedsOf(const Attributes& attributes) {
     for (size_t begin = 0; begin < text.size();) {
         const size_t end = std::min(text.find(' ', begin), text.size());
         uint32_t seed = 0;
-        if (read(text.substr(begin, end - begin), &seed)) {
-            seeds.push_back(seed);
-        }
+        if (read(text.substr(begin, end - begin), &seed)) { seeds.push_back(seed); }
         begin = end + 1;
     }
     return seeds;
 }
 
-void readMetadata(const Attributes& a, ReferencePicture* out) {
+void readMetadata(const Attributes& a, ReferenceImage* out) {
     const std::string integrator = attribute(a, "setting.integrator");
     if (!integrator.empty()) {
         out->integrator = integrator == "sppm" ? IntegratorKind::Sppm : IntegratorKind::PathTracing;
@@ -130,7 +128,7 @@ void readMetadata(const Attributes& a, ReferencePicture* out) {
     }
 }
 
-Attributes attributesOf(const ReferencePicture& reference, const SceneDescription& scene) {
+Attributes attributesOf(const ReferenceImage& reference, const SceneDescription& scene) {
     Attributes out{{"glintVersion", GLINT_VERSION},
                    {"sceneHash", sceneHash(scene).hex()},
                    {"passes", fmt::to_string(reference.passes)},
@@ -168,24 +166,19 @@ std::string referenceDifference(const Attributes& attributes, SceneDescription s
     return sceneHash(scene).hex() == attribute(attributes, "sceneHash") ? "" : "it shows another scene";
 }
 
-Result<ReferencePicture> loadReference(const std::string& path, const SceneDescription& scene,
-                                       bool anyScene) {
-    const Result<ExrPicture> exr = loadExr(path);
-    if (!exr) {
-        return exr.error();
-    }
+Result<ReferenceImage> loadReference(const std::string& path, const SceneDescription& scene, bool anyScene) {
+    const Result<ExrImage> exr = loadExr(path);
+    if (!exr) { return exr.error(); }
     Result<ImageF> color = exrColor(*exr, path);
-    if (!color) {
-        return color.error();
-    }
-    ReferencePicture out;
+    if (!color) { return color.error(); }
+    ReferenceImage out;
     out.path = path;
-    out.picture = std::move(*color);
+    out.image = std::move(*color);
     const Resolution& size = scene.resolution;
-    if (out.picture.width != size.width || out.picture.height != size.height) {
+    if (out.image.width != size.width || out.image.height != size.height) {
         return inFile(path, fmt::format("the reference has {}x{} pixels, and the scene is rendered at {}x{}; "
                                         "expected the same size (--size)",
-                                        out.picture.width, out.picture.height, size.width, size.height));
+                                        out.image.width, out.image.height, size.width, size.height));
     }
     if (attribute(exr->attributes, "sceneHash").empty()) {
         out.remarks.emplace_back("The reference does not say which scene it shows: nothing vouches for it.");
@@ -207,14 +200,14 @@ Result<ReferencePicture> loadReference(const std::string& path, const SceneDescr
     return out;
 }
 
-Status saveReference(const std::string& path, const ReferencePicture& reference, SceneDescription scene,
+Status saveReference(const std::string& path, const ReferenceImage& reference, SceneDescription scene,
                      const VariantSettings& settings) {
     scene.options = settings.options;
     scene.sppm = settings.sppm;
-    const size_t pixels = reference.picture.rgb.size() / 3;
-    ExrPicture exr;
-    exr.width = reference.picture.width;
-    exr.height = reference.picture.height;
+    const size_t pixels = reference.image.rgb.size() / 3;
+    ExrImage exr;
+    exr.width = reference.image.width;
+    exr.height = reference.image.height;
     const auto add = [&](const std::string& name, auto valueAt) {
         ExrChannel channel{.name = name, .type = ExrPixelType::Float, .floats = {}, .ids = {}};
         channel.floats.reserve(pixels);
@@ -225,7 +218,7 @@ Status saveReference(const std::string& path, const ReferencePicture& reference,
     };
     const auto standardError = [&](size_t i, size_t c) { return std::sqrt(reference.variance[3 * i + c]); };
     for (size_t c = 0; c < 3; ++c) {
-        add(std::string(1, "RGB"[c]), [&](size_t i) { return reference.picture.rgb[3 * i + c]; });
+        add(std::string(1, "RGB"[c]), [&](size_t i) { return reference.image.rgb[3 * i + c]; });
         add(fmt::format("standardError.{}", "RGB"[c]), [&](size_t i) { return standardError(i, c); });
     }
     add("standardError.Y", [&](size_t i) {

@@ -27,7 +27,7 @@ struct ConvergenceReport {
     const ConvergenceContext& context;
     const ConvergencePlan& plan;
     const SceneDescription& scene;
-    const ReferencePicture& reference;
+    const ReferenceImage& reference;
     const ConvergenceResult& result;
     const ConvergenceSummary& summary;
 };

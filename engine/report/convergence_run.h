@@ -24,10 +24,9 @@ struct ConvergencePlan {
     double seconds = 0.0;  ///< of rendering, for each variant and seed; 0: `passes` counts
     uint32_t passes = 0;
     int points = 16;
-    int pictures =
-        3;  ///< kept of the first seed: the end's, and those of a tenth, a hundredth ... of the work
-    std::vector<double>
-        pictureMoments{};        ///< instead of these: seconds (or passes), rising; the end's is kept too
+    int images = 3;  ///< kept of the first seed: the end's, and those of a tenth, a hundredth ... of the work
+    /// instead of these: seconds (or passes), rising; the end's is kept too
+    std::vector<double> imageMoments{};
     double exposureStops = 0.0;  ///< at which SSIM and FLIP look
 };
 
@@ -44,9 +43,9 @@ struct MeasuredCurve {
     std::vector<MeasuredPoint> points;
 };
 
-struct KeptPicture {
+struct KeptImage {
     size_t point = 0;  ///< of the first seed's curve
-    ImageF picture;
+    ImageF image;
     std::string file{};       ///< where it was saved, relative to the report; empty: not yet
     std::string errorFile{};  ///< the same of its error map
 };
@@ -59,11 +58,11 @@ struct MeasuredVariant {
     std::string problem;  ///< why it could not be rendered (to the end); empty: nothing happened
     uint64_t droppedSamples = 0;
     std::vector<MeasuredCurve> curves;
-    std::vector<KeptPicture> pictures;
+    std::vector<KeptImage> images;
     /// Of the last point, over the seeds that reached it; both as mean over all pixels and channels.
     int finalSeeds = 0;
-    double finalVariance = 0.0;        ///< unbiased, of one seed's picture; needs two seeds
-    double finalMeanPictureMse = 0.0;  ///< of the mean of the seeds' pictures against the reference
+    double finalVariance = 0.0;      ///< unbiased, of one seed's picture; needs two seeds
+    double finalMeanImageMse = 0.0;  ///< of the mean of the seeds' pictures against the reference
 };
 
 struct ConvergenceResult {
@@ -73,7 +72,7 @@ struct ConvergenceResult {
 
 /// A variant that fails is recorded and the others go on.
 ConvergenceResult runConvergence(const ConvergencePlan& plan, const SceneDescription& scene,
-                                 const ReferencePicture& reference, const ConvergenceHost& host);
+                                 const ReferenceImage& reference, const ConvergenceHost& host);
 
 /// `count` seeds from `first` on, without those in `taken`: a picture of the reference's own seeds would
 /// share its noise.

@@ -6,9 +6,7 @@
 namespace glint {
 
 std::optional<double> SecondsSchedule::next(double firstPass, double now) const {
-    if (now >= seconds_) {
-        return std::nullopt;
-    }
+    if (now >= seconds_) { return std::nullopt; }
     double next = seconds_;
     // `now` has overshot its stop by up to a pass: the next one is the first beyond it.
     for (int i = 1; i < points_ - 1; ++i) {
@@ -28,9 +26,7 @@ std::vector<uint32_t> spacedPasses(uint32_t passes, int points, const std::vecto
     for (int i = 1; i < points; ++i) {
         const double share = static_cast<double>(i) / static_cast<double>(points - 1);
         const auto count = static_cast<uint32_t>(std::lround(std::pow(static_cast<double>(passes), share)));
-        if (count > counts.back()) {
-            counts.push_back(std::min(count, passes));
-        }
+        if (count > counts.back()) { counts.push_back(std::min(count, passes)); }
     }
     for (const double moment : extra) {
         counts.push_back(std::clamp(static_cast<uint32_t>(std::lround(moment)), 1u, passes));

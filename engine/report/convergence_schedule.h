@@ -27,8 +27,8 @@ class SecondsSchedule {
     std::vector<double> extra_;
 };
 
-/// Pass counts from 1 to `passes`, rounded from a geometric sequence of `points`, and `extra` ones, each
-/// once.
+/// Pass counts from 1 to `passes`, rounded from a geometric sequence of `points`, and `extra` ones,
+/// each once.
 std::vector<uint32_t> spacedPasses(uint32_t passes, int points, const std::vector<double>& extra = {});
 
 /// `count` moments of a render of `whole` seconds or passes: the end, a tenth, a hundredth ..., rising.

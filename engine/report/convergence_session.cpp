@@ -39,9 +39,7 @@ Result<std::unique_ptr<MeasuredSession>> MeasuredSession::start(const SceneDescr
                                                                 const VariantSettings& settings,
                                                                 const ConvergenceHost& host) {
     auto backend = host.makeBackend(settings);
-    if (!backend) {
-        return backend.error();
-    }
+    if (!backend) { return backend.error(); }
     auto own = std::make_shared<SceneDescription>(scene);
     own->options = settings.options;
     own->sppm = settings.sppm;
@@ -51,9 +49,7 @@ Result<std::unique_ptr<MeasuredSession>> MeasuredSession::start(const SceneDescr
 
 MeasuredSession::Outcome MeasuredSession::runTo(const StopLimits& limits, const std::string& progressPrefix) {
     // Also here: work may come in pieces so small that none of them is waited for below.
-    if (host_.mustStop()) {
-        return Outcome::Interrupted;
-    }
+    if (host_.mustStop()) { return Outcome::Interrupted; }
     session_->setLimits(limits);
     if (!posted_) {
         session_->post({scene_, EditKind::Everything});
@@ -62,20 +58,14 @@ MeasuredSession::Outcome MeasuredSession::runTo(const StopLimits& limits, const 
     for (;;) {
         const SessionState state = session_->wait(kPollSeconds);
         const SessionStatus status = session_->status();
-        if (state == SessionState::Failed) {
-            return Outcome::Failed;
-        }
+        if (state == SessionState::Failed) { return Outcome::Failed; }
         // On a busy machine the wait may end before the session has even looked at the new limits.
         if (state == SessionState::Finished && status.generation > generationBefore_ &&
             isReached(status, limits)) {
             return Outcome::Reached;
         }
-        if (host_.mustStop()) {
-            return Outcome::Interrupted;
-        }
-        if (host_.onProgress) {
-            host_.onProgress(progressText(progressPrefix, status, limits));
-        }
+        if (host_.mustStop()) { return Outcome::Interrupted; }
+        if (host_.onProgress) { host_.onProgress(progressText(progressPrefix, status, limits)); }
     }
 }
 

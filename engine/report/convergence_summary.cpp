@@ -29,9 +29,7 @@ template <class ValueOf>
 Spread spreadAt(const MeasuredVariant& variant, size_t point, ValueOf valueOf) {
     std::vector<double> values;
     for (const MeasuredCurve& curve : variant.curves) {
-        if (point < curve.points.size()) {
-            values.push_back(valueOf(curve.points[point]));
-        }
+        if (point < curve.points.size()) { values.push_back(valueOf(curve.points[point])); }
     }
     return spreadOf(values);
 }
@@ -53,7 +51,7 @@ SummaryPoint summarizePoint(const MeasuredVariant& variant, size_t point) {
 
 class Summarizer {
   public:
-    Summarizer(const ReferencePicture& reference, bool withoutReference)
+    Summarizer(const ReferenceImage& reference, bool withoutReference)
         : reference_(reference), withoutReference_(withoutReference) {}
 
     VariantSummary summarize(const MeasuredVariant& variant) const {
@@ -86,9 +84,7 @@ class Summarizer {
     }
 
     static double fitBegin(const std::vector<CurvePoint>& curve) {
-        if (curve.empty()) {
-            return 0.0;
-        }
+        if (curve.empty()) { return 0.0; }
         const double begin = curve.back().seconds / kFitTimeRange;
         const auto inside =
             std::ranges::count_if(curve, [&](const CurvePoint& point) { return point.seconds >= begin; });
@@ -103,9 +99,7 @@ class Summarizer {
             // By the mean's seconds, so that all seeds have the same points.
             for (size_t i = 0; i < measured.points.size(); ++i) {
                 const MeasuredPoint& point = measured.points[i];
-                if (out->curve[i].seconds < out->fitFromSeconds) {
-                    continue;
-                }
+                if (out->curve[i].seconds < out->fitFromSeconds) { continue; }
                 if (at(point.errors, ErrorMeasure::Mse) >= kFitMargin * reference_.mse) {
                     curves.back().push_back({point.seconds, errorOf(point)});
                 } else {
@@ -118,22 +112,20 @@ class Summarizer {
 
     void finalFigures(const MeasuredVariant& variant, VariantSummary* out) const {
         out->variance = out->biasSquared = out->efficiency = out->relativeEfficiency = kUnknown;
-        if (variant.finalSeeds < 2) {
-            return;
-        }
+        if (variant.finalSeeds < 2) { return; }
         out->variance = variant.finalVariance;
         out->biasSquared =
-            variant.finalMeanPictureMse - variant.finalVariance / variant.finalSeeds - reference_.mse;
+            variant.finalMeanImageMse - variant.finalVariance / variant.finalSeeds - reference_.mse;
         out->efficiency = 1.0 / (variant.finalVariance * out->points.back().seconds.mean);
     }
 
-    const ReferencePicture& reference_;
+    const ReferenceImage& reference_;
     bool withoutReference_;
 };
 
 }  // namespace
 
-ConvergenceSummary summarizeConvergence(const ConvergenceResult& result, const ReferencePicture& reference,
+ConvergenceSummary summarizeConvergence(const ConvergenceResult& result, const ReferenceImage& reference,
                                         bool withoutReference) {
     ConvergenceSummary summary;
     summary.withoutReference = withoutReference && reference.knowsItsError();

@@ -58,7 +58,7 @@ struct ConvergenceSummary {
 /// kFitMargin times the reference's and it lies in the last tenfold of time, or anywhere when these are fewer
 /// than kFewestFitPoints: what comes before is often a different slope (photon maps' first radii, a light
 /// found late), and predictions go by where the curve is heading.
-ConvergenceSummary summarizeConvergence(const ConvergenceResult& result, const ReferencePicture& reference,
+ConvergenceSummary summarizeConvergence(const ConvergenceResult& result, const ReferenceImage& reference,
                                         bool withoutReference);
 
 /// With mse 9 times the floor, the floor makes the rmse 5 % too large.

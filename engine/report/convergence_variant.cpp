@@ -28,26 +28,20 @@ std::optional<T> numberIn(std::string_view text, T least, T most) {
     T value{};
     const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
     const bool whole = problem == std::errc() && end == text.data() + text.size();
-    if (!whole || !(value >= least && value <= most)) {
-        return std::nullopt;
-    }
+    if (!whole || !(value >= least && value <= most)) { return std::nullopt; }
     return value;
 }
 
 template <class T, class U>
 bool store(const std::optional<T>& value, U* target) {
-    if (value) {
-        *target = *value;
-    }
+    if (value) { *target = *value; }
     return value.has_value();
 }
 
 template <class T>
 bool choose(std::string_view value, std::string_view first, T firstMeans, std::string_view second,
             T secondMeans, T* target) {
-    if (value != first && value != second) {
-        return false;
-    }
+    if (value != first && value != second) { return false; }
     *target = value == first ? firstMeans : secondMeans;
     return true;
 }
@@ -149,9 +143,7 @@ Error inVariant(std::string_view text, std::string problem) {
 Error unknownKey(std::string_view text, std::string_view key, IntegratorKind integrator) {
     std::vector<std::string_view> known;
     for (const VariantKey& candidate : kKeys) {
-        if (belongs(candidate, integrator)) {
-            known.push_back(candidate.name);
-        }
+        if (belongs(candidate, integrator)) { known.push_back(candidate.name); }
     }
     return inVariant(text, fmt::format("there is no setting '{}'{}; expected one of {}", key,
                                        didYouMean(key, known), fmt::join(known, ", ")));
@@ -164,9 +156,7 @@ Status addAssignment(std::string_view text, const std::string& piece, Convergenc
     }
     const std::string name = piece.substr(0, equals), value = piece.substr(equals + 1);
     const VariantKey* key = findKey(name);
-    if (key == nullptr) {
-        return unknownKey(text, name, variant->integrator);
-    }
+    if (key == nullptr) { return unknownKey(text, name, variant->integrator); }
     if (!belongs(*key, variant->integrator)) {
         return inVariant(text,
                          fmt::format("'{}' is a setting of photon mapping; expected sppm:{}", name, piece));
@@ -203,9 +193,7 @@ Result<ConvergenceVariant> parseVariant(std::string_view text) {
     variant.integrator = parts[0] == "sppm" ? IntegratorKind::Sppm : IntegratorKind::PathTracing;
     variant.name = variant.text = parts[0] == "sppm" ? "sppm" : "pt";
     for (size_t i = 1; i < parts.size(); ++i) {
-        if (const Status added = addAssignment(text, parts[i], &variant); !added) {
-            return added.error();
-        }
+        if (const Status added = addAssignment(text, parts[i], &variant); !added) { return added.error(); }
         variant.name += " " + parts[i];
         variant.text += ":" + parts[i];
     }
@@ -219,9 +207,7 @@ Result<std::vector<ConvergenceVariant>> parseVariants(std::string_view list) {
             return Error{fmt::format("--integrators is '{}'; expected names such as pt,sppm", list), {}};
         }
         Result<ConvergenceVariant> variant = parseVariant(text);
-        if (!variant) {
-            return variant.error();
-        }
+        if (!variant) { return variant.error(); }
         if (std::ranges::find(variants, variant->text, &ConvergenceVariant::text) != variants.end()) {
             return inVariant(text, "it is there twice; expected each once");
         }

@@ -57,16 +57,16 @@ struct Drawing {
     std::vector<std::variant<Polyline, Polygon, Label>> shapes;
 };
 
-/// A complete SVG document, which may also stand inside HTML: text stays text, no ids, no scripts, nothing
-/// external.
+/// A complete SVG document, which may also stand inside HTML: text stays text, no ids, no scripts,
+/// nothing external.
 std::string drawingSvg(const Drawing& drawing);
 
-/// White paper, `scale` pixels a unit. Empty (0 x 0) when that is more than kMaxDrawingPixels or less than
-/// one.
-Image8 drawingPicture(const Drawing& drawing, double scale);
+/// White paper, `scale` pixels a unit. Empty (0 x 0) when that is more than kMaxDrawingPixels or less
+/// than one.
+Image8 drawingImage(const Drawing& drawing, double scale);
 constexpr int kMaxDrawingPixels = 1 << 26;
 
-/// Advance width of a text in units, in the font that drawingPicture() uses.
+/// Advance width of a text in units, in the font that drawingImage() uses.
 double textWidth(const std::string& text, double size, bool bold = false);
 
 /// Valid UTF-8 without control characters: what is not becomes U+FFFD. Labels must have passed through it.

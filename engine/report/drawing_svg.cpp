@@ -10,9 +10,7 @@ namespace {
 std::string number(double value) {
     std::string text = fmt::format("{:.2f}", value);
     text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') {
-        text.pop_back();
-    }
+    if (text.back() == '.') { text.pop_back(); }
     return text == "-0" ? "0" : text;
 }
 

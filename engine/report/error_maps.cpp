@@ -41,9 +41,7 @@ float pixelError(ErrorMapKind kind, const float* test, const float* reference, d
 double roundedUp(double value) {
     const double decade = std::pow(10.0, std::floor(std::log10(value)));
     for (const double step : {1.0, 2.0, 5.0}) {
-        if (step * decade >= value) {
-            return step * decade;
-        }
+        if (step * decade >= value) { return step * decade; }
     }
     return 10.0 * decade;
 }
@@ -52,13 +50,9 @@ double roundedUp(double value) {
 double robustMaximum(const ErrorMap& map, double shareBeyond) {
     std::vector<float> magnitudes;
     for (const float value : map.values) {
-        if (std::isfinite(value)) {
-            magnitudes.push_back(std::abs(value));
-        }
+        if (std::isfinite(value)) { magnitudes.push_back(std::abs(value)); }
     }
-    if (magnitudes.empty()) {
-        return 0.0;
-    }
+    if (magnitudes.empty()) { return 0.0; }
     const auto beyond = static_cast<std::ptrdiff_t>(shareBeyond * static_cast<double>(magnitudes.size()));
     const auto place = magnitudes.begin() + beyond;
     std::nth_element(magnitudes.begin(), place, magnitudes.end(), std::greater<>());
@@ -66,16 +60,10 @@ double robustMaximum(const ErrorMap& map, double shareBeyond) {
 }
 
 Vec3 colorOf(float value, ErrorMapKind kind, const MapRange& range) {
-    if (!std::isfinite(value)) {
-        return Vec3(1.0f, 0.0f, 1.0f);
-    }
-    if (value == 0.0f) {
-        return Vec3(0.0f);
-    }
+    if (!std::isfinite(value)) { return Vec3(1.0f, 0.0f, 1.0f); }
+    if (value == 0.0f) { return Vec3(0.0f); }
     const double v = static_cast<double>(value);
-    if (kind == ErrorMapKind::Signed) {
-        return signedColor(static_cast<float>(v / range.high));
-    }
+    if (kind == ErrorMapKind::Signed) { return signedColor(static_cast<float>(v / range.high)); }
     const double share = range.logarithmic ? std::log(v / range.low) / std::log(range.high / range.low)
                                            : (v - range.low) / (range.high - range.low);
     return heatColor(static_cast<float>(share));
@@ -93,10 +81,8 @@ Result<ErrorMap> errorMap(ErrorMapKind kind, const ImageF& test, const ImageF& r
                           const MetricOptions& options) {
     MetricOptions cheap = options;
     cheap.ssim = cheap.flip = false;
-    const auto comparable = comparePictures(test, reference, cheap);
-    if (!comparable) {
-        return comparable.error();
-    }
+    const auto comparable = compareImages(test, reference, cheap);
+    if (!comparable) { return comparable.error(); }
     ErrorMap map{.kind = kind, .width = test.width, .height = test.height, .values = {}};
     const size_t count = static_cast<size_t>(test.width) * static_cast<size_t>(test.height);
     if (kind == ErrorMapKind::Flip) {
@@ -111,18 +97,14 @@ Result<ErrorMap> errorMap(ErrorMapKind kind, const ImageF& test, const ImageF& r
             for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
                 const float error =
                     pixelError(kind, &test.rgb[3 * i], &reference.rgb[3 * i], options.relativeEpsilon);
-                if (kind != ErrorMapKind::Flip || std::isnan(error)) {
-                    map.values[i] = error;
-                }
+                if (kind != ErrorMapKind::Flip || std::isnan(error)) { map.values[i] = error; }
             }
         });
     return map;
 }
 
 MapRange readableRange(const ErrorMap& map) {
-    if (map.kind == ErrorMapKind::Flip) {
-        return {};
-    }
+    if (map.kind == ErrorMapKind::Flip) { return {}; }
     const bool isSigned = map.kind == ErrorMapKind::Signed;
     const double largest = robustMaximum(map, isSigned ? kShareBeyondSignedRange : kShareBeyondRange);
     if (isSigned) {

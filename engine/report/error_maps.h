@@ -14,7 +14,7 @@
 
 namespace glint {
 
-/// With t, r and epsilon as in PictureMetrics, and means over the 3 channels:
+/// With t, r and epsilon as in ImageMetrics, and means over the 3 channels:
 enum class ErrorMapKind : uint8_t {
     RelativeSquared,  ///< mean of (t - r)^2 / (r^2 + epsilon)
     Absolute,         ///< mean of |t - r|, in radiance
@@ -33,7 +33,7 @@ struct ErrorMap {
     std::vector<float> values;  ///< NaN where a picture is not finite; row 0 at the top
 };
 
-/// Error: as comparePictures().
+/// Error: as compareImages().
 Result<ErrorMap> errorMap(ErrorMapKind kind, const ImageF& test, const ImageF& reference,
                           const MetricOptions& options = {});
 

@@ -22,9 +22,7 @@ std::vector<uint8_t> finiteInBoth(const ImageF& a, const ImageF& b) {
 ImageF withBlackWhere(const ImageF& image, const std::vector<uint8_t>& finite) {
     ImageF out = image;
     for (size_t i = 0; i < finite.size(); ++i) {
-        if (finite[i] == 0) {
-            std::fill_n(out.rgb.begin() + static_cast<std::ptrdiff_t>(3 * i), 3, 0.0f);
-        }
+        if (finite[i] == 0) { std::fill_n(out.rgb.begin() + static_cast<std::ptrdiff_t>(3 * i), 3, 0.0f); }
     }
     return out;
 }

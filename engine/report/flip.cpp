@@ -1,6 +1,6 @@
-// Two pipelines and how they join (Andersson et al. 2020, sections 4.1 to 4.3): colours after filtering by
-// the eye's contrast sensitivity, and edges and points of the achromatic channel, which amplify the colour
-// difference.
+// Two pipelines and how they join (Andersson et al. 2020, sections 4.1 to 4.3): colours after filtering
+// by the eye's contrast sensitivity, and edges and points of the achromatic channel, which amplify the
+// colour difference.
 #include "engine/report/flip.h"
 
 #include <algorithm>
@@ -240,9 +240,7 @@ double redistributed(double hyab) {
         std::pow(hyabDistance(huntLab({0.0, 1.0, 0.0}), huntLab({0.0, 0.0, 1.0})), kColorExponent);
     const double difference = std::pow(hyab, kColorExponent);
     const double split = kSplitInput * kLargest;
-    if (difference < split) {
-        return kSplitOutput / split * difference;
-    }
+    if (difference < split) { return kSplitOutput / split * difference; }
     return kSplitOutput + (difference - split) / (kLargest - split) * (1.0 - kSplitOutput);
 }
 

@@ -62,9 +62,7 @@ ExposureRange hdrFlipExposures(const ImageF& reference) {
                         0.0722 * static_cast<double>(reference.rgb[3 * i + 2]);
     }
     const double largest = luminances.empty() ? 0.0 : *std::ranges::max_element(luminances);
-    if (!(largest > 0.0)) {
-        return {};
-    }
+    if (!(largest > 0.0)) { return {}; }
     const double median = std::max(medianOf(&luminances), kLeastMedian * largest);
     const double shown = filmicInverse(kShownAs);
     ExposureRange range{.start = std::log2(shown / largest), .stop = std::log2(shown / median), .count = 2};

@@ -21,7 +21,7 @@ Vec3 alongStops(std::span<const Vec3> stops, float share) {
 HeatScale heatScale(const std::vector<float>& values) {
     HeatScale scale;
     for (const float value : values) {
-        if (!(value > 0.0f) || !std::isfinite(value)) continue;
+        if (!(value > 0.0f) || !std::isfinite(value)) { continue; }
         scale.smallest = scale.smallest > 0.0f ? std::min(scale.smallest, value) : value;
         scale.largest = std::max(scale.largest, value);
     }
@@ -36,7 +36,7 @@ Vec3 heatColor(float share) {
 }
 
 Vec3 heatColor(float value, const HeatScale& scale) {
-    if (!(value > 0.0f) || !std::isfinite(value)) return Vec3(0.0f);
+    if (!(value > 0.0f) || !std::isfinite(value)) { return Vec3(0.0f); }
     const float span = std::log(scale.largest / scale.smallest);
     return heatColor(span > 1e-6f ? std::log(value / scale.smallest) / span : 0.5f);
 }

@@ -17,8 +17,8 @@ struct HeatScale {
 };
 HeatScale heatScale(const std::vector<float>& values);
 
-/// Display values in [0, 1]. `share` in [0, 1] along the scale; brighter means more: CIE lightness rises
-/// throughout.
+/// Display values in [0, 1]. `share` in [0, 1] along the scale; brighter means more: CIE lightness
+/// rises throughout.
 Vec3 heatColor(float share);
 /// By the value's place between the logarithms of the scale's ends. Black for values that are not positive. A
 /// scale of one value: its middle.

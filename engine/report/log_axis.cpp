@@ -28,18 +28,16 @@ double roundedDown(double exponent) {
 double roundedUp(double exponent) {
     const double decade = std::floor(exponent + kRounding);
     for (const double step : kRoundSteps) {
-        if (decade + step >= exponent - kRounding) {
-            return decade + step;
-        }
+        if (decade + step >= exponent - kRounding) { return decade + step; }
     }
     return decade + 1.0;
 }
 
 /// Digits that get labels beside 1, given the length of a decade.
 std::vector<int> labelledDigits(double decadeLength, double spacing) {
-    if (decadeLength * std::log10(10.0 / 9.0) >= spacing) return {1, 2, 3, 4, 5, 6, 7, 8, 9};
-    if (decadeLength * std::log10(3.0 / 2.0) >= spacing) return {1, 2, 3, 5};
-    if (decadeLength * std::log10(2.0) >= spacing) return {1, 2, 5};
+    if (decadeLength * std::log10(10.0 / 9.0) >= spacing) { return {1, 2, 3, 4, 5, 6, 7, 8, 9}; }
+    if (decadeLength * std::log10(3.0 / 2.0) >= spacing) { return {1, 2, 3, 5}; }
+    if (decadeLength * std::log10(2.0) >= spacing) { return {1, 2, 5}; }
     return {1};
 }
 
@@ -47,9 +45,7 @@ std::vector<int> labelledDigits(double decadeLength, double spacing) {
 int decadeStride(double decadeLength, double spacing) {
     for (int power = 1; power < 1000; power *= 10) {
         for (const int step : {1, 2, 5}) {
-            if (decadeLength * power * step >= spacing) {
-                return power * step;
-            }
+            if (decadeLength * power * step >= spacing) { return power * step; }
         }
     }
     return 1000;

@@ -1,7 +1,7 @@
 // One logarithmic axis: what it spans, and where its ticks are.
 //
-// Called by plot.cpp and map_legend.cpp. Works on decimal exponents throughout, so that no range of doubles
-// overflows.
+// Called by plot.cpp and map_legend.cpp. Works on decimal exponents throughout, so that no range of
+// doubles overflows.
 #pragma once
 
 #include <string>
@@ -19,8 +19,8 @@ struct LogAxis {
     double share(double value) const;
 };
 
-/// Rounded outwards to 1, 2 or 5 times a power of ten, half a decade at least. Both values finite and above
-/// 0.
+/// Rounded outwards to 1, 2 or 5 times a power of ten, half a decade at least. Both values finite and
+/// above 0.
 LogAxis axisOver(double smallest, double largest);
 
 struct LogTick {

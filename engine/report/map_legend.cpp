@@ -100,7 +100,7 @@ Image8 legendStrip(ErrorMapKind kind, const MapRange& range, int width) {
                                       .text = "black: no error; ends: and beyond; magenta: not finite",
                                       .size = 9.0,
                                       .ink = kFaint});
-    return drawingPicture(drawing, 1.0);
+    return drawingImage(drawing, 1.0);
 }
 
 void paste(const Image8& from, int top, Image8* to) {

@@ -4,7 +4,7 @@
 namespace glint {
 namespace {
 
-using M = PictureMetrics;
+using M = ImageMetrics;
 
 constexpr MetricInfo kTable[] = {
     {"mse", "mse", "MSE", [](const M& m) { return m.mse; }},
@@ -27,9 +27,7 @@ std::span<const MetricInfo> metricTable() { return kTable; }
 
 const MetricInfo* findMetric(std::string_view key) {
     for (const MetricInfo& metric : kTable) {
-        if (key == metric.key) {
-            return &metric;
-        }
+        if (key == metric.key) { return &metric; }
     }
     return nullptr;
 }

@@ -14,7 +14,7 @@ struct MetricInfo {
     const char* key;     ///< of files: "rel_mse"
     const char* option;  ///< of command lines: "relmse", as in --max-relmse
     const char* name;    ///< for people: "relMSE"
-    double (*value)(const PictureMetrics& metrics);
+    double (*value)(const ImageMetrics& metrics);
     bool isSigned = false;        ///< its magnitude is what should be small
     bool largerIsBetter = false;  ///< 1 is perfect; for all others 0 is
 };

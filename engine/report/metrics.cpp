@@ -61,9 +61,7 @@ Sums Comparison::sumPixels(size_t begin, size_t end) {
         sums.testNonFinite += testFinite ? 0 : 1;
         sums.referenceNonFinite += referenceFinite ? 0 : 1;
         finite[i] = testFinite && referenceFinite ? 1 : 0;
-        if (finite[i] == 0) {
-            continue;
-        }
+        if (finite[i] == 0) { continue; }
         ++sums.pixels;
         double relative = 0.0;
         for (size_t c = 3 * i; c < 3 * i + 3; ++c) {
@@ -104,9 +102,7 @@ Sums sumAll(Comparison* comparison, int threads) {
 double sumOfSmallest(const Comparison& comparison, uint64_t kept) {
     std::vector<double> values;
     for (size_t i = 0; i < comparison.finite.size(); ++i) {
-        if (comparison.finite[i] != 0) {
-            values.push_back(comparison.relativeError[i]);
-        }
+        if (comparison.finite[i] != 0) { values.push_back(comparison.relativeError[i]); }
     }
     const auto last = values.begin() + static_cast<std::ptrdiff_t>(kept - 1);
     std::nth_element(values.begin(), last, values.end());
@@ -147,7 +143,7 @@ double meanSsim(const ImageF& test, const ImageF& reference, const Comparison& c
     return std::isnan(inside) ? meanInside(map, comparison, 0) : inside;
 }
 
-void addViewerMetrics(const Comparison& comparison, const MetricOptions& options, PictureMetrics* metrics) {
+void addViewerMetrics(const Comparison& comparison, const MetricOptions& options, ImageMetrics* metrics) {
     const bool allFinite = metrics->testNonFinite == 0 && metrics->referenceNonFinite == 0;
     const ImageF cleanTest = allFinite ? ImageF{} : withBlackWhere(comparison.test, comparison.finite);
     const ImageF cleanReference =
@@ -196,21 +192,17 @@ Status checkInputs(const ImageF& test, const ImageF& reference, const MetricOpti
 }
 
 double relativeTo(double bias, double reference) {
-    if (bias == 0.0) {
-        return 0.0;
-    }
+    if (bias == 0.0) { return 0.0; }
     return reference != 0.0 ? bias / reference : std::copysign(std::numeric_limits<double>::infinity(), bias);
 }
 
 }  // namespace
 
-double PictureMetrics::relativeRmse() const { return std::sqrt(relMse); }
+double ImageMetrics::relativeRmse() const { return std::sqrt(relMse); }
 
-Result<PictureMetrics> comparePictures(const ImageF& test, const ImageF& reference,
-                                       const MetricOptions& options) {
-    if (const Status valid = checkInputs(test, reference, options); !valid) {
-        return valid.error();
-    }
+Result<ImageMetrics> compareImages(const ImageF& test, const ImageF& reference,
+                                   const MetricOptions& options) {
+    if (const Status valid = checkInputs(test, reference, options); !valid) { return valid.error(); }
     const size_t count = static_cast<size_t>(test.width) * static_cast<size_t>(test.height);
     Comparison comparison{.test = test,
                           .reference = reference,
@@ -225,14 +217,14 @@ Result<PictureMetrics> comparePictures(const ImageF& test, const ImageF& referen
     }
     const double pixels = static_cast<double>(sums.pixels);
     const double values = 3.0 * pixels;
-    PictureMetrics metrics{.mse = sums.squared / values,
-                           .relMse = sums.relative / pixels,
-                           .mape = sums.absoluteRelative / values,
-                           .bias = sums.signedError / values,
-                           .maxError = sums.largest,
-                           .comparedPixels = sums.pixels,
-                           .testNonFinite = sums.testNonFinite,
-                           .referenceNonFinite = sums.referenceNonFinite};
+    ImageMetrics metrics{.mse = sums.squared / values,
+                         .relMse = sums.relative / pixels,
+                         .mape = sums.absoluteRelative / values,
+                         .bias = sums.signedError / values,
+                         .maxError = sums.largest,
+                         .comparedPixels = sums.pixels,
+                         .testNonFinite = sums.testNonFinite,
+                         .referenceNonFinite = sums.referenceNonFinite};
     metrics.rmse = std::sqrt(metrics.mse);
     metrics.relativeBias = relativeTo(metrics.bias, sums.reference / values);
     metrics.maxErrorX = static_cast<int>(sums.largestAt % static_cast<size_t>(test.width));

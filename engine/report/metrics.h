@@ -21,8 +21,8 @@ struct MetricOptions {
     /// that dark pixels don't rule them. 0.01 as in Rousselle et al. 2011, "Adaptive Sampling and
     /// Reconstruction using Greedy Error Minimization". Above 0.
     double relativeEpsilon = 0.01;
-    /// Share of the pixels, those with the largest relative squared error, that relMseTrimmed leaves out. [0,
-    /// 1).
+    /// Share of the pixels, those with the largest relative squared error, that relMseTrimmed leaves out.
+    /// [0, 1).
     double trimmedShare = 0.001;
     /// Pictures are multiplied by 2^exposureStops before ssim and flip look at them. Within [-60, 60].
     double exposureStops = 0.0;
@@ -33,22 +33,22 @@ struct MetricOptions {
     int threads = 0;       ///< 0: all; no result depends on it
 };
 
-/// With t the test picture, r the reference, and the mean over all compared pixels and their 3 channels
-/// alike:
-struct PictureMetrics {
+/// With t the test picture, r the reference, and the mean over all compared pixels and their 3
+/// channels alike:
+struct ImageMetrics {
     double mse = 0.0;            ///< mean of (t - r)^2, in squared radiance
     double rmse = 0.0;           ///< square root of mse, in radiance
     double relMse = 0.0;         ///< mean of (t - r)^2 / (r^2 + relativeEpsilon)
     double relMseTrimmed = 0.0;  ///< the same without floor(trimmedShare * compared pixels) worst pixels
     double mape = 0.0;           ///< mean of |t - r| / (|r| + relativeEpsilon); 0.1 is 10 %
     double bias = 0.0;           ///< mean of t - r, in radiance: noise averages out of it
-    double relativeBias =
-        0.0;                ///< bias / mean of r; 0 where both are 0, infinite where only the mean of r is
+    /// bias / mean of r; 0 where both are 0, infinite where only the mean of r is
+    double relativeBias = 0.0;
     double maxError = 0.0;  ///< largest |t - r| of any channel
     double ssim = 1.0;      ///< structural similarity in [-1, 1], 1 for equal pictures (ssim.h)
     double flip = 0.0;      ///< mean LDR-FLIP in [0, 1], 0 for equal pictures (flip.h)
-    double hdrFlip =
-        0.0;  ///< mean HDR-FLIP in [0, 1], 0 for equal pictures (hdr_flip.h); looks at exposures of its own
+    /// mean HDR-FLIP in [0, 1], 0 for equal pictures (hdr_flip.h); looks at exposures of its own
+    double hdrFlip = 0.0;
 
     uint64_t comparedPixels = 0;      ///< finite in both pictures; only they enter the figures above
     uint64_t trimmedPixels = 0;       ///< left out of relMseTrimmed
@@ -65,7 +65,7 @@ struct PictureMetrics {
 /// Pixels that are not finite in either picture are counted and left out; ssim and flip see them black in
 /// both and leave them out of their mean. Error: sizes differ or are empty, options out of range, no pixel is
 /// finite in both.
-Result<PictureMetrics> comparePictures(const ImageF& test, const ImageF& reference,
-                                       const MetricOptions& options = {});
+Result<ImageMetrics> compareImages(const ImageF& test, const ImageF& reference,
+                                   const MetricOptions& options = {});
 
 }  // namespace glint

@@ -81,9 +81,7 @@ class ChartArtist {
     void drawNotes();
 
     void add(Label label) {
-        if (!label.text.empty()) {
-            drawing_.shapes.emplace_back(std::move(label));
-        }
+        if (!label.text.empty()) { drawing_.shapes.emplace_back(std::move(label)); }
     }
     void line(std::vector<Vec2> points, const Ink& ink, double width, double dash = 0.0) {
         drawing_.shapes.emplace_back(Polyline{std::move(points), ink, width, dash});
@@ -199,9 +197,7 @@ void ChartArtist::drawSeries(size_t index) {
     for (const ChartPoint& point : at_.shown[index]) {
         path.push_back(at(at_.plotX(point.x), at_.plotY(point.y)));
     }
-    if (path.size() > 1) {
-        line(path, style.ink, 2.0, style.dash);
-    }
+    if (path.size() > 1) { line(path, style.ink, 2.0, style.dash); }
     const size_t stride = (path.size() + kMostMarkers - 1) / kMostMarkers;
     for (size_t i = 0; i < path.size(); i += stride) {
         Polygon mark = marker(style.marker, path[i], style.ink);
@@ -279,17 +275,11 @@ Drawing layOutChart(const LogLogChart& chart) { return ChartArtist(chart).finish
 
 std::string chartSvg(const LogLogChart& chart) { return drawingSvg(layOutChart(chart)); }
 
-Image8 chartPicture(const LogLogChart& chart, double scale) {
-    return drawingPicture(layOutChart(chart), scale);
-}
+Image8 chartImage(const LogLogChart& chart, double scale) { return drawingImage(layOutChart(chart), scale); }
 
 Status saveChart(const std::string& path, const LogLogChart& chart) {
-    if (path.ends_with(".svg")) {
-        return writeFileAtomically(path, chartSvg(chart));
-    }
-    if (path.ends_with(".png")) {
-        return savePng(path, chartPicture(chart));
-    }
+    if (path.ends_with(".svg")) { return writeFileAtomically(path, chartSvg(chart)); }
+    if (path.ends_with(".png")) { return savePng(path, chartImage(chart)); }
     return Error{
         fmt::format("cannot save the chart as '{}': expected a name that ends in .svg or .png", path), {}};
 }

@@ -25,8 +25,7 @@ struct ChartPoint {
 };
 
 /// Colour and marker follow from the place in the chart: seven colours that stay apart with any common colour
-/// blindness (Okabe and Ito 2008), each with its own marker; later series repeat them with
-/// dashes.
+/// blindness (Okabe and Ito 2008), each with its own marker; later series repeat them with dashes.
 struct ChartSeries {
     std::string name;
     std::vector<ChartPoint> points;  ///< in any order; drawn by rising x
@@ -49,8 +48,8 @@ struct LogLogChart {
     std::string note;  ///< small, below the chart, such as what the band means; empty: none
     std::vector<ChartSeries> series;
     std::vector<ChartLevel> levels;
-    int width =
-        960;  ///< units (drawing.h), at least kMinChartWidth x kMinChartHeight; a long legend adds height
+    /// units (drawing.h), at least kMinChartWidth x kMinChartHeight; a long legend adds height
+    int width = 960;
     int height = 600;
 };
 constexpr int kMinChartWidth = 320;
@@ -60,7 +59,7 @@ Drawing layOutChart(const LogLogChart& chart);
 
 /// The same drawing as a text and as pixels. An SVG may stand inside an HTML page as it is.
 std::string chartSvg(const LogLogChart& chart);
-Image8 chartPicture(const LogLogChart& chart, double scale = 2.0);
+Image8 chartImage(const LogLogChart& chart, double scale = 2.0);
 
 /// By the extension, .svg or .png (at scale 2). Saves atomically. Error: another extension, or the file
 /// cannot be written.

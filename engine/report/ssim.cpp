@@ -65,9 +65,7 @@ Moments windowSum(const std::vector<double>& weights, int centre, int count, con
     Moments sum;
     for (int tap = 0; tap <= 2 * kSsimRadius; ++tap) {
         const int i = centre + tap - kSsimRadius;
-        if (i >= 0 && i < count) {
-            sum.add(weights[static_cast<size_t>(tap)], at(i));
-        }
+        if (i >= 0 && i < count) { sum.add(weights[static_cast<size_t>(tap)], at(i)); }
     }
     return sum;
 }

@@ -54,19 +54,19 @@ StressCase furnaceCase(float albedo, int maxDepth, bool box, bool roulette) {
 
 /// A black lamp in the middle of a white sphere of radius 1: of all light that leaves the wall, the lamp
 /// absorbs the share r^2, so that the wall's radiance is a Le r^2 / (1 - a (1 - r^2)) (integrating sphere).
-StressCase integratingSphereCase(float albedo, float lampRadius) {
+StressCase integratingSphereCase(float albedo, float emitterRadius) {
     StressCase c;
     c.family = kFamily;
-    c.grade = "integrating sphere " + gradeNumber(albedo) + " lamp " + gradeNumber(lampRadius);
-    c.extreme =
-        "a lamp of radius " + gradeNumber(lampRadius) + " in a sphere that reflects " + gradeNumber(albedo);
+    c.grade = "integrating sphere " + gradeNumber(albedo) + " lamp " + gradeNumber(emitterRadius);
+    c.extreme = "a lamp of radius " + gradeNumber(emitterRadius) + " in a sphere that reflects " +
+                gradeNumber(albedo);
     c.truth = "integrating sphere in closed form";
     c.run = [=](const StressEffort& effort) {
-        const double f = static_cast<double>(lampRadius) * static_cast<double>(lampRadius);
+        const double f = static_cast<double>(emitterRadius) * static_cast<double>(emitterRadius);
         const double a = static_cast<double>(albedo);
         SceneDescription scene = emptyStressScene({0.0f, 0.5f, 0.3f}, {0.6f, 0.7f, 0.4f}, 40.0f, 16);
         addShape(&scene, ShapeKind::Sphere, {}, diffuseStress(albedo));
-        addShape(&scene, ShapeKind::Sphere, scale(Vec3(lampRadius)),
+        addShape(&scene, ShapeKind::Sphere, scale(Vec3(emitterRadius)),
                  emitterStress(static_cast<float>(1.0 / f)));
         scene.options.maxDepth = 5000;
         return measurePaths(scene, effort.passes(1200, 300), a / (1.0 - a * (1.0 - f)), effort);
@@ -86,9 +86,9 @@ void addAlbedoCases(StressCases* cases) {
             cases->push_back(furnaceCase(0.9999f, 10000, box, roulette));
         }
     }
-    for (const float lamp : {0.5f, 1e-2f, 1e-4f}) {
-        cases->push_back(integratingSphereCase(0.9f, lamp));
-        cases->push_back(integratingSphereCase(0.99f, lamp));
+    for (const float emitter : {0.5f, 1e-2f, 1e-4f}) {
+        cases->push_back(integratingSphereCase(0.9f, emitter));
+        cases->push_back(integratingSphereCase(0.99f, emitter));
         cases->back().quick = false;
     }
 }

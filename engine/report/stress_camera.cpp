@@ -1,8 +1,8 @@
 // Lenses: from pinholes to lenses larger than the scene, in focus beside the glass, fields of view from
 // hundredths of a degree to nearly everything.
 //
-// The truths are areas: how much of the picture a disc covers, and through how much of the lens a disc is
-// seen.
+// The truths are areas: how much of the picture a disc covers, and through how much of the lens a disc
+// is seen.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -81,8 +81,9 @@ void addCameraCases(StressCases* cases) {
         cases->push_back(fieldOfViewCase(degrees));
     }
     for (const float aperture : {0.0f, 1e-6f, 1e-2f, 1.0f, 1e3f, 1e6f}) {
-        for (const float focus : {1e-6f, 1e-2f, 1.0f, 2.0f, 1e6f})
+        for (const float focus : {1e-6f, 1e-2f, 1.0f, 2.0f, 1e6f}) {
             cases->push_back(lensCase(aperture, focus));
+        }
     }
     cases->push_back(wallCase(0.5f, 1e-6f));
     cases->push_back(wallCase(1e3f, 1.0f));

@@ -6,12 +6,12 @@
 namespace glint {
 
 uint32_t StressEffort::passes(uint32_t full, uint32_t least) const {
-    if (touchOnly) return std::min(full, 2u);
+    if (touchOnly) { return std::min(full, 2u); }
     return quick ? std::min(full, std::max(least, full / 6)) : full;
 }
 
 uint32_t StressEffort::steps(uint32_t full, uint32_t quickSteps) const {
-    if (touchOnly) return std::min(full, 100u);
+    if (touchOnly) { return std::min(full, 100u); }
     return quick ? quickSteps : full;
 }
 
@@ -19,7 +19,9 @@ uint64_t StressOutcome::dropped() const { return std::accumulate(faults.begin(),
 
 void StressOutcome::join(const StressOutcome& other) {
     values.insert(values.end(), other.values.begin(), other.values.end());
-    for (size_t i = 0; i < faults.size(); ++i) faults[i] += other.faults[i];
+    for (size_t i = 0; i < faults.size(); ++i) {
+        faults[i] += other.faults[i];
+    }
     samples += other.samples;
 }
 

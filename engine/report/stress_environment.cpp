@@ -38,7 +38,7 @@ double irradiance(const ImageF& image) {
         for (int x = 0; x < kWidth; ++x) {
             row += static_cast<double>(image.rgb[static_cast<size_t>(3 * (y * kWidth + x))]);
         }
-        if (row > 0.0) sum += row * rowWeight(y);
+        if (row > 0.0) { sum += row * rowWeight(y); }
     }
     return sum * 2.0 * kPiD / kWidth;
 }

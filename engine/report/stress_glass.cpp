@@ -1,9 +1,9 @@
-// Glass: indices of refraction next to 1 and far from it, nested and touching slabs, total internal
-// reflection.
+// Glass: indices of refraction next to 1 and far from it, nested and touching slabs, total
+// internal reflection.
 //
-// The truths are Fresnel's equations in double. Slabs are pairs of infinite planes between a glowing wall and
-// the dark: T = 1 / (1 + sum R / (1 - R)) over the interfaces, unpolarised at each of them as the renderer
-// is.
+// The truths are Fresnel's equations in double. Slabs are pairs of infinite planes between a glowing wall
+// and the dark: T = 1 / (1 + sum R / (1 - R)) over the interfaces, unpolarised at each of them as the
+// renderer is.
 #include <cmath>
 #include <numbers>
 
@@ -21,7 +21,7 @@ constexpr double kPiD = std::numbers::pi;
 /// section 1.5.2.)
 double reflectance(double sine, double n) {
     const double sine2 = sine / n;
-    if (sine2 >= 1.0) return 1.0;
+    if (sine2 >= 1.0) { return 1.0; }
     const double c1 = std::sqrt(1.0 - sine * sine);
     const double c2 = std::sqrt(1.0 - sine2 * sine2);
     const double s = (c1 - n * c2) / (c1 + n * c2);
@@ -31,7 +31,7 @@ double reflectance(double sine, double n) {
 
 /// The steeper, the fewer paths get through, unless all do.
 uint32_t passesFor(double angleRad, double truth) {
-    if (truth == 1.0) return 1024;
+    if (truth == 1.0) { return 1024; }
     return angleRad > 1.5705 ? 120000 : angleRad > 1.55 ? 16384 : 4096;
 }
 
@@ -134,16 +134,16 @@ StressCase criticalCase(double offset) {
 
 /// A white body of glass vanishes in an even glow, however its light is trapped and split.
 StressCase furnaceCase(double ior, ShapeKind shape) {
-    const bool ball = shape == ShapeKind::Sphere;
-    StressCase c = namedCase(kFamily, std::string(ball ? "ball" : "cube") + " n " + gradeNumber(ior),
-                             std::string("a ") + (ball ? "ball" : "turned cube") + " of index " +
+    const bool sphere = shape == ShapeKind::Sphere;
+    StressCase c = namedCase(kFamily, std::string(sphere ? "ball" : "cube") + " n " + gradeNumber(ior),
+                             std::string("a ") + (sphere ? "ball" : "turned cube") + " of index " +
                                  gradeNumber(ior) + " in an even glow",
                              "it vanishes");
     c.run = [=](const StressEffort& effort) {
         SceneDescription scene = emptyStressScene({0, 0, 4}, {0, 0, 0}, 20.0f);
         scene.environment.color = Vec3(1.0f);
         scene.options.maxDepth = 2000;
-        if (ball) {
+        if (sphere) {
             addShape(&scene, ShapeKind::Sphere, {}, glass(static_cast<float>(ior)));
         } else {
             MeshData mesh;
@@ -159,7 +159,9 @@ StressCase furnaceCase(double ior, ShapeKind shape) {
 
 void addGlassCases(StressCases* cases) {
     for (const double ior : {1.0, 1.0001, 1.01, 1.5, 2.4, 4.0}) {
-        for (const double angle : {0.0, 60.0, 89.0}) cases->push_back(slabCase(ior, angle));
+        for (const double angle : {0.0, 60.0, 89.0}) {
+            cases->push_back(slabCase(ior, angle));
+        }
     }
     cases->push_back(slabCase(1.0, 89.99));
     cases->push_back(slabCase(1.5, 89.9));
@@ -168,7 +170,9 @@ void addGlassCases(StressCases* cases) {
     cases->push_back(nestedCase(1.33, 1.5, 80.0));
     cases->push_back(nestedCase(1.5, 1.0001, 30.0));
     cases->push_back(nestedCase(4.0, 1.01, 5.0));
-    for (const float gap : {1e-1f, 1e-3f, 1e-5f, 1e-6f, 0.0f}) cases->push_back(gapCase(gap));
+    for (const float gap : {1e-1f, 1e-3f, 1e-5f, 1e-6f, 0.0f}) {
+        cases->push_back(gapCase(gap));
+    }
     for (const double offset : {1e-1, 1e-3, 1e-5, -1e-6, -1e-5, -1e-4, -1e-3, -1e-1}) {
         cases->push_back(criticalCase(offset));
     }

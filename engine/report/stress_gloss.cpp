@@ -38,7 +38,7 @@ double metalAlbedo(double cosOut, double alpha) {
             const double phi = (sector + 0.5) * kPiD / kSectors;
             const double outH = sinOut * sinH * std::cos(phi) + cosOut * cosH;
             const double cosIn = 2.0 * outH * cosH - cosOut;
-            if (outH <= 0.0 || cosIn <= 0.0) continue;
+            if (outH <= 0.0 || cosIn <= 0.0) { continue; }
             sum += outH / (cosOut * cosH * (1.0 + lambdaOut + smithLambda(cosIn, alpha)));
         }
     }
@@ -143,7 +143,9 @@ StressCase grazingLightCase(double elevation, bool mesh) {
 
 void addGlossCases(StressCases* cases) {
     for (const double alpha : {1e-4, 1e-3, 1e-2, 0.1, 0.5, 1.0}) {
-        for (const double angle : {0.0, 60.0, 85.0, 89.9}) cases->push_back(metalCase(alpha, angle));
+        for (const double angle : {0.0, 60.0, 85.0, 89.9}) {
+            cases->push_back(metalCase(alpha, angle));
+        }
     }
     for (const double alpha : {1e-4, 1e-3, 1e-2, 0.1, 1.0}) {
         cases->push_back(highlightCase(alpha, 0.0));

@@ -27,16 +27,17 @@ th { border-color: #3a4754 } td { border-color: #28323c } tr.ok td.v { color: #6
 std::string escaped(const std::string& text) {
     std::string out;
     for (const char c : text) {
-        if (c == '<')
+        if (c == '<') {
             out += "&lt;";
-        else if (c == '>')
+        } else if (c == '>') {
             out += "&gt;";
-        else if (c == '&')
+        } else if (c == '&') {
             out += "&amp;";
-        else if (c == '"')
+        } else if (c == '"') {
             out += "&quot;";
-        else
+        } else {
             out += c;
+        }
     }
     return out;
 }
@@ -50,7 +51,7 @@ double logPlace(double value) {
 /// The deviation as a bar that ends at |deviation|, with its interval's upper end and the tolerance as ticks.
 std::string bar(const StressResult& result) {
     const StressJudgement& j = result.judgement;
-    if (!std::isfinite(j.deviation)) return "";
+    if (!std::isfinite(j.deviation)) { return ""; }
     const double size = std::abs(j.deviation);
     return fmt::format(
         R"(<svg width="122" height="14" role="img" aria-label="deviation"><rect y="4" width="{:.1f}" height="6" fill="currentColor" opacity=".55"/><path d="M{:.1f} 2v10" stroke="currentColor"/><path d="M{:.1f} 0v14" stroke="#3a7bd5" stroke-dasharray="2 2"/></svg>)",
@@ -62,8 +63,8 @@ std::string row(const StressResult& result) {
     const StressJudgement& j = result.judgement;
     const char* verdict = stressVerdictName(j.verdict);
     std::string remark = escaped(j.reason);
-    if (!c.limit.empty()) remark += (remark.empty() ? "" : "<br>") + ("known limit: " + escaped(c.limit));
-    if (!remark.empty()) remark = "<br><small>" + remark + "</small>";
+    if (!c.limit.empty()) { remark += (remark.empty() ? "" : "<br>") + ("known limit: " + escaped(c.limit)); }
+    if (!remark.empty()) { remark = "<br><small>" + remark + "</small>"; }
     return fmt::format(
         "<tr class=\"{}\"><td>{}</td><td>{}</td><td class=\"n\">{}</td><td>{}</td><td class=\"n\">{:g} %</td>"
         "<td class=\"n\">{}</td><td class=\"v\">{}{}</td><td class=\"n\">{:.2f}</td></tr>\n",
@@ -104,7 +105,7 @@ std::string stressHtml(const std::vector<StressResult>& results, bool quick) {
     for (const StressResult& result : results) {
         const StressCase& c = *result.stressCase;
         if (c.family != family || c.truth != truth) {
-            if (!family.empty()) page += "</table>\n";
+            if (!family.empty()) { page += "</table>\n"; }
             const std::string anchor = c.family != family ? " id=\"" + escaped(c.family) + "\"" : "";
             const std::string_view about = c.family != family ? stressFamilyAbout(c.family) : "";
             page += fmt::format(
@@ -120,7 +121,7 @@ std::string stressHtml(const std::vector<StressResult>& results, bool quick) {
         }
         page += row(result);
     }
-    if (!family.empty()) page += "</table>\n";
+    if (!family.empty()) { page += "</table>\n"; }
     return page + "</body></html>\n";
 }
 

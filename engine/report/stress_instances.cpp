@@ -18,13 +18,13 @@ namespace {
 SceneDescription meshRoom() {
     SceneDescription room = stressRoom();
     for (Object& object : room.objects) {
-        if (object.shape != ShapeKind::Rectangle) continue;
-        MeshData lamp;
-        addQuad(&lamp, {-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0});
+        if (object.shape != ShapeKind::Rectangle) { continue; }
+        MeshData emitter;
+        addQuad(&emitter, {-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0});
         object.shape = ShapeKind::Mesh;
         object.mesh = static_cast<int>(room.meshes.size());
         room.meshes.emplace_back();
-        room.meshes.back().data = std::make_shared<const MeshData>(std::move(lamp));
+        room.meshes.back().data = std::make_shared<const MeshData>(std::move(emitter));
     }
     return room;
 }
@@ -35,10 +35,12 @@ glm::dmat3 linearOf(const Affine& a) { return glm::dmat3(a.linear); }
 SceneDescription inPlace(const SceneDescription& scene) {
     SceneDescription placed = scene;
     for (Object& object : placed.objects) {
-        if (object.shape != ShapeKind::Mesh) continue;
+        if (object.shape != ShapeKind::Mesh) { continue; }
         Mesh& mesh = placed.meshes[static_cast<size_t>(object.mesh)];
         auto data = std::make_shared<MeshData>(*mesh.data);
-        for (Vec3& p : data->positions) p = object.objectToWorld.point(p);
+        for (Vec3& p : data->positions) {
+            p = object.objectToWorld.point(p);
+        }
         mesh.data = std::move(data);
         object.objectToWorld = Affine{};
     }
@@ -52,10 +54,12 @@ SceneDescription throughTransform(const SceneDescription& placed, const Affine& 
     const glm::dmat3 back = glm::inverse(linearOf(map));
     const bool mirrors = glm::determinant(linearOf(map)) < 0.0;
     for (Object& object : scene.objects) {
-        if (object.shape != ShapeKind::Mesh) continue;
+        if (object.shape != ShapeKind::Mesh) { continue; }
         Mesh& mesh = scene.meshes[static_cast<size_t>(object.mesh)];
         auto data = std::make_shared<MeshData>(*mesh.data);
-        for (Vec3& p : data->positions) p = Vec3(back * (glm::dvec3(p) - glm::dvec3(map.translation)));
+        for (Vec3& p : data->positions) {
+            p = Vec3(back * (glm::dvec3(p) - glm::dvec3(map.translation)));
+        }
         for (size_t i = 0; mirrors && i + 2 < data->indices.size(); i += 3) {
             std::swap(data->indices[i + 1], data->indices[i + 2]);
         }

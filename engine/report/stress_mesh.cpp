@@ -95,18 +95,18 @@ StressCase faultyFloorCase(const char* what, void (*spoil)(MeshData*)) {
     return c;
 }
 
-StressCase faultyLampCase(const char* what, void (*spoil)(MeshData*)) {
+StressCase faultyEmitterCase(const char* what, void (*spoil)(MeshData*)) {
     StressCase c = namedCase("degenerate", std::string("lamp with ") + what,
                              std::string("a lamp with ") + what, "irradiance in closed form");
     c.run = [=](const StressEffort& effort) {
-        MeshData lamp;
-        addQuad(&lamp, {-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1});
-        spoil(&lamp);
+        MeshData emitter;
+        addQuad(&emitter, {-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1});
+        spoil(&emitter);
         SceneDescription scene = emptyStressScene({0.3f, 0.5f, 0.4f}, {0, 0, 0}, 0.05f);
         scene.options.maxDepth = 1;
         addShape(&scene, ShapeKind::Plane, placeFlatShape({0, 0, 0}, {0, 1, 0}, 1, 1),
                  diffuseStress(kAlbedo));
-        addMesh(&scene, std::move(lamp), translate({0, 1, 0}), emitterStress(1.0f));
+        addMesh(&scene, std::move(emitter), translate({0, 1, 0}), emitterStress(1.0f));
         const double root = std::numbers::sqrt2;
         return measurePaths(scene, effort.passes(256),
                             kGrey / std::numbers::pi * 4.0 / root * std::atan(1.0 / root), effort);
@@ -114,8 +114,8 @@ StressCase faultyLampCase(const char* what, void (*spoil)(MeshData*)) {
     return c;
 }
 
-/// A sheet of the height `gap` over a black floor, both of size 1 and not at y = 0, where gaps would be
-/// exact.
+/// A sheet of the height `gap` over a black floor, both of size 1 and not at y = 0, where gaps would
+/// be exact.
 StressCase sheetCase(float gap) {
     StressCase c =
         namedCase("coplanar", "sheet " + gradeNumber(gap) + " over another",
@@ -172,18 +172,25 @@ StressCase overlapCase(float slope) {
 void addMeshCases(StressCases* cases) {
     cases->push_back(faultyFloorCase("triangles without area", addDegenerates));
     cases->push_back(faultyFloorCase("every triangle twice", addDuplicates));
-    cases->push_back(faultyLampCase("triangles without area", addDegenerates));
-    cases->push_back(faultyLampCase("every triangle twice", addDuplicates));
-    for (const float gap : {1e-2f, 1e-4f, 1e-5f, 1e-6f, 1e-7f, 1e-8f}) cases->push_back(sheetCase(gap));
+    cases->push_back(faultyEmitterCase("triangles without area", addDegenerates));
+    cases->push_back(faultyEmitterCase("every triangle twice", addDuplicates));
+    for (const float gap : {1e-2f, 1e-4f, 1e-5f, 1e-6f, 1e-7f, 1e-8f}) {
+        cases->push_back(sheetCase(gap));
+    }
     cases->push_back(doubledSheetCase());
     cases->push_back(overlapCase(0.0f));
     cases->push_back(overlapCase(0.37f));
     for (const float slope : {0.0f, 0.37f}) {
-        for (const float size : {1.0f, 1e2f, 1e4f, 1e6f, 1e7f})
+        for (const float size : {1.0f, 1e2f, 1e4f, 1e6f, 1e7f}) {
             cases->push_back(largeFloorCase(size, 0.0f, slope));
+        }
     }
-    for (const float size : {1e2f, 1e4f}) cases->push_back(largeFloorCase(size, 0.3f, 0.0f));
-    for (const float ratio : {1e3f, 1e4f, 1e5f, 1e6f, 1e7f}) cases->push_back(groundCase(ratio));
+    for (const float size : {1e2f, 1e4f}) {
+        cases->push_back(largeFloorCase(size, 0.3f, 0.0f));
+    }
+    for (const float ratio : {1e3f, 1e4f, 1e5f, 1e6f, 1e7f}) {
+        cases->push_back(groundCase(ratio));
+    }
 }
 
 }  // namespace glint

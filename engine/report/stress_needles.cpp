@@ -48,24 +48,24 @@ StressCase needleFloorCase(float aspect, bool tilted) {
 
 /// The lamp is a strip of 64 needles, 2 long and b = 64 * width wide, at height 1: from below its middle it
 /// is a rectangle of half edges a = 1 and b / 2.
-StressCase needleLampCase(float aspect) {
+StressCase needleEmitterCase(float aspect) {
     StressCase c = namedCase("needles", "lamp of aspect " + gradeNumber(aspect),
                              "a lamp of triangles " + gradeNumber(aspect) + " times as long as wide",
                              "irradiance in closed form");
     c.run = [=](const StressEffort& effort) {
         const float step = 2.0f / aspect;
         const double b = 32.0 * static_cast<double>(step);
-        MeshData lamp;
+        MeshData emitter;
         for (int i = -32; i < 32; ++i) {
             const float x0 = static_cast<float>(i) * step;
             const float x1 = static_cast<float>(i + 1) * step;
-            addQuad(&lamp, {x0, 1, -1}, {x1, 1, -1}, {x1, 1, 1}, {x0, 1, 1});
+            addQuad(&emitter, {x0, 1, -1}, {x1, 1, -1}, {x1, 1, 1}, {x0, 1, 1});
         }
         SceneDescription scene = emptyStressScene({0.3f, 0.5f, 0.4f}, {0, 0, 0}, 0.05f);
         scene.options.maxDepth = 1;
         addShape(&scene, ShapeKind::Plane, placeFlatShape({0, 0, 0}, {0, 1, 0}, 1, 1),
                  diffuseStress(kFloorAlbedo));
-        addMesh(&scene, std::move(lamp), {}, emitterStress(static_cast<float>(1.0 / b)));
+        addMesh(&scene, std::move(emitter), {}, emitterStress(static_cast<float>(1.0 / b)));
         const double rootA = std::numbers::sqrt2;
         const double rootB = std::hypot(b, 1.0);
         const double irradiance =
@@ -110,10 +110,16 @@ StressCase litNeedleCase(float aspect) {
 
 void addNeedleCases(StressCases* cases) {
     for (const bool tilted : {false, true}) {
-        for (const float aspect : {1e2f, 1e4f, 1e6f, 1e7f}) cases->push_back(needleFloorCase(aspect, tilted));
+        for (const float aspect : {1e2f, 1e4f, 1e6f, 1e7f}) {
+            cases->push_back(needleFloorCase(aspect, tilted));
+        }
     }
-    for (const float aspect : {1e2f, 1e4f, 1e6f, 1e7f}) cases->push_back(needleLampCase(aspect));
-    for (const float aspect : {1e2f, 1e4f, 1e6f}) cases->push_back(litNeedleCase(aspect));
+    for (const float aspect : {1e2f, 1e4f, 1e6f, 1e7f}) {
+        cases->push_back(needleEmitterCase(aspect));
+    }
+    for (const float aspect : {1e2f, 1e4f, 1e6f}) {
+        cases->push_back(litNeedleCase(aspect));
+    }
 }
 
 }  // namespace glint

@@ -145,19 +145,26 @@ StressCase roomCase(const char* what, float amount) {
 }  // namespace
 
 void addPhotonCases(StressCases* cases) {
-    for (const float relative : {1e-6f, 1e-4f, 1e-2f}) cases->push_back(smallRadiusCase(relative));
-    for (const float radius : {0.1f, 0.5f, 3.0f, 1e2f, 1e6f, 1e12f})
+    for (const float relative : {1e-6f, 1e-4f, 1e-2f}) {
+        cases->push_back(smallRadiusCase(relative));
+    }
+    for (const float radius : {0.1f, 0.5f, 3.0f, 1e2f, 1e6f, 1e12f}) {
         cases->push_back(largeRadiusCase(radius));
-    for (const float angle : {10.0f, 1.0f, 1e-1f, 1e-2f, 1e-3f}) cases->push_back(narrowSpotCase(angle));
+    }
+    for (const float angle : {10.0f, 1.0f, 1e-1f, 1e-2f, 1e-3f}) {
+        cases->push_back(narrowSpotCase(angle));
+    }
     cases->push_back(photonCountCase(1, 2000, 64));
     cases->push_back(photonCountCase(1000, 40, 48));
     cases->push_back(photonCountCase(1000000, 1, 16));
     cases->push_back(photonCountCase(10000000, 1, 8));
     cases->push_back(darkCase());
-    for (const float factor : {1e-9f, 1e-6f, 1e-3f, 1e3f, 1e6f, 1e9f})
+    for (const float factor : {1e-9f, 1e-6f, 1e-3f, 1e3f, 1e6f, 1e9f}) {
         cases->push_back(roomCase("room x", factor));
-    for (const float distance : {1e2f, 1e3f, 1e4f, 1e5f, 1e6f})
+    }
+    for (const float distance : {1e2f, 1e3f, 1e4f, 1e5f, 1e6f}) {
         cases->push_back(roomCase("room +", distance));
+    }
 }
 
 }  // namespace glint

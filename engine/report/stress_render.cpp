@@ -5,7 +5,7 @@
 #include <limits>
 #include <memory>
 
-#include "engine/build/scene_builder.h"
+#include "engine/builders/scene_builder.h"
 #include "engine/math/color.h"
 #include "engine/render/backend.h"
 #include "engine/render/pass_params.h"
@@ -51,7 +51,7 @@ class Renderer {
     Status setScene(const SceneDescription& scene) {
         const SceneEdit edit{std::make_shared<const SceneDescription>(scene), EditKind::Everything};
         auto built = buildScene(edit, nullptr, threads_, nullptr, nullptr);
-        if (!built) return built.error();
+        if (!built) { return built.error(); }
         return backend_->setScene(*built);
     }
 
@@ -75,7 +75,7 @@ class Renderer {
 void countFaults(const std::vector<PixelSample>& samples, StressOutcome* outcome) {
     outcome->samples += samples.size();
     for (const PixelSample& sample : samples) {
-        if (sample.fault != SampleFault::None) ++outcome->faults[static_cast<size_t>(sample.fault)];
+        if (sample.fault != SampleFault::None) { ++outcome->faults[static_cast<size_t>(sample.fault)]; }
     }
 }
 
@@ -122,30 +122,38 @@ void addBlockValues(const std::vector<PixelTally>& pixels, int width, int height
 }
 
 Status passDone(const Result<bool>& done) {
-    if (!done) return done.error();
+    if (!done) { return done.error(); }
     return *done ? Status() : Status(stoppedError());
 }
 
 /// A picture of direct light and photons after `passes` passes.
-Result<std::vector<double>> photonPicture(Renderer* renderer, SppmParams params, uint32_t passes,
-                                          const StressEffort& effort, StressOutcome* outcome) {
+Result<std::vector<double>> photonImage(Renderer* renderer, SppmParams params, uint32_t passes,
+                                        const StressEffort& effort, StressOutcome* outcome) {
     const auto count = static_cast<size_t>(params.pass.width) * static_cast<size_t>(params.pass.height);
     SppmState state(params.pass.width, params.pass.height);
-    std::vector<double> picture(count, 0.0);
+    std::vector<double> image(count, 0.0);
     for (uint32_t pass = 0; pass < passes; ++pass) {
         params.pass.pass = pass;
-        if (Status done = passDone(renderer->photonPass(params, effort, &state)); !done) return done.error();
+        if (Status done = passDone(renderer->photonPass(params, effort, &state)); !done) {
+            return done.error();
+        }
         countFaults(renderer->samples, outcome);
-        for (size_t i = 0; i < count; ++i) picture[i] += luminanceOf(renderer->samples[i]) / passes;
+        for (size_t i = 0; i < count; ++i) {
+            image[i] += luminanceOf(renderer->samples[i]) / passes;
+        }
     }
-    for (size_t i = 0; i < count; ++i) picture[i] += static_cast<double>(luminance(state.photonRadiance(i)));
-    return picture;
+    for (size_t i = 0; i < count; ++i) {
+        image[i] += static_cast<double>(luminance(state.photonRadiance(i)));
+    }
+    return image;
 }
 
-double blockMean(const std::vector<double>& picture, int width, const Block& block) {
+double blockMean(const std::vector<double>& image, int width, const Block& block) {
     double sum = 0.0;
     for (int y = block.y0; y < block.y1; ++y) {
-        for (int x = block.x0; x < block.x1; ++x) sum += picture[static_cast<size_t>(y * width + x)];
+        for (int x = block.x0; x < block.x1; ++x) {
+            sum += image[static_cast<size_t>(y * width + x)];
+        }
     }
     return sum / (static_cast<double>(block.x1 - block.x0) * (block.y1 - block.y0));
 }
@@ -160,9 +168,9 @@ Result<StressOutcome> measurePhotonRuns(const SceneDescription& scene, const Sce
                                         double truth, const PhotonRuns& plan, const StressEffort& effort) {
     Renderer first(effort.threads);
     Renderer second(effort.threads);
-    if (Status ready = first.setScene(scene); !ready) return ready.error();
+    if (Status ready = first.setScene(scene); !ready) { return ready.error(); }
     if (benign != nullptr) {
-        if (Status ready = second.setScene(*benign); !ready) return ready.error();
+        if (Status ready = second.setScene(*benign); !ready) { return ready.error(); }
     }
     const Resolution size = scene.resolution;
     const std::vector<Block> blocks = blocksOf(size.width, size.height, plan.blocks);
@@ -171,18 +179,18 @@ Result<StressOutcome> measurePhotonRuns(const SceneDescription& scene, const Sce
     for (uint32_t run = 0; run < plan.runs; ++run) {
         SppmParams params = sppmParamsOf(scene);
         params.pass.seed = run;
-        const auto picture = photonPicture(&first, params, plan.passes, effort, &outcome);
-        if (!picture) return picture.error();
-        std::vector<double> expected(picture->size(), truth);
+        const auto image = photonImage(&first, params, plan.passes, effort, &outcome);
+        if (!image) { return image.error(); }
+        std::vector<double> expected(image->size(), truth);
         if (benign != nullptr) {
             params = sppmParamsOf(*benign);
             params.pass.seed = run;
-            auto rendered = photonPicture(&second, params, plan.passes, effort, &outcome);
-            if (!rendered) return rendered.error();
+            auto rendered = photonImage(&second, params, plan.passes, effort, &outcome);
+            if (!rendered) { return rendered.error(); }
             expected = std::move(*rendered);
         }
         for (size_t i = 0; i < blocks.size(); ++i) {
-            const double is = blockMean(*picture, size.width, blocks[i]);
+            const double is = blockMean(*image, size.width, blocks[i]);
             const double should = blockMean(expected, size.width, blocks[i]);
             tallies[i].difference.add(is - should);
             tallies[i].truth.add(should);
@@ -201,7 +209,7 @@ Result<StressOutcome> measurePhotonRuns(const SceneDescription& scene, const Sce
 Result<StressOutcome> measurePaths(const SceneDescription& scene, uint32_t passes, const PixelTruth& truth,
                                    const StressEffort& effort, int blocks) {
     Renderer renderer(effort.threads);
-    if (Status ready = renderer.setScene(scene); !ready) return ready.error();
+    if (Status ready = renderer.setScene(scene); !ready) { return ready.error(); }
     PassParams params = passParamsOf(scene);
     std::vector<PixelTally> pixels(static_cast<size_t>(params.width) * static_cast<size_t>(params.height));
     for (size_t i = 0; i < pixels.size(); ++i) {
@@ -210,10 +218,10 @@ Result<StressOutcome> measurePaths(const SceneDescription& scene, uint32_t passe
     }
     StressOutcome outcome;
     for (params.pass = 0; params.pass < passes; ++params.pass) {
-        if (Status done = passDone(renderer.pass(params, effort)); !done) return done.error();
+        if (Status done = passDone(renderer.pass(params, effort)); !done) { return done.error(); }
         countFaults(renderer.samples, &outcome);
         for (size_t i = 0; i < pixels.size(); ++i) {
-            if (renderer.samples[i].fault != SampleFault::None) continue;
+            if (renderer.samples[i].fault != SampleFault::None) { continue; }
             pixels[i].difference.add(luminanceOf(renderer.samples[i]) - pixels[i].truth.mean);
         }
     }
@@ -231,20 +239,20 @@ Result<StressOutcome> measurePathsAgainst(const SceneDescription& extreme, const
                                           uint32_t passes, const StressEffort& effort, int blocks) {
     Renderer first(effort.threads);
     Renderer second(effort.threads);
-    if (Status ready = first.setScene(extreme); !ready) return ready.error();
-    if (Status ready = second.setScene(benign); !ready) return ready.error();
+    if (Status ready = first.setScene(extreme); !ready) { return ready.error(); }
+    if (Status ready = second.setScene(benign); !ready) { return ready.error(); }
     PassParams params = passParamsOf(extreme);
     std::vector<PixelTally> pixels(static_cast<size_t>(params.width) * static_cast<size_t>(params.height));
     StressOutcome outcome;
     for (params.pass = 0; params.pass < passes; ++params.pass) {
-        if (Status done = passDone(first.pass(params, effort)); !done) return done.error();
-        if (Status done = passDone(second.pass(params, effort)); !done) return done.error();
+        if (Status done = passDone(first.pass(params, effort)); !done) { return done.error(); }
+        if (Status done = passDone(second.pass(params, effort)); !done) { return done.error(); }
         countFaults(first.samples, &outcome);
         countFaults(second.samples, &outcome);
         for (size_t i = 0; i < pixels.size(); ++i) {
             const PixelSample& is = first.samples[i];
             const PixelSample& should = second.samples[i];
-            if (is.fault != SampleFault::None || should.fault != SampleFault::None) continue;
+            if (is.fault != SampleFault::None || should.fault != SampleFault::None) { continue; }
             pixels[i].difference.add(luminanceOf(is) - luminanceOf(should));
             pixels[i].truth.add(luminanceOf(should));
         }

@@ -13,7 +13,9 @@ template <class Change>
 void changeVertices(SceneDescription* scene, const Change& change) {
     for (Mesh& mesh : scene->meshes) {
         auto data = std::make_shared<MeshData>(*mesh.data);
-        for (Vec3& p : data->positions) p = change(p);
+        for (Vec3& p : data->positions) {
+            p = change(p);
+        }
         mesh.data = std::move(data);
     }
 }
@@ -23,7 +25,7 @@ void changeObjects(SceneDescription* scene, const Affine& map, StressChange chan
     for (Object& object : scene->objects) {
         const bool baked = change == StressChange::Vertices && object.shape == ShapeKind::Mesh &&
                            object.objectToWorld == Affine{};
-        if (!baked) object.objectToWorld = map * object.objectToWorld;
+        if (!baked) { object.objectToWorld = map * object.objectToWorld; }
     }
 }
 
@@ -118,7 +120,9 @@ Affine placeFlatShape(const Vec3& center, const Vec3& normal, float halfX, float
 void addQuad(MeshData* mesh, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     const auto first = static_cast<uint32_t>(mesh->positions.size());
     mesh->positions.insert(mesh->positions.end(), {a, b, c, d});
-    for (const uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u}) mesh->indices.push_back(first + corner);
+    for (const uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u}) {
+        mesh->indices.push_back(first + corner);
+    }
 }
 
 void addBox(MeshData* mesh, const Vec3& lo, const Vec3& hi, bool inward) {
@@ -197,11 +201,13 @@ SceneDescription gridRoom() {
 
 SceneDescription scaledScene(const SceneDescription& scene, float factor, StressChange change) {
     SceneDescription scaled = scene;
-    if (change == StressChange::Vertices) changeVertices(&scaled, [&](const Vec3& p) { return factor * p; });
+    if (change == StressChange::Vertices) {
+        changeVertices(&scaled, [&](const Vec3& p) { return factor * p; });
+    }
     for (Object& object : scaled.objects) {
         const bool mesh = object.shape == ShapeKind::Mesh;
         object.objectToWorld.translation *= factor;
-        if (!mesh || change == StressChange::Transforms) object.objectToWorld.linear *= factor;
+        if (!mesh || change == StressChange::Transforms) { object.objectToWorld.linear *= factor; }
     }
     scaled.camera.position *= factor;
     scaled.camera.target *= factor;
@@ -209,7 +215,7 @@ SceneDescription scaledScene(const SceneDescription& scene, float factor, Stress
     scaled.camera.focalDistance *= factor;
     for (Light& light : scaled.lights) {
         light.position *= factor;
-        if (light.kind != LightKind::Directional) light.color *= factor * factor;
+        if (light.kind != LightKind::Directional) { light.color *= factor * factor; }
     }
     scaled.sppm.radiusWorld *= factor;
     return scaled;
@@ -218,13 +224,17 @@ SceneDescription scaledScene(const SceneDescription& scene, float factor, Stress
 SceneDescription movedScene(const SceneDescription& scene, const Vec3& offset, StressChange change) {
     SceneDescription moved = scene;
     if (change == StressChange::Vertices) {
-        for (Mesh& mesh : moved.meshes) mesh.data = nullptr;  // only those without a transform are moved
+        for (Mesh& mesh : moved.meshes) {
+            mesh.data = nullptr;  // only those without a transform are moved
+        }
         for (const Object& object : scene.objects) {
-            if (object.shape != ShapeKind::Mesh) continue;
+            if (object.shape != ShapeKind::Mesh) { continue; }
             const auto index = static_cast<size_t>(object.mesh);
             auto data = std::make_shared<MeshData>(*scene.meshes[index].data);
             if (object.objectToWorld == Affine{}) {
-                for (Vec3& p : data->positions) p += offset;
+                for (Vec3& p : data->positions) {
+                    p += offset;
+                }
             }
             moved.meshes[index].data = std::move(data);
         }
@@ -232,18 +242,20 @@ SceneDescription movedScene(const SceneDescription& scene, const Vec3& offset, S
     changeObjects(&moved, translate(offset), change);
     moved.camera.position += offset;
     moved.camera.target += offset;
-    for (Light& light : moved.lights) light.position += offset;
+    for (Light& light : moved.lights) {
+        light.position += offset;
+    }
     return moved;
 }
 
 std::string gradeNumber(double value) {
     const double magnitude = std::abs(value);
-    if (value == 0.0 || (magnitude >= 1e-2 && magnitude < 1e4)) return fmt::format("{:.7g}", value);
+    if (value == 0.0 || (magnitude >= 1e-2 && magnitude < 1e4)) { return fmt::format("{:.7g}", value); }
     std::string text = fmt::format("{:.3e}", value);
     const size_t e = text.find('e');
     std::string mantissa = text.substr(0, e);
     mantissa.erase(mantissa.find_last_not_of('0') + 1);
-    if (mantissa.ends_with('.')) mantissa.pop_back();
+    if (mantissa.ends_with('.')) { mantissa.pop_back(); }
     return fmt::format("{}e{}", mantissa, std::stoi(text.substr(e + 1)));
 }
 

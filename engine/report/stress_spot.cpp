@@ -67,10 +67,8 @@ StressCase narrowSpotCase(float halfAngleDeg, SpotView where) {
         light.coneAngleDeg = halfAngleDeg;
         light.coneFalloffStartDeg = 0.9f * halfAngleDeg;
         scene.lights.push_back(light);
-        if (outside) return measurePaths(scene, effort.passes(16), 0.0, effort);
-        if (where == SpotView::Middle) {
-            return measurePaths(scene, effort.passes(16), kAlbedoD, effort, 4);
-        }
+        if (outside) { return measurePaths(scene, effort.passes(16), 0.0, effort); }
+        if (where == SpotView::Middle) { return measurePaths(scene, effort.passes(16), kAlbedoD, effort, 4); }
         const double area = 9.0 * static_cast<double>(radius) * static_cast<double>(radius);
         return measurePaths(scene, effort.passes(256), spotOnFloor(0.9 * outer, outer) / area, effort);
     };
@@ -81,8 +79,9 @@ StressCase narrowSpotCase(float halfAngleDeg, SpotView where) {
 
 void addSpotCases(StressCases* cases) {
     for (const SpotView where : {SpotView::Middle, SpotView::Edge, SpotView::Outside}) {
-        for (const float angle : {10.0f, 1.0f, 1e-1f, 1e-2f, 1e-3f, 1e-4f})
+        for (const float angle : {10.0f, 1.0f, 1e-1f, 1e-2f, 1e-3f, 1e-4f}) {
             cases->push_back(narrowSpotCase(angle, where));
+        }
     }
 }
 

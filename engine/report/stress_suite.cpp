@@ -20,7 +20,7 @@ namespace {
 std::vector<std::string_view> familyNames(const std::vector<StressCase>& cases) {
     std::vector<std::string_view> names;
     for (const StressCase& c : cases) {
-        if (names.empty() || names.back() != c.family) names.push_back(c.family);
+        if (names.empty() || names.back() != c.family) { names.push_back(c.family); }
     }
     return names;
 }
@@ -28,7 +28,7 @@ std::vector<std::string_view> familyNames(const std::vector<StressCase>& cases) 
 std::string joined(const std::vector<std::string_view>& names) {
     std::string text;
     for (const std::string_view name : names) {
-        if (!text.empty()) text += ", ";
+        if (!text.empty()) { text += ", "; }
         text += name;
     }
     return text;
@@ -57,7 +57,7 @@ std::string_view stressFamilyAbout(std::string_view family) {
         {"film", "ten million samples with an outlier"},
     };
     for (const auto& [name, about] : kAbout) {
-        if (name == family) return about;
+        if (name == family) { return about; }
     }
     return {};
 }
@@ -69,7 +69,7 @@ std::vector<StressCase> stressCases() {
     addNeedleCases(&cases);
     addMeshCases(&cases);
     addGlossCases(&cases);
-    addLampCases(&cases);
+    addEmitterCases(&cases);
     addGlassCases(&cases);
     addAlbedoCases(&cases);
     addCameraCases(&cases);
@@ -89,9 +89,9 @@ Result<std::vector<StressCase>> filterStressCases(const std::vector<StressCase>&
     for (const StressCase& c : cases) {
         const bool meant =
             isFamily ? c.family == filter : (c.family + "/" + c.grade).find(filter) != std::string::npos;
-        if (meant) chosen.push_back(c);
+        if (meant) { chosen.push_back(c); }
     }
-    if (!chosen.empty()) return chosen;
+    if (!chosen.empty()) { return chosen; }
     return Error{fmt::format("no case is called '{}'{}; families are {}", filter,
                              didYouMean(filter, families), joined(families)),
                  {}};
@@ -103,7 +103,7 @@ Result<StressResult> runStressCase(const StressCase& stressCase, const StressEff
     const auto began = std::chrono::steady_clock::now();
     const Result<StressOutcome> outcome = stressCase.run(effort);
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-    if (!outcome && effort.stopped()) return outcome.error();
+    if (!outcome && effort.stopped()) { return outcome.error(); }
     if (outcome) {
         result.outcome = *outcome;
         result.judgement = judgeStress(*outcome, stressCase.tolerance);
@@ -132,14 +132,17 @@ Status runStressCases(const std::vector<StressCase>& cases, const StressEffort& 
                 return;
             }
             results[i] = std::move(*result);
-            for (; handedOut < results.size() && results[handedOut]; ++handedOut)
+            for (; handedOut < results.size() && results[handedOut]; ++handedOut) {
                 onResult(std::move(*results[handedOut]));
+            }
         }
     };
     {
         std::vector<std::jthread> threads;
         const int count = effort.threads > 0 ? effort.threads : defaultThreadCount();
-        for (int i = 0; i < count; ++i) threads.emplace_back(work);
+        for (int i = 0; i < count; ++i) {
+            threads.emplace_back(work);
+        }
     }
     return status;
 }

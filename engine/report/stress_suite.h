@@ -16,8 +16,8 @@ namespace glint {
 /// Every case, family by family, from benign to extreme within each.
 std::vector<StressCase> stressCases();
 
-/// What is extreme in a family's cases, in a few words: "needles" -> "aspect up to 1e7". Empty: no such
-/// family.
+/// What is extreme in a family's cases, in a few words: "needles" -> "aspect up to 1e7". Empty: no
+/// such family.
 std::string_view stressFamilyAbout(std::string_view family);
 
 /// The cases of a family ("scale"), or those whose "family/grade" contains the text; empty: all. Error: none

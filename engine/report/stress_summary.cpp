@@ -11,7 +11,9 @@ std::vector<StressFamilySummary> summarizeStress(const std::vector<StressResult>
     std::vector<StressFamilySummary> families;
     for (const StressResult& result : results) {
         const StressCase& c = *result.stressCase;
-        if (families.empty() || families.back().family != c.family) families.push_back({.family = c.family});
+        if (families.empty() || families.back().family != c.family) {
+            families.push_back({.family = c.family});
+        }
         StressFamilySummary& family = families.back();
         ++family.counts[static_cast<int>(result.judgement.verdict)];
         family.unexpected += result.unexpected() ? 1 : 0;
@@ -20,7 +22,7 @@ std::vector<StressFamilySummary> summarizeStress(const std::vector<StressResult>
             family.largestOk = std::max(family.largestOk, std::abs(result.judgement.deviation));
             continue;
         }
-        if (!family.firstNotOk.empty()) family.firstNotOk += "; ";
+        if (!family.firstNotOk.empty()) { family.firstNotOk += "; "; }
         family.firstNotOk += fmt::format("{}: {}", c.grade, stressVerdictName(result.judgement.verdict));
     }
     return families;
@@ -41,7 +43,7 @@ std::string stressMarkdown(const std::vector<StressResult>& results) {
 }
 
 std::string stressErrorText(const StressJudgement& judgement) {
-    if (!std::isfinite(judgement.deviation)) return "not a number";
+    if (!std::isfinite(judgement.deviation)) { return "not a number"; }
     const double percent = 100.0 * judgement.deviation;
     const std::string deviation =
         std::abs(percent) >= 99.5 ? fmt::format("{:+.0f}", percent) : fmt::format("{:+.2g}", percent);

@@ -27,7 +27,7 @@ StressCase outlierCase(float outlier, double share, const char* where) {
         Film film(1, 1);
         std::vector<PixelSample> samples(1);
         for (uint32_t pass = 0; pass < count; ++pass) {
-            if (pass % 65536 == 0 && effort.stopped()) return stoppedError();
+            if (pass % 65536 == 0 && effort.stopped()) { return stoppedError(); }
             samples[0].radiance = Vec3(pass == place ? outlier : 0.1f);
             film.commit(samples, pass, 1);
         }
@@ -66,7 +66,7 @@ StressCase steadyCase(uint32_t photons, double alpha) {
         gathered.flux = Vec3(static_cast<float>(photons) * 0.25f);
         long double fluxOverArea = 0.0L;
         for (uint32_t pass = 0; pass < passes; ++pass) {
-            if (pass % 65536 == 0 && effort.stopped()) return stoppedError();
+            if (pass % 65536 == 0 && effort.stopped()) { return stoppedError(); }
             fluxOverArea += 0.25L * photons /
                             (0.04L * std::exp(static_cast<long double>(logGammaRatio(pass, 1.0 / alpha))));
             updatePixel(gathered, alpha, pass, 1.0, &pixel);
@@ -95,14 +95,17 @@ StressCase lateCase() {
         SppmPixel pixel;
         pixel.radiusSquared = 0.04;
         Gathered gathered;
-        for (uint32_t pass = 0; pass < kEmpty; ++pass) updatePixel(gathered, kAlpha, pass, 1.0, &pixel);
+        for (uint32_t pass = 0; pass < kEmpty; ++pass) {
+            updatePixel(gathered, kAlpha, pass, 1.0, &pixel);
+        }
         StressOutcome outcome;
         outcome.values.push_back({1.0 + static_cast<double>(photonRadiance(pixel, kEmpty).x), 1.0, 0.0});
         outcome.values.push_back({pixel.radiusSquared / 0.04, 1.0, 0.0});
         gathered.count = 1;
         gathered.flux = Vec3(0.25f);
-        for (uint32_t pass = kEmpty; pass < kEmpty + kLate; ++pass)
+        for (uint32_t pass = kEmpty; pass < kEmpty + kLate; ++pass) {
             updatePixel(gathered, kAlpha, pass, 1.0, &pixel);
+        }
         const double radius2 = 0.04 * std::exp(logGammaRatio(kLate, 1.0 / kAlpha));
         outcome.values.push_back({pixel.radiusSquared / radius2, 1.0, 0.0});
         outcome.samples = kEmpty + kLate;
@@ -130,13 +133,13 @@ StressCase densityCase(double photonsAtFirst, double alpha) {
             pixel.radiusSquared = 1.0;
             double earlyRadius2 = 1.0;
             for (uint32_t pass = 0; pass < passes; ++pass) {
-                if (pass % 65536 == 0 && effort.stopped()) return stoppedError();
+                if (pass % 65536 == 0 && effort.stopped()) { return stoppedError(); }
                 Gathered gathered;
                 gathered.count = static_cast<uint32_t>(
                     std::poisson_distribution<int>(photonsAtFirst * pixel.radiusSquared)(random));
                 gathered.flux = Vec3(static_cast<float>(gathered.count));
                 updatePixel(gathered, alpha, pass, 1.0, &pixel);
-                if (pass + 1 == early) earlyRadius2 = pixel.radiusSquared;
+                if (pass + 1 == early) { earlyRadius2 = pixel.radiusSquared; }
             }
             radiance.push_back(static_cast<double>(photonRadiance(pixel, passes).x));
             shrink.push_back(pixel.radiusSquared / earlyRadius2);
@@ -144,8 +147,12 @@ StressCase densityCase(double photonsAtFirst, double alpha) {
         const auto valueOf = [&](const std::vector<double>& x, double truth) {
             double mean = 0.0;
             double m2 = 0.0;
-            for (const double v : x) mean += v / runs;
-            for (const double v : x) m2 += (v - mean) * (v - mean);
+            for (const double v : x) {
+                mean += v / runs;
+            }
+            for (const double v : x) {
+                m2 += (v - mean) * (v - mean);
+            }
             return StressValue{mean / truth, 1.0, std::sqrt(m2 / (runs * (runs - 1.0))) / truth,
                                static_cast<int>(runs) - 1};
         };
@@ -168,11 +175,15 @@ void addFilmCases(StressCases* cases) {
     cases->push_back(outlierCase(1e9f, 0.5, "in the middle"));
     cases->push_back(outlierCase(1e9f, 1.0, "last"));
     cases->push_back(outlierCase(3e38f, 0.5, "in the middle"));
-    for (size_t i = cases->size() - 5; i < cases->size(); ++i) (*cases)[i].quick = i + 1 == cases->size();
+    for (size_t i = cases->size() - 5; i < cases->size(); ++i) {
+        (*cases)[i].quick = i + 1 == cases->size();
+    }
 }
 
 void addRecurrenceCases(StressCases* cases) {
-    for (const uint32_t photons : {1u, 1000u, 1000000u}) cases->push_back(steadyCase(photons, 2.0 / 3.0));
+    for (const uint32_t photons : {1u, 1000u, 1000000u}) {
+        cases->push_back(steadyCase(photons, 2.0 / 3.0));
+    }
     cases->push_back(steadyCase(10, 0.1));
     cases->push_back(steadyCase(10, 0.99));
     cases->push_back(lateCase());

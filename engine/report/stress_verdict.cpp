@@ -25,14 +25,16 @@ double cosinePowerIntegral(double from, int power) {
 
 /// P(|X| > x). Student's t with x = sqrt(degrees) tan(angle) has the density cos^(degrees - 1) in the angle.
 double twoSidedTail(double x, int degrees) {
-    if (degrees <= 0) return std::erfc(x / std::numbers::sqrt2);
+    if (degrees <= 0) { return std::erfc(x / std::numbers::sqrt2); }
     const double angle = std::atan(x / std::sqrt(static_cast<double>(degrees)));
     return cosinePowerIntegral(angle, degrees - 1) / cosinePowerIntegral(0.0, degrees - 1);
 }
 
 double meanTruth(const StressOutcome& outcome) {
     double sum = 0.0;
-    for (const StressValue& value : outcome.values) sum += std::abs(value.truth);
+    for (const StressValue& value : outcome.values) {
+        sum += std::abs(value.truth);
+    }
     return sum / static_cast<double>(outcome.values.size());
 }
 
@@ -65,7 +67,7 @@ StressJudgement broken(const char* reason) {
 }
 
 void worsen(StressVerdict verdict, std::string reason, StressJudgement* judgement) {
-    if (verdict <= judgement->verdict) return;
+    if (verdict <= judgement->verdict) { return; }
     judgement->verdict = verdict;
     judgement->reason = std::move(reason);
 }
@@ -75,7 +77,9 @@ void worsen(StressVerdict verdict, std::string reason, StressJudgement* judgemen
 double twoSidedQuantile(double probability, int degrees) {
     double lo = 0.0;
     double hi = 1.0;
-    while (twoSidedTail(hi, degrees) > probability) hi *= 2.0;
+    while (twoSidedTail(hi, degrees) > probability) {
+        hi *= 2.0;
+    }
     for (int i = 0; i < 60; ++i) {
         const double middle = 0.5 * (lo + hi);
         (twoSidedTail(middle, degrees) > probability ? lo : hi) = middle;
@@ -84,8 +88,8 @@ double twoSidedQuantile(double probability, int degrees) {
 }
 
 StressJudgement judgeStress(const StressOutcome& outcome, double tolerance) {
-    if (outcome.values.empty()) return broken("nothing was measured");
-    if (!std::ranges::all_of(outcome.values, isNumber)) return broken("a value is not a number");
+    if (outcome.values.empty()) { return broken("nothing was measured"); }
+    if (!std::ranges::all_of(outcome.values, isNumber)) { return broken("a value is not a number"); }
     StressJudgement judgement;
     double worstExcess = -std::numeric_limits<double>::infinity();
     double widest = 0.0;
@@ -95,7 +99,7 @@ StressJudgement judgeStress(const StressOutcome& outcome, double tolerance) {
         const Scaled scaled = scaledDeviation(outcome.values[i], leastScale, probability);
         widest = std::max(widest, scaled.halfWidth);
         worstExcess = std::max(worstExcess, scaled.excess());
-        if (i > 0 && !isWorse(scaled, {judgement.deviation, judgement.halfWidth})) continue;
+        if (i > 0 && !isWorse(scaled, {judgement.deviation, judgement.halfWidth})) { continue; }
         judgement.deviation = scaled.deviation;
         judgement.halfWidth = scaled.halfWidth;
         judgement.worst = i;

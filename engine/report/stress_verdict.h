@@ -19,8 +19,8 @@ constexpr double kStressBrokenDrops = 1e-3;
 
 struct StressJudgement {
     StressVerdict verdict = StressVerdict::Ok;
-    double deviation =
-        0.0;  ///< of the value farthest beyond its interval, or from its truth: (measured - truth) / scale
+    /// of the value farthest beyond its interval, or from its truth: (measured - truth) / scale
+    double deviation = 0.0;
     double halfWidth = 0.0;  ///< of that value's confidence interval, on the same scale
     size_t worst = 0;        ///< its index
     double droppedShare = 0.0;

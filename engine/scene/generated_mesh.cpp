@@ -77,7 +77,7 @@ struct Grid {
     uint32_t vertex(uint32_t column, uint32_t row) const { return row * stride() + column; }
     /// The vertex whose position this one shares.
     uint32_t original(uint32_t column, uint32_t row) const {
-        if (poles && (row == 0 || row == rows)) return vertex(0, row);
+        if (poles && (row == 0 || row == rows)) { return vertex(0, row); }
         return vertex(wrapColumns ? column % columns : column, wrapRows ? row % rows : row);
     }
 };
@@ -91,8 +91,8 @@ void addGridTriangles(const Grid& grid, uint32_t firstVertex, MeshData* mesh) {
             const uint32_t d = c + 1;
             const bool atStart = grid.poles && row == 0;
             const bool atEnd = grid.poles && row + 1 == grid.rows;
-            if (!atStart) mesh->indices.insert(mesh->indices.end(), {a, b, d});
-            if (!atEnd) mesh->indices.insert(mesh->indices.end(), {a, d, c});
+            if (!atStart) { mesh->indices.insert(mesh->indices.end(), {a, b, d}); }
+            if (!atEnd) { mesh->indices.insert(mesh->indices.end(), {a, d, c}); }
         }
     }
 }
@@ -111,7 +111,9 @@ void addGridNormals(const Grid& grid, MeshData* mesh) {
         const Vec3d p0 = mesh->positions[corner[0]];
         const Vec3d n =
             glm::cross(Vec3d(mesh->positions[corner[1]]) - p0, Vec3d(mesh->positions[corner[2]]) - p0);
-        for (int k = 0; k < 3; ++k) sums[original[corner[k]]] += n;
+        for (int k = 0; k < 3; ++k) {
+            sums[original[corner[k]]] += n;
+        }
     }
     mesh->normals.resize(mesh->positions.size());
     for (size_t v = 0; v < sums.size(); ++v) {
@@ -134,7 +136,7 @@ MeshData bendGrid(const Grid& grid, const Position& position) {
             const double u = static_cast<double>(column) / grid.columns;
             const double v = static_cast<double>(row) / grid.rows;
             mesh.uvs[vertex] = Vec2(u, v);
-            if (grid.original(column, row) == vertex) mesh.positions[vertex] = Vec3(position(u, v));
+            if (grid.original(column, row) == vertex) { mesh.positions[vertex] = Vec3(position(u, v)); }
         }
     }
     for (uint32_t row = 0; row <= grid.rows; ++row) {
@@ -149,8 +151,8 @@ MeshData bendGrid(const Grid& grid, const Position& position) {
 
 uint32_t atLeast(uint32_t least, double x) { return std::max(least, static_cast<uint32_t>(std::lround(x))); }
 
-/// Unit direction of u (around +y, from -z over -x) and v (from the south pole up): the uvs of the analytic
-/// sphere.
+/// Unit direction of u (around +y, from -z over -x) and v (from the south pole up): the uvs of the
+/// analytic sphere.
 Vec3d sphereDirection(double u, double v) {
     const double longitude = 2.0 * kPiD * (u - 0.5);
     const double latitude = kPiD * (v - 0.5);
@@ -223,8 +225,8 @@ MeshData makeWater(const MeshSource& source) {
     });
 }
 
-/// A band around the y axis: upright walls, outer radius 1, 0.08 thick and 0.5 high, with rounded rims.
-/// Closed.
+/// A band around the y axis: upright walls, outer radius 1, 0.08 thick and 0.5 high, with rounded
+/// rims. Closed.
 MeshData makeRing(const MeshSource& source) {
     constexpr double kRim = 0.04;
     constexpr double kHalfWall = 0.21;
@@ -256,8 +258,8 @@ MeshData makeCube(const MeshSource& source) {
             for (uint32_t column = 0; column <= cells; ++column) {
                 const Vec2 uv(static_cast<float>(column) / static_cast<float>(cells),
                               static_cast<float>(row) / static_cast<float>(cells));
-                // Coordinates of integers, the same from all sides; the first one runs backwards on negative
-                // sides.
+                // Coordinates of integers, the same from all sides; the first one runs backwards on
+                // negative sides.
                 const uint32_t s = side % 2 ? cells - column : column;
                 Vec3 p = normal;
                 p[(axis + 1) % 3] = static_cast<float>(2.0 * s / cells - 1.0);
@@ -307,16 +309,16 @@ Status checkMeshGenerator(const MeshSource& source) {
 }
 
 Result<std::shared_ptr<MeshData>> generateMesh(const MeshSource& source) {
-    if (Status known = checkMeshGenerator(source); !known) {
-        return known.error();
-    }
+    if (Status known = checkMeshGenerator(source); !known) { return known.error(); }
     return std::make_shared<MeshData>(findGenerator(source.generator)->make(source));
 }
 
 std::vector<std::string_view> meshGeneratorNames() {
     std::vector<std::string_view> names;
     names.reserve(std::size(kGenerators));
-    for (const Generator& generator : kGenerators) names.push_back(generator.name);
+    for (const Generator& generator : kGenerators) {
+        names.push_back(generator.name);
+    }
     return names;
 }
 

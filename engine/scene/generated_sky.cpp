@@ -1,5 +1,5 @@
-// The procedural sky: a gradient by elevation, a soft horizon, a sun with a glow. Our own blend, tuned by
-// eye.
+// The procedural sky: a gradient by elevation, a soft horizon, a sun with a glow. Our own blend, tuned
+// by eye.
 #include "engine/scene/generated_sky.h"
 
 #include "engine/scene/image.h"

@@ -1,7 +1,7 @@
 // A procedural sky for image environments, so that scenes need no HDR files.
 //
-// A smooth gradient with a soft-edged sun: made to look good, not measured. For physical skies load an HDR
-// image.
+// A smooth gradient with a soft-edged sun: made to look good, not measured. For physical skies load an
+// HDR image.
 #pragma once
 
 #include <memory>

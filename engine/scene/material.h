@@ -38,9 +38,9 @@ struct Material {
     Vec3 k{3.9f};                ///< conductor without a metal name: extinction at R, G, B
 
     float ior = 1.5f;  ///< dielectric, plastic, mixture: interior over exterior index of refraction, > 0
-    float roughness =
-        0.0f;           ///< conductor, dielectric, plastic: GGX alpha in [0, 1]; below kSmoothAlpha: smooth
-    bool thin = false;  ///< dielectric only
+    /// conductor, dielectric, plastic: GGX alpha in [0, 1]; below kSmoothAlpha: smooth
+    float roughness = 0.0f;
+    bool thin = false;                      ///< dielectric only
     Vec3 mixtureWeights{1.0f, 0.0f, 0.0f};  ///< diffuse, mirror, refractive; not negative, not all zero
 
     Vec3 emission{0.0f};            ///< radiance factor, W/(sr m^2) per channel

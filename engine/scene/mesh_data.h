@@ -14,10 +14,10 @@ namespace glint {
 /// positions.size(); every position is finite: loaders see to both.
 struct MeshData {
     std::vector<Vec3> positions;
-    std::vector<Vec3>
-        normals;               ///< shading normals, not necessarily of unit length; zero: use the face normal
-    std::vector<Vec2> uvs;     ///< v runs upwards: (0, 0) is the image's bottom left corner
-    std::vector<Vec3> colors;  ///< linear vertex colours that multiply the material's colour
+    /// shading normals, not necessarily of unit length; zero: use the face normal
+    std::vector<Vec3> normals;
+    std::vector<Vec2> uvs;          ///< v runs upwards: (0, 0) is the image's bottom left corner
+    std::vector<Vec3> colors;       ///< linear vertex colours that multiply the material's colour
     std::vector<uint32_t> indices;  ///< three per triangle, counter-clockwise seen from the front
     /// The source has uvs, which are left out because no texture needs them (engine/io/used_assets.h).
     bool uvsLeftOut = false;

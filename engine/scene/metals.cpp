@@ -42,9 +42,7 @@ constexpr std::array<NamedMetal, 15> kMetals{{
 
 std::optional<MetalConstants> findMetal(std::string_view name) {
     for (const NamedMetal& metal : kMetals) {
-        if (metal.name == name) {
-            return metal.constants;
-        }
+        if (metal.name == name) { return metal.constants; }
     }
     return std::nullopt;
 }

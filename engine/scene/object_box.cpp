@@ -14,13 +14,13 @@ WideBox meshBox(const MeshData& mesh, size_t step) {
 
 WideBox placedBox(ShapeKind shape, const Affine& objectToWorld, const WideBox& meshBox) {
     WideBox local{glm::dvec3(-1.0), glm::dvec3(1.0)};
-    if (shape == ShapeKind::Plane) return {};
+    if (shape == ShapeKind::Plane) { return {}; }
     if (shape == ShapeKind::Mesh) {
         local = meshBox;
     } else if (shape != ShapeKind::Sphere) {
         local.lo.z = local.hi.z = 0.0;
     }
-    if (local.empty()) return {};
+    if (local.empty()) { return {}; }
     WideBox box;
     for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec3 p((corner & 1) != 0 ? local.hi.x : local.lo.x,

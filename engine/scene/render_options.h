@@ -19,25 +19,25 @@ struct RenderOptions {
     float filterRadius = 1.5f;  ///< pixels, half the support; box: 0.5 is one pixel
     SamplerKind sampler = SamplerKind::Sobol;
     uint32_t seed = 0;
-    float fireflyClamp =
-        0.0f;  ///< 0: off. Otherwise the most radiance one sample may bring; biased, and reported
+    /// 0: off. Otherwise the most radiance one sample may bring; biased, and reported
+    float fireflyClamp = 0.0f;
 
     bool operator==(const RenderOptions&) const = default;
 };
 
 enum class PhotonLookupKind : uint8_t { Grid, Tree };
 
-/// Stochastic progressive photon mapping (Hachisuka and Jensen 2009). An edit of any restarts its statistics
-/// only.
+/// Stochastic progressive photon mapping (Hachisuka and Jensen 2009). An edit of any restarts its
+/// statistics only.
 struct SppmOptions {
     uint32_t photonsPerPass = 262144;
-    float alpha =
-        2.0f / 3.0f;  ///< share of each pass's photons that is kept, in (0, 1): smaller shrinks radii faster
+    /// share of each pass's photons that is kept, in (0, 1): smaller shrinks radii faster
+    float alpha = 2.0f / 3.0f;
     float radiusWorld = 0.0f;  ///< initial radius; 0: automatic, from each pixel's footprint
-    float radiusFootprints =
-        4.0f;  ///< automatic: initial radius in pixel footprints at the first visible point
-    float storeRoughness =
-        0.1f;  ///< metal and glass of at least this GGX alpha hold visible points; sharper ones reflect
+    /// automatic: initial radius in pixel footprints at the first visible point
+    float radiusFootprints = 4.0f;
+    /// metal and glass of at least this GGX alpha hold visible points; sharper ones reflect
+    float storeRoughness = 0.1f;
     bool sampleDirectLight = true;  ///< direct light by light sampling; otherwise photons bring it, too
     PhotonLookupKind lookup = PhotonLookupKind::Grid;
     uint32_t memoryBudgetMiB = 1024;  ///< for statistics and photons; photons per pass are reduced to fit

@@ -1,5 +1,5 @@
-// Field by field, since padding has no defined content. A field that is added to the scene has to be added
-// here.
+// Field by field, since padding has no defined content. A field that is added to the scene has to be
+// added here.
 #include "engine/scene/scene_hash.h"
 
 #include <fmt/format.h>
@@ -41,9 +41,7 @@ void add(ContentHash& hash, const Camera& camera) {
 void add(ContentHash& hash, const MeshData& mesh, bool isTextured) {
     add(hash, mesh.positions);
     add(hash, mesh.normals);
-    if (isTextured) {
-        add(hash, mesh.uvs);
-    }
+    if (isTextured) { add(hash, mesh.uvs); }
     add(hash, mesh.colors);
     add(hash, mesh.indices);
 }
@@ -125,9 +123,7 @@ void addGeometry(ContentHash& hash, const SceneDescription& scene) {
     const std::vector<bool> used = usedMeshes(scene);
     const std::vector<bool> textured = texturedMeshes(scene);
     for (size_t i = 0; i < used.size(); ++i) {
-        if (used[i] && scene.meshes[i].data) {
-            add(hash, *scene.meshes[i].data, textured[i]);
-        }
+        if (used[i] && scene.meshes[i].data) { add(hash, *scene.meshes[i].data, textured[i]); }
     }
 }
 
@@ -135,9 +131,7 @@ void addTextures(ContentHash& hash, const SceneDescription& scene) {
     hash.add(static_cast<uint64_t>(scene.textures.size()));
     const std::vector<bool> used = usedTextures(scene);
     for (size_t i = 0; i < used.size(); ++i) {
-        if (used[i]) {
-            add(hash, scene.textures[i]);
-        }
+        if (used[i]) { add(hash, scene.textures[i]); }
     }
 }
 
@@ -237,9 +231,7 @@ std::vector<Setting> renderSettings(const SceneDescription& scene) {
                                      {"sampler", nameOf(options.sampler)},
                                      {"seed", fmt::to_string(options.seed)},
                                      {"fireflyClamp", fmt::to_string(options.fireflyClamp)}};
-    if (options.integrator == IntegratorKind::Sppm) {
-        addSettings(scene.sppm, &settings);
-    }
+    if (options.integrator == IntegratorKind::Sppm) { addSettings(scene.sppm, &settings); }
     return settings;
 }
 

@@ -25,8 +25,8 @@ struct SceneHashes {
     bool operator==(const SceneHashes&) const = default;
 };
 
-/// Geometry: meshes, shapes, transforms and which material an object has. Lights: lights, environment and its
-/// image.
+/// Geometry: meshes, shapes, transforms and which material an object has. Lights: lights, environment and
+/// its image.
 SceneHashes hashSceneParts(const SceneDescription& scene);
 
 /// One setting as text; numbers in the shortest form that reads back exactly.

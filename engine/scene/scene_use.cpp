@@ -23,9 +23,7 @@ std::vector<bool> usedTextures(const SceneDescription& scene) {
     std::vector<bool> used(scene.textures.size(), false);
     const std::vector<bool> materials = usedMaterials(scene);
     for (size_t i = 0; i < scene.materials.size(); ++i) {
-        if (materials[i]) {
-            mark(scene.materials[i].color.texture, &used);
-        }
+        if (materials[i]) { mark(scene.materials[i].color.texture, &used); }
     }
     return used;
 }
@@ -33,9 +31,7 @@ std::vector<bool> usedTextures(const SceneDescription& scene) {
 std::vector<bool> usedMeshes(const SceneDescription& scene) {
     std::vector<bool> used(scene.meshes.size(), false);
     for (const Object& object : scene.objects) {
-        if (object.shape == ShapeKind::Mesh) {
-            mark(object.mesh, &used);
-        }
+        if (object.shape == ShapeKind::Mesh) { mark(object.mesh, &used); }
     }
     return used;
 }

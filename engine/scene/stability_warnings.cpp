@@ -32,7 +32,9 @@ class Search {
   public:
     explicit Search(const SceneDescription& scene) : scene_(scene) {
         std::vector<WideBox> meshes;
-        for (const Mesh& mesh : scene.meshes) meshes.push_back(mesh.data ? meshBox(*mesh.data) : WideBox{});
+        for (const Mesh& mesh : scene.meshes) {
+            meshes.push_back(mesh.data ? meshBox(*mesh.data) : WideBox{});
+        }
         for (const Object& object : scene.objects) {
             const auto index = static_cast<size_t>(object.mesh);
             const bool isMesh = object.shape == ShapeKind::Mesh && index < meshes.size();
@@ -40,9 +42,11 @@ class Search {
                 placedBox(object.shape, object.objectToWorld, isMesh ? meshes[index] : WideBox{}));
         }
         for (size_t i = 0; i < boxes_.size(); ++i) {
-            if (boxes_[i].empty() || !(boxes_[i].size() > 0.0)) continue;
-            if (smallest_ < 0 || boxes_[i].size() < box(smallest_).size()) smallest_ = static_cast<int>(i);
-            if (largest_ < 0 || boxes_[i].size() > box(largest_).size()) largest_ = static_cast<int>(i);
+            if (boxes_[i].empty() || !(boxes_[i].size() > 0.0)) { continue; }
+            if (smallest_ < 0 || boxes_[i].size() < box(smallest_).size()) {
+                smallest_ = static_cast<int>(i);
+            }
+            if (largest_ < 0 || boxes_[i].size() > box(largest_).size()) { largest_ = static_cast<int>(i); }
         }
     }
 
@@ -89,11 +93,12 @@ class Search {
         size_t count = 0;
         size_t first = 0;
         for (size_t i = 0; i < boxes_.size(); ++i) {
-            if (boxes_[i].empty() || !(boxes_[i].size() < kLeastSizePerDistance * boxes_[i].farthest()))
+            if (boxes_[i].empty() || !(boxes_[i].size() < kLeastSizePerDistance * boxes_[i].farthest())) {
                 continue;
-            if (count++ == 0) first = i;
+            }
+            if (count++ == 0) { first = i; }
         }
-        if (count == 0) return;
+        if (count == 0) { return; }
         const double step = std::exp2(std::floor(std::log2(boxes_[first].farthest())) - 23.0);
         warnings_.push_back(fmt::format(
             "{} lies {:.2g} times its size from the origin, where float holds coordinates in "
@@ -124,7 +129,7 @@ class Search {
     void checkSamePlace() {
         std::vector<size_t> order;
         for (size_t i = 0; i < boxes_.size(); ++i) {
-            if (!boxes_[i].empty() && boxes_[i].size() > 0.0) order.push_back(i);
+            if (!boxes_[i].empty() && boxes_[i].size() > 0.0) { order.push_back(i); }
         }
         const auto key = [&](size_t i) { return std::tuple(boxes_[i].lo.x, boxes_[i].lo.y, boxes_[i].lo.z); };
         std::ranges::sort(order, {}, key);
@@ -133,7 +138,7 @@ class Search {
             const size_t b = std::max(order[k - 1], order[k]);
             const Object &first = scene_.objects[a], &second = scene_.objects[b];
             const bool alike = first.shape == second.shape && triangleCount(a) == triangleCount(b);
-            if (!alike || first.material == second.material || !samePlace(boxes_[a], boxes_[b])) continue;
+            if (!alike || first.material == second.material || !samePlace(boxes_[a], boxes_[b])) { continue; }
             warnings_.push_back(fmt::format(
                 "{} and {} lie in one place with different materials; which of the two is seen is open",
                 nameOf(scene_, a), nameOf(scene_, b)));
@@ -152,7 +157,7 @@ class Search {
         int touching = 0;
         for (int axis = 0; axis < 3; ++axis) {
             const double overlap = std::min(a.hi[axis], b.hi[axis]) - std::max(a.lo[axis], b.lo[axis]);
-            if (overlap < -near) return false;
+            if (overlap < -near) { return false; }
             touching += overlap <= near ? 1 : 0;
         }
         return touching == 1;
@@ -162,12 +167,13 @@ class Search {
         constexpr size_t kMostBodies = 256;
         std::vector<size_t> bodies;
         for (size_t i = 0; i < boxes_.size() && bodies.size() < kMostBodies; ++i) {
-            if (!boxes_[i].empty() && scene_.objects[i].shape == ShapeKind::Mesh && isGlass(i))
+            if (!boxes_[i].empty() && scene_.objects[i].shape == ShapeKind::Mesh && isGlass(i)) {
                 bodies.push_back(i);
+            }
         }
         for (size_t i = 0; i < bodies.size(); ++i) {
             for (size_t k = i + 1; k < bodies.size(); ++k) {
-                if (!touch(boxes_[bodies[i]], boxes_[bodies[k]])) continue;
+                if (!touch(boxes_[bodies[i]], boxes_[bodies[k]])) { continue; }
                 warnings_.push_back(fmt::format(
                     "{} and {} are glass and touch; where they share a face light goes astray: model the one "
                     "surface between them, or leave a gap",
@@ -181,7 +187,7 @@ class Search {
         for (const Material& material : scene_.materials) {
             const double radiance = static_cast<double>(maxComponent(material.emission)) *
                                     static_cast<double>(material.emissionStrength);
-            if (radiance <= kBrightestRadiance) continue;
+            if (radiance <= kBrightestRadiance) { continue; }
             warnings_.push_back(
                 fmt::format("material '{}' emits a radiance of {:.2g}; sums of more than 3e38 overflow",
                             material.name, radiance));

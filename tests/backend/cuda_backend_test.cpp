@@ -1,6 +1,6 @@
-// The CUDA back end without a GPU: the kernels that nvcc compiled, run on the host over the uploaded layout,
-// must give the CPU back end's samples bit for bit, since both compile the same arithmetic without
-// contraction.
+// The CUDA back end without a GPU: the kernels that nvcc compiled, run on the host over the uploaded
+// layout, must give the CPU back end's samples bit for bit, since both compile the same arithmetic
+// without contraction.
 #include <gtest/gtest.h>
 
 #if GLINT_HAS_CUDA
@@ -34,7 +34,9 @@ template <class Sample>
 size_t countDifferences(const std::vector<Sample>& a, const std::vector<Sample>& b) {
     EXPECT_EQ(a.size(), b.size());
     size_t differences = 0;
-    for (size_t i = 0; i < std::min(a.size(), b.size()); ++i) differences += bitsOf(a[i]) != bitsOf(b[i]);
+    for (size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+        differences += bitsOf(a[i]) != bitsOf(b[i]);
+    }
     return differences;
 }
 
@@ -70,7 +72,9 @@ TEST_P(CudaScenes, SamplesEqualTheCpusBitForBit) {
         const auto expected = cpuSamples<PixelSample>(*scene, params, mask, &KernelVariant::renderTile);
         EXPECT_EQ(countDifferences(samples, expected), 0u);
         Vec3 sum(0.0f);
-        for (const PixelSample& s : samples) sum += s.radiance;
+        for (const PixelSample& s : samples) {
+            sum += s.radiance;
+        }
         EXPECT_EQ(maxComponent(sum) > 0.0f, GetParam().name != "darkness");
     }
     std::vector<AovSample> aovs;
@@ -86,7 +90,7 @@ TEST(CudaBackend, TheTestScenesNeedEveryFeature) {
     FeatureMask needed = 0;
     for (const test::NamedScene& scene : test::allTestScenes()) {
         needed |= build(scene.scene)->features;
-        if (scene.scene.options.sampler == SamplerKind::Independent) needed |= kFeatureIndependentSampler;
+        if (scene.scene.options.sampler == SamplerKind::Independent) { needed |= kFeatureIndependentSampler; }
     }
     EXPECT_EQ(needed, kAllFeatures);
 }
@@ -146,7 +150,7 @@ TEST(CudaBackend, AFailedLaunchIsAnErrorAndTheNextPassMayWork) {
     EXPECT_TRUE(cuda.backend->renderPass(passParamsOf(description), stop, &out));
 }
 
-TEST(CudaBackend, APictureThatDoesNotFitIsAnErrorBeforeItIsTaken) {
+TEST(CudaBackend, AImageThatDoesNotFitIsAnErrorBeforeItIsTaken) {
     HostCuda cuda;
     SceneDescription description = test::cornellBox();
     description.resolution = {1024, 1024};

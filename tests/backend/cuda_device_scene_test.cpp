@@ -6,8 +6,8 @@
 
 #include "cuda/device_scene.h"
 #include "cuda/scene_arrays.h"
-#include "engine/build/mesh_builder.h"
-#include "engine/build/scene_builder.h"
+#include "engine/builders/mesh_builder.h"
+#include "engine/builders/scene_builder.h"
 #include "tests/support/host_device.h"
 #include "tests/support/test_scenes.h"
 
@@ -26,8 +26,8 @@ std::shared_ptr<const BuiltScene> build(const SceneDescription& description,
     return *scene;
 }
 
-/// Every kind of array in one scene; its mesh is large enough for blocks of its own, and shines in one
-/// instance.
+/// Every kind of array in one scene; its mesh is large enough for blocks of its own, and shines in
+/// one instance.
 SceneDescription fullScene() {
     SceneDescription scene = test::allMaterials();
     const SceneDescription meshes = test::meshInstances();
@@ -41,9 +41,9 @@ SceneDescription fullScene() {
     object.material = 0;
     object.mesh = 0;
     scene.objects.push_back(object);
-    Material lamp = scene.materials.front();
-    lamp.emission = Vec3(1.0f);
-    scene.materials.push_back(lamp);
+    Material emitter = scene.materials.front();
+    emitter.emission = Vec3(1.0f);
+    scene.materials.push_back(emitter);
     object.material = static_cast<int>(scene.materials.size()) - 1;
     object.objectToWorld = translate(Vec3(0.0f, 5.0f, 0.0f));
     scene.objects.push_back(object);
@@ -90,7 +90,7 @@ TEST(CudaDeviceScene, EveryArrayIsCopiedAndEveryPointerLeadsToItsCopy) {
     size_t arrays = 0;
     for (size_t i = 0; i < host.size(); ++i) {
         ASSERT_EQ(host[i].bytes, device[i].bytes) << i;
-        if (host[i].bytes == 0) continue;
+        if (host[i].bytes == 0) { continue; }
         ++arrays;
         EXPECT_TRUE(upload.control->holds(device[i].data, device[i].bytes)) << i;
         EXPECT_EQ(reinterpret_cast<uintptr_t>(device[i].data) % Device::kArrayAlignment, 0u) << i;
@@ -110,18 +110,12 @@ TEST(CudaDeviceScene, TheListedLengthsAreTheBuildersOwn) {
     size_t acceleration = 0;
     forEachArray(view, [&](const auto* pointer, size_t count) {
         const void* array = pointer;
-        if (array == mesh.nodes.data()) {
-            EXPECT_EQ(count, mesh.nodes.size());
-        }
-        if (array == mesh.clusters.data()) {
-            EXPECT_EQ(count, mesh.clusters.size());
-        }
-        if (array == mesh.clusterPrimitives.data()) {
-            EXPECT_EQ(count, mesh.clusterPrimitives.size());
-        }
+        if (array == mesh.nodes.data()) { EXPECT_EQ(count, mesh.nodes.size()); }
+        if (array == mesh.clusters.data()) { EXPECT_EQ(count, mesh.clusters.size()); }
+        if (array == mesh.clusterPrimitives.data()) { EXPECT_EQ(count, mesh.clusterPrimitives.size()); }
         const bool isVertexData = array == view.positions || array == view.indices || array == view.normals ||
                                   array == view.uvs || array == view.colors;
-        if (!isVertexData) acceleration += count * sizeof(*pointer);
+        if (!isVertexData) { acceleration += count * sizeof(*pointer); }
     });
     EXPECT_EQ(acceleration, mesh.accelerationBytes());
 }

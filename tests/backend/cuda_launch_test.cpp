@@ -1,5 +1,5 @@
-// How a pass is cut into launches: every pixel belongs to one thread, and launches take about as long as
-// wanted.
+// How a pass is cut into launches: every pixel belongs to one thread, and launches take about as long
+// as wanted.
 #include <gtest/gtest.h>
 
 #if GLINT_HAS_CUDA
@@ -18,7 +18,7 @@ TEST(CudaLaunch, EveryPixelHasOneThread) {
             const PixelPlace at = pixelOfThread(i, width);
             ASSERT_GE(at.x, 0);
             ASSERT_GE(at.y, 0);
-            if (at.x < width && at.y < height) ++threadsOf[static_cast<size_t>(at.y * width + at.x)];
+            if (at.x < width && at.y < height) { ++threadsOf[static_cast<size_t>(at.y * width + at.x)]; }
         }
         EXPECT_EQ(std::count(threadsOf.begin(), threadsOf.end(), 1), width * height)
             << width << "x" << height;
@@ -38,7 +38,9 @@ TEST(CudaLaunch, AWarpSeesNeighbours) {
 TEST(CudaLaunch, ThePacerFindsTheLaunchThatTakesAsLongAsWanted) {
     for (const double threadsPerSecond : {1e6, 3e7, 1e9}) {
         ChunkPacer pacer;
-        for (int i = 0; i < 30; ++i) pacer.measured(pacer.threads(), pacer.threads() / threadsPerSecond);
+        for (int i = 0; i < 30; ++i) {
+            pacer.measured(pacer.threads(), pacer.threads() / threadsPerSecond);
+        }
         const double seconds = pacer.threads() / threadsPerSecond;
         EXPECT_NEAR(seconds, ChunkPacer::kTargetSeconds, ChunkPacer::kLeast / threadsPerSecond)
             << threadsPerSecond;
@@ -47,9 +49,13 @@ TEST(CudaLaunch, ThePacerFindsTheLaunchThatTakesAsLongAsWanted) {
 
 TEST(CudaLaunch, ThePacerKeepsItsBounds) {
     ChunkPacer pacer;
-    for (int i = 0; i < 100; ++i) pacer.measured(pacer.threads(), 0.0);
+    for (int i = 0; i < 100; ++i) {
+        pacer.measured(pacer.threads(), 0.0);
+    }
     EXPECT_EQ(pacer.threads(), ChunkPacer::kMost);
-    for (int i = 0; i < 100; ++i) pacer.measured(pacer.threads(), 1.0);
+    for (int i = 0; i < 100; ++i) {
+        pacer.measured(pacer.threads(), 1.0);
+    }
     EXPECT_EQ(pacer.threads(), ChunkPacer::kLeast);
 }
 

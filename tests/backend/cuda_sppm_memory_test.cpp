@@ -95,7 +95,7 @@ TEST_F(CudaSppmMemory, AFailedAllocationIsAnErrorAndTheNextPassMayWork) {
         fresh.control->failAllocation = failing;
         const auto done = fresh.backend->renderSppmPass(params, stop, &own.state, &own.direct);
         fresh.control->failAllocation = -1;
-        if (done) break;
+        if (done) { break; }
         ++failures;
         EXPECT_THAT(done.error().message, HasSubstr("the test device is in pieces"));
         EXPECT_EQ(own.state.passes, 0u);
@@ -129,7 +129,7 @@ TEST_F(CudaSppmMemory, AGridThatDoesNotFitIsAnError) {
     ASSERT_TRUE(probe.backend->setScene(build(description)));
     std::optional<size_t> beforeTables;
     probe.control->onLaunch = [&] {
-        if (probe.control->lastStep == "count cells") beforeTables = probe.control->taken();
+        if (probe.control->lastStep == "count cells") { beforeTables = probe.control->taken(); }
     };
     Photons own{SppmState(200, 150)};
     renderPasses(*probe.backend, params, 1, &own);
@@ -158,8 +158,8 @@ TEST_F(CudaSppmMemory, ASceneThatNeedsTheMemoryGetsIt) {
     const auto meshes = build(test::meshInstances());
     HostCuda alone;
     ASSERT_TRUE(alone.backend->setScene(meshes));
-    const size_t pictureBytes = photons.state.pixels.size() * sizeof(PixelSample);
-    cuda.control->memoryBytes = alone.control->taken() + pictureBytes;
+    const size_t bytesOfImage = photons.state.pixels.size() * sizeof(PixelSample);
+    cuda.control->memoryBytes = alone.control->taken() + bytesOfImage;
     EXPECT_TRUE(cuda.backend->setScene(meshes));
 }
 

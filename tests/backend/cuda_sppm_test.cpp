@@ -38,7 +38,9 @@ using testing::HasSubstr;
 
 double photonCountOf(const SppmState& state) {
     double sum = 0.0;
-    for (const SppmPixel& pixel : state.pixels) sum += pixel.photonCount;
+    for (const SppmPixel& pixel : state.pixels) {
+        sum += pixel.photonCount;
+    }
     return sum;
 }
 
@@ -59,9 +61,7 @@ TEST_P(CudaSppmScenes, StatisticsEqualTheCpusBitForBit) {
         // Light that a convex white sphere scatters meets nothing any more.
         const bool lit =
             GetParam().name != "darkness" && !(GetParam().name == "whiteFurnace" && sampleDirectLight);
-        if (lit) {
-            EXPECT_GT(photonCountOf(photons.state), 0.0);
-        }
+        if (lit) { EXPECT_GT(photonCountOf(photons.state), 0.0); }
     }
 }
 
@@ -245,8 +245,9 @@ TEST(CudaSppm, ASessionResumedFromACheckpointEqualsTheCpusWithoutABreak) {
         test::renderSession(std::move(second.backend), scene, 4, 2, std::move(*loaded));
     EXPECT_EQ(resumed.sppm.passes, 4u);
     EXPECT_EQ(differingPixels(resumed.sppm, whole.sppm), 0u);
-    for (size_t i = 0; i < whole.film.pixels().size(); ++i)
+    for (size_t i = 0; i < whole.film.pixels().size(); ++i) {
         ASSERT_EQ(resumed.film.pixels()[i].mean, whole.film.pixels()[i].mean) << i;
+    }
 }
 
 TEST(CudaSppm, ASwitchOfIntegratorsAndBackLosesNothing) {
@@ -277,7 +278,7 @@ TEST(CudaSppm, TheSmallestVariantRuns) {
     SppmParams params = sppmParamsOf(box);
     std::string variant;
     cuda.control->onLaunch = [&] {
-        if (cuda.control->lastStep == "gather") variant = cuda.control->lastVariant;
+        if (cuda.control->lastStep == "gather") { variant = cuda.control->lastVariant; }
     };
     render(*cuda.backend, params, 1);
     EXPECT_EQ(variant, "smooth shapes");

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/build/scene_builder.h"
+#include "engine/builders/scene_builder.h"
 #include "engine/io/scene_json.h"
 #include "engine/io/scene_loader.h"
 #include "engine/render/pass_params.h"
@@ -82,7 +82,7 @@ TEST(FilmIdentity, TheSessionAddsNothingAndResumesExactly) {
 }
 
 /// Saves into another folder, loads that, and compares the pictures.
-void expectSamePictureFromSavedScene(const fs::path& path) {
+void expectSameImageFromSavedScene(const fs::path& path) {
     SCOPED_TRACE(path);
     auto original = loadScene(path.string(), {.allowMissing = true});
     ASSERT_TRUE(original.ok()) << original.error().format();
@@ -100,21 +100,19 @@ TEST(FilmIdentity, OurScenesSavedAndLoadedAgain) {
     for (const auto& entry : fs::directory_iterator(GLINT_SOURCE_DIR "/scenes")) {
         const fs::path& path = entry.path();
         if (path.extension() == ".json" && path.stem().extension() != ".schema") {
-            expectSamePictureFromSavedScene(path);
+            expectSameImageFromSavedScene(path);
         }
     }
 }
 
 TEST(FilmIdentity, TextScenesAndObjFilesSavedAndLoadedAgain) {
     const fs::path seeds = fs::path(GLINT_SHARED_DIR) / "seed-scenes";
-    if (!fs::exists(seeds)) {
-        GTEST_SKIP() << seeds << " is not here";
-    }
+    if (!fs::exists(seeds)) { GTEST_SKIP() << seeds << " is not here"; }
     for (const char* name : {"scene03_sphere", "scene04_axes", "scene06_bunny_1k", "scene11_smallpt",
                              "scene18_dof", "scene21_livingroom"}) {
-        expectSamePictureFromSavedScene(seeds / "testcases" / (std::string(name) + ".txt"));
+        expectSameImageFromSavedScene(seeds / "testcases" / (std::string(name) + ".txt"));
     }
-    expectSamePictureFromSavedScene(seeds / "mesh" / "bunny_1k_vn.obj");
+    expectSameImageFromSavedScene(seeds / "mesh" / "bunny_1k_vn.obj");
 }
 
 TEST(FilmIdentity, AStoppedPassLeavesNoTrace) {

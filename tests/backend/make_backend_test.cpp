@@ -31,7 +31,7 @@ TEST(MakeBackend, CpuByName) {
 }
 
 TEST(MakeBackend, CudaWithoutADeviceFallsBackWithOneLine) {
-    if (gpuAtHand()) GTEST_SKIP() << "this machine has a GPU";
+    if (gpuAtHand()) { GTEST_SKIP() << "this machine has a GPU"; }
     uint64_t seen = 0;
     recentLogLines(&seen);
     const uint64_t before = seen;
@@ -52,14 +52,16 @@ std::pair<std::string, int> runProgram(const std::string& arguments) {
     const std::string command = std::string(GLINT_PROGRAM) + " " + arguments + " 2>&1 >/dev/null";
     std::string text;
     FILE* pipe = popen(command.c_str(), "r");
-    for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) text.push_back(static_cast<char>(c));
+    for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) {
+        text.push_back(static_cast<char>(c));
+    }
     const int status = pclose(pipe);
     return {text, WIFEXITED(status) ? WEXITSTATUS(status) : -1};
 }
 
 TEST(MakeBackend, TheProgramFallsBackWithOneLineAndRenders) {
-    if (gpuAtHand()) GTEST_SKIP() << "this machine has a GPU";
-    if (std::string(GLINT_PROGRAM).empty()) GTEST_SKIP() << "the program was not built";
+    if (gpuAtHand()) { GTEST_SKIP() << "this machine has a GPU"; }
+    if (std::string(GLINT_PROGRAM).empty()) { GTEST_SKIP() << "the program was not built"; }
     for (const std::string integrator : {"path", "sppm"}) {
         std::filesystem::remove("fallback.png");
         const auto [text, code] = runProgram("render " GLINT_SOURCE_DIR

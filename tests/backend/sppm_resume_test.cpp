@@ -51,7 +51,7 @@ void expectSame(const SessionCapture& a, const SessionCapture& b) {
         const FilmPixel& q = b.film.pixels()[i];
         const bool same = std::memcmp(p.mean.data(), q.mean.data(), sizeof p.mean) == 0 &&
                           std::memcmp(&p.luminanceM2, &q.luminanceM2, sizeof p.luminanceM2) == 0 &&
-                          p.count == q.count && p.waypoint == q.waypoint &&
+                          p.count == q.count && p.halfSampleMean == q.halfSampleMean &&
                           sameBits(a.sppm.pixels[i], b.sppm.pixels[i]);
         different += same ? 0 : 1;
     }
@@ -143,11 +143,11 @@ TEST(SppmResume, ACheckpointWithoutItsStatisticsIsRefused) {
 
 TEST(SppmSnapshot, OfACaptureHasTheErrorOfBothParts) {
     const SessionCapture capture = renderTo(3, photonScene(), 2);
-    const auto picture = makeSnapshot(capture, {}, 1);
-    EXPECT_EQ(picture->integrator, IntegratorKind::Sppm);
-    EXPECT_EQ(picture->relativeError, estimateError(capture.film, &capture.sppm).relative);
-    EXPECT_NE(picture->relativeError, estimateError(capture.film, nullptr).relative);
-    EXPECT_EQ(picture->renderSeconds, capture.renderSeconds);
+    const auto image = makeSnapshot(capture, {}, 1);
+    EXPECT_EQ(image->integrator, IntegratorKind::Sppm);
+    EXPECT_EQ(image->relativeError, estimateError(capture.film, &capture.sppm).relative);
+    EXPECT_NE(image->relativeError, estimateError(capture.film, nullptr).relative);
+    EXPECT_EQ(image->renderSeconds, capture.renderSeconds);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // Every kernel variant that can render a scene gives the same bits as the full one: the path tracer's
-// samples, first-hit pictures and SPPM's statistics, over all scenes of scenes/ and all that tests make in
-// code.
+// samples, first-hit pictures and SPPM's statistics, over all scenes of scenes/ and all that tests make
+// in code.
 #include <algorithm>
 #include <atomic>
 #include <cstring>
@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/build/emission_table.h"
+#include "engine/builders/emission_table.h"
 #include "engine/io/scene_loader.h"
 #include "engine/render/cpu_sppm.h"
 #include "engine/render/pass_params.h"
@@ -40,9 +40,9 @@ SceneDescription plainMeshes() {
     for (Vec3& p : above->positions) {
         p = 0.3f * p + Vec3(0.5f, 1.8f, 0.5f);
     }
-    Material lamp = test::diffuseMaterial(0.5f);
-    lamp.emission = Vec3(6.0f);
-    test::addMeshObject(&scene, above, Affine(), lamp);
+    Material emitter = test::diffuseMaterial(0.5f);
+    emitter.emission = Vec3(6.0f);
+    test::addMeshObject(&scene, above, Affine(), emitter);
     Light light;
     light.position = {2.0f, 2.0f, 2.0f};
     light.color = Vec3(4.0f);
@@ -56,9 +56,7 @@ const std::vector<VariantScene>& scenes() {
         std::vector<VariantScene> list;
         for (const auto& entry : std::filesystem::directory_iterator(GLINT_SOURCE_DIR "/scenes")) {
             const std::string file = entry.path().string();
-            if (!file.ends_with(".json") || file.ends_with(".schema.json")) {
-                continue;
-            }
+            if (!file.ends_with(".json") || file.ends_with(".schema.json")) { continue; }
             Result<SceneDescription> scene = loadScene(file, {});
             EXPECT_TRUE(scene.ok()) << file;
             list.push_back({entry.path().stem().string(), std::move(*scene), nullptr});
@@ -101,13 +99,13 @@ size_t countDifferent(const std::vector<Item>& a, const std::vector<Item>& b) {
     return count;
 }
 
-struct PathPictures {
+struct PathImages {
     std::vector<PixelSample> samples;
     std::vector<AovSample> aovs;
 };
 
-PathPictures renderPaths(const VariantScene& scene, const KernelVariant& variant) {
-    PathPictures out;
+PathImages renderPaths(const VariantScene& scene, const KernelVariant& variant) {
+    PathImages out;
     PassParams params = passParamsOf(scene.description);
     const SceneView view = scene.built->view();
     constexpr size_t kPixels = size_t{kSize} * kSize;
@@ -122,13 +120,13 @@ PathPictures renderPaths(const VariantScene& scene, const KernelVariant& variant
     return out;
 }
 
-struct SppmPictures {
+struct SppmImages {
     std::vector<PixelSample> direct;
     SppmState state{kSize, kSize};
 };
 
-SppmPictures renderSppm(const VariantScene& scene, FeatureMask features) {
-    SppmPictures out;
+SppmImages renderSppm(const VariantScene& scene, FeatureMask features) {
+    SppmImages out;
     const SceneView view = scene.built->view();
     const EmissionTable emission = buildEmissionTable(view);
     SppmParams params = sppmParamsOf(scene.description);
@@ -153,14 +151,12 @@ bool isLit(const std::vector<PixelSample>& samples) {
 TEST(VariantIdentity, PathTracing) {
     std::set<std::string> compared;
     for (const VariantScene& scene : scenes()) {
-        const PathPictures full = renderPaths(scene, kernelVariants().back());
+        const PathImages full = renderPaths(scene, kernelVariants().back());
         EXPECT_EQ(isLit(full.samples), scene.name != "darkness") << scene.name;
         for (const KernelVariant& variant : kernelVariants().first(kernelVariants().size() - 1)) {
-            if (!serves(variant.mask, scene)) {
-                continue;
-            }
+            if (!serves(variant.mask, scene)) { continue; }
             compared.insert(variant.name);
-            const PathPictures own = renderPaths(scene, variant);
+            const PathImages own = renderPaths(scene, variant);
             EXPECT_EQ(countDifferent(own.samples, full.samples), 0u) << scene.name << ", " << variant.name;
             EXPECT_EQ(countDifferent(own.aovs, full.aovs), 0u) << scene.name << ", " << variant.name;
         }
@@ -172,14 +168,12 @@ TEST(VariantIdentity, PathTracing) {
 TEST(VariantIdentity, Sppm) {
     std::set<std::string> compared;
     for (const VariantScene& scene : scenes()) {
-        const SppmPictures full = renderSppm(scene, kAllFeatures);
+        const SppmImages full = renderSppm(scene, kAllFeatures);
         for (const SppmVariant& variant : sppmVariants().first(sppmVariants().size() - 1)) {
-            if (!serves(variant.mask, scene)) {
-                continue;
-            }
+            if (!serves(variant.mask, scene)) { continue; }
             compared.insert(variant.name);
             ASSERT_STREQ(chooseSppmVariant(variant.mask).name, variant.name);
-            const SppmPictures own = renderSppm(scene, variant.mask);
+            const SppmImages own = renderSppm(scene, variant.mask);
             EXPECT_EQ(countDifferent(own.direct, full.direct), 0u) << scene.name << ", " << variant.name;
             EXPECT_EQ(countDifferent(own.state.pixels, full.state.pixels), 0u)
                 << scene.name << ", " << variant.name;

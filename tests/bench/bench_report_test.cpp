@@ -29,9 +29,7 @@ void expectKeys(const json& object, const std::vector<std::string>& keys) {
 class BenchReport : public testing::Test {
   protected:
     void SetUp() override {
-        if (!test::programExists()) {
-            GTEST_SKIP() << "the program was not built";
-        }
+        if (!test::programExists()) { GTEST_SKIP() << "the program was not built"; }
     }
 };
 

@@ -21,15 +21,15 @@ constexpr int kBlock = 4;
 constexpr int kAcross = kSize / kBlock;
 constexpr int kSeeds = 12;
 constexpr double kStudentQuantile = 7.3;  // t(11) at 7.7e-6 above
-/// Blocks at the lamp's edges, seen or mirrored, stay noisy; most others, and the caustic's, must be known so
-/// well.
+/// Blocks at the lamp's edges, seen or mirrored, stay noisy; most others, and the caustic's, must be known
+/// so well.
 constexpr double kSharp = 0.02;
 constexpr int kCausticX = 20, kCausticY = 28;
 constexpr uint32_t kPasses = 12;
 constexpr double kRadiusWorld = 0.02;
 
 struct Reference {
-    std::vector<Vec3> picture;
+    std::vector<Vec3> image;
     std::vector<double> standardError;  ///< of each pixel's luminance
 };
 
@@ -38,13 +38,13 @@ Reference loadReference() {
     const std::string path = GLINT_SOURCE_DIR "/tests/image/caustic_reference.exr";
     const auto file = loadExr(path);
     EXPECT_TRUE(file) << "the reference is part of the repository";
-    if (!file) return out;
+    if (!file) { return out; }
     const auto color = exrColor(*file, path);
     const ExrChannel* error = file->find("standardError.Y");
     EXPECT_TRUE(color && error != nullptr);
-    if (!color || error == nullptr) return out;
+    if (!color || error == nullptr) { return out; }
     for (size_t i = 0; i < error->floats.size(); ++i) {
-        out.picture.emplace_back(color->rgb[3 * i], color->rgb[3 * i + 1], color->rgb[3 * i + 2]);
+        out.image.emplace_back(color->rgb[3 * i], color->rgb[3 * i + 1], color->rgb[3 * i + 2]);
         out.standardError.push_back(static_cast<double>(error->floats[i]));
     }
     return out;
@@ -70,7 +70,7 @@ TEST(Caustic, PhotonsAgreeWithBruteForce) {
     ASSERT_TRUE(scene);
     scene->resolution = {kSize, kSize};
     const Reference reference = loadReference();
-    ASSERT_EQ(reference.picture.size(), static_cast<size_t>(kSize * kSize));
+    ASSERT_EQ(reference.image.size(), static_cast<size_t>(kSize * kSize));
 
     SppmParams params;
     params.photonsPerPass = 60000;
@@ -78,18 +78,18 @@ TEST(Caustic, PhotonsAgreeWithBruteForce) {
     std::vector<test::RunningMean> blocks(kAcross * kAcross);
     for (uint32_t seed = 1; seed <= kSeeds; ++seed) {
         params.pass.seed = seed;
-        const std::vector<Vec3> picture = test::renderSppm(*scene, params, kPasses).picture;
+        const std::vector<Vec3> image = test::renderSppm(*scene, params, kPasses).image;
         for (int i = 0; i < kAcross * kAcross; ++i) {
             blocks[static_cast<size_t>(i)].add(
-                test::blockMean(picture, kSize, i % kAcross * kBlock, i / kAcross * kBlock, kBlock));
+                test::blockMean(image, kSize, i % kAcross * kBlock, i / kAcross * kBlock, kBlock));
         }
     }
-    const double mean = test::blockMean(reference.picture, kSize, 0, 0, kSize);
+    const double mean = test::blockMean(reference.image, kSize, 0, 0, kSize);
     int sharpBlocks = 0;
     for (int i = 0; i < kAcross * kAcross; ++i) {
         const int x = i % kAcross * kBlock, y = i / kAcross * kBlock;
         const test::RunningMean& found = blocks[static_cast<size_t>(i)];
-        const double expected = test::blockMean(reference.picture, kSize, x, y, kBlock);
+        const double expected = test::blockMean(reference.image, kSize, x, y, kBlock);
         const double error = std::hypot(found.standardError(), blockError(reference, x, y));
         EXPECT_LE(std::fabs(found.mean() - expected), kStudentQuantile * error + kBiasBound * expected)
             << "block " << x << "," << y << ": " << found.mean() << " +- " << error << ", brute force "

@@ -41,8 +41,9 @@ SceneDescription greyCornell() {
 
 TEST(Reference, GreyCornellBox) {
     const std::string folder = std::string(GLINT_SHARED_DIR) + "/references/";
-    if (!std::filesystem::exists(folder + "grey_cornell_seed2.exr"))
+    if (!std::filesystem::exists(folder + "grey_cornell_seed2.exr")) {
         GTEST_SKIP() << "no reference pictures in " << folder;
+    }
     const auto first = loadExr(folder + "grey_cornell_seed1.exr");
     const auto second = loadExr(folder + "grey_cornell_seed2.exr");
     ASSERT_TRUE(first && second);

@@ -14,13 +14,13 @@ SEES = {
     "engine/scene": "base math",
     "engine/io": "base math scene",
     "engine/kernels": "base math",
-    "engine/build": "base math scene io kernels",
+    "engine/builders": "base math scene io kernels",
     "engine/render": "base math scene io kernels build",
     "engine/report": "base math scene io kernels build render",
 }
 ENGINE = set(SEES)
 ALLOWED = {layer: {layer} | {f"engine/{name}" for name in names.split()} for layer, names in SEES.items()}
-ALLOWED["cuda"] = {"cuda"} | {f"engine/{name}" for name in ("base", "math", "kernels", "build", "render")}
+ALLOWED["cuda"] = {"cuda"} | {f"engine/{name}" for name in ("base", "math", "kernels", "builders", "render")}
 ALLOWED["viewer"] = ENGINE | {"cuda", "viewer"}
 ALLOWED["tests"] = ENGINE | {"cuda", "viewer", "tests"}
 

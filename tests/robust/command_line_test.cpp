@@ -1,5 +1,5 @@
-// The program as its users meet it: exit codes, messages, Ctrl-C, resuming, files that cannot be written,
-// reports.
+// The program as its users meet it: exit codes, messages, Ctrl-C, resuming, files that cannot be
+// written, reports.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -18,9 +18,7 @@ const std::string kCornell = GLINT_SOURCE_DIR "/scenes/cornell.json";
 class CommandLine : public testing::Test {
   protected:
     void SetUp() override {
-        if (!test::programExists()) {
-            GTEST_SKIP() << "the program was not built";
-        }
+        if (!test::programExists()) { GTEST_SKIP() << "the program was not built"; }
     }
     TempFolder folder;
 };
@@ -139,21 +137,21 @@ TEST_F(CommandLine, AFullDiskIsAFailedRun) {
     EXPECT_FALSE(TempFolder::read(folder.path("a.png")).empty()) << "the picture must be saved all the same";
 }
 
-TEST_F(CommandLine, ConvertedScenesGiveTheSamePicture) {
+TEST_F(CommandLine, ConvertedScenesGiveTheSameImage) {
     const std::string converted = folder.path("copy.json");
     ASSERT_EQ(runProgram({"convert", kCornell, converted}).exitCode, 0);
-    const auto picture = [&](const std::string& scene, const char* name) {
+    const auto image = [&](const std::string& scene, const char* name) {
         const std::string out = folder.path(name);
         const ProgramRun run = runProgram({"render", scene, "-o", out, "--size", "40x40", "--passes", "2"});
         EXPECT_EQ(run.exitCode, 0) << run.err;
         return TempFolder::read(out);
     };
-    EXPECT_EQ(picture(kCornell, "a.hdr"), picture(converted, "b.hdr"));
+    EXPECT_EQ(image(kCornell, "a.hdr"), image(converted, "b.hdr"));
 
     const std::string object = folder.write("quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
     const std::string scene = folder.path("quad.json");
     ASSERT_EQ(runProgram({"convert", object, scene}).exitCode, 0);
-    EXPECT_EQ(picture(object, "c.hdr"), picture(scene, "d.hdr"));
+    EXPECT_EQ(image(object, "c.hdr"), image(scene, "d.hdr"));
 }
 
 TEST_F(CommandLine, ConvertRefusesWhatItCannotReadOrWrite) {
@@ -164,13 +162,13 @@ TEST_F(CommandLine, ConvertRefusesWhatItCannotReadOrWrite) {
     EXPECT_EQ(folder.size(), 0u);
 }
 
-TEST_F(CommandLine, RenderWritesPicturesAndAReport) {
+TEST_F(CommandLine, RenderWritesImagesAndAReport) {
     for (const char* name : {"a.png", "a.hdr", "a.exr"}) {
-        const std::string picture = folder.path(name);
-        const ProgramRun run = runProgram(
-            {"render", kCornell, "-o", picture, "--size", "32x24", "--passes", "3", "--json", "-"});
+        const std::string image = folder.path(name);
+        const ProgramRun run =
+            runProgram({"render", kCornell, "-o", image, "--size", "32x24", "--passes", "3", "--json", "-"});
         ASSERT_EQ(run.exitCode, 0) << run.err;
-        EXPECT_FALSE(TempFolder::read(picture).empty());
+        EXPECT_FALSE(TempFolder::read(image).empty());
         const auto report = nlohmann::json::parse(run.out, nullptr, false);
         ASSERT_FALSE(report.is_discarded()) << run.out;
         EXPECT_EQ(report["passes"], 3);
@@ -187,8 +185,8 @@ TEST_F(CommandLine, RenderWritesPicturesAndAReport) {
     EXPECT_TRUE(says(TempFolder::read(folder.path("b.exr")), "albedo.R"));
 }
 
-TEST_F(CommandLine, ThreadsChangeNoByteOfThePicture) {
-    const auto picture = [&](const char* threads) {
+TEST_F(CommandLine, ThreadsChangeNoByteOfTheImage) {
+    const auto image = [&](const char* threads) {
         const std::string path = folder.path(std::string("t") + threads + ".exr");
         const ProgramRun run =
             runProgram({"render", kCornell, "-o", path, "--exr-float", "--size", "40x30", "--passes", "4",
@@ -206,14 +204,14 @@ TEST_F(CommandLine, ThreadsChangeNoByteOfThePicture) {
                   0);
         return TempFolder::read(path);
     };
-    EXPECT_FALSE(TempFolder::read(picture("1")).empty());
+    EXPECT_FALSE(TempFolder::read(image("1")).empty());
     const std::string one = png("1");
     EXPECT_EQ(one, png("2"));
     EXPECT_EQ(one, png("3"));
 }
 
 TEST_F(CommandLine, InterruptedRendersSaveAndGoOnBitForBit) {
-    const std::string film = folder.path("a.film"), picture = folder.path("a.hdr"),
+    const std::string film = folder.path("a.film"), image = folder.path("a.hdr"),
                       whole = folder.path("whole.hdr");
     const std::vector<std::string> settings = {"--size", "96x96"};
     const auto render = [&](std::vector<std::string> more, const std::string& interrupt = {}) {
@@ -223,18 +221,18 @@ TEST_F(CommandLine, InterruptedRendersSaveAndGoOnBitForBit) {
         return runProgram(all, interrupt);
     };
     const ProgramRun stopped =
-        render({"-o", picture, "--time", "100000", "--passes", "100000", "--checkpoint", film, "--json", "-"},
+        render({"-o", image, "--time", "100000", "--passes", "100000", "--checkpoint", film, "--json", "-"},
                "pass ");
     ASSERT_EQ(stopped.exitCode, 130) << stopped.err;
-    EXPECT_FALSE(TempFolder::read(picture).empty());
+    EXPECT_FALSE(TempFolder::read(image).empty());
     const auto report = nlohmann::json::parse(stopped.out, nullptr, false);
     ASSERT_FALSE(report.is_discarded());
     const int more = report["passes"].get<int>() + 3;
     const std::string passes = std::to_string(more);
-    const ProgramRun resumed = render({"-o", picture, "--resume", film, "--passes", passes});
+    const ProgramRun resumed = render({"-o", image, "--resume", film, "--passes", passes});
     ASSERT_EQ(resumed.exitCode, 0) << resumed.err;
     ASSERT_EQ(render({"-o", whole, "--passes", passes}).exitCode, 0);
-    EXPECT_EQ(TempFolder::read(picture), TempFolder::read(whole));
+    EXPECT_EQ(TempFolder::read(image), TempFolder::read(whole));
 }
 
 TEST_F(CommandLine, ADroppedSampleNamesTheCommandThatRepeatsIt) {
@@ -254,13 +252,13 @@ TEST_F(CommandLine, ADroppedSampleNamesTheCommandThatRepeatsIt) {
 }
 
 TEST_F(CommandLine, ResumingWithOtherSettingsNamesTheDifference) {
-    const std::string film = folder.path("a.film"), picture = folder.path("a.png");
-    ASSERT_EQ(runProgram({"render", kCornell, "-o", picture, "--size", "16x16", "--passes", "2",
-                          "--checkpoint", film})
+    const std::string film = folder.path("a.film"), image = folder.path("a.png");
+    ASSERT_EQ(runProgram(
+                  {"render", kCornell, "-o", image, "--size", "16x16", "--passes", "2", "--checkpoint", film})
                   .exitCode,
               0);
-    const ProgramRun other = runProgram({"render", kCornell, "-o", picture, "--size", "16x16", "--passes",
-                                         "4", "--depth", "3", "--resume", film});
+    const ProgramRun other = runProgram({"render", kCornell, "-o", image, "--size", "16x16", "--passes", "4",
+                                         "--depth", "3", "--resume", film});
     EXPECT_EQ(other.exitCode, 1);
     EXPECT_TRUE(says(other.err, "maxDepth"));
 }
@@ -286,7 +284,7 @@ TEST_F(CommandLine, PhotonMappingTakesItsOptionsAndReports) {
     EXPECT_EQ(folder.size(), 3u);
 }
 
-TEST_F(CommandLine, NumberedPicturesChangeNothingAndGoOnAfterResuming) {
+TEST_F(CommandLine, NumberedImagesChangeNothingAndGoOnAfterResuming) {
     const std::vector<std::string> common = {"render",       kCaustic, "--size",    "20x20",
                                              "--integrator", "sppm",   "--photons", "1500"};
     const auto render = [&](const std::string& out, std::vector<std::string> more) {

@@ -33,8 +33,10 @@ std::vector<std::map<std::string, std::string>> readCsv(const std::string& file)
     const auto cells = [](const std::string& line) {
         std::vector<std::string> out;
         std::istringstream in(line);
-        for (std::string cell; std::getline(in, cell, ',');) out.push_back(cell);
-        if (line.ends_with(",")) out.emplace_back();
+        for (std::string cell; std::getline(in, cell, ',');) {
+            out.push_back(cell);
+        }
+        if (line.ends_with(",")) { out.emplace_back(); }
         return out;
     };
     std::string line;
@@ -45,7 +47,9 @@ std::vector<std::map<std::string, std::string>> readCsv(const std::string& file)
         const std::vector<std::string> values = cells(line);
         EXPECT_EQ(values.size(), names.size()) << line;
         std::map<std::string, std::string> row;
-        for (size_t i = 0; i < std::min(values.size(), names.size()); ++i) row[names[i]] = values[i];
+        for (size_t i = 0; i < std::min(values.size(), names.size()); ++i) {
+            row[names[i]] = values[i];
+        }
         rows.push_back(std::move(row));
     }
     return rows;
@@ -54,9 +58,7 @@ std::vector<std::map<std::string, std::string>> readCsv(const std::string& file)
 class ConvergeCommand : public testing::Test {
   protected:
     void SetUp() override {
-        if (!test::programExists()) {
-            GTEST_SKIP() << "the program was not built";
-        }
+        if (!test::programExists()) { GTEST_SKIP() << "the program was not built"; }
     }
 
     /// With the scene first and a folder last.
@@ -127,9 +129,9 @@ TEST_F(ConvergeCommand, WritesEverythingAndItAgrees) {
         EXPECT_NEAR(last["mse"]["sd"].get<double>(), squares, 1e-12);
         EXPECT_GT(variant["final"]["variance"].get<double>(), 0.0);
         EXPECT_EQ(variant["time_to"].size(), 4u);
-        for (const json& picture : variant["pictures"]) {
-            EXPECT_TRUE(loadImage8(file(picture["file"].get<std::string>())));
-            EXPECT_TRUE(loadImage8(file(picture["error_file"].get<std::string>())));
+        for (const json& image : variant["pictures"]) {
+            EXPECT_TRUE(loadImage8(file(image["file"].get<std::string>())));
+            EXPECT_TRUE(loadImage8(file(image["error_file"].get<std::string>())));
         }
     }
     EXPECT_EQ(readCsv(file("summary.csv")).size(), 3u * 4u);
@@ -171,7 +173,9 @@ TEST_F(ConvergeCommand, TheReferenceSaysWhatItIsAndIsUsedAgain) {
     EXPECT_TRUE(first["variants"][0]["same_method_as_reference"].get<bool>());
     EXPECT_FALSE(first["variants"][1]["same_method_as_reference"].get<bool>());
     for (const json& seed : first["plan"]["seeds"]) {
-        for (const json& taken : first["reference"]["seeds"]) EXPECT_NE(seed, taken);
+        for (const json& taken : first["reference"]["seeds"]) {
+            EXPECT_NE(seed, taken);
+        }
     }
 
     removeResults();
@@ -192,14 +196,14 @@ TEST_F(ConvergeCommand, TheReferenceSaysWhatItIsAndIsUsedAgain) {
 }
 
 TEST_F(ConvergeCommand, SeedsOfAGivenReferenceAreLeftOut) {
-    const std::string picture = folder.path("own.exr");
+    const std::string image = folder.path("own.exr");
     ASSERT_EQ(
         test::runProgram({"render", kScenes + "cornell.json", "--size", "16x12", "--passes", "4", "--seed",
-                          "0", "--integrator", "path", "--aov", "standard-error", "-o", picture})
+                          "0", "--integrator", "path", "--aov", "standard-error", "-o", image})
             .exitCode,
         0);
     const ProgramRun run = converge(
-        {"--reference", picture, "--passes", "2", "--seeds", "2", "--seed", "0", "--integrators", "pt"});
+        {"--reference", image, "--passes", "2", "--seeds", "2", "--seed", "0", "--integrators", "pt"});
     ASSERT_EQ(run.exitCode, 0) << run.err;
     EXPECT_EQ(summary()["plan"]["seeds"], (json{1, 2}));
     EXPECT_GT(summary()["reference"]["mse"].get<double>(), 0.0) << "by its luminance's standard error";
@@ -226,7 +230,7 @@ TEST_F(ConvergeCommand, WrongReferencesAreRefusedOrWarnedOf) {
     const ProgramRun depth = with(rendered("depth.exr", {"--size", "16x12", "--depth", "2"}));
     EXPECT_EQ(depth.exitCode, 1);
     EXPECT_TRUE(says(depth.err, "maxDepth 2"));
-    ExrPicture broken;
+    ExrImage broken;
     broken.width = 16;
     broken.height = 12;
     for (const char* name : {"R", "G", "B"}) {
@@ -254,7 +258,7 @@ TEST_F(ConvergeCommand, WrongReferencesAreRefusedOrWarnedOf) {
 }
 
 TEST_F(ConvergeCommand, AReferenceOfUnknownOriginHasNoFloor) {
-    ExrPicture plain;
+    ExrImage plain;
     plain.width = 16;
     plain.height = 12;
     for (const char* name : {"R", "G", "B"}) {
@@ -405,16 +409,16 @@ TEST_F(ConvergeCommand, EveryOutputSaysWhatTheSecondsAre) {
     }
 }
 
-TEST_F(ConvergeCommand, PicturesAtChosenTimes) {
+TEST_F(ConvergeCommand, ImagesAtChosenTimes) {
     const ProgramRun run = converge({"--make-reference", "0.05", "--passes", "9", "--points", "2", "--seeds",
                                      "1", "--integrators", "pt", "--picture-times", "7,3"});
     ASSERT_EQ(run.exitCode, 0) << run.err;
     std::vector<int> passes;
     const json all = summary();
-    for (const json& picture : all["variants"][0]["pictures"]) {
-        passes.push_back(picture["passes"].get<int>());
-        EXPECT_TRUE(loadImage8(file(picture["file"].get<std::string>())));
-        EXPECT_TRUE(loadImage8(file(picture["error_file"].get<std::string>())));
+    for (const json& image : all["variants"][0]["pictures"]) {
+        passes.push_back(image["passes"].get<int>());
+        EXPECT_TRUE(loadImage8(file(image["file"].get<std::string>())));
+        EXPECT_TRUE(loadImage8(file(image["error_file"].get<std::string>())));
     }
     EXPECT_EQ(passes, (std::vector<int>{3, 7, 9}));
 }
@@ -458,7 +462,7 @@ TEST_F(ConvergeCommand, EverySceneAndFormatWorks) {
     }
 }
 
-TEST_F(ConvergeCommand, ABlackPictureHasNoRelativeError) {
+TEST_F(ConvergeCommand, ABlackImageHasNoRelativeError) {
     const std::string scene = folder.write(
         "dark.json",
         R"({"glint": 1, "resolution": [8, 8], "camera": {"position": [0, 0, 3], "target": [0, 0, 0]},

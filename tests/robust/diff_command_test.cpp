@@ -8,7 +8,7 @@
 
 #include "engine/io/exr_io.h"
 #include "engine/io/image_io.h"
-#include "tests/support/formula_pictures.h"
+#include "tests/support/formula_images.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temp_folder.h"
 
@@ -22,20 +22,17 @@ using test::TempFolder;
 class DiffCommand : public testing::Test {
   protected:
     void SetUp() override {
-        if (!test::programExists()) {
-            GTEST_SKIP() << "the program was not built";
-        }
+        if (!test::programExists()) { GTEST_SKIP() << "the program was not built"; }
     }
     std::string exr(const std::string& name, const ImageF& image) {
-        ExrPicture picture{.width = image.width, .height = image.height, .channels = {}, .attributes = {}};
+        ExrImage image{.width = image.width, .height = image.height, .channels = {}, .attributes = {}};
         for (const char* channel : {"R", "G", "B"}) {
-            picture.channels.push_back(
-                {.name = channel, .type = ExrPixelType::Float, .floats = {}, .ids = {}});
+            image.channels.push_back({.name = channel, .type = ExrPixelType::Float, .floats = {}, .ids = {}});
         }
         for (size_t i = 0; i < image.rgb.size(); ++i) {
-            picture.channels[i % 3].floats.push_back(image.rgb[i]);
+            image.channels[i % 3].floats.push_back(image.rgb[i]);
         }
-        EXPECT_TRUE(saveExr(folder.path(name), picture));
+        EXPECT_TRUE(saveExr(folder.path(name), image));
         return folder.path(name);
     }
     TempFolder folder;
@@ -117,19 +114,19 @@ TEST_F(DiffCommand, WritesMapsWithALegend) {
 }
 
 TEST_F(DiffCommand, MapsOfOneRangeCanBeCompared) {
-    const ImageF half = test::flatPicture(8, 8, 0.5f);
+    const ImageF half = test::flatImage(8, 8, 0.5f);
     const std::string reference = exr("reference.exr", half);
     const auto colorOf = [&](float value, std::vector<std::string> ranges, const std::string& map) {
         const std::string folder_ = folder.path("maps" + std::to_string(value));
-        std::vector<std::string> words = {"diff", exr("test.exr", test::flatPicture(8, 8, value)), reference,
+        std::vector<std::string> words = {"diff", exr("test.exr", test::flatImage(8, 8, value)), reference,
                                           "--maps", folder_};
         words.insert(words.end(), ranges.begin(), ranges.end());
         const ProgramRun run = runProgram(words);
         EXPECT_EQ(run.exitCode, 0) << run.err;
-        const auto picture = loadImage8(folder_ + "/" + map + ".png");
-        EXPECT_TRUE(picture);
-        return std::pair(picture ? std::vector<uint8_t>((*picture)->rgb.begin(), (*picture)->rgb.begin() + 3)
-                                 : std::vector<uint8_t>(),
+        const auto image = loadImage8(folder_ + "/" + map + ".png");
+        EXPECT_TRUE(image);
+        return std::pair(image ? std::vector<uint8_t>((*image)->rgb.begin(), (*image)->rgb.begin() + 3)
+                               : std::vector<uint8_t>(),
                          run.out);
     };
     const std::vector<std::string> ranges = {"--map-range", "absolute=0.001:1", "--map-range", "signed=0.5"};
@@ -147,7 +144,7 @@ TEST_F(DiffCommand, MapsOfOneRangeCanBeCompared) {
 TEST_F(DiffCommand, EightBitsBesideFloatsAreWarnedOf) {
     const Image8 bytes{.width = 8, .height = 8, .rgb = std::vector<uint8_t>(3 * 64, 188)};
     ASSERT_TRUE(savePng(folder.path("a.png"), bytes));
-    ImageF bright = test::flatPicture(8, 8, 0.5f);
+    ImageF bright = test::flatImage(8, 8, 0.5f);
     bright.rgb[0] = bright.rgb[1] = 7.0f;
     const std::string floats = exr("b.exr", bright);
     for (const auto& [a, b] :
@@ -167,16 +164,16 @@ TEST_F(DiffCommand, ComparesKindsAsLinearColours) {
     // 188 / 255 in sRGB is 0.5029 linear.
     Image8 bytes{.width = 16, .height = 16, .rgb = std::vector<uint8_t>(3 * 256, 188)};
     ASSERT_TRUE(savePng(folder.path("a.png"), bytes));
-    ASSERT_TRUE(saveHdr(folder.path("c.hdr"), test::flatPicture(16, 16, 0.5f)));
-    const std::string half = exr("b.exr", test::flatPicture(16, 16, 0.5f));
+    ASSERT_TRUE(saveHdr(folder.path("c.hdr"), test::flatImage(16, 16, 0.5f)));
+    const std::string half = exr("b.exr", test::flatImage(16, 16, 0.5f));
     EXPECT_EQ(runProgram({"diff", folder.path("a.png"), half, "--max-error", "0.004"}).exitCode, 0);
     EXPECT_EQ(runProgram({"diff", folder.path("c.hdr"), half, "--max-error", "0.002"}).exitCode, 0);
 }
 
 TEST_F(DiffCommand, WhatCannotBeComparedIsRefusedWithOneMessage) {
-    const std::string good = exr("good.exr", test::flatPicture(8, 8, 0.5f));
-    const std::string small = exr("small.exr", test::flatPicture(8, 7, 0.5f));
-    ImageF infinite = test::flatPicture(8, 8, 0.5f);
+    const std::string good = exr("good.exr", test::flatImage(8, 8, 0.5f));
+    const std::string small = exr("small.exr", test::flatImage(8, 7, 0.5f));
+    ImageF infinite = test::flatImage(8, 8, 0.5f);
     infinite.rgb[3 * 10 + 1] = std::numeric_limits<float>::infinity();
     const std::string bytes = TempFolder::read(good);
     const std::vector<std::pair<std::string, std::string>> cases = {
@@ -199,7 +196,7 @@ TEST_F(DiffCommand, WhatCannotBeComparedIsRefusedWithOneMessage) {
 }
 
 TEST_F(DiffCommand, BadOptionsAreRefused) {
-    const std::string good = exr("good.exr", test::flatPicture(8, 8, 0.5f));
+    const std::string good = exr("good.exr", test::flatImage(8, 8, 0.5f));
     const std::string file = folder.write("file", "x");
     const std::vector<std::vector<std::string>> bad = {
         {"--max-relmse", "-1"},

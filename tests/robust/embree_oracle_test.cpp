@@ -17,7 +17,7 @@ TEST(EmbreeOracle, DifferencesAreRoundingOnly) {
         const auto report = measureRays(options);
         ASSERT_TRUE(report.ok());
         ASSERT_EQ(report->rows.size(), 3u);
-        if (!report->hasEmbree) GTEST_SKIP() << "compiled without Embree";
+        if (!report->hasEmbree) { GTEST_SKIP() << "compiled without Embree"; }
         EXPECT_GE(report->raysCompared, uint64_t{3 * 256 * 256}) << "every ray of a closed mesh hits";
         EXPECT_EQ(report->disagreements[static_cast<size_t>(RayDisagreement::Unexplained)], 0u) << name;
         EXPECT_EQ(report->disagreements[static_cast<size_t>(RayDisagreement::DistanceDrift)], 0u) << name;

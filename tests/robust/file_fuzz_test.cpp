@@ -37,8 +37,8 @@ std::string mutated(std::string bytes, std::mt19937& random) {
             break;
     }
     for (size_t changes = 1 + below(3); changes > 0; --changes) {
-        // Half of the changes stay within the file's own characters, so that more of them get past the first
-        // checks.
+        // Half of the changes stay within the file's own characters, so that more of them get past the
+        // first checks.
         bytes[below(bytes.size())] =
             random() % 2 == 0 ? static_cast<char>(random()) : bytes[below(bytes.size())];
     }
@@ -58,8 +58,8 @@ void expectSoundMesh(const MeshData& mesh) {
     EXPECT_EQ(mesh.indices.size() % 3, 0u);
 }
 
-/// How many of the mutated files still loaded. `load` returns an error, or nothing after checking what it
-/// loaded.
+/// How many of the mutated files still loaded. `load` returns an error, or nothing after checking what
+/// it loaded.
 int fuzz(const char* name, const std::string& good, uint32_t seed,
          const std::function<std::optional<Error>(const std::string& path)>& load) {
     const TempFolder folder;
@@ -81,9 +81,7 @@ int fuzz(const char* name, const std::string& good, uint32_t seed,
 
 std::optional<Error> loadSoundObj(const std::string& path) {
     const Result<ObjScene> scene = loadObj(path);
-    if (!scene) {
-        return scene.error();
-    }
+    if (!scene) { return scene.error(); }
     EXPECT_FALSE(scene->parts.empty());
     for (const ObjPart& part : scene->parts) {
         expectSoundMesh(*part.mesh);
@@ -119,9 +117,7 @@ TEST(Fuzz, Mtl) {
 
 std::optional<Error> loadSoundPly(const std::string& path) {
     const auto mesh = loadPly(path);
-    if (!mesh) {
-        return mesh.error();
-    }
+    if (!mesh) { return mesh.error(); }
     expectSoundMesh(**mesh);
     return std::nullopt;
 }
@@ -162,9 +158,7 @@ TEST(Fuzz, PlyBinary) {
 
 std::optional<Error> loadSoundImage(const std::string& path) {
     const Result<ImageSource> image = loadImage(path);
-    if (!image) {
-        return image.error();
-    }
+    if (!image) { return image.error(); }
     EXPECT_NE(image->bytes != nullptr, image->floats != nullptr);
     if (image->bytes) {
         EXPECT_EQ(image->bytes->rgb.size(), size_t{3} * static_cast<size_t>(image->bytes->width) *
@@ -192,15 +186,15 @@ TEST(Fuzz, Images) {
 
 TEST(Fuzz, Exr) {
     const TempFolder folder;
-    ExrPicture picture{.width = 40, .height = 30, .channels = {}, .attributes = {{"note", "text"}}};
+    ExrImage image{.width = 40, .height = 30, .channels = {}, .attributes = {{"note", "text"}}};
     for (const char* name : {"R", "G", "B"}) {
         std::vector<float> values;
         for (int i = 0; i < 40 * 30; ++i) {
             values.push_back(0.01f * static_cast<float>(i % 331));
         }
-        picture.channels.push_back({name, ExrPixelType::Half, values, {}});
+        image.channels.push_back({name, ExrPixelType::Half, values, {}});
     }
-    ASSERT_TRUE(saveExr(folder.path("a.exr"), picture));
+    ASSERT_TRUE(saveExr(folder.path("a.exr"), image));
     fuzz("a.exr", TempFolder::read(folder.path("a.exr")), 7, loadSoundImage);
 }
 
@@ -212,9 +206,7 @@ TEST(Fuzz, Checkpoint) {
     const std::string good = TempFolder::read(folder.path("a"));
     const int loaded = fuzz("a", good, 8, [&](const std::string& path) -> std::optional<Error> {
         const Result<ResumePoint> point = loadCheckpoint(path, scene);
-        if (!point) {
-            return point.error();
-        }
+        if (!point) { return point.error(); }
         EXPECT_EQ(TempFolder::read(path), good);  // the checksum lets nothing else through
         return std::nullopt;
     });

@@ -1,5 +1,5 @@
-// `glint info` as its users meet it: what a scene names in vain, scenes with nothing in them, files that are
-// none.
+// `glint info` as its users meet it: what a scene names in vain, scenes with nothing in them, files that
+// are none.
 #include <algorithm>
 #include <sstream>
 
@@ -21,9 +21,7 @@ using Json = nlohmann::json;
 class InfoCommand : public testing::Test {
   protected:
     void SetUp() override {
-        if (!test::programExists()) {
-            GTEST_SKIP() << "the program was not built";
-        }
+        if (!test::programExists()) { GTEST_SKIP() << "the program was not built"; }
     }
     static Json reportOf(const std::string& scene) {
         return Json::parse(runProgram({"info", scene, "--json", "-"}).out, nullptr, false);
@@ -39,9 +37,7 @@ testing::AssertionResult says(const std::string& text, const std::string& part) 
 
 const Json* rowOf(const Json& report, const std::string& part) {
     for (const Json& row : report["memory"]["parts"]) {
-        if (row["part"] == part) {
-            return &row;
-        }
+        if (row["part"] == part) { return &row; }
     }
     return nullptr;
 }

@@ -1,5 +1,5 @@
-// A process that is killed at any moment while it saves leaves the old file or the new one, never a broken
-// one.
+// A process that is killed at any moment while it saves leaves the old file or the new one, never a
+// broken one.
 #include <atomic>
 #include <chrono>
 #include <random>
@@ -43,13 +43,15 @@ uint32_t killWhileSaving(unsigned microseconds, Save save) {
     return count;
 }
 
-/// How long one save takes here and now, in microseconds: kills are to fall into saves, and to let some
-/// finish.
+/// How long one save takes here and now, in microseconds: kills are to fall into saves, and to let
+/// some finish.
 template <class Save>
 unsigned microsecondsOf(Save save) {
     constexpr unsigned kSaves = 8;
     const auto start = std::chrono::steady_clock::now();
-    for (unsigned n = 0; n < kSaves; ++n) save(n);
+    for (unsigned n = 0; n < kSaves; ++n) {
+        save(n);
+    }
     const auto all =
         std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() - start);
     return 1 + static_cast<unsigned>(all.count()) / kSaves;

@@ -27,10 +27,10 @@ ExactHit exactTriangle(const MeshData& mesh, uint32_t triangle, const Vec3d& o, 
     const double v = glm::dot(glm::cross(a, c), d);
     const double w = glm::dot(glm::cross(b, a), d);
     const double det = u + v + w;
-    if (det == 0.0) return {};
+    if (det == 0.0) { return {}; }
     const double margin = std::min({u, v, w}) / det;
     const double smallest = det > 0.0 ? std::min({u, v, w}) / det : std::min({u / det, v / det, w / det});
-    if (smallest < 0.0) return {-1.0, std::abs(smallest)};
+    if (smallest < 0.0) { return {-1.0, std::abs(smallest)}; }
     const Vec3d n = glm::cross(b - a, c - a);
     return {glm::dot(n, a) / glm::dot(n, d), std::abs(margin)};
 }
@@ -41,7 +41,7 @@ ExactHit exactSphere(const Vec3d& o, const Vec3d& d) {
     const Vec3d nearest = o + d * (b / a);
     const double discriminant = 1.0 - glm::dot(nearest, nearest);
     const double margin = std::abs(discriminant);
-    if (discriminant < 0.0) return {-1.0, margin};
+    if (discriminant < 0.0) { return {-1.0, margin}; }
     const double root = std::sqrt(discriminant * a);
     const double t0 = (b - root) / a;
     return {t0 > 0.0 ? t0 : (b + root) / a, margin};
@@ -51,8 +51,8 @@ ExactHit exactFlat(ShapeKind shape, const Vec3d& o, const Vec3d& d) {
     const double t = -o.z / d.z;
     const Vec3d p = o + d * t;
     double inside = 1.0;
-    if (shape == ShapeKind::Rectangle) inside = 1.0 - std::max(std::abs(p.x), std::abs(p.y));
-    if (shape == ShapeKind::Disc) inside = 1.0 - std::sqrt(p.x * p.x + p.y * p.y);
+    if (shape == ShapeKind::Rectangle) { inside = 1.0 - std::max(std::abs(p.x), std::abs(p.y)); }
+    if (shape == ShapeKind::Disc) { inside = 1.0 - std::sqrt(p.x * p.x + p.y * p.y); }
     return {inside < 0.0 ? -1.0 : t, std::abs(inside)};
 }
 
@@ -65,8 +65,8 @@ struct Reference {
 Reference bruteForce(const GeometryScene& scene, const Ray& ray) {
     Reference reference;
     const auto consider = [&](const ExactHit& hit) {
-        if (hit.margin < 1e-4) reference.rim = true;
-        if (hit.t > 0.0 && hit.t < reference.t) reference.t = hit.t;
+        if (hit.margin < 1e-4) { reference.rim = true; }
+        if (hit.t > 0.0 && hit.t < reference.t) { reference.t = hit.t; }
     };
     for (const InstanceData& instance : scene.instances->instances) {
         const Mat3d inverse = glm::inverse(Mat3d(instance.objectToWorld.linear));
@@ -74,7 +74,9 @@ Reference bruteForce(const GeometryScene& scene, const Ray& ray) {
         const Vec3d d = inverse * Vec3d(ray.direction);
         if (instance.shape == ShapeTag::Mesh) {
             const MeshData& mesh = *scene.meshes[instance.mesh]->data;
-            for (uint32_t i = 0; i < mesh.triangleCount(); ++i) consider(exactTriangle(mesh, i, o, d));
+            for (uint32_t i = 0; i < mesh.triangleCount(); ++i) {
+                consider(exactTriangle(mesh, i, o, d));
+            }
         } else if (instance.shape == ShapeTag::Sphere) {
             consider(exactSphere(o, d));
         } else {
@@ -91,13 +93,13 @@ void compareWithBruteForce(const GeometryScene& scene, int rays, uint32_t seed) 
     for (int i = 0; i < rays; ++i) {
         const Ray ray{random.box(6.0f), random.direction() * random.uniform(0.1f, 10.0f)};
         const Reference reference = bruteForce(scene, ray);
-        if (reference.rim) continue;
+        if (reference.rim) { continue; }
         ++compared;
         Hit hit{};
         const bool found = intersect<kAllFeatures>(scene.view, ray, &hit);
         ASSERT_EQ(found, reference.t < std::numeric_limits<double>::infinity()) << "ray " << i;
         EXPECT_EQ(occluded<kAllFeatures>(scene.view, ray), found) << "ray " << i;
-        if (!found) continue;
+        if (!found) { continue; }
         ++hits;
         EXPECT_NEAR(static_cast<double>(hit.t), reference.t, 2e-4 * reference.t + 1e-5) << "ray " << i;
         Ray shorter = ray;
@@ -117,7 +119,9 @@ TEST(Intersect, EveryShapeUnderRandomTransformsAgreesWithBruteForce) {
         Random random(seed);
         std::vector<Object> objects;
         const int count = shape == ShapeKind::Plane ? 3 : 30;
-        for (int i = 0; i < count; ++i) objects.push_back(makeObject(shape, random.transform(4.0f), 0));
+        for (int i = 0; i < count; ++i) {
+            objects.push_back(makeObject(shape, random.transform(4.0f), 0));
+        }
         const GeometryScene scene = makeScene(objects, {generated("blob", 200)});
         compareWithBruteForce(scene, 2000, ++seed);
     }
@@ -167,7 +171,7 @@ TEST(Intersect, ScalarAndSimdBodiesGiveTheSameBits) {
     Random random(3);
     for (int i = 0; i < 300; ++i) {
         Ray ray{random.box(1.5f), random.direction()};
-        if (i % 4 == 0) ray.direction[i % 3] = 0.0f;
+        if (i % 4 == 0) { ray.direction[i % 3] = 0.0f; }
         const BoxRay box = makeBoxRay(ray);
         const ShearRay shear = makeShearRay(ray);
         for (const WideNode& node : mesh->nodes) {
@@ -176,9 +180,7 @@ TEST(Intersect, ScalarAndSimdBodiesGiveTheSameBits) {
             const uint32_t hits = boxHitsSimd(node, box, 0.0f, 2.0f, simd);
             ASSERT_EQ(hits, boxHitsScalar(node, box, 0.0f, 2.0f, scalar));
             for (int k = 0; k < kNodeWidth; ++k) {
-                if (hits & (1u << k)) {
-                    ASSERT_EQ(simd[k], scalar[k]);
-                }
+                if (hits & (1u << k)) { ASSERT_EQ(simd[k], scalar[k]); }
             }
         }
         for (const TriangleCluster& cluster : mesh->clusters) {
@@ -243,7 +245,9 @@ TEST(Watertight, AxisParallelRaysInTheEdgesOfACubeGridHit) {
                 origin[(axis + 1) % 3] = 0.125f * static_cast<float>(i);
                 origin[(axis + 2) % 3] = 0.125f * static_cast<float>(j);
                 direction[axis] = (i + j) % 2 ? -1.0f : 1.0f;
-                if (i == -8 || j == -8) continue;  // on the outside itself
+                if (i == -8 || j == -8) {
+                    continue;  // on the outside itself
+                }
                 Hit hit{};
                 ASSERT_TRUE(intersect<kAllFeatures>(scene.view, {origin, direction}, &hit));
                 EXPECT_EQ(hit.t, 1.0f);
@@ -271,7 +275,9 @@ TEST(Intersect, DegenerateTrianglesNeverHitAndNeverDisturb) {
 TEST(Intersect, ManyIdenticalTrianglesAreFound) {
     auto data = std::make_shared<MeshData>();
     data->positions = {Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 1, 0)};
-    for (int i = 0; i < 20'000; ++i) data->indices.insert(data->indices.end(), {0u, 1u, 2u});
+    for (int i = 0; i < 20'000; ++i) {
+        data->indices.insert(data->indices.end(), {0u, 1u, 2u});
+    }
     const GeometryScene scene = makeScene({makeObject(ShapeKind::Mesh, {}, 0)}, {data});
     Hit hit{};
     ASSERT_TRUE(intersect<kAllFeatures>(scene.view, {Vec3(0, 0, 2), Vec3(0, 0, -1)}, &hit));
@@ -283,7 +289,9 @@ TEST(Intersect, TinyHugeAndFarAwayMeshesStayClosed) {
         for (float away : {0.0f, 1e3f}) {
             auto data = std::make_shared<MeshData>(*generated("blob", 2000));
             const Vec3 offset = Vec3(1.0f, -0.5f, 0.25f) * (away * size);
-            for (Vec3& p : data->positions) p = p * size + offset;
+            for (Vec3& p : data->positions) {
+                p = p * size + offset;
+            }
             const GeometryScene scene = makeScene({makeObject(ShapeKind::Mesh, {}, 0)}, {data});
             Random random(14);
             for (int i = 0; i < 20'000; ++i) {

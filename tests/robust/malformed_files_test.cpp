@@ -1,5 +1,5 @@
-// Broken meshes, materials, images and checkpoints: each gives one clear error that says where and what was
-// expected.
+// Broken meshes, materials, images and checkpoints: each gives one clear error that says where and what
+// was expected.
 #include <cstring>
 #include <functional>
 
@@ -220,9 +220,9 @@ TEST(Malformed, Images) {
 TEST(Malformed, ExrFiles) {
     const auto bytesOf = [](const std::string& channel, float value) {
         return savedBytes("a.exr", [&](const std::string& path) {
-            ExrPicture picture{.width = 20, .height = 10, .channels = {}, .attributes = {}};
-            picture.channels.push_back({channel, ExrPixelType::Float, std::vector<float>(200, value), {}});
-            return saveExr(path, picture);
+            ExrImage image{.width = 20, .height = 10, .channels = {}, .attributes = {}};
+            image.channels.push_back({channel, ExrPixelType::Float, std::vector<float>(200, value), {}});
+            return saveExr(path, image);
         });
     };
     const std::string exr = bytesOf("Y", 0.5f);

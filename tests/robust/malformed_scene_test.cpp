@@ -1,5 +1,5 @@
-// Malformed scene files: each gives one error that names the place and what was expected, and nothing
-// crashes.
+// Malformed scene files: each gives one error that names the place and what was expected, and
+// nothing crashes.
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -329,9 +329,7 @@ void damage(const std::string& text, const std::string& extension, size_t step, 
         flipped[at] = static_cast<char>(state >> 24);
         std::ofstream(file.path(), std::ios::binary) << flipped;
         const auto scene = loadScene(file.path(), {.allowMissing = true});
-        if (!scene.ok()) {
-            EXPECT_FALSE(scene.error().message.empty());
-        }
+        if (!scene.ok()) { EXPECT_FALSE(scene.error().message.empty()); }
     }
 }
 

@@ -9,7 +9,7 @@ namespace glint {
 namespace {
 
 TEST(StressLong, TheWholeSuiteIsAsDocumented) {
-    if (!test::programExists()) GTEST_SKIP() << "the program was not built";
+    if (!test::programExists()) { GTEST_SKIP() << "the program was not built"; }
     const test::ProgramRun run = test::runProgram({"stress", "--json", "-"});
     const nlohmann::json report = nlohmann::json::parse(run.out, nullptr, false);
     ASSERT_FALSE(report.is_discarded()) << run.out << run.err;

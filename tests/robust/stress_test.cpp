@@ -17,7 +17,7 @@ using nlohmann::json;
 class Stress : public testing::Test {
   protected:
     void SetUp() override {
-        if (!test::programExists()) GTEST_SKIP() << "the program was not built";
+        if (!test::programExists()) { GTEST_SKIP() << "the program was not built"; }
     }
 };
 

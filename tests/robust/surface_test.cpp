@@ -1,5 +1,5 @@
-// Surfaces: error bounds that hold, rays that leave without meeting their surface again, normals and
-// coordinates.
+// Surfaces: error bounds that hold, rays that leave without meeting their surface again, normals
+// and coordinates.
 #include "engine/kernels/surface.h"
 
 #include <gtest/gtest.h>
@@ -13,8 +13,8 @@ using namespace testing_support;
 using Vec3d = glm::dvec3;
 using Mat3d = glm::dmat3;
 
-/// How far p lies from the instance's true surface along the normal, over the bound that pError gives for
-/// that.
+/// How far p lies from the instance's true surface along the normal, over the bound that pError gives
+/// for that.
 double errorOverBound(const GeometryScene& scene, const SurfacePoint& s) {
     const InstanceData& instance = scene.instances->instances[s.instance];
     const Mat3d inverse = glm::inverse(Mat3d(instance.objectToWorld.linear));
@@ -48,7 +48,9 @@ std::vector<Affine> grades(Random* random) {
     std::vector<Affine> result = {Affine{}};
     for (float size : {1e-6f, 1.0f, 1e6f}) {
         for (float away : {0.0f, 1e3f, 1e5f}) {
-            if (away * 1e-6f > 0.02f) continue;  // finer than float resolves over there
+            if (away * 1e-6f > 0.02f) {
+                continue;  // finer than float resolves over there
+            }
             result.push_back(translate(Vec3(1.0f, -0.7f, 0.4f) * (away * size)) * scale(Vec3(size)) *
                              random->transform(0.0f));
         }
@@ -78,10 +80,10 @@ void forHits(int raysEach, const Check& check) {
             for (int i = 0; i < raysEach; ++i) {
                 const Ray ray = aimedRay(transform, &random, shape);
                 Hit hit{};
-                if (!intersect<kAllFeatures>(scene.view, ray, &hit)) continue;
+                if (!intersect<kAllFeatures>(scene.view, ray, &hit)) { continue; }
                 ++hits;
                 check(scene, shape, ray, surfaceAt<kAllFeatures>(scene.view, ray, hit), &random);
-                if (::testing::Test::HasFailure()) return;
+                if (::testing::Test::HasFailure()) { return; }
             }
             EXPECT_GT(hits, raysEach * 9 / 10) << static_cast<int>(shape);
         }
@@ -116,9 +118,9 @@ TEST(Surface, NormalsAreUnitAndOnTheFrontSideUnderEveryTransform) {
 TEST(Surface, LeavingRaysOfConvexAndFlatShapesNeverMeetThemAgain) {
     forHits(2000, [](const GeometryScene& scene, ShapeKind shape, const Ray&, const SurfacePoint& s,
                      Random* random) {
-        if (shape == ShapeKind::Mesh) return;
+        if (shape == ShapeKind::Mesh) { return; }
         Vec3 w = random->direction();
-        if (glm::dot(w, s.ng) < 0.0f) w = -w;
+        if (glm::dot(w, s.ng) < 0.0f) { w = -w; }
         ASSERT_FALSE(occluded<kAllFeatures>(scene.view, spawnRay(s, w))) << static_cast<int>(shape);
         if (shape != ShapeKind::Sphere) {
             ASSERT_FALSE(occluded<kAllFeatures>(scene.view, spawnRay(s, -w))) << static_cast<int>(shape);
@@ -132,7 +134,7 @@ TEST(Surface, LeavingRaysOfConvexAndFlatShapesNeverMeetThemAgain) {
 TEST(Surface, LeavingRaysNeverMeetTheTriangleTheyLeft) {
     forHits(4000, [](const GeometryScene& scene, ShapeKind shape, const Ray&, const SurfacePoint& s,
                      Random* random) {
-        if (shape != ShapeKind::Mesh) return;
+        if (shape != ShapeKind::Mesh) { return; }
         const Ray ray = spawnRay(s, random->direction());
         Hit hit{};
         if (!intersect<kAllFeatures>(scene.view, ray, &hit)) {
@@ -159,17 +161,19 @@ TEST(Surface, ShadowRaysReachTheOtherSurfaceAndStopBeforeIt) {
                 const Vec3 origin = place.point(Vec3(1.5f, 0.2f, 1.2f) + random.box(0.2f));
                 const Ray ray{origin, target.point(random.box(0.9f)) - origin};
                 Hit hit{};
-                if (!intersect<kAllFeatures>(scene.view, ray, &hit)) continue;
+                if (!intersect<kAllFeatures>(scene.view, ray, &hit)) { continue; }
                 SurfacePoint s = surfaceAt<kAllFeatures>(scene.view, ray, hit);
-                if (s.instance == points.size() % 3) points.push_back(s);
+                if (s.instance == points.size() % 3) { points.push_back(s); }
             }
             int open = 0;
             for (size_t i = 0; i + 1 < points.size(); ++i) {
                 const SurfacePoint& a = points[i];
                 const SurfacePoint& b = points[i + 1];
-                if (a.instance == b.instance) continue;
+                if (a.instance == b.instance) { continue; }
                 const Vec3 way = glm::normalize(b.p - a.p);
-                if (std::abs(glm::dot(way, a.ng)) < 0.05f || std::abs(glm::dot(way, b.ng)) < 0.05f) continue;
+                if (std::abs(glm::dot(way, a.ng)) < 0.05f || std::abs(glm::dot(way, b.ng)) < 0.05f) {
+                    continue;
+                }
                 const bool forth = occluded<kAllFeatures>(scene.view, spawnShadowRay(a, b.p, b.pError, b.ng));
                 const bool back = occluded<kAllFeatures>(scene.view, spawnShadowRay(b, a.p, a.pError, a.ng));
                 open += forth ? 0 : 1;

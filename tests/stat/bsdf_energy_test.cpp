@@ -101,9 +101,7 @@ TEST(BsdfReciprocity, HoldsForEveryMaterial) {
             const BsdfSample s = sample(forward, uLobe, random.uniform2());
             const float cosO = std::fabs(wo.z);
             const float cosI = std::fabs(s.wiWorld.z);
-            if (!s.valid || s.isSpecular || cosO < 1e-3f || cosI < 1e-3f) {
-                continue;
-            }
+            if (!s.valid || s.isSpecular || cosO < 1e-3f || cosI < 1e-3f) { continue; }
             const Bsdf<kAllFeatures> backward = testBsdf(bsdfCase.material, s.wiWorld);
             const Vec3 there = evaluate(forward, s.wiWorld) / cosI;
             const Vec3 back = evaluate(backward, wo) / cosO;

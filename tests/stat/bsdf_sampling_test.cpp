@@ -16,9 +16,7 @@ constexpr int kSamples = 100000;
 /// there is none).
 Vec3 lobeAxis(const Bsdf<kAllFeatures>& bsdf, bool transmission) {
     const Vec3 wo = bsdf.woLocal;
-    if (!transmission) {
-        return bsdf.frame.toWorld(detail::mirrored(wo));
-    }
+    if (!transmission) { return bsdf.frame.toWorld(detail::mirrored(wo)); }
     const float sine2 = (1.0f - square(wo.z)) / square(bsdf.eta);
     const Vec3 refracted(-wo.x / bsdf.eta, -wo.y / bsdf.eta, -safeSqrt(1.0f - sine2));
     return bsdf.frame.toWorld(glm::normalize(refracted));
@@ -28,8 +26,8 @@ struct Histogram {
     std::vector<double> observed, expected;
 };
 
-/// Counts of kSamples samples and their expectations. The last bin holds what has no density: absorbed and
-/// specular.
+/// Counts of kSamples samples and their expectations. The last bin holds what has no density: absorbed
+/// and specular.
 Histogram histogram(const Bsdf<kAllFeatures>& bsdf, uint64_t seed) {
     const double smallest = std::fmax(0.1 * static_cast<double>(bsdf.material->alpha), 1e-4);
     const DirectionGrid reflected(lobeAxis(bsdf, false), smallest, 16, 8);

@@ -32,9 +32,9 @@ SceneDescription glowingRoom() {
     return scene;
 }
 
-ReferencePicture truth() {
-    ReferencePicture reference;
-    reference.picture = {kSize, kSize, std::vector<float>(3 * kSize * kSize, kTruth)};
+ReferenceImage truth() {
+    ReferenceImage reference;
+    reference.image = {kSize, kSize, std::vector<float>(3 * kSize * kSize, kTruth)};
     reference.variance.assign(3 * kSize * kSize, 0.0f);
     reference.method = "analytic";
     reference.summarize();
@@ -82,7 +82,7 @@ TEST(Convergence, TheErrorFallsWithTheRootOfThePasses) {
 
 TEST(Convergence, VarianceBiasAndEfficiencyAreThoseOfTheMethod) {
     const SceneDescription scene = glowingRoom();
-    const ReferencePicture reference = truth();
+    const ReferenceImage reference = truth();
     const ConvergenceResult result = runConvergence(planOf(scene, "pt", 16, 6), scene, reference, host());
     const ConvergenceSummary summary = summarizeConvergence(result, reference, false);
     const VariantSummary& pt = summary.variants[0];
@@ -97,8 +97,10 @@ TEST(Convergence, VarianceBiasAndEfficiencyAreThoseOfTheMethod) {
 
 TEST(Convergence, ABiasIsToldFromNoise) {
     const SceneDescription scene = glowingRoom();
-    ReferencePicture wrong = truth();
-    for (float& value : wrong.picture.rgb) value += 0.1f;
+    ReferenceImage wrong = truth();
+    for (float& value : wrong.image.rgb) {
+        value += 0.1f;
+    }
     wrong.summarize();
     const ConvergenceResult result = runConvergence(planOf(scene, "pt", 16, 4), scene, wrong, host());
     const VariantSummary pt = summarizeConvergence(result, wrong, false).variants[0];
@@ -122,8 +124,8 @@ TEST(Convergence, EverySeedHasTheSamePassesAndItsOwnNoise) {
             }
         }
         EXPECT_NE(rmse(variant.curves[0].points[0]), rmse(variant.curves[1].points[0]));
-        ASSERT_EQ(variant.pictures.size(), 2u) << "of a tenth (the first pass) and of the end";
-        EXPECT_EQ(variant.pictures.back().point, variant.curves[0].points.size() - 1);
+        ASSERT_EQ(variant.images.size(), 2u) << "of a tenth (the first pass) and of the end";
+        EXPECT_EQ(variant.images.back().point, variant.curves[0].points.size() - 1);
         EXPECT_TRUE(variant.problem.empty());
     }
 }
@@ -138,13 +140,13 @@ TEST(Convergence, TimeEndsARunOfAnySpeed) {
     EXPECT_EQ(result.variants[0].curves[0].points[0].passes, 1u);
 }
 
-/// Passes that cost nothing, beside evaluations that cost much: SSIM and FLIP of pictures of a quarter
-/// megapixel.
+/// Passes that cost nothing, beside evaluations that cost much: SSIM and FLIP of pictures of a
+/// quarter megapixel.
 TEST(Convergence, SecondsAreThoseOfThePassesAlone) {
     SceneDescription scene = glowingRoom();
     scene.resolution = {256, 256};
-    ReferencePicture reference = truth();
-    reference.picture = {256, 256, std::vector<float>(3 * 256 * 256, 0.5f)};
+    ReferenceImage reference = truth();
+    reference.image = {256, 256, std::vector<float>(3 * 256 * 256, 0.5f)};
     reference.variance.clear();
     reference.summarize();
     const auto control = std::make_shared<test::FakeControl>();
@@ -163,8 +165,8 @@ TEST(Convergence, SecondsAreThoseOfThePassesAlone) {
     EXPECT_GE(slow.variants[0].curves[0].points.back().seconds, 8 * 0.02);
 }
 
-/// Each variant and seed begins with a back end and a scene of its own, with the same threads and the first
-/// pass.
+/// Each variant and seed begins with a back end and a scene of its own, with the same threads and the
+/// first pass.
 TEST(Convergence, EachRenderStartsColdOnTheSameThreads) {
     const SceneDescription scene = glowingRoom();
     const auto control = std::make_shared<test::FakeControl>();
@@ -208,7 +210,7 @@ TEST(Convergence, AVariantThatFailsLeavesTheOthers) {
     const SceneDescription scene = glowingRoom();
     ConvergenceHost picky = host();
     picky.makeBackend = [](const VariantSettings& settings) -> Result<std::unique_ptr<Backend>> {
-        if (settings.threads == 7) return Error{"there are no seven threads", {}};
+        if (settings.threads == 7) { return Error{"there are no seven threads", {}}; }
         return makeCpuBackend(settings.threads);
     };
     const ConvergenceResult result =
@@ -220,8 +222,7 @@ TEST(Convergence, AVariantThatFailsLeavesTheOthers) {
     EXPECT_TRUE(summary.variants[0].points.empty());
 }
 
-ReferencePicture referenceOf(const SceneDescription& scene, const char* variant,
-                             double relativeError = 0.02) {
+ReferenceImage referenceOf(const SceneDescription& scene, const char* variant, double relativeError = 0.02) {
     ReferencePlan plan{*parseVariant(variant), {scene.options, scene.sppm}, 1e9, relativeError, 1000};
     plan.settings = plan.variant.applyTo(plan.settings);
     auto made = makeReference(plan, scene, host());
@@ -231,11 +232,11 @@ ReferencePicture referenceOf(const SceneDescription& scene, const char* variant,
 
 TEST(Reference, ItsErrorBarIsTrue) {
     const SceneDescription scene = glowingRoom();
-    const ReferencePicture reference = referenceOf(scene, "pt");
+    const ReferenceImage reference = referenceOf(scene, "pt");
     double squares = 0.0;
-    for (const float value : reference.picture.rgb) {
+    for (const float value : reference.image.rgb) {
         const double miss = static_cast<double>(value - kTruth);
-        squares += miss * miss / static_cast<double>(reference.picture.rgb.size());
+        squares += miss * miss / static_cast<double>(reference.image.rgb.size());
     }
     EXPECT_GE(reference.seeds.size(), static_cast<size_t>(kPathReplicates));
     EXPECT_LE(reference.relativeError(), 0.02)
@@ -263,7 +264,7 @@ TEST(Reference, AnInterruptedOneSaysSo) {
 
 TEST(Reference, ItsErrorAddsToTheMeasuredOneAndCanBeSubtracted) {
     const SceneDescription scene = glowingRoom();
-    const ReferencePicture reference = referenceOf(scene, "pt", 0.03);
+    const ReferenceImage reference = referenceOf(scene, "pt", 0.03);
     const ConvergencePlan plan = planOf(scene, "pt", 64, 6);
     const ConvergenceResult measured = runConvergence(plan, scene, reference, host());
     const ConvergenceResult exact = runConvergence(plan, scene, truth(), host());
@@ -285,7 +286,7 @@ TEST(Reference, ItsErrorAddsToTheMeasuredOneAndCanBeSubtracted) {
 }
 
 TEST(Reference, PhotonReferencesAreMarkedAsBiased) {
-    const ReferencePicture reference = referenceOf(glowingRoom(), "sppm:photons=2000");
+    const ReferenceImage reference = referenceOf(glowingRoom(), "sppm:photons=2000");
     EXPECT_EQ(reference.seeds.size(), static_cast<size_t>(kPhotonReplicates));
     ASSERT_FALSE(reference.remarks.empty());
     EXPECT_NE(reference.remarks[0].find("bias"), std::string::npos);

@@ -44,12 +44,12 @@ SceneDescription small(SceneDescription scene) {
 }
 
 /// Root of the mean squared error without the worst kTrimmedShare, relative to the reference's mean.
-double trueError(const std::vector<double>& picture, const std::vector<double>& reference) {
+double trueError(const std::vector<double>& image, const std::vector<double>& reference) {
     std::vector<double> squares;
     double mean = 0.0;
-    for (size_t i = 0; i < picture.size(); ++i) {
-        squares.push_back(std::pow(picture[i] - reference[i], 2.0));
-        mean += reference[i] / static_cast<double>(picture.size());
+    for (size_t i = 0; i < image.size(); ++i) {
+        squares.push_back(std::pow(image[i] - reference[i], 2.0));
+        mean += reference[i] / static_cast<double>(image.size());
     }
     const double worst = kTrimmedShare * static_cast<double>(squares.size());
     double sum = -worst * *std::ranges::max_element(squares);  // less than a pixel here
@@ -59,13 +59,13 @@ double trueError(const std::vector<double>& picture, const std::vector<double>& 
     return std::sqrt(sum / (static_cast<double>(squares.size()) - worst)) / mean;
 }
 
-double coverage(const std::vector<double>& picture, const std::vector<double>& reference,
+double coverage(const std::vector<double>& image, const std::vector<double>& reference,
                 const std::vector<float>& bounds) {
     double inside = 0.0;
-    for (size_t i = 0; i < picture.size(); ++i) {
-        inside += std::abs(picture[i] - reference[i]) <= static_cast<double>(bounds[i]) ? 1.0 : 0.0;
+    for (size_t i = 0; i < image.size(); ++i) {
+        inside += std::abs(image[i] - reference[i]) <= static_cast<double>(bounds[i]) ? 1.0 : 0.0;
     }
-    return inside / static_cast<double>(picture.size());
+    return inside / static_cast<double>(image.size());
 }
 
 struct Calibration {
@@ -83,10 +83,10 @@ Calibration calibrate(const SceneDescription& scene, const std::vector<double>& 
     for (uint32_t seed = firstSeed; seed < firstSeed + kSeeds; ++seed) {
         ErrorTrial trial(built, scene, seed);
         trial.renderTo(passes);
-        const std::vector<double> picture = trial.luminances();
+        const std::vector<double> image = trial.luminances();
         const ErrorEstimate estimate = estimateError(trial.film(), trial.sppm());
-        const double truth = trueError(picture, reference);
-        result.pixels.add(coverage(picture, reference, errorBounds(trial.film(), trial.sppm())));
+        const double truth = trueError(image, reference);
+        result.pixels.add(coverage(image, reference, errorBounds(trial.film(), trial.sppm())));
         result.inBand += truth >= estimate.low && truth <= estimate.high ? 1 : 0;
         result.logRatio.add(std::log(truth / estimate.relative));
         result.foretold.add(std::log(estimate.high / estimate.low) / (2.0 * 1.6448536));
@@ -179,9 +179,7 @@ TEST_F(Estimate, OfCausticsByPhotons) {
 
 /// Must come after the four above.
 TEST_F(Estimate, BandsOfAllScenesHoldNeitherTooSeldomNorTooOften) {
-    if (scenes_ < 4) {
-        GTEST_SKIP() << "needs the four scenes before it";
-    }
+    if (scenes_ < 4) { GTEST_SKIP() << "needs the four scenes before it"; }
     std::printf("%d of %d bands held: %.1f %%\n", inBand_, renders_, 100.0 * inBand_ / renders_);
     EXPECT_GT(binomialAtMost(inBand_, renders_, 0.85), 0.005) << "too narrow";
     EXPECT_GT(1.0 - binomialAtMost(inBand_ - 1, renders_, 0.95), 0.005) << "too wide";
@@ -252,7 +250,7 @@ TEST_F(Estimate, BitsDoNotDependOnThreads) {
 }
 
 /// A film in code: pixel i scatters by `sigma`, one pixel holds one firefly.
-TEST_F(Estimate, AFireflyDoesNotDecideForThePicture) {
+TEST_F(Estimate, AFireflyDoesNotDecideForTheImage) {
     Film film(64, 64);
     std::vector<PixelSample> samples(64 * 64);
     UniformNumbers random(3);
@@ -260,9 +258,7 @@ TEST_F(Estimate, AFireflyDoesNotDecideForThePicture) {
         for (PixelSample& sample : samples) {
             sample.radiance = Vec3(random.next() * 2.0f);
         }
-        if (pass == 40) {
-            samples[1234].radiance = Vec3(1e6f);
-        }
+        if (pass == 40) { samples[1234].radiance = Vec3(1e6f); }
         film.commit(samples, pass, 1);
         calibrateNoise(nullptr, 0.0, 1, &film);
     }

@@ -24,9 +24,7 @@ constexpr int kRuns = 12;
 class ErrorLimit : public testing::Test {
   protected:
     void SetUp() override {
-        if (!programExists()) {
-            GTEST_SKIP() << "the program was not built";
-        }
+        if (!programExists()) { GTEST_SKIP() << "the program was not built"; }
     }
 
     /// The report; the picture is `file`.
@@ -42,11 +40,11 @@ class ErrorLimit : public testing::Test {
     }
 
     std::vector<double> luminances(const std::string& file) {
-        const auto picture = loadImageF(folder.path(file));
-        EXPECT_TRUE(picture);
+        const auto image = loadImageF(folder.path(file));
+        EXPECT_TRUE(image);
         std::vector<double> out;
-        for (size_t i = 0; picture && i < (*picture)->rgb.size(); i += 3) {
-            const float* rgb = &(*picture)->rgb[i];
+        for (size_t i = 0; image && i < (*image)->rgb.size(); i += 3) {
+            const float* rgb = &(*image)->rgb[i];
             out.push_back(0.2126 * static_cast<double>(rgb[0]) + 0.7152 * static_cast<double>(rgb[1]) +
                           0.0722 * static_cast<double>(rgb[2]));
         }
@@ -57,17 +55,17 @@ class ErrorLimit : public testing::Test {
 };
 
 /// As ErrorEstimate: without the share of the worst, a fraction of a pixel here.
-double trueError(const std::vector<double>& picture, const std::vector<double>& reference) {
+double trueError(const std::vector<double>& image, const std::vector<double>& reference) {
     double sum = 0.0, mean = 0.0, worst = 0.0;
-    for (size_t i = 0; i < picture.size(); ++i) {
-        const double square = std::pow(picture[i] - reference[i], 2.0);
+    for (size_t i = 0; i < image.size(); ++i) {
+        const double square = std::pow(image[i] - reference[i], 2.0);
         sum += square;
         mean += reference[i];
         worst = std::max(worst, square);
     }
-    const double dropped = kTrimmedShare * static_cast<double>(picture.size());
-    return std::sqrt((sum - dropped * worst) / (static_cast<double>(picture.size()) - dropped)) /
-           (mean / static_cast<double>(picture.size()));
+    const double dropped = kTrimmedShare * static_cast<double>(image.size());
+    return std::sqrt((sum - dropped * worst) / (static_cast<double>(image.size()) - dropped)) /
+           (mean / static_cast<double>(image.size()));
 }
 
 /// What forecasts of the whole number of passes were, over what it was: of each point from 16 passes to half
@@ -92,8 +90,8 @@ std::vector<double> forecastsOverTruth(const json& report) {
     return ratios;
 }
 
-/// Each run ends at most E from the truth with 95 %: four or more of twelve that do not have a probability of
-/// 0.002.
+/// Each run ends at most E from the truth with 95 %: four or more of twelve that do not have a probability
+/// of 0.002.
 TEST_F(ErrorLimit, IsKeptAndForetold) {
     render("reference.exr", {"--passes", "3000", "--seed", "999"});
     const std::vector<double> reference = luminances("reference.exr");

@@ -135,10 +135,12 @@ std::vector<double> expectedCounts(const ConeGrid& grid, UniformNumbers& random,
 /// The cone around the light's directions that the samples fill, a little wider.
 ConeGrid gridAround(const std::vector<Vec3>& directions) {
     glm::dvec3 mean(0.0);
-    for (const Vec3& w : directions) mean += glm::dvec3(w);
+    for (const Vec3& w : directions) {
+        mean += glm::dvec3(w);
+    }
     const bool everywhere = glm::length(mean) < 0.3 * static_cast<double>(directions.size());
     ConeGrid grid{Frame::fromNormal(Vec3(glm::normalize(mean))), 2.0};
-    if (everywhere) return grid;
+    if (everywhere) { return grid; }
     double most = 0.0;
     for (const Vec3& w : directions) {
         const glm::dvec3 across = glm::cross(glm::dvec3(w), glm::dvec3(grid.frame.n));
@@ -176,18 +178,22 @@ TEST_P(EmitterShape, DirectionsFollowTheirDensity) {
 
     const ConeGrid grid = gridAround(directions);
     std::vector<double> counts(kBinsCos * kBinsPhi, 0.0);
-    for (const Vec3& w : directions) counts[grid.cell(w)] += 1.0;
+    for (const Vec3& w : directions) {
+        counts[grid.cell(w)] += 1.0;
+    }
     const auto density = [&](const Vec3& w) -> double {
         const Ray ray{c.from, w};
         Hit hit;
-        if (!intersect<kAllFeatures>(scene.view, ray, &hit)) return 0.0;
+        if (!intersect<kAllFeatures>(scene.view, ray, &hit)) { return 0.0; }
         const SurfacePoint surface = surfaceAt<kAllFeatures>(scene.view, ray, hit);
-        if (!c.bothSides && glm::dot(surface.ng, w) >= 0.0f) return 0.0;
+        if (!c.bothSides && glm::dot(surface.ng, w) >= 0.0f) { return 0.0; }
         return static_cast<double>(pdfLightSurface<kAllFeatures>(scene.view, at, 0, surface.p));
     };
     const std::vector<double> expected = expectedCounts(grid, random, kSamples, density);
     double total = 0.0;
-    for (const double e : expected) total += e;
+    for (const double e : expected) {
+        total += e;
+    }
     EXPECT_NEAR(total / kSamples, 1.0, 5e-3);
     const ChiSquare result = chiSquare(counts, expected, 20.0);
     EXPECT_TRUE(result.passes()) << result.statistic << " > " << result.critical() << " (" << result.degrees
@@ -207,9 +213,13 @@ ImageSource spottedImage() {
     image->height = 8;
     image->rgb.assign(16 * 8 * 3, 0.0f);
     const auto set = [&](int x, int y, float value) {
-        for (int c = 0; c < 3; ++c) image->rgb[static_cast<size_t>(3 * (y * 16 + x) + c)] = value;
+        for (int c = 0; c < 3; ++c) {
+            image->rgb[static_cast<size_t>(3 * (y * 16 + x) + c)] = value;
+        }
     };
-    for (int x = 0; x < 16; ++x) set(x, 5, 0.5f + 0.1f * static_cast<float>(x % 3));
+    for (int x = 0; x < 16; ++x) {
+        set(x, 5, 0.5f + 0.1f * static_cast<float>(x % 3));
+    }
     set(4, 2, 50.0f);
     set(15, 6, 20.0f);
     set(7, 0, 10.0f);
@@ -266,7 +276,7 @@ TEST(Environment, EveryBrightDirectionHasDensity) {
     int bright = 0;
     for (int i = 0; i < 100000; ++i) {
         const Vec3 w = sampleSphere(random.next2());
-        if (luminance(environmentRadiance<kAllFeatures>(scene.view, w)) <= 1e-4f) continue;
+        if (luminance(environmentRadiance<kAllFeatures>(scene.view, w)) <= 1e-4f) { continue; }
         ++bright;
         EXPECT_GT(pdfLightEnvironment<kAllFeatures>(scene.view, at, w), 0.0f);
     }

@@ -63,14 +63,16 @@ TEST(LightChoice, ProbabilitiesSumToOne) {
     for (const uint32_t triangles : {0u, 500u}) {
         const LightScene scene(mixedLights(triangles, true));
         EXPECT_EQ(scene.view.lights.usesTree, triangles > 0);
-        for (int i = 0; i < 200; ++i)
+        for (int i = 0; i < 200; ++i) {
             EXPECT_NEAR(probabilitySum(scene, randomContext(random, true)), 1.0, 1e-4);
+        }
     }
-    // On an opaque surface a branch may turn out to hold no light that reaches it; what is lost there lights
-    // nothing.
+    // On an opaque surface a branch may turn out to hold no light that reaches it; what is lost there
+    // lights nothing.
     const LightScene oneSided(mixedLights(500, false));
-    for (int i = 0; i < 200; ++i)
+    for (int i = 0; i < 200; ++i) {
         EXPECT_LE(probabilitySum(oneSided, randomContext(random, false)), 1.0 + 1e-4);
+    }
 }
 
 TEST(LightChoice, FrequenciesMeetTheProbabilities) {
@@ -110,9 +112,10 @@ TEST(LightChoice, NoLightThatShinesIsMissed) {
                 static_cast<uint32_t>(random.next() * static_cast<float>(lights.emitters.count));
             const LightSample s =
                 sampleEmitter<kAllFeatures>(scene.view, at, lights.emitters[emitter], random.next2());
-            if (!(s.pdfSolidAngle > 0.0f) || glm::dot(s.wiWorld, at.n) < 1e-3f || isZero(s.radiance))
+            if (!(s.pdfSolidAngle > 0.0f) || glm::dot(s.wiWorld, at.n) < 1e-3f || isZero(s.radiance)) {
                 continue;
-            if (!s.isDelta && !s.isInfinite && absDot(s.wiWorld, s.pointNormal) < 1e-3f) continue;
+            }
+            if (!s.isDelta && !s.isInfinite && absDot(s.wiWorld, s.pointNormal) < 1e-3f) { continue; }
             ++shining;
             EXPECT_GT(lightProbability<kAllFeatures>(lights, at, emitter), 0.0f) << emitter;
         }
@@ -137,7 +140,7 @@ TEST(LightChoice, TreeBeatsUniformChoiceAmongThousands) {
         const LightContext at{Vec3(x, -1.2f, 0.3f), Vec3(0, 1, 0), false};
         RunningMean byTree, uniformly;
         const auto value = [&](const LightSample& s) {
-            if (!(s.pdfSolidAngle > 0.0f)) return 0.0;
+            if (!(s.pdfSolidAngle > 0.0f)) { return 0.0; }
             return static_cast<double>(luminance(s.radiance) * std::fmax(0.0f, glm::dot(s.wiWorld, at.n)) /
                                        s.pdfSolidAngle);
         };

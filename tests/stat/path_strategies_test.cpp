@@ -1,6 +1,6 @@
-// Light sampling, BSDF sampling and their combination have one expectation; so do few lights and many, and
-// every feature mask. Blocks of pictures are compared at significance 1e-6 with errors estimated from the
-// films.
+// Light sampling, BSDF sampling and their combination have one expectation; so do few lights and many,
+// and every feature mask. Blocks of pictures are compared at significance 1e-6 with errors estimated from
+// the films.
 
 #include <gtest/gtest.h>
 
@@ -44,21 +44,21 @@ SceneDescription corner() {
 }
 
 /// Lamps that are large, so that BSDF sampling alone finds them as well.
-SceneDescription lampsOfEveryShape() {
+SceneDescription emittersOfEveryShape() {
     SceneDescription scene = corner();
-    const auto lamp = [](float radiance, bool both = false) {
+    const auto emitter = [](float radiance, bool both = false) {
         return test::emissiveMaterial(Vec3(radiance), both);
     };
     Affine sheared = translate({1.6f, 1.6f, -0.5f}) * scale(Vec3(0.5f));
     sheared.linear[1] += 0.6f * sheared.linear[0];
-    test::addObject(&scene, ShapeKind::Sphere, translate({-1.5f, 1.5f, 0}) * scale(Vec3(0.5f)), lamp(2));
+    test::addObject(&scene, ShapeKind::Sphere, translate({-1.5f, 1.5f, 0}) * scale(Vec3(0.5f)), emitter(2));
     test::addObject(&scene, ShapeKind::Sphere, translate({0, 1.8f, -1}) * scale(Vec3(0.9f, 0.2f, 0.5f)),
-                    lamp(3));
-    test::addObject(&scene, ShapeKind::Rectangle, sheared, lamp(3, true));
+                    emitter(3));
+    test::addObject(&scene, ShapeKind::Rectangle, sheared, emitter(3, true));
     test::addObject(&scene, ShapeKind::Disc, test::placeFlat({-0.6f, 2.2f, 1}, {0.3f, -1, -0.2f}, 0.8f, 0.4f),
-                    lamp(4));
+                    emitter(4));
     test::addMeshObject(&scene, test::triangleSoup(3, 0.6f, 5),
-                        translate({0.8f, 0.9f, 0.6f}) * scale(Vec3(-0.4f, 0.4f, 0.4f)), lamp(5, true));
+                        translate({0.8f, 0.9f, 0.6f}) * scale(Vec3(-0.4f, 0.4f, 0.4f)), emitter(5, true));
     return scene;
 }
 
@@ -102,7 +102,7 @@ void expectStrategiesAgree(const SceneDescription& scene, uint32_t passes) {
     expectSameBlocks(mis, bsdf, "bsdf");
 }
 
-TEST(Strategies, AgreeOnLampsOfEveryShape) { expectStrategiesAgree(lampsOfEveryShape(), 128); }
+TEST(Strategies, AgreeOnEmittersOfEveryShape) { expectStrategiesAgree(emittersOfEveryShape(), 128); }
 TEST(Strategies, AgreeOnGlossySurfacesUnderSky) { expectStrategiesAgree(glossyUnderSky(), 128); }
 
 TEST(Strategies, AgreeOnManyLights) {
@@ -118,7 +118,7 @@ TEST(Strategies, AgreeOnManyLights) {
 
 /// MIS is there for its variance: no worse than the better of the two by much, anywhere.
 TEST(Strategies, CombiningThemKeepsTheBetterOnesVariance) {
-    const SceneDescription scene = lampsOfEveryShape();
+    const SceneDescription scene = emittersOfEveryShape();
     const double mis = test::renderFilm(scene, 64, DirectLightTag::Mis).relativeErrorEstimate();
     const double light = test::renderFilm(scene, 64, DirectLightTag::LightOnly).relativeErrorEstimate();
     const double bsdf = test::renderFilm(scene, 64, DirectLightTag::BsdfOnly).relativeErrorEstimate();
@@ -136,7 +136,7 @@ TEST(Roulette, ChangesNoExpectation) {
 }
 
 /// Masks leave code out; what stays may round differently in a last place, and paths part there now and then.
-TEST(Variants, LargerMasksGiveTheSamePictureButForRounding) {
+TEST(Variants, LargerMasksGiveTheSameImageButForRounding) {
     const SceneDescription scene = test::cornellBox();
     const auto built = test::buildAll(scene);
     ASSERT_NE(built, nullptr);
@@ -148,7 +148,7 @@ TEST(Variants, LargerMasksGiveTheSamePictureButForRounding) {
     std::vector<PixelSample> expected(count), found(count);
     smallest.renderTile(built->view(), params, all, expected.data());
     for (const KernelVariant& variant : kernelVariants()) {
-        if ((built->features & ~variant.mask) != 0) continue;
+        if ((built->features & ~variant.mask) != 0) { continue; }
         variant.renderTile(built->view(), params, all, found.data());
         size_t different = 0;
         for (size_t i = 0; i < count; ++i) {
@@ -179,7 +179,7 @@ TEST(Replay, RepeatsTheSampleAndNamesEveryVertex) {
             for (const PathEvent& event : replay.events) {
                 const bool adds = event.kind == PathEventKind::Emission ||
                                   event.kind == PathEventKind::Escape || event.kind == PathEventKind::Light;
-                if (adds) sum += event.value;
+                if (adds) { sum += event.value; }
             }
             EXPECT_EQ(sum, replay.events.back().value)
                 << "the events tell where all of the radiance came from";
@@ -217,7 +217,9 @@ TEST(FireflyClamp, LimitsSamplesAndNothingElse) {
     scene.options.fireflyClamp = 0.5f;
     const Film clamped = test::renderFilm(scene, 8);
     EXPECT_LT(test::meanLuminance(clamped).mean, full);
-    for (const FilmPixel& pixel : clamped.pixels()) EXPECT_LE(pixel.mean[0], 0.5001);
+    for (const FilmPixel& pixel : clamped.pixels()) {
+        EXPECT_LE(pixel.mean[0], 0.5001);
+    }
 }
 
 TEST(Aovs, ShowTheFirstHit) {

@@ -75,14 +75,15 @@ TEST(Furnace, MeshFloorsDoNotShadowThemselves) {
             mesh->positions = {{-s, height, -s}, {-s, height, s}, {s, height, s}, {s, height, -s}};
             mesh->indices = {0, 1, 2, 0, 2, 3};
             test::addMeshObject(&scene, mesh, {}, test::diffuseMaterial(0.5f));
-            for (const DirectLightTag strategy : kStrategies)
+            for (const DirectLightTag strategy : kStrategies) {
                 expectMean(renderFilm(scene, 16, strategy), 0.5);
+            }
         }
     }
 }
 
 /// A lamp whose triangles are in its mesh twice shines as it would with each of them once.
-TEST(Furnace, RepeatedLampTrianglesCountOnce) {
+TEST(Furnace, RepeatedEmitterTrianglesCountOnce) {
     const auto lit = [](std::vector<uint32_t> indices, DirectLightTag strategy) {
         SceneDescription scene = test::emptyScene({0.3f, 0.5f, 0.4f}, {0, 0, 0}, 16, 0.05f);
         scene.options.maxDepth = 1;
@@ -128,8 +129,9 @@ TEST(Furnace, WhiteMaterialsVanish) {
                                   shinyMaterial(MaterialKind::Dielectric, 0.0f, true), mixture};
     for (const Material& material : materials) {
         SCOPED_TRACE(static_cast<int>(material.kind));
-        for (const DirectLightTag strategy : kStrategies)
+        for (const DirectLightTag strategy : kStrategies) {
             expectMean(renderFilm(whiteFurnace(material), 32, strategy), 1.0);
+        }
     }
 }
 
@@ -155,8 +157,8 @@ TEST(Furnace, RoughAndCoatedMaterialsNeverGain) {
     }
 }
 
-/// A plane of albedo 0.5 at y = 0 seen from above in a picture that covers next to nothing: radiance at the
-/// origin.
+/// A plane of albedo 0.5 at y = 0 seen from above in a picture that covers next to nothing: radiance at
+/// the origin.
 SceneDescription spotOnPlane() {
     SceneDescription scene = test::emptyScene({0.1f, 1.0f, 0.7f}, {0, 0, 0}, 16, 0.05f);
     test::addObject(&scene, ShapeKind::Plane, test::placeFlat({0, 0, 0}, {0, 1, 0}, 1, 1),
@@ -172,16 +174,18 @@ TEST(LightOverPlane, Disc) {
     test::addObject(&scene, ShapeKind::Disc, test::placeFlat({0, 1.5f, 0}, {0, -1, 0}, 0.8f, 0.8f),
                     test::emissiveMaterial(Vec3(3.0f), false));
     const double irradiance = static_cast<double>(kPi) * 3.0 * 0.64 / (0.64 + 2.25);
-    for (const DirectLightTag strategy : kStrategies)
+    for (const DirectLightTag strategy : kStrategies) {
         expectMean(renderFilm(scene, 256, strategy), reflected(irradiance), 1e-3);
+    }
 }
 
 TEST(LightOverPlane, DiscFacingAwayIsDark) {
     SceneDescription scene = spotOnPlane();
     test::addObject(&scene, ShapeKind::Disc, test::placeFlat({0, 1.5f, 0}, {0, 1, 0}, 0.8f, 0.8f),
                     test::emissiveMaterial(Vec3(3.0f), false));
-    for (const DirectLightTag strategy : kStrategies)
+    for (const DirectLightTag strategy : kStrategies) {
         EXPECT_EQ(test::meanLuminance(renderFilm(scene, 64, strategy)).mean, 0.0);
+    }
 }
 
 TEST(LightOverPlane, Sphere) {
@@ -189,8 +193,9 @@ TEST(LightOverPlane, Sphere) {
     test::addObject(&scene, ShapeKind::Sphere, translate({0, 2, 0}) * scale(Vec3(0.5f)),
                     test::emissiveMaterial(Vec3(3.0f), false));
     const double irradiance = static_cast<double>(kPi) * 3.0 * 0.25 / 4.0;
-    for (const DirectLightTag strategy : kStrategies)
+    for (const DirectLightTag strategy : kStrategies) {
         expectMean(renderFilm(scene, 256, strategy), reflected(irradiance), 1e-3);
+    }
 }
 
 /// Seen from below its middle, a rectangle's irradiance is 2 L (a/A atan(b/A) + b/B atan(a/B)), A = sqrt(h^2
@@ -204,8 +209,9 @@ TEST(LightOverPlane, Rectangle) {
     test::addObject(&scene, ShapeKind::Rectangle, test::placeFlat({0, 0.8f, 0}, {0, -1, 0}, 0.6f, 0.9f),
                     test::emissiveMaterial(Vec3(3.0f), false));
     scene.camera.position = {0.2f, 0.5f, 0.3f};
-    for (const DirectLightTag strategy : kStrategies)
+    for (const DirectLightTag strategy : kStrategies) {
         expectMean(renderFilm(scene, 256, strategy), reflected(irradiance), 1e-3);
+    }
 
     // The same lamp as two triangles, and as an instance of a mesh under a non-uniform transform.
     auto mesh = std::make_shared<MeshData>();
@@ -214,8 +220,9 @@ TEST(LightOverPlane, Rectangle) {
     scene.objects.pop_back();
     test::addMeshObject(&scene, mesh, translate({0, 0.8f, 0}) * glint::scale(Vec3(0.6f, 5.0f, 0.9f)),
                         test::emissiveMaterial(Vec3(3.0f), false));
-    for (const DirectLightTag strategy : kStrategies)
+    for (const DirectLightTag strategy : kStrategies) {
         expectMean(renderFilm(scene, 256, strategy), reflected(irradiance), 1e-3);
+    }
 }
 
 Light lightOf(LightKind kind, const Vec3& position, const Vec3& direction) {
@@ -269,7 +276,9 @@ TEST(LightOverPlane, EmissivePlaneIsSeenThoughItCannotBeSampled) {
     SceneDescription scene = spotOnPlane();
     test::addObject(&scene, ShapeKind::Plane, test::placeFlat({0, 3, 0}, {0, -1, 0}, 1, 1),
                     test::emissiveMaterial(Vec3(3.0f), false));
-    for (const DirectLightTag strategy : kStrategies) expectMean(renderFilm(scene, 16, strategy), 1.5, 1e-3);
+    for (const DirectLightTag strategy : kStrategies) {
+        expectMean(renderFilm(scene, 16, strategy), 1.5, 1e-3);
+    }
 }
 
 }  // namespace

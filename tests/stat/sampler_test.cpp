@@ -107,8 +107,8 @@ TEST(Sampler, PixelsSeedsAndDimensionsAreIndependent) {
         const auto at = [tag](uint32_t pass, int x, int y, uint32_t seed) {
             return samplerAt(pass, x, y, seed, tag);
         };
-        // One pass over many pixels: neighbours, both axes, two seeds, two dimensions, two numbers of one
-        // dimension.
+        // One pass over many pixels: neighbours, both axes, two seeds, two dimensions, two numbers of
+        // one dimension.
         const auto xOf = [](uint32_t i) { return static_cast<int>(i % 256); };
         const auto yOf = [](uint32_t i) { return static_cast<int>(i / 256); };
         EXPECT_GE(pairPValue(kSamples,

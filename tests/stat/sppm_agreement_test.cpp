@@ -40,12 +40,12 @@ using Blocks = std::array<Block, kBlocks * kBlocks + 1>;
 constexpr size_t kWhole = kBlocks * kBlocks;
 
 template <class Add>
-void addBlocks(const std::vector<Vec3>& picture, Add&& add) {
+void addBlocks(const std::vector<Vec3>& image, Add&& add) {
     for (int i = 0; i < kBlocks * kBlocks; ++i) {
-        add(static_cast<size_t>(i), blockMean(picture, kBlocks * kBlockPixels, i % kBlocks * kBlockPixels,
+        add(static_cast<size_t>(i), blockMean(image, kBlocks * kBlockPixels, i % kBlocks * kBlockPixels,
                                               i / kBlocks * kBlockPixels, kBlockPixels));
     }
-    add(kWhole, blockMean(picture, kBlocks * kBlockPixels, 0, 0, kBlocks * kBlockPixels));
+    add(kWhole, blockMean(image, kBlocks * kBlockPixels, 0, 0, kBlocks * kBlockPixels));
 }
 
 void addPaths(const SceneDescription& scene, Blocks* blocks) {
@@ -58,7 +58,7 @@ void addPaths(const SceneDescription& scene, Blocks* blocks) {
 double meanRadius(const SppmState& state) {
     RunningMean mean;
     for (const SppmPixel& pixel : state.pixels) {
-        if (pixel.radiusSquared > 0.0) mean.add(std::sqrt(pixel.radiusSquared));
+        if (pixel.radiusSquared > 0.0) { mean.add(std::sqrt(pixel.radiusSquared)); }
     }
     return mean.mean();
 }
@@ -69,7 +69,7 @@ double addSppm(const SceneDescription& scene, SppmParams params, uint32_t passes
     for (uint32_t seed = 1; seed <= kSeeds; ++seed) {
         params.pass.seed = seed;
         const SppmRender render = renderSppm(scene, params, passes);
-        addBlocks(render.picture, [&](size_t i, double mean) { (*blocks)[i].sppm.add(mean); });
+        addBlocks(render.image, [&](size_t i, double mean) { (*blocks)[i].sppm.add(mean); });
         final.add(meanRadius(render.state));
     }
     params.alpha = 0.999999;  // one pass that keeps the radius
@@ -108,7 +108,7 @@ class SppmAgainstPaths : public testing::TestWithParam<bool> {};
 
 TEST_P(SppmAgainstPaths, CornellBox) { expectAgreement(small(cornellBox()), paramsFor(GetParam()), 24); }
 TEST_P(SppmAgainstPaths, RoughGlass) { expectAgreement(roughGlassBox(), paramsFor(GetParam()), 24); }
-TEST_P(SppmAgainstPaths, LampShapes) { expectAgreement(small(lampShapes()), paramsFor(GetParam()), 24); }
+TEST_P(SppmAgainstPaths, EmitterForms) { expectAgreement(small(emitterShapes()), paramsFor(GetParam()), 24); }
 TEST_P(SppmAgainstPaths, Furnace) {
     SppmParams params = paramsFor(GetParam());
     params.photonsPerPass = 40000;

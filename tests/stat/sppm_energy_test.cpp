@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/build/emission_table.h"
-#include "engine/build/scene_builder.h"
+#include "engine/builders/emission_table.h"
+#include "engine/builders/scene_builder.h"
 #include "engine/kernels/sppm_photon_kernel.h"
 #include "engine/math/color.h"
 #include "engine/render/pass_params.h"
@@ -18,24 +18,24 @@ namespace glint::test {
 namespace {
 
 /// One light inside a closed diffuse sphere.
-SceneDescription closedSphere(const Material& lampMaterial, ShapeKind lampShape,
-                              const Affine& lampTransform) {
+SceneDescription closedSphere(const Material& emitterMaterial, ShapeKind emitterShape,
+                              const Affine& emitterTransform) {
     SceneDescription scene;
     scene.resolution = {8, 8};
     scene.options.maxDepth = 64;
     Material wall;
     wall.name = "wall";
     wall.color.value = Vec3(0.6f);
-    scene.materials = {wall, lampMaterial};
+    scene.materials = {wall, emitterMaterial};
     Object shell;
     shell.shape = ShapeKind::Sphere;
     shell.objectToWorld = scale(Vec3(3.0f));
     scene.objects.push_back(shell);
-    Object lamp;
-    lamp.shape = lampShape;
-    lamp.material = 1;
-    lamp.objectToWorld = lampTransform;
-    scene.objects.push_back(lamp);
+    Object emitter;
+    emitter.shape = emitterShape;
+    emitter.material = 1;
+    emitter.objectToWorld = emitterTransform;
+    scene.objects.push_back(emitter);
     scene.camera.position = Vec3(0, 0, 2.5f);
     scene.camera.target = Vec3(0.0f);
     return scene;
@@ -51,18 +51,19 @@ struct EnergyCase {
 
 class PhotonEnergy : public testing::TestWithParam<EnergyCase> {};
 
-TEST_P(PhotonEnergy, EmittedPowerIsTheLampsAndNothingEscapes) {
-    const EnergyCase& lampCase = GetParam();
-    Material lamp;
-    lamp.name = "lamp";
-    lamp.color.value = Vec3(0.0f);
-    lamp.emission = Vec3(2.0f);
-    lamp.emitsBothSides = lampCase.bothSides;
+TEST_P(PhotonEnergy, EmittedPowerIsTheEmittersAndNothingEscapes) {
+    const EnergyCase& emitterCase = GetParam();
+    Material emitter;
+    emitter.name = "lamp";
+    emitter.color.value = Vec3(0.0f);
+    emitter.emission = Vec3(2.0f);
+    emitter.emitsBothSides = emitterCase.bothSides;
     SppmParams params;
     params.photonsPerPass = 50000;
-    const SppmRender render = renderSppm(closedSphere(lamp, lampCase.shape, lampCase.transform), params, 1);
-    EXPECT_NEAR(render.lastPass.photons.emitted / params.photonsPerPass, lampCase.power,
-                0.01 * lampCase.power);
+    const SppmRender render =
+        renderSppm(closedSphere(emitter, emitterCase.shape, emitterCase.transform), params, 1);
+    EXPECT_NEAR(render.lastPass.photons.emitted / params.photonsPerPass, emitterCase.power,
+                0.01 * emitterCase.power);
     EXPECT_EQ(render.lastPass.photons.escaped, 0.0);
     EXPECT_EQ(render.lastPass.photons.faulty, 0u);
 }
@@ -70,7 +71,7 @@ TEST_P(PhotonEnergy, EmittedPowerIsTheLampsAndNothingEscapes) {
 constexpr double kPiD = 3.14159265358979323846;
 
 INSTANTIATE_TEST_SUITE_P(
-    Lamps, PhotonEnergy,
+    Emitters, PhotonEnergy,
     testing::Values(EnergyCase{"Sphere", ShapeKind::Sphere, false, scale(Vec3(0.5f)),
                                2.0 * kPiD * 4.0 * kPiD * 0.25},
                     EnergyCase{"Rectangle", ShapeKind::Rectangle, false, scale(Vec3(0.5f, 0.25f, 1.0f)),
@@ -83,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(
                     EnergyCase{"Ellipsoid", ShapeKind::Sphere, false, scale(Vec3(0.4f, 0.4f, 0.8f)),
                                2.0 * kPiD * 2.0 * kPiD * 0.16 *
                                    (1.0 + 2.0 / std::sqrt(0.75) * std::asin(std::sqrt(0.75)))}),
-    [](const auto& lampCase) { return lampCase.param.name; });
+    [](const auto& emitterCase) { return emitterCase.param.name; });
 
 TEST(PhotonEnergyOf, PointSpotDirectionalAndEnvironment) {
     Material dark;
@@ -131,24 +132,24 @@ SceneDescription openScene() {
     floor.shape = ShapeKind::Rectangle;
     floor.objectToWorld = scale(Vec3(2.0f));
     scene.objects.push_back(floor);
-    Object ball;
-    ball.shape = ShapeKind::Sphere;
-    ball.objectToWorld = translate(Vec3(0.8f, 0.0f, 0.5f)) * scale(Vec3(0.5f));
-    scene.objects.push_back(ball);
+    Object sphere;
+    sphere.shape = ShapeKind::Sphere;
+    sphere.objectToWorld = translate(Vec3(0.8f, 0.0f, 0.5f)) * scale(Vec3(0.5f));
+    scene.objects.push_back(sphere);
     scene.camera.position = Vec3(0.0f, -4.0f, 2.0f);
     scene.camera.target = Vec3(0.0f);
     return scene;
 }
 
-SceneDescription openSceneWithLamp(ShapeKind shape, const Affine& transform, bool bothSides) {
+SceneDescription openSceneWithEmitter(ShapeKind shape, const Affine& transform, bool bothSides) {
     SceneDescription scene = openScene();
     scene.materials[1].emission = Vec3(2.0f);
     scene.materials[1].emitsBothSides = bothSides;
-    Object lamp;
-    lamp.shape = shape;
-    lamp.material = 1;
-    lamp.objectToWorld = transform;
-    scene.objects.push_back(lamp);
+    Object emitter;
+    emitter.shape = shape;
+    emitter.material = 1;
+    emitter.objectToWorld = transform;
+    scene.objects.push_back(emitter);
     return scene;
 }
 
@@ -162,11 +163,11 @@ SceneDescription openSceneWithLight(LightKind kind) {
 }
 
 /// Two triangles that shine down.
-SceneDescription openSceneWithMeshLamp() {
+SceneDescription openSceneWithMeshEmitter() {
     auto mesh = std::make_shared<MeshData>();
     mesh->positions = {{-0.5f, -0.5f, 1.5f}, {0.5f, -0.5f, 1.5f}, {0.5f, 0.5f, 1.8f}, {-0.5f, 0.5f, 1.5f}};
     mesh->indices = {0, 2, 1, 0, 3, 2};
-    SceneDescription scene = openSceneWithLamp(ShapeKind::Mesh, Affine{}, false);
+    SceneDescription scene = openSceneWithEmitter(ShapeKind::Mesh, Affine{}, false);
     scene.objects.back().mesh = 0;
     Mesh named;
     named.name = "lamp";
@@ -222,14 +223,14 @@ INSTANTIATE_TEST_SUITE_P(
     Lights, PhotonBalance,
     testing::Values(
         BalanceCase{"Rectangle",
-                    openSceneWithLamp(ShapeKind::Rectangle, kOverhead* scale(Vec3(0.4f)), false)},
+                    openSceneWithEmitter(ShapeKind::Rectangle, kOverhead* scale(Vec3(0.4f)), false)},
         BalanceCase{"RectangleBothSides",
-                    openSceneWithLamp(ShapeKind::Rectangle, kOverhead* scale(Vec3(0.4f)), true)},
-        BalanceCase{"Disc", openSceneWithLamp(ShapeKind::Disc, kOverhead* scale(Vec3(0.4f)), false)},
-        BalanceCase{"Sphere", openSceneWithLamp(ShapeKind::Sphere, kOverhead* scale(Vec3(0.3f)), false)},
+                    openSceneWithEmitter(ShapeKind::Rectangle, kOverhead* scale(Vec3(0.4f)), true)},
+        BalanceCase{"Disc", openSceneWithEmitter(ShapeKind::Disc, kOverhead* scale(Vec3(0.4f)), false)},
+        BalanceCase{"Sphere", openSceneWithEmitter(ShapeKind::Sphere, kOverhead* scale(Vec3(0.3f)), false)},
         BalanceCase{"Ellipsoid",
-                    openSceneWithLamp(ShapeKind::Sphere, kOverhead* scale(Vec3(0.2f, 0.3f, 0.5f)), false)},
-        BalanceCase{"Mesh", openSceneWithMeshLamp()},
+                    openSceneWithEmitter(ShapeKind::Sphere, kOverhead* scale(Vec3(0.2f, 0.3f, 0.5f)), false)},
+        BalanceCase{"Mesh", openSceneWithMeshEmitter()},
         BalanceCase{"Point", openSceneWithLight(LightKind::Point)},
         BalanceCase{"Spot", openSceneWithLight(LightKind::Spot)},
         BalanceCase{"Directional", openSceneWithLight(LightKind::Directional)},

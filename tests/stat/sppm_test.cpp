@@ -55,9 +55,7 @@ TEST(Sppm, AMillionPassesStayFiniteAndFollowTheAsymptoticLaw) {
     double atTenThousand = 0.0;
     for (uint32_t pass = 0; pass < 1000000; ++pass) {
         updatePixel(gathered, kAlpha, pass, 1.0, &pixel);
-        if (pass + 1 == 10000) {
-            atTenThousand = pixel.radiusSquared;
-        }
+        if (pass + 1 == 10000) { atTenThousand = pixel.radiusSquared; }
     }
     // The factors are (i + 1) / (i + 1 / alpha), so R^2 falls like passes^(1 - 1 / alpha).
     EXPECT_NEAR(pixel.radiusSquared / atTenThousand, std::pow(100.0, 1.0 - 1.0 / kAlpha), 1e-4);
@@ -88,7 +86,7 @@ TEST(Sppm, BitsDoNotDependOnThreads) {
     for (const int threads : {2, 3}) {
         const SppmRender more = renderSppm(scene, quickParams(), 3, threads);
         EXPECT_TRUE(sameStatistics(one.state, more.state)) << threads << " threads";
-        EXPECT_EQ(one.picture, more.picture) << threads << " threads";
+        EXPECT_EQ(one.image, more.image) << threads << " threads";
     }
 }
 
@@ -117,10 +115,10 @@ SceneDescription thinWall() {
     Material wall;
     wall.name = "wall";
     wall.color.value = Vec3(0.5f);
-    Material lamp = wall;
-    lamp.name = "lamp";
-    lamp.emission = Vec3(5.0f);
-    scene.materials = {wall, lamp};
+    Material emitter = wall;
+    emitter.name = "lamp";
+    emitter.emission = Vec3(5.0f);
+    scene.materials = {wall, emitter};
     Object plate;
     plate.shape = ShapeKind::Rectangle;
     plate.name = "lower face";
@@ -148,8 +146,8 @@ TEST(Sppm, ThinWallsDoNotLeak) {
     params.radiusWorld = 0.1f;  // a hundred times the wall
     params.sampleDirectLight = false;
     const SppmRender below = renderSppm(thinWall(), params, 2);
-    for (size_t i = 0; i < below.picture.size(); ++i) {
-        ASSERT_EQ(below.picture[i], Vec3(0.0f)) << "pixel " << i;
+    for (size_t i = 0; i < below.image.size(); ++i) {
+        ASSERT_EQ(below.image[i], Vec3(0.0f)) << "pixel " << i;
         ASSERT_EQ(below.state.pixels[i].photonCount, 0.0);
     }
     SceneDescription fromAbove = thinWall();
@@ -157,7 +155,7 @@ TEST(Sppm, ThinWallsDoNotLeak) {
         2.5f;  // aside, so that the camera sees the lit face
     fromAbove.camera.position = Vec3(0, 0, 1.5f);
     const SppmRender above = renderSppm(fromAbove, params, 2);
-    EXPECT_GT(blockMean(above.picture, 16, 4, 4, 8), 0.0) << "the lit face must be lit";
+    EXPECT_GT(blockMean(above.image, 16, 4, 4, 8), 0.0) << "the lit face must be lit";
 }
 
 TEST(Sppm, MirrorsAndEscapesOnly) {
@@ -166,15 +164,15 @@ TEST(Sppm, MirrorsAndEscapesOnly) {
     scene.materials[static_cast<size_t>(scene.objects[0].material)].kind = MaterialKind::Mirror;
     scene.environment.color = Vec3(0.5f);
     const SppmRender render = renderSppm(scene, quickParams(), 2);
-    for (size_t i = 0; i < render.picture.size(); ++i) {
-        ASSERT_TRUE(isFinite(render.picture[i]));
+    for (size_t i = 0; i < render.image.size(); ++i) {
+        ASSERT_TRUE(isFinite(render.image[i]));
         ASSERT_EQ(render.state.pixels[i].radiusSquared, 0.0) << "no visible point, no radius";
     }
 }
 
 TEST(Sppm, NoLightNoPhotons) {
     const SppmRender render = renderSppm(small(darkness()), quickParams(), 2);
-    for (const Vec3& pixel : render.picture) {
+    for (const Vec3& pixel : render.image) {
         ASSERT_EQ(pixel, Vec3(0.0f));
     }
 }
@@ -191,7 +189,7 @@ TEST(Sppm, MemoryIsPlannedWithinItsBudget) {
 }
 
 /// A lamp behind a wall that is seen from its front only, and a floor before it, further than a radius.
-SceneDescription lampBehindOneSidedWall(bool withWall) {
+SceneDescription emitterBehindOneSidedWall(bool withWall) {
     SceneDescription scene = emptyScene({0, 1, 4}, {0, -1, 1}, 16, 40.0f);
     scene.options.maxDepth = 4;
     addObject(&scene, ShapeKind::Rectangle, placeFlat({0, -1, 10.5}, {0, 1, 0}, 10, 10),
@@ -201,10 +199,10 @@ SceneDescription lampBehindOneSidedWall(bool withWall) {
                                    diffuseMaterial(0.8f));
         scene.objects[static_cast<size_t>(wall)].frontOnly = true;
     }
-    Light lamp;
-    lamp.position = {0, 1, -2};
-    lamp.strength = 100.0f;
-    scene.lights.push_back(lamp);
+    Light emitter;
+    emitter.position = {0, 1, -2};
+    emitter.strength = 100.0f;
+    scene.lights.push_back(emitter);
     return scene;
 }
 
@@ -214,11 +212,11 @@ TEST(Sppm, NoPhotonComesThroughTheBackOfAOneSidedWall) {
     params.radiusWorld = 0.2f;
     params.sampleDirectLight = false;
     const auto mean = [&](bool withWall) {
-        return blockMean(renderSppm(lampBehindOneSidedWall(withWall), params, 2).picture, 16, 0, 0, 16);
+        return blockMean(renderSppm(emitterBehindOneSidedWall(withWall), params, 2).image, 16, 0, 0, 16);
     };
     EXPECT_GT(mean(false), 0.0);
     EXPECT_EQ(mean(true), 0.0);
-    EXPECT_EQ(blockMean(renderPaths(lampBehindOneSidedWall(true), 1, 2), 16, 0, 0, 16), 0.0);
+    EXPECT_EQ(blockMean(renderPaths(emitterBehindOneSidedWall(true), 1, 2), 16, 0, 0, 16), 0.0);
 }
 
 }  // namespace

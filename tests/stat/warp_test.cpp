@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/build/camera_builder.h"
+#include "engine/builders/camera_builder.h"
 #include "engine/kernels/camera_ray.h"
 #include "engine/kernels/filter.h"
 #include "tests/support/chi_square.h"

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/build/coat_albedo.h"
+#include "engine/builders/coat_albedo.h"
 #include "engine/scene/metals.h"
 
 namespace glint::test {

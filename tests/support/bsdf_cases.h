@@ -1,5 +1,5 @@
-// Materials and directions that the BSDF tests run over, and one material at a point for tests without a
-// scene.
+// Materials and directions that the BSDF tests run over, and one material at a point for tests without
+// a scene.
 #pragma once
 
 #include <string>

@@ -34,9 +34,7 @@ double upperGammaFraction(double a, double x) {
         d = 1.0 / (std::fabs(an * d + b) < kTiny ? kTiny : an * d + b);
         c = std::fabs(b + an / c) < kTiny ? kTiny : b + an / c;
         h *= d * c;
-        if (std::fabs(d * c - 1.0) < 1e-15) {
-            break;
-        }
+        if (std::fabs(d * c - 1.0) < 1e-15) { break; }
     }
     return h * std::exp(-x + a * std::log(x) - std::lgamma(a));
 }
@@ -46,9 +44,7 @@ double upperGammaFraction(double a, double x) {
 double sidakLevel(double familyLevel, int tests) { return -std::expm1(std::log1p(-familyLevel) / tests); }
 
 double chiSquareTail(double statistic, int degrees) {
-    if (degrees <= 0 || statistic <= 0.0) {
-        return 1.0;
-    }
+    if (degrees <= 0 || statistic <= 0.0) { return 1.0; }
     const double a = 0.5 * degrees;
     const double x = 0.5 * statistic;
     return x < a + 1.0 ? 1.0 - lowerGammaSeries(a, x) : upperGammaFraction(a, x);
@@ -68,9 +64,7 @@ ChiSquare chiSquare(const std::vector<double>& observed, const std::vector<doubl
     for (size_t i = 0; i < order.size(); ++i) {
         pooledObserved += observed[order[i]];
         pooledExpected += std::max(expected[order[i]], 0.0);
-        if (pooledExpected < 5.0 && i + 1 < order.size()) {
-            continue;
-        }
+        if (pooledExpected < 5.0 && i + 1 < order.size()) { continue; }
         if (pooledExpected > 1e-3) {
             const double difference = pooledObserved - pooledExpected;
             result.statistic += difference * difference / pooledExpected;

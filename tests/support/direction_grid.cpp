@@ -45,9 +45,7 @@ double adaptive(const std::function<double(double, double)>& f, const Rectangle&
     }
     // The first subdivisions are unconditional: a narrow part of the density may lie between all points.
     const bool converged = depth <= kDepth - 2 && std::fabs(sum - whole) < tolerance;
-    if (depth == 0 || converged) {
-        return sum;
-    }
+    if (depth == 0 || converged) { return sum; }
     sum = 0.0;
     for (size_t i = 0; i < 4; ++i) {
         sum += adaptive(f, parts[i], values[i], 0.5 * tolerance, depth - 1);

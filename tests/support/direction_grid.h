@@ -1,6 +1,6 @@
-// A histogram of directions whose cells are rings and sectors around an axis, with ring angles in geometric
-// progression, so that lobes of any width around the axis are resolved. For chi-square tests of direction
-// sampling.
+// A histogram of directions whose cells are rings and sectors around an axis, with ring angles in
+// geometric progression, so that lobes of any width around the axis are resolved. For chi-square tests of
+// direction sampling.
 #pragma once
 
 #include <functional>
@@ -12,8 +12,8 @@ namespace glint::test {
 
 class DirectionGrid {
   public:
-    /// Rings begin at `smallestAngleRad` (inside it: one cap) and end at the antipode of the unit vector
-    /// `axis`.
+    /// Rings begin at `smallestAngleRad` (inside it: one cap) and end at the antipode of the unit
+    /// vector `axis`.
     DirectionGrid(const Vec3& axis, double smallestAngleRad, int rings, int sectors);
 
     int cells() const { return (rings_ + 1) * sectors_; }

@@ -18,12 +18,8 @@ ErrorTrial::ErrorTrial(std::shared_ptr<const BuiltScene> built, const SceneDescr
       film_(scene.resolution.width, scene.resolution.height) {
     params_.pass = passParamsOf(scene);
     params_.pass.seed = seed;
-    if (isSppm_) {
-        sppm_ = SppmState(scene.resolution.width, scene.resolution.height);
-    }
-    if (!backend_->setScene(built_)) {
-        throw std::runtime_error("the back end did not take the scene");
-    }
+    if (isSppm_) { sppm_ = SppmState(scene.resolution.width, scene.resolution.height); }
+    if (!backend_->setScene(built_)) { throw std::runtime_error("the back end did not take the scene"); }
 }
 
 void ErrorTrial::renderTo(uint32_t passes) {
@@ -32,9 +28,7 @@ void ErrorTrial::renderTo(uint32_t passes) {
         params_.pass.pass = pass;
         const Result<bool> done = isSppm_ ? backend_->renderSppmPass(params_, stop, &sppm_, &samples_)
                                           : backend_->renderPass(params_.pass, stop, &samples_);
-        if (!done || !*done) {
-            throw std::runtime_error("a pass failed");
-        }
+        if (!done || !*done) { throw std::runtime_error("a pass failed"); }
         film_.commit(samples_, pass, threads_);
         calibrateNoise(sppm(), params_.alpha, threads_, &film_);
     }

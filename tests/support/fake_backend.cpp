@@ -28,12 +28,8 @@ class FakeBackend final : public Backend {
             const std::lock_guard lock(control_->mutex);
             control_->begun.push_back(params);
         }
-        if (control_->throwInPass) {
-            throw std::runtime_error("thrown in a pass");
-        }
-        if (control_->failPasses) {
-            return Error{"the device was lost", {}};
-        }
+        if (control_->throwInPass) { throw std::runtime_error("thrown in a pass"); }
+        if (control_->failPasses) { return Error{"the device was lost", {}}; }
         if (!spend(params, stop)) {
             ++control_->stopped;
             return false;
@@ -53,9 +49,7 @@ class FakeBackend final : public Backend {
     Result<bool> renderSppmPass(const SppmParams& params, const std::atomic<bool>& stop, SppmState* state,
                                 std::vector<PixelSample>* direct) override {
         Result<bool> done = renderPass(params.pass, stop, direct);
-        if (!done || !*done) {
-            return done;
-        }
+        if (!done || !*done) { return done; }
         for (SppmPixel& pixel : state->pixels) {
             pixel.radiusSquared = 1.0;
         }
@@ -66,9 +60,7 @@ class FakeBackend final : public Backend {
 
     Result<bool> renderAovPass(const PassParams& params, const std::atomic<bool>& stop,
                                std::vector<AovSample>* out) override {
-        if (stop) {
-            return false;
-        }
+        if (stop) { return false; }
         out->assign(static_cast<size_t>(params.width) * params.height, AovSample{});
         ++control_->aovPasses;
         return true;
@@ -80,9 +72,7 @@ class FakeBackend final : public Backend {
                                control_->secondsPerPath * static_cast<double>(params.width * params.height);
         const auto end = Clock::now() + std::chrono::duration<double>(seconds);
         while (Clock::now() < end) {
-            if (stop) {
-                return false;
-            }
+            if (stop) { return false; }
             std::this_thread::sleep_for(std::chrono::microseconds(200));
         }
         return !stop;
@@ -95,9 +85,7 @@ Result<std::shared_ptr<const BuiltScene>> fakeBuild(FakeControl& control, const 
                                                     const std::atomic<bool>* stop, BuildReport* report) {
     const auto end = Clock::now() + std::chrono::duration<double>(control.buildSeconds.load());
     while (Clock::now() < end) {
-        if (*stop) {
-            return Error{"abandoned", {}};
-        }
+        if (*stop) { return Error{"abandoned", {}}; }
         std::this_thread::sleep_for(std::chrono::microseconds(200));
     }
     if (control.buildsFailing > 0) {

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "engine/build/instance_builder.h"
+#include "engine/builders/instance_builder.h"
 #include "engine/kernels/surface.h"
 #include "engine/scene/generated_mesh.h"
 
@@ -31,7 +31,9 @@ inline GeometryScene makeScene(const std::vector<Object>& objects,
     SceneDescription description;
     description.materials.resize(1);
     description.objects = objects;
-    for (const auto& mesh : meshes) scene.meshes.push_back(buildMesh(mesh, 2));
+    for (const auto& mesh : meshes) {
+        scene.meshes.push_back(buildMesh(mesh, 2));
+    }
     scene.instances = buildInstances(description, scene.meshes, {});
     scene.view.geometry = scene.instances->view();
     return scene;
@@ -60,7 +62,7 @@ class Random {
         while (true) {
             const Vec3 v = box(1.0f);
             const float length = glm::length(v);
-            if (length > 0.1f && length <= 1.0f) return v / length;
+            if (length > 0.1f && length <= 1.0f) { return v / length; }
         }
     }
     uint32_t below(uint32_t count) { return static_cast<uint32_t>(engine_() % count); }

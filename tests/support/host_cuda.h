@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "cuda/cuda_backend.h"
-#include "engine/build/scene_builder.h"
+#include "engine/builders/scene_builder.h"
 #include "tests/support/host_device.h"
 
 namespace glint::test {

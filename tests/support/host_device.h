@@ -1,6 +1,6 @@
 // A CUDA device made of host memory: it runs the bodies of the kernels, as nvcc compiled them for the host,
-// over a scene in the uploaded layout. So everything of cuda/ but gpu_device.cpp runs on a machine without a
-// GPU.
+// over a scene in the uploaded layout. So everything of cuda/ but gpu_device.cpp runs on a machine without
+// a GPU.
 //
 // Header only, since it exists only where glint_cuda does.
 #pragma once
@@ -40,14 +40,16 @@ struct HostDeviceControl {
 
     size_t taken() const {
         size_t sum = 0;
-        for (const auto& [block, bytes] : blocks) sum += bytes;
+        for (const auto& [block, bytes] : blocks) {
+            sum += bytes;
+        }
         return sum;
     }
     /// Whether [pointer, pointer + bytes) lies in one block.
     bool holds(const void* pointer, size_t bytes) const {
         const auto* begin = static_cast<const std::byte*>(pointer);
         auto after = blocks.upper_bound(begin);
-        if (after == blocks.begin()) return false;
+        if (after == blocks.begin()) { return false; }
         const auto& [block, size] = *std::prev(after);
         return begin + bytes <= block + size;
     }
@@ -63,8 +65,8 @@ class HostDevice final : public Device {
     }
 
     Result<std::byte*> allocate(size_t bytes) override {
-        if (control_->failAllocation-- == 0) return Error{"the test device is in pieces", {}};
-        if (bytes > *freeBytes()) return Error{"the test device is full", {}};
+        if (control_->failAllocation-- == 0) { return Error{"the test device is in pieces", {}}; }
+        if (bytes > *freeBytes()) { return Error{"the test device is full", {}}; }
         const size_t rounded = (bytes + kArrayAlignment - 1) / kArrayAlignment * kArrayAlignment;
         auto* block = static_cast<std::byte*>(std::aligned_alloc(kArrayAlignment, rounded));
         std::memset(block, kPoison, rounded);
@@ -80,20 +82,20 @@ class HostDevice final : public Device {
     }
 
     Status upload(std::byte* to, const void* from, size_t bytes) override {
-        if (!control_->holds(to, bytes)) return Error{"upload outside the blocks", {}};
+        if (!control_->holds(to, bytes)) { return Error{"upload outside the blocks", {}}; }
         std::memcpy(to, from, bytes);
         ++control_->uploads;
         control_->uploadedBytes += bytes;
         return {};
     }
     Status download(void* to, const std::byte* from, size_t bytes) override {
-        if (!control_->holds(from, bytes)) return Error{"download outside the blocks", {}};
+        if (!control_->holds(from, bytes)) { return Error{"download outside the blocks", {}}; }
         std::memcpy(to, from, bytes);
         return {};
     }
 
     Status clear(std::byte* block, size_t bytes) override {
-        if (!control_->holds(block, bytes)) return Error{"clearing outside the blocks", {}};
+        if (!control_->holds(block, bytes)) { return Error{"clearing outside the blocks", {}}; }
         std::memset(block, 0, bytes);
         return {};
     }
@@ -103,12 +105,16 @@ class HostDevice final : public Device {
         return size_t{sumCount} / 8 + sort.count / 8 + 1;
     }
     Status sumBefore(uint32_t* values, uint32_t count, std::byte* scratch, size_t bytes) override {
-        if (!useScratch(scratch, bytes, *scratchBytes(count, {}))) return Error{"too little to work in", {}};
+        if (!useScratch(scratch, bytes, *scratchBytes(count, {}))) {
+            return Error{"too little to work in", {}};
+        }
         std::exclusive_scan(values, values + count, values, uint32_t{0});
         return {};
     }
     Result<uint64_t*> sortKeys(const KeySort& sort, std::byte* scratch, size_t bytes) override {
-        if (!useScratch(scratch, bytes, *scratchBytes(0, sort))) return Error{"too little to work in", {}};
+        if (!useScratch(scratch, bytes, *scratchBytes(0, sort))) {
+            return Error{"too little to work in", {}};
+        }
         if (!control_->holds(sort.keys, sort.count * sizeof(uint64_t)) ||
             !control_->holds(sort.other, sort.count * sizeof(uint64_t))) {
             return Error{"sorting outside the blocks", {}};
@@ -130,13 +136,13 @@ class HostDevice final : public Device {
 
   protected:
     Status start(const AnyKernel& kernel, const void* launch, uint32_t count) override {
-        if (control_->failLaunch-- == 0) return Error{"the test device failed", {}};
+        if (control_->failLaunch-- == 0) { return Error{"the test device failed", {}}; }
         control_->lastStep = kernel.step;
         control_->lastVariant = kernel.variant;
         ++control_->launches;
         control_->threadsOf[kernel.step] += count;
         runThreads(kernel, launch, count);
-        if (control_->onLaunch) control_->onLaunch();
+        if (control_->onLaunch) { control_->onLaunch(); }
         return {};
     }
 
@@ -149,23 +155,29 @@ class HostDevice final : public Device {
                 kernel.runOnHost(launch, 0, count);
                 break;
             case ThreadOrder::Backwards:
-                for (uint32_t i = count; i-- > 0;) kernel.runOnHost(launch, i, i + 1);
+                for (uint32_t i = count; i-- > 0;) {
+                    kernel.runOnHost(launch, i, i + 1);
+                }
                 break;
             case ThreadOrder::AtOnce:
                 constexpr uint32_t kThreads = 4;
                 std::vector<std::thread> threads;
                 for (uint32_t t = 0; t < kThreads; ++t) {
                     threads.emplace_back([&, t] {
-                        for (uint32_t i = t; i < count; i += kThreads) kernel.runOnHost(launch, i, i + 1);
+                        for (uint32_t i = t; i < count; i += kThreads) {
+                            kernel.runOnHost(launch, i, i + 1);
+                        }
                     });
                 }
-                for (std::thread& thread : threads) thread.join();
+                for (std::thread& thread : threads) {
+                    thread.join();
+                }
                 break;
         }
     }
 
     bool useScratch(std::byte* scratch, size_t bytes, size_t needed) {
-        if (bytes < needed || !control_->holds(scratch, bytes)) return false;
+        if (bytes < needed || !control_->holds(scratch, bytes)) { return false; }
         std::memset(scratch, kPoison, bytes);
         return true;
     }

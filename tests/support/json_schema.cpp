@@ -23,9 +23,7 @@ bool hasType(const Json& value, const std::string& type) {
 }
 
 std::string numberViolation(const std::string& keyword, const Json& limit, const Json& value) {
-    if (!value.is_number()) {
-        return {};
-    }
+    if (!value.is_number()) { return {}; }
     const double x = value.get<double>();
     const double bound = limit.get<double>();
     const bool isFine = keyword == "minimum"            ? x >= bound
@@ -44,9 +42,7 @@ std::string sizeViolation(const std::string& keyword, const Json& limit, const J
 
 std::string memberViolation(const Json& root, const Json& schema, const Json& value,
                             const std::string& path) {
-    if (!value.is_object()) {
-        return {};
-    }
+    if (!value.is_object()) { return {}; }
     const Json properties = schema.value("properties", Json::object());
     for (const auto& [key, member] : value.items()) {
         const std::string place = path + "/" + key;
@@ -58,15 +54,11 @@ std::string memberViolation(const Json& root, const Json& schema, const Json& va
         } else if (rest == Json(false)) {
             return place + ": is not a known key";
         } else if (rest.is_object()) {
-            if (auto broken = schemaViolation(root, rest, member, place); !broken.empty()) {
-                return broken;
-            }
+            if (auto broken = schemaViolation(root, rest, member, place); !broken.empty()) { return broken; }
         }
     }
     for (const Json& key : schema.value("required", Json::array())) {
-        if (!value.contains(key.get<std::string>())) {
-            return path + ": lacks " + key.get<std::string>();
-        }
+        if (!value.contains(key.get<std::string>())) { return path + ": lacks " + key.get<std::string>(); }
     }
     return {};
 }
@@ -122,9 +114,7 @@ std::string keywordViolation(const Json& root, const Json& schema, const std::st
                                                                     std::regex(argument.get<std::string>()));
         return isFine ? "" : path + ": does not match the pattern";
     }
-    if (keyword == "items") {
-        return itemViolation(root, argument, value, path);
-    }
+    if (keyword == "items") { return itemViolation(root, argument, value, path); }
     if (keyword == "anyOf" || keyword == "oneOf" || keyword == "allOf") {
         return choiceViolation(root, keyword, argument, value, path);
     }
@@ -143,9 +133,7 @@ std::string keywordViolation(const Json& root, const Json& schema, const std::st
 
 std::string schemaViolation(const Json& root, const Json& schema, const Json& value,
                             const std::string& path) {
-    if (schema.is_boolean()) {
-        return schema.get<bool>() ? "" : path + ": nothing is allowed here";
-    }
+    if (schema.is_boolean()) { return schema.get<bool>() ? "" : path + ": nothing is allowed here"; }
     if (schema.contains("$ref")) {  // draft-07: everything beside a $ref is ignored
         const std::string pointer = schema["$ref"].get<std::string>().substr(1);
         return schemaViolation(root, root.at(Json::json_pointer(pointer)), value, path);

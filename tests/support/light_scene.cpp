@@ -2,12 +2,14 @@
 
 #include <random>
 
-#include "engine/build/mesh_builder.h"
+#include "engine/builders/mesh_builder.h"
 
 namespace glint::test {
 
 LightScene::LightScene(const SceneDescription& scene) {
-    for (const Mesh& mesh : scene.meshes) meshes.push_back(buildMesh(mesh.data, 1));
+    for (const Mesh& mesh : scene.meshes) {
+        meshes.push_back(buildMesh(mesh.data, 1));
+    }
     lights = buildLightTable(scene, nullptr, 1);
     instances = buildInstances(scene, meshes, lights->firstEmitter);
     view.geometry = instances->view();

@@ -1,12 +1,12 @@
-// Geometry and lights of a description as a view, without materials or a camera: for tests of light sampling
-// alone.
+// Geometry and lights of a description as a view, without materials or a camera: for tests of light
+// sampling alone.
 #pragma once
 
 #include <memory>
 #include <vector>
 
-#include "engine/build/instance_builder.h"
-#include "engine/build/light_table.h"
+#include "engine/builders/instance_builder.h"
+#include "engine/builders/light_table.h"
 #include "engine/kernels/scene_view.h"
 #include "engine/scene/scene.h"
 

@@ -48,8 +48,9 @@ static_assert(sizeof(SppmPixel) == 5 * sizeof(double) + 2 * sizeof(float));
 inline size_t differingPixels(const SppmState& a, const SppmState& b) {
     EXPECT_EQ(a.pixels.size(), b.pixels.size());
     size_t differing = 0;
-    for (size_t i = 0; i < std::min(a.pixels.size(), b.pixels.size()); ++i)
+    for (size_t i = 0; i < std::min(a.pixels.size(), b.pixels.size()); ++i) {
         differing += std::memcmp(&a.pixels[i], &b.pixels[i], sizeof(SppmPixel)) != 0;
+    }
     return differing;
 }
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/build/scene_builder.h"
+#include "engine/builders/scene_builder.h"
 #include "engine/math/frame.h"
 #include "engine/render/backend.h"
 #include "engine/render/pass_params.h"
@@ -28,7 +28,7 @@ Film renderFilm(const SceneDescription& scene, uint32_t passes, DirectLightTag d
     Film film(params.width, params.height);
     const auto backend = makeCpuBackend(0);
     const auto built = buildAll(scene);
-    if (!built || !backend->setScene(built)) return film;
+    if (!built || !backend->setScene(built)) { return film; }
     const std::atomic<bool> stop{false};
     std::vector<PixelSample> samples;
     for (uint32_t pass = 0; pass < passes; ++pass) {

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "engine/build/built_scene.h"
+#include "engine/builders/built_scene.h"
 #include "engine/kernels/pass.h"
 #include "engine/render/film.h"
 #include "engine/scene/scene.h"
@@ -34,8 +34,8 @@ bool agree(const Estimate& a, const Estimate& b, double slack = 1e-5);
 
 // ---- Scenes in code ----
 
-/// An empty scene without light, seen from `from` towards `to`; `size` pixels square, box filter of one
-/// pixel.
+/// An empty scene without light, seen from `from` towards `to`; `size` pixels square, box filter of
+/// one pixel.
 SceneDescription emptyScene(const Vec3& from, const Vec3& to, int size, float fovDeg);
 /// Adds a material and an object that uses it; returns the object's index.
 int addObject(SceneDescription* scene, ShapeKind shape, const Affine& objectToWorld,

@@ -15,9 +15,7 @@ namespace {
 bool drain(int file, std::string* text) {
     std::array<char, 4096> buffer{};
     const ssize_t count = read(file, buffer.data(), buffer.size());
-    if (count > 0) {
-        text->append(buffer.data(), static_cast<size_t>(count));
-    }
+    if (count > 0) { text->append(buffer.data(), static_cast<size_t>(count)); }
     return count > 0;
 }
 
@@ -44,25 +42,17 @@ bool programExists() { return access(GLINT_PROGRAM, X_OK) == 0; }
 ProgramRun runProgram(const std::vector<std::string>& arguments, const std::string& interruptAfterLine) {
     ProgramRun run;
     int out[2], err[2];
-    if (pipe(out) != 0 || pipe(err) != 0) {
-        return run;
-    }
+    if (pipe(out) != 0 || pipe(err) != 0) { return run; }
     const pid_t child = fork();
-    if (child == 0) {
-        becomeProgram(arguments, out, err);
-    }
+    if (child == 0) { becomeProgram(arguments, out, err); }
     close(out[1]);
     close(err[1]);
     bool interrupted = interruptAfterLine.empty();
     std::array<pollfd, 2> files{{{out[0], POLLIN, 0}, {err[0], POLLIN, 0}}};
     while (files[0].fd >= 0 || files[1].fd >= 0) {
         poll(files.data(), files.size(), -1);
-        if (files[0].revents != 0 && !drain(out[0], &run.out)) {
-            files[0].fd = -1;
-        }
-        if (files[1].revents != 0 && !drain(err[0], &run.err)) {
-            files[1].fd = -1;
-        }
+        if (files[0].revents != 0 && !drain(out[0], &run.out)) { files[0].fd = -1; }
+        if (files[1].revents != 0 && !drain(err[0], &run.err)) { files[1].fd = -1; }
         if (!interrupted && run.err.find(interruptAfterLine) != std::string::npos) {
             kill(child, SIGINT);
             interrupted = true;

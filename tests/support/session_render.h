@@ -1,5 +1,5 @@
-// A session from its start, or from a checkpoint, to a number of passes: for tests that compare what it
-// leaves.
+// A session from its start, or from a checkpoint, to a number of passes: for tests that compare what
+// it leaves.
 #pragma once
 
 #include <memory>

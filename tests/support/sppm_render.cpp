@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
-#include "engine/build/emission_table.h"
-#include "engine/build/scene_builder.h"
+#include "engine/builders/emission_table.h"
+#include "engine/builders/scene_builder.h"
 #include "engine/math/color.h"
 #include "engine/render/backend.h"
 #include "engine/render/film.h"
@@ -16,19 +16,17 @@ std::shared_ptr<const BuiltScene> build(const SceneDescription& scene) {
     const SceneEdit edit{std::make_shared<const SceneDescription>(scene), EditKind::Everything};
     BuildReport report;
     auto built = buildScene(edit, nullptr, 0, nullptr, &report);
-    if (!built) {
-        throw std::runtime_error(built.error().format());
-    }
+    if (!built) { throw std::runtime_error(built.error().format()); }
     return *built;
 }
 
-std::vector<Vec3> pictureOf(const Film& film) {
-    std::vector<Vec3> picture;
+std::vector<Vec3> imageOf(const Film& film) {
+    std::vector<Vec3> image;
     for (const FilmPixel& pixel : film.pixels()) {
-        picture.emplace_back(static_cast<float>(pixel.mean[0]), static_cast<float>(pixel.mean[1]),
-                             static_cast<float>(pixel.mean[2]));
+        image.emplace_back(static_cast<float>(pixel.mean[0]), static_cast<float>(pixel.mean[1]),
+                           static_cast<float>(pixel.mean[2]));
     }
-    return picture;
+    return image;
 }
 
 }  // namespace
@@ -50,14 +48,12 @@ SppmRender renderSppm(const SceneDescription& scene, SppmParams params, uint32_t
         params.pass.pass = pass;
         const auto done =
             sppm.renderPass(view, built->features, emission.view(), params, stop, &result.state, &direct);
-        if (!done || !*done) {
-            throw std::runtime_error("an SPPM pass failed");
-        }
+        if (!done || !*done) { throw std::runtime_error("an SPPM pass failed"); }
         film.commit(direct, pass, 1);
     }
-    result.picture = pictureOf(film);
-    for (size_t i = 0; i < result.picture.size(); ++i) {
-        result.picture[i] += result.state.photonRadiance(i);
+    result.image = imageOf(film);
+    for (size_t i = 0; i < result.image.size(); ++i) {
+        result.image[i] += result.state.photonRadiance(i);
     }
     result.lastPass = sppm.stats();
     return result;
@@ -66,9 +62,7 @@ SppmRender renderSppm(const SceneDescription& scene, SppmParams params, uint32_t
 std::vector<Vec3> renderPaths(const SceneDescription& scene, uint32_t seed, uint32_t passes) {
     const auto built = build(scene);
     const std::unique_ptr<Backend> backend = makeCpuBackend(0);
-    if (!backend->setScene(built)) {
-        throw std::runtime_error("the back end did not take the scene");
-    }
+    if (!backend->setScene(built)) { throw std::runtime_error("the back end did not take the scene"); }
     PassParams params = passParamsOf(scene);
     params.seed = seed;
     Film film(params.width, params.height);
@@ -76,21 +70,18 @@ std::vector<Vec3> renderPaths(const SceneDescription& scene, uint32_t seed, uint
     const std::atomic<bool> stop{false};
     for (uint32_t pass = 0; pass < passes; ++pass) {
         params.pass = pass;
-        if (!backend->renderPass(params, stop, &samples)) {
-            throw std::runtime_error("a pass failed");
-        }
+        if (!backend->renderPass(params, stop, &samples)) { throw std::runtime_error("a pass failed"); }
         film.commit(samples, pass, 1);
     }
-    return pictureOf(film);
+    return imageOf(film);
 }
 
-double blockMean(const std::vector<Vec3>& picture, int width, int x, int y, int size) {
+double blockMean(const std::vector<Vec3>& image, int width, int x, int y, int size) {
     double sum = 0.0;
     for (int row = y; row < y + size; ++row) {
         for (int column = x; column < x + size; ++column) {
-            sum +=
-                static_cast<double>(luminance(picture[static_cast<size_t>(row) * static_cast<size_t>(width) +
-                                                      static_cast<size_t>(column)]));
+            sum += static_cast<double>(luminance(
+                image[static_cast<size_t>(row) * static_cast<size_t>(width) + static_cast<size_t>(column)]));
         }
     }
     return sum / (size * size);

@@ -10,7 +10,7 @@
 namespace glint::test {
 
 struct SppmRender {
-    std::vector<Vec3> picture;  ///< direct light and photons together, linear
+    std::vector<Vec3> image;  ///< direct light and photons together, linear
     SppmState state;
     SppmPassStats lastPass;
 };
@@ -22,6 +22,6 @@ SppmRender renderSppm(const SceneDescription& scene, SppmParams params, uint32_t
 std::vector<Vec3> renderPaths(const SceneDescription& scene, uint32_t seed, uint32_t passes);
 
 /// Mean luminance over a square block of pixels.
-double blockMean(const std::vector<Vec3>& picture, int width, int x, int y, int size);
+double blockMean(const std::vector<Vec3>& image, int width, int x, int y, int size);
 
 }  // namespace glint::test

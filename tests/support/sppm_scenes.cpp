@@ -46,7 +46,7 @@ SceneDescription whiteRoom() {
     scene.sppm.photonsPerPass = 2000;
     scene.sppm.radiusWorld = 0.3f;
     for (Material& material : scene.materials) {
-        if (!material.emissive()) material.color.value = Vec3(0.95f);
+        if (!material.emissive()) { material.color.value = Vec3(0.95f); }
     }
     return scene;
 }

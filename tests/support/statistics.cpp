@@ -27,7 +27,7 @@ ChiSquare chiSquare(const std::vector<double>& counts, const std::vector<double>
     } else if (pooledCount > 5.0 * (pooledExpected + 5.0)) {
         strayCount += pooledCount;
     }
-    if (strayCount > strays) result.statistic = std::numeric_limits<double>::infinity();
+    if (strayCount > strays) { result.statistic = std::numeric_limits<double>::infinity(); }
     result.degrees = cells - 1;
     return result;
 }

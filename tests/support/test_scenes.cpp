@@ -16,7 +16,7 @@ int addMaterial(SceneDescription* scene, MaterialKind kind, const Vec3& color, f
     return static_cast<int>(scene->materials.size()) - 1;
 }
 
-int addLampMaterial(SceneDescription* scene, const Vec3& emission, bool bothSides = false) {
+int addEmitterMaterial(SceneDescription* scene, const Vec3& emission, bool bothSides = false) {
     const int index = addMaterial(scene, MaterialKind::Diffuse, Vec3(0.2f));
     scene->materials.back().emission = emission;
     scene->materials.back().emitsBothSides = bothSides;
@@ -113,8 +113,8 @@ SceneDescription cornellBox() {
     SceneDescription scene = emptyScene({0.0f, 1.0f, 4.2f}, {0.0f, 1.0f, 0.0f});
     scene.title = "Cornell box with two diffuse spheres";
     addRoom(&scene);
-    const int lamp = addLampMaterial(&scene, Vec3(17.0f, 12.0f, 4.0f));
-    addObject(&scene, ShapeKind::Rectangle, lamp,
+    const int emitter = addEmitterMaterial(&scene, Vec3(17.0f, 12.0f, 4.0f));
+    addObject(&scene, ShapeKind::Rectangle, emitter,
               wall({0, 1.99f, 0}, kX, 0.5f * kPi) * scale({0.25f, 0.25f, 1}));
     addObject(&scene, ShapeKind::Sphere, 0, translate({-0.4f, 0.4f, -0.3f}) * scale(Vec3(0.4f)));
     addObject(&scene, ShapeKind::Sphere, 0, translate({0.45f, 0.3f, 0.3f}) * scale(Vec3(0.3f)));
@@ -127,8 +127,8 @@ SceneDescription allMaterials() {
     scene.camera.apertureDiameter = 0.08f;
     scene.camera.apertureBlades = 5;
     scene.camera.focalDistance = 6.2f;
-    const int lamp = addLampMaterial(&scene, Vec3(6.0f));
-    addObject(&scene, ShapeKind::Disc, lamp, wall({0, 4, 0}, kX, 0.5f * kPi) * scale({0.8f, 0.8f, 1}));
+    const int emitter = addEmitterMaterial(&scene, Vec3(6.0f));
+    addObject(&scene, ShapeKind::Disc, emitter, wall({0, 4, 0}, kX, 0.5f * kPi) * scale({0.8f, 0.8f, 1}));
     addMaterialRow(&scene);
 
     scene.textures.push_back({"checker", checkerImage(5, 3, false), ColorEncoding::Srgb, false, Vec2(0.5f)});
@@ -187,20 +187,20 @@ SceneDescription manyLights(uint32_t triangles) {
         mesh->positions.insert(mesh->positions.end(), {p, p + Vec3(0.02f, 0, 0), p + Vec3(0, 0, 0.02f)});
         mesh->indices.insert(mesh->indices.end(), {3 * i, 3 * i + 1, 3 * i + 2});
     }
-    const int lamp = addLampMaterial(&scene, Vec3(40.0f), true);
-    addMeshObject(&scene, addMesh(&scene, mesh), lamp, Affine{});
+    const int emitter = addEmitterMaterial(&scene, Vec3(40.0f), true);
+    addMeshObject(&scene, addMesh(&scene, mesh), emitter, Affine{});
     addObject(&scene, ShapeKind::Sphere, 0, translate({0, 0.4f, 0}) * scale(Vec3(0.4f)));
     return scene;
 }
 
-SceneDescription lampShapes() {
+SceneDescription emitterShapes() {
     SceneDescription scene = emptyScene({0.0f, 1.0f, 4.2f}, {0.0f, 1.0f, 0.0f});
     scene.title = "Lamps of every shape";
     addRoom(&scene);
     Affine shear;
     shear.linear[1] = Vec3(0.4f, 1.0f, 0.0f);
-    const int oneSided = addLampMaterial(&scene, Vec3(3.0f, 2.0f, 1.0f));
-    const int twoSided = addLampMaterial(&scene, Vec3(1.0f, 2.0f, 3.0f), true);
+    const int oneSided = addEmitterMaterial(&scene, Vec3(3.0f, 2.0f, 1.0f));
+    const int twoSided = addEmitterMaterial(&scene, Vec3(1.0f, 2.0f, 3.0f), true);
     addObject(&scene, ShapeKind::Sphere, oneSided, translate({-0.6f, 0.3f, 0}) * scale(Vec3(0.15f)));
     addObject(&scene, ShapeKind::Sphere, oneSided, translate({0.6f, 0.3f, 0}) * scale({0.1f, 0.25f, 0.15f}));
     addObject(&scene, ShapeKind::Disc, twoSided,
@@ -238,7 +238,7 @@ SceneDescription darkness() {
 std::vector<NamedScene> allTestScenes() {
     return {
         {"cornellBox", cornellBox()}, {"allMaterials", allMaterials()}, {"meshInstances", meshInstances()},
-        {"manyLights", manyLights()}, {"lampShapes", lampShapes()},     {"whiteFurnace", whiteFurnace()},
+        {"manyLights", manyLights()}, {"lampShapes", emitterShapes()},  {"whiteFurnace", whiteFurnace()},
         {"darkness", darkness()}};
 }
 
@@ -255,7 +255,7 @@ std::shared_ptr<const MeshData> bumpySphere(int rings, int segments, bool withCo
             mesh->positions.push_back(n * (1.0f + 0.05f * std::sin(7.0f * polar) * std::cos(5.0f * azimuth)));
             mesh->normals.push_back(n);
             mesh->uvs.push_back(uv);
-            if (withColors) mesh->colors.push_back(0.5f + 0.5f * n);
+            if (withColors) { mesh->colors.push_back(0.5f + 0.5f * n); }
         }
     }
     const auto vertex = [&](int ring, int segment) {

@@ -1,7 +1,7 @@
 // Scenes made in code for tests: small, deterministic, and between them in need of every kernel feature.
 //
-// For tests of back ends, builders, sessions and files. Not for pictures that people look at: those are in
-// scenes/.
+// For tests of back ends, builders, sessions and files. Not for pictures that people look at: those are
+// in scenes/.
 #pragma once
 
 #include <span>
@@ -27,7 +27,7 @@ SceneDescription meshInstances();
 SceneDescription manyLights(uint32_t triangles = 400);
 
 /// An ellipsoid, a disc, a sheared rectangle and a triangle mesh as lamps, one- and two-sided.
-SceneDescription lampShapes();
+SceneDescription emitterShapes();
 
 /// A white sphere in a uniform environment, by the independent sampler and a box filter.
 SceneDescription whiteFurnace();

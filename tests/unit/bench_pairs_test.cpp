@@ -8,7 +8,9 @@ namespace {
 
 std::vector<double> upTo(int n) {
     std::vector<double> values;
-    for (int i = 1; i <= n; ++i) values.push_back(i);
+    for (int i = 1; i <= n; ++i) {
+        values.push_back(i);
+    }
     return values;
 }
 
@@ -55,14 +57,14 @@ TEST(BenchPairs, DifferencesAreCountedByPixel) {
     std::vector<PixelSample> samples(2);
     samples[0].radiance = samples[1].radiance = Vec3(1.0f);
     a.commit(samples, 0, 1);
-    EXPECT_FALSE(comparePictures(a, b).identical());
+    EXPECT_FALSE(compareImages(a, b).identical());
     b.commit(samples, 0, 1);
-    EXPECT_TRUE(comparePictures(a, b).identical());
+    EXPECT_TRUE(compareImages(a, b).identical());
     samples[1].radiance.y = 2.0f;
     a.commit(samples, 1, 1);
     samples[1].radiance.y = 2.5f;
     b.commit(samples, 1, 1);
-    const PictureDifference difference = comparePictures(a, b);
+    const ImageDifference difference = compareImages(a, b);
     EXPECT_EQ(difference.different, 1u);
     EXPECT_NEAR(difference.largest, 0.25 / (6.5 / 6.0), 1e-9);
 }

@@ -1,5 +1,5 @@
-// BSDFs where formulas divide by zero: grazing and coinciding directions, extreme indices and roughness, bent
-// normals.
+// BSDFs where formulas divide by zero: grazing and coinciding directions, extreme indices and roughness,
+// bent normals.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -42,9 +42,7 @@ TEST(BsdfEdges, SamplesAreFiniteEverywhere) {
                         SCOPED_TRACE(
                             fmt::format("{} cosine {} u {} {} {}", bsdfCase.name, cosine, uLobe, u, v));
                         const BsdfSample s = sample(bsdf, uLobe, Vec2(u, v));
-                        if (!s.valid) {
-                            continue;
-                        }
+                        if (!s.valid) { continue; }
                         EXPECT_TRUE(isSane(s.weight)) << s.weight.x;
                         EXPECT_NEAR(glm::length(s.wiWorld), 1.0f, 1e-4f);
                         EXPECT_TRUE(std::isfinite(s.pdfSolidAngle) && s.pdfSolidAngle >= 0.0f)
@@ -110,8 +108,8 @@ TEST(BsdfEdges, OpaqueMaterialsScatterOnTheBack) {
     }
 }
 
-/// With any shading normal: no light through opaque surfaces, and none of a mirror's is lost at grazing
-/// angles.
+/// With any shading normal: no light through opaque surfaces, and none of a mirror's is lost at
+/// grazing angles.
 TEST(BsdfShadingNormals, NeitherLeakNorGoBlack) {
     Random random(4);
     const MaterialData mirror = mirrorMaterial(Vec3(1.0f));

@@ -1,6 +1,6 @@
-// Trees over boxes: complete, bounding, the same on any number of threads, and never too deep for the
-// traversal.
-#include "engine/build/bvh_builder.h"
+// Trees over boxes: complete, bounding, the same on any number of threads, and never too deep for
+// the traversal.
+#include "engine/builders/bvh_builder.h"
 
 #include <cstring>
 
@@ -16,7 +16,7 @@ using namespace testing_support;
 void checkSubtree(const BuiltMesh& mesh, uint32_t index, const Bounds& outer, std::vector<int>* seen) {
     const WideNode& node = mesh.nodes[index];
     for (int i = 0; i < kNodeWidth; ++i) {
-        if (node.bounds[0][i] > node.bounds[1][i]) continue;
+        if (node.bounds[0][i] > node.bounds[1][i]) { continue; }
         const Bounds box{Vec3(node.bounds[0][i], node.bounds[2][i], node.bounds[4][i]),
                          Vec3(node.bounds[1][i], node.bounds[3][i], node.bounds[5][i])};
         Bounds joined = outer;
@@ -47,7 +47,9 @@ void checkSubtree(const BuiltMesh& mesh, uint32_t index, const Bounds& outer, st
 void checkMesh(const BuiltMesh& mesh) {
     std::vector<int> seen(mesh.data->triangleCount(), 0);
     checkSubtree(mesh, 0, {Vec3(-kInfinity), Vec3(kInfinity)}, &seen);
-    for (int count : seen) ASSERT_EQ(count, 1);
+    for (int count : seen) {
+        ASSERT_EQ(count, 1);
+    }
     EXPECT_LE(traversalStackNeed(mesh.nodes), uint32_t{kTraversalStackSize});
 }
 
@@ -57,8 +59,9 @@ bool sameBytes(const Vector& a, const Vector& b) {
 }
 
 TEST(BvhBuilder, EveryTriangleIsInExactlyOneLeafWithinItsBoxes) {
-    for (const char* name : {"blob", "cube", "terrain", "torus-knot"})
+    for (const char* name : {"blob", "cube", "terrain", "torus-knot"}) {
         checkMesh(*buildMesh(generated(name, 20'000), 2));
+    }
     checkMesh(*buildMesh(generated("cube", 12), 2));
 }
 

@@ -1,6 +1,6 @@
-// The camera rays of a tile in vector code are, bit for bit, those of the pixels one by one: for every filter
-// and lens, also where a tile reaches over the picture's edge. And the logarithm that both draw their filter
-// by.
+// The camera rays of a tile in vector code are, bit for bit, those of the pixels one by one: for every
+// filter and lens, also where a tile reaches over the picture's edge. And the logarithm that both draw their
+// filter by.
 #include <cmath>
 #include <cstring>
 #include <set>
@@ -77,8 +77,12 @@ TEST(NaturalLog, IsAccurate) {
         const double unit = std::max(std::fabs(exact), 0.1) * 0x1p-23;
         EXPECT_NEAR(static_cast<double>(naturalLog(x)), exact, 2.0 * unit) << x;
     };
-    for (float x = 1.2e-38f; x < 3e38f; x *= 1.0037f) expectAccurate(x);
-    for (float x = 0.5f; x < 2.0f; x += 1e-4f) expectAccurate(x);
+    for (float x = 1.2e-38f; x < 3e38f; x *= 1.0037f) {
+        expectAccurate(x);
+    }
+    for (float x = 0.5f; x < 2.0f; x += 1e-4f) {
+        expectAccurate(x);
+    }
     EXPECT_EQ(naturalLog(1.0f), 0.0f);
 }
 

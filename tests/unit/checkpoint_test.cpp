@@ -1,5 +1,5 @@
-// Checkpoints bring the film back to the last bit, belong to one scene and one set of settings, and say what
-// differs.
+// Checkpoints bring the film back to the last bit, belong to one scene and one set of settings, and say
+// what differs.
 #include "engine/render/checkpoint.h"
 
 #include <cstring>
@@ -10,7 +10,7 @@
 
 #include "engine/io/exr_io.h"
 #include "engine/io/image_io.h"
-#include "engine/render/picture_file.h"
+#include "engine/render/image_file.h"
 #include "tests/support/capture.h"
 #include "tests/support/temp_folder.h"
 
@@ -269,17 +269,17 @@ FilmSnapshot someSnapshot() {
     return snapshot;
 }
 
-TEST(PictureFile, ExrKeepsRadianceLayersAndMetadata) {
+TEST(ImageFile, ExrKeepsRadianceLayersAndMetadata) {
     const TempFolder folder;
     const std::string path = folder.path("picture.EXR");
     const FilmSnapshot snapshot = someSnapshot();
     const uint32_t all =
         kAovAlbedo | kAovShadingNormal | kAovGeometricNormal | kAovDepth | kAovObjectId | kAovMaterialId;
-    const PictureOptions options{.exrColor = ExrPixelType::Float, .aovs = all};
-    const Status saved = savePicture(path, snapshot, someScene(), options);
+    const ImageOptions options{.exrColor = ExrPixelType::Float, .aovs = all};
+    const Status saved = saveImage(path, snapshot, someScene(), options);
     ASSERT_TRUE(saved) << saved.error().format();
 
-    const Result<ExrPicture> loaded = loadExr(path);
+    const Result<ExrImage> loaded = loadExr(path);
     ASSERT_TRUE(loaded) << loaded.error().format();
     const Result<ImageF> color = exrColor(*loaded, path);
     ASSERT_TRUE(color);
@@ -301,27 +301,27 @@ TEST(PictureFile, ExrKeepsRadianceLayersAndMetadata) {
     EXPECT_EQ(loaded->attributes.at("setting.maxDepth"), "16");
 }
 
-TEST(PictureFile, PngAndHdrAndRefusals) {
+TEST(ImageFile, PngAndHdrAndRefusals) {
     const TempFolder folder;
     const FilmSnapshot snapshot = someSnapshot();
     const SceneDescription scene = someScene();
-    ASSERT_TRUE(savePicture(folder.path("a.png"), snapshot, scene, {.toneMap = ToneMap::Clamp}));
+    ASSERT_TRUE(saveImage(folder.path("a.png"), snapshot, scene, {.toneMap = ToneMap::Clamp}));
     const auto png = loadImage8(folder.path("a.png"));
     ASSERT_TRUE(png);
     EXPECT_EQ((*png)->rgb[5], 128);   // 0.5 * 255 + 0.5
     EXPECT_EQ((*png)->rgb[17], 255);  // 1.7 is cut
-    ASSERT_TRUE(savePicture(folder.path("a.hdr"), snapshot, scene, {}));
+    ASSERT_TRUE(saveImage(folder.path("a.hdr"), snapshot, scene, {}));
     const auto hdr = loadImageF(folder.path("a.hdr"));
     ASSERT_TRUE(hdr);
     EXPECT_NEAR((*hdr)->rgb[17], 1.7f, 1.7f / 128.0f);
 
-    const Status wrong = savePicture(folder.path("a.gif"), snapshot, scene, {});
+    const Status wrong = saveImage(folder.path("a.gif"), snapshot, scene, {});
     ASSERT_FALSE(wrong);
     EXPECT_THAT(wrong.error().format(), HasSubstr("expected .png, .exr or .hdr"));
     FilmSnapshot withoutLayers = snapshot;
     withoutLayers.aovs = nullptr;
-    EXPECT_FALSE(savePicture(folder.path("b.exr"), withoutLayers, scene, {.aovs = kAovDepth}));
-    EXPECT_FALSE(savePicture(folder.path("b.png"), FilmSnapshot{}, scene, {}));
+    EXPECT_FALSE(saveImage(folder.path("b.exr"), withoutLayers, scene, {.aovs = kAovDepth}));
+    EXPECT_FALSE(saveImage(folder.path("b.png"), FilmSnapshot{}, scene, {}));
     EXPECT_EQ(folder.size(), 2u);
 }
 

@@ -31,7 +31,7 @@ struct Bench {
     static bool waitFor(const std::function<bool()>& condition) {
         const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(kPatience);
         while (!condition()) {
-            if (std::chrono::steady_clock::now() > end) return false;
+            if (std::chrono::steady_clock::now() > end) { return false; }
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
         return true;
@@ -40,7 +40,7 @@ struct Bench {
     bool reachEndlessPass() {
         session.setComparing(true);
         post(EditKind::Everything);
-        if (!waitFor([&] { return session.otherSnapshot() != nullptr; })) return false;
+        if (!waitFor([&] { return session.otherSnapshot() != nullptr; })) { return false; }
         control->secondsPerPass = 1e6;
         return waitFor([&] {
             const int passes = control->passes;
@@ -51,7 +51,7 @@ struct Bench {
     }
 };
 
-TEST(ComparingSession, ASwitchShowsBothKeptPicturesBeforeAnyFurtherPass) {
+TEST(ComparingSession, ASwitchShowsBothKeptImagesBeforeAnyFurtherPass) {
     Bench bench;
     ASSERT_TRUE(bench.reachEndlessPass());
     const int passes = bench.control->passes;
@@ -69,7 +69,7 @@ TEST(ComparingSession, ASwitchShowsBothKeptPicturesBeforeAnyFurtherPass) {
     EXPECT_EQ(bench.control->passes, passes);
 }
 
-TEST(ComparingSession, TheOtherPictureCarriesWhatIsAskedForToo) {
+TEST(ComparingSession, TheOtherImageCarriesWhatIsAskedForToo) {
     Bench bench;
     bench.session.setComparing(true);
     bench.session.setLimits({.passes = 3});
@@ -91,7 +91,7 @@ TEST(ComparingSession, TheOtherPictureCarriesWhatIsAskedForToo) {
     EXPECT_TRUE(bench.session.snapshot()->radiusWorld.empty()) << "path tracing has no photons";
 }
 
-TEST(ComparingSession, WhatThePictureLacksComesBeforeAnyFurtherPass) {
+TEST(ComparingSession, WhatTheImageLacksComesBeforeAnyFurtherPass) {
     Bench bench;
     ASSERT_TRUE(bench.reachEndlessPass());
     const int passes = bench.control->passes;
@@ -105,7 +105,7 @@ TEST(ComparingSession, WhatThePictureLacksComesBeforeAnyFurtherPass) {
     EXPECT_EQ(bench.control->passes, passes);
 }
 
-TEST(ComparingSession, AFinishedPictureIsComparedWithOneOfAsMuchTime) {
+TEST(ComparingSession, AFinishedImageIsComparedWithOneOfAsMuchTime) {
     Bench bench;
     bench.session.setLimits({.passes = 4});
     bench.control->secondsPerPass = 0.002;
@@ -173,7 +173,7 @@ TEST(ComparingSession, WhileTheCameraMovesBothSidesArePreviewed) {
     }));
 }
 
-TEST(ComparingSession, AnEditOfThePhotonsKeepsThePathTracedPicture) {
+TEST(ComparingSession, AnEditOfThePhotonsKeepsThePathTracedImage) {
     for (const IntegratorKind shown : {IntegratorKind::PathTracing, IntegratorKind::Sppm}) {
         PreviewBench bench;
         bench.scene->options.integrator = shown;

@@ -69,10 +69,14 @@ std::vector<CurvePoint> renderLike(std::mt19937* random, int pixels) {
     int samples = 0;
     for (int stop = 1; stop <= 256; stop *= 2) {
         for (; samples < stop; ++samples) {
-            for (double& sum : sums) sum += normal(*random);
+            for (double& sum : sums) {
+                sum += normal(*random);
+            }
         }
         double squares = 0.0;
-        for (const double sum : sums) squares += sum * sum / (samples * samples);
+        for (const double sum : sums) {
+            squares += sum * sum / (samples * samples);
+        }
         curve.push_back({static_cast<double>(samples), std::sqrt(squares / pixels)});
     }
     return curve;
@@ -84,7 +88,9 @@ TEST(ConvergenceFit, TheIntervalHoldsTheTruthNineteenTimesInTwenty) {
     constexpr int kTrials = 600;
     for (int trial = 0; trial < kTrials; ++trial) {
         std::vector<std::vector<CurvePoint>> seeds;
-        for (int k = 0; k < 4; ++k) seeds.push_back(renderLike(&random, 16));
+        for (int k = 0; k < 4; ++k) {
+            seeds.push_back(renderLike(&random, 16));
+        }
         const auto fit = fitLogLog(seeds);
         ASSERT_TRUE(fit);
         held += fit->slopeLow <= -0.5 && -0.5 <= fit->slopeHigh;

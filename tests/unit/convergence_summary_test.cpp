@@ -11,9 +11,9 @@ namespace glint {
 namespace {
 
 /// A grey reference of mean 1 whose own mse is `mse`.
-ReferencePicture reference(double mse) {
-    ReferencePicture out;
-    out.picture = {2, 2, std::vector<float>(12, 1.0f)};
+ReferenceImage reference(double mse) {
+    ReferenceImage out;
+    out.image = {2, 2, std::vector<float>(12, 1.0f)};
     out.variance.assign(12, static_cast<float>(mse));
     out.method = "pt";
     out.integrator = IntegratorKind::PathTracing;
@@ -23,7 +23,7 @@ ReferencePicture reference(double mse) {
 
 /// Seeds whose mse at `seconds` is errorAt(seconds)^2 plus the reference's.
 template <class ErrorAt>
-MeasuredVariant variant(const char* text, const ReferencePicture& against, int seeds, ErrorAt errorAt) {
+MeasuredVariant variant(const char* text, const ReferenceImage& against, int seeds, ErrorAt errorAt) {
     MeasuredVariant out;
     out.variant = *parseVariant(text);
     out.settings = out.variant.applyTo({});
@@ -47,7 +47,7 @@ MeasuredVariant variant(const char* text, const ReferencePicture& against, int s
 double rootLaw(double seconds) { return 0.1 / std::sqrt(seconds); }
 
 TEST(ConvergenceSummary, FitsTheLastTenfoldOfTime) {
-    const ReferencePicture against = reference(0.0);
+    const ReferenceImage against = reference(0.0);
     ConvergenceResult result;
     // Steeper until 4 s, which is before a tenth of the last point's 41 s.
     result.variants.push_back(variant("sppm", against, 3, [](double seconds) {
@@ -62,7 +62,7 @@ TEST(ConvergenceSummary, FitsTheLastTenfoldOfTime) {
 }
 
 TEST(ConvergenceSummary, PointsNearTheReferencesOwnErrorAreNoPartOfTheFit) {
-    const ReferencePicture against = reference(1e-4);
+    const ReferenceImage against = reference(1e-4);
     ConvergenceResult result;
     result.variants.push_back(variant("pt", against, 3, rootLaw));
     const ConvergenceSummary plain = summarizeConvergence(result, against, false);
@@ -78,7 +78,7 @@ TEST(ConvergenceSummary, PointsNearTheReferencesOwnErrorAreNoPartOfTheFit) {
 }
 
 TEST(ConvergenceSummary, TargetsAreMeasuredOrPredicted) {
-    const ReferencePicture against = reference(0.0);
+    const ReferenceImage against = reference(0.0);
     ConvergenceResult result;
     result.variants.push_back(variant("sppm", against, 2, rootLaw));
     const VariantSummary summary = summarizeConvergence(result, against, false).variants[0];
@@ -90,7 +90,7 @@ TEST(ConvergenceSummary, TargetsAreMeasuredOrPredicted) {
 }
 
 TEST(ConvergenceSummary, EveryOutputCarriesTheMarks) {
-    const ReferencePicture against = reference(1e-4);
+    const ReferenceImage against = reference(1e-4);
     ConvergenceResult result;
     result.variants.push_back(variant("pt", against, 2, rootLaw));
     result.variants.push_back(variant("sppm:clamp=3", against, 2, rootLaw));

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/report/map_legend.h"
-#include "tests/support/formula_pictures.h"
+#include "tests/support/formula_images.h"
 
 namespace glint {
 namespace {
@@ -50,17 +50,17 @@ TEST(DrawingText, ShortenedTextsFitAndStayValid) {
 
 TEST(Drawing, SizesFollowTheScaleWithinLimits) {
     const Drawing drawing{.width = 30, .height = 20, .title = {}, .shapes = {}};
-    EXPECT_EQ(drawingPicture(drawing, 2.0).width, 60);
-    EXPECT_EQ(drawingPicture(drawing, 2.0).rgb, std::vector<uint8_t>(3 * 60 * 40, 255));
+    EXPECT_EQ(drawingImage(drawing, 2.0).width, 60);
+    EXPECT_EQ(drawingImage(drawing, 2.0).rgb, std::vector<uint8_t>(3 * 60 * 40, 255));
     for (const double scale : {0.0, -1.0, 1e9, 1e-9, std::numeric_limits<double>::quiet_NaN()}) {
-        EXPECT_EQ(drawingPicture(drawing, scale).width, 0) << scale;
+        EXPECT_EQ(drawingImage(drawing, scale).width, 0) << scale;
     }
 }
 
 TEST(Drawing, PaintsWhereItIsTold) {
     Drawing drawing{.width = 10, .height = 10, .title = {}, .shapes = {}};
     drawing.shapes.emplace_back(Polygon{.points = {{2, 3}, {5, 3}, {5, 6}, {2, 6}}, .fill = {10, 200, 30}});
-    const Image8 image = drawingPicture(drawing, 1.0);
+    const Image8 image = drawingImage(drawing, 1.0);
     for (int y = 0; y < 10; ++y) {
         for (int x = 0; x < 10; ++x) {
             const bool inside = x >= 2 && x < 5 && y >= 3 && y < 6;

@@ -1,5 +1,5 @@
-// Error maps against the metrics whose means they are, their ranges, and colours whose order the eye can
-// read.
+// Error maps against the metrics whose means they are, their ranges, and colours whose order the eye
+// can read.
 #include "engine/report/error_maps.h"
 
 #include <cmath>
@@ -10,12 +10,12 @@
 
 #include "engine/math/color.h"
 #include "engine/report/heat_map.h"
-#include "tests/support/formula_pictures.h"
+#include "tests/support/formula_images.h"
 
 namespace glint {
 namespace {
 
-using test::flatPicture;
+using test::flatImage;
 using test::formulaReference;
 using test::formulaTest;
 
@@ -37,7 +37,7 @@ double lightness(const Vec3& display) {
 TEST(ErrorMaps, MeansAreTheMetrics) {
     const ImageF test = formulaTest(64, 48);
     const ImageF reference = formulaReference(64, 48);
-    const auto metrics = comparePictures(test, reference);
+    const auto metrics = compareImages(test, reference);
     ASSERT_TRUE(metrics);
     const auto mean = [&](ErrorMapKind kind) {
         const ErrorMap map = mapOf(kind, test, reference);
@@ -50,8 +50,8 @@ TEST(ErrorMaps, MeansAreTheMetrics) {
 }
 
 TEST(ErrorMaps, ReadableRanges) {
-    const ImageF reference = flatPicture(20, 20, 1.0f);
-    const ImageF test = flatPicture(20, 20, 1.3f);
+    const ImageF reference = flatImage(20, 20, 1.0f);
+    const ImageF test = flatImage(20, 20, 1.3f);
     const MapRange absolute = readableRange(mapOf(ErrorMapKind::Absolute, test, reference));
     EXPECT_DOUBLE_EQ(absolute.high, 1.0);
     EXPECT_DOUBLE_EQ(absolute.low, 1e-4);
@@ -63,16 +63,16 @@ TEST(ErrorMaps, ReadableRanges) {
 }
 
 TEST(ErrorMaps, OneOutlierDoesNotRuleTheRange) {
-    ImageF test = flatPicture(50, 40, 1.3f);
+    ImageF test = flatImage(50, 40, 1.3f);
     test.rgb[0] = 1e9f;
-    const MapRange range = readableRange(mapOf(ErrorMapKind::Absolute, test, flatPicture(50, 40, 1.0f)));
+    const MapRange range = readableRange(mapOf(ErrorMapKind::Absolute, test, flatImage(50, 40, 1.0f)));
     EXPECT_DOUBLE_EQ(range.high, 1.0);
 }
 
 TEST(ErrorMaps, NoErrorIsBlackAndStillHasARange) {
-    const ImageF picture = formulaReference(9, 7);
+    const ImageF image = formulaReference(9, 7);
     for (const ErrorMapKind kind : kAll) {
-        const ErrorMap map = mapOf(kind, picture, picture);
+        const ErrorMap map = mapOf(kind, image, image);
         const MapRange range = readableRange(map);
         EXPECT_LT(range.low, range.high) << errorMapName(kind);
         EXPECT_EQ(falseColors(map, range).rgb, std::vector<uint8_t>(3 * 63, 0)) << errorMapName(kind);
@@ -93,9 +93,9 @@ TEST(ErrorMaps, NonFinitePixelsAreMagenta) {
 }
 
 TEST(ErrorMaps, SignedMapsTellBrighterFromDarker) {
-    const ImageF reference = flatPicture(4, 4, 1.0f);
+    const ImageF reference = flatImage(4, 4, 1.0f);
     const auto color = [&](float value) {
-        const ErrorMap map = mapOf(ErrorMapKind::Signed, flatPicture(4, 4, value), reference);
+        const ErrorMap map = mapOf(ErrorMapKind::Signed, flatImage(4, 4, value), reference);
         return falseColors(map, {.low = -0.5, .high = 0.5}).rgb;
     };
     const auto above = color(1.2f);
@@ -105,7 +105,7 @@ TEST(ErrorMaps, SignedMapsTellBrighterFromDarker) {
 }
 
 TEST(ErrorMaps, SizesMustMatch) {
-    EXPECT_FALSE(errorMap(ErrorMapKind::Flip, flatPicture(3, 4, 0.0f), flatPicture(4, 3, 0.0f)));
+    EXPECT_FALSE(errorMap(ErrorMapKind::Flip, flatImage(3, 4, 0.0f), flatImage(4, 3, 0.0f)));
 }
 
 TEST(HeatMap, LightnessRisesEvenly) {

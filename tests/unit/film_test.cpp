@@ -37,9 +37,7 @@ Film filmOf(int width, int height, const std::vector<std::vector<PixelSample>>& 
 }
 
 bool sameBits(const Film& a, const Film& b) {
-    if (a.pixels().size() != b.pixels().size()) {
-        return false;
-    }
+    if (a.pixels().size() != b.pixels().size()) { return false; }
     for (size_t i = 0; i < a.pixels().size(); ++i) {
         const FilmPixel &p = a.pixels()[i], &q = b.pixels()[i];
         if (std::memcmp(p.mean.data(), q.mean.data(), sizeof p.mean) != 0 ||
@@ -84,7 +82,7 @@ TEST(Film, RelativeErrorIsTheRootMeanSquareOverTheMean) {
     EXPECT_NEAR(film.relativeErrorEstimate(), std::sqrt(squares) / luminance, 1e-12);
 }
 
-TEST(Film, ErrorIsInfiniteBeforeTwoPassesAndZeroForABlackPicture) {
+TEST(Film, ErrorIsInfiniteBeforeTwoPassesAndZeroForABlackImage) {
     Film film(4, 4);
     const std::vector<PixelSample> black(16);
     EXPECT_TRUE(std::isinf(film.relativeErrorEstimate()));

@@ -50,7 +50,9 @@ size_t openEdges(const MeshData& mesh) {
         }
     }
     size_t open = 0;
-    for (const auto& [edge, count] : balance) open += count != 0 ? 1 : 0;
+    for (const auto& [edge, count] : balance) {
+        open += count != 0 ? 1 : 0;
+    }
     return open;
 }
 
@@ -68,8 +70,12 @@ TEST(GeneratedMesh, HasNormalsAndUvsForEveryVertexAndValidIndices) {
         const auto mesh = make(name, 5000);
         ASSERT_EQ(mesh->normals.size(), mesh->positions.size());
         ASSERT_EQ(mesh->uvs.size(), mesh->positions.size());
-        for (uint32_t index : mesh->indices) ASSERT_LT(index, mesh->positions.size());
-        for (const Vec3& n : mesh->normals) EXPECT_NEAR(glm::length(n), 1.0f, 1e-5f) << name;
+        for (uint32_t index : mesh->indices) {
+            ASSERT_LT(index, mesh->positions.size());
+        }
+        for (const Vec3& n : mesh->normals) {
+            EXPECT_NEAR(glm::length(n), 1.0f, 1e-5f) << name;
+        }
     }
 }
 
@@ -82,8 +88,9 @@ TEST(GeneratedMesh, NormalsLieOnTheFrontOfTheirTriangles) {
             const glm::dvec3 a = mesh->positions[corner[0]];
             const glm::dvec3 n = glm::cross(glm::dvec3(mesh->positions[corner[1]]) - a,
                                             glm::dvec3(mesh->positions[corner[2]]) - a);
-            for (int k = 0; k < 3; ++k)
+            for (int k = 0; k < 3; ++k) {
                 behind += glm::dot(n, glm::dvec3(mesh->normals[corner[k]])) <= 0.0 ? 1 : 0;
+            }
         }
         EXPECT_EQ(behind, 0u) << name;
     }

@@ -1,5 +1,5 @@
-// Images through every format we write, and the one that stands for those we only read; whole files in and
-// out.
+// Images through every format we write, and the one that stands for those we only read; whole files in
+// and out.
 #include "engine/io/image_io.h"
 
 #include <cmath>
@@ -90,18 +90,18 @@ TEST(ImageIo, HdrKeepsEightBitsOfEachPixelsLargestChannel) {
 TEST(ImageIo, ExrKeepsFloatsAndIdsAndRoundsHalves) {
     const TempFolder folder;
     const std::string path = folder.path("a.exr");
-    ExrPicture picture{.width = 2, .height = 2, .channels = {}, .attributes = {{"note", "two\nlines"}}};
+    ExrImage image{.width = 2, .height = 2, .channels = {}, .attributes = {{"note", "two\nlines"}}};
     const std::vector<float> values{0.1f, -1e30f, 1e-30f, 3.0f};
-    picture.channels.push_back({.name = "x.F", .type = ExrPixelType::Float, .floats = values, .ids = {}});
-    picture.channels.push_back(
+    image.channels.push_back({.name = "x.F", .type = ExrPixelType::Float, .floats = values, .ids = {}});
+    image.channels.push_back(
         {.name = "x.I", .type = ExrPixelType::Uint, .floats = {}, .ids = {0, 1, 4294967295u, 7}});
-    picture.channels.push_back(
+    image.channels.push_back(
         {.name = "Y", .type = ExrPixelType::Half, .floats = {0.1f, 1.0f, 1e9f, 0.5f}, .ids = {}});
-    ASSERT_TRUE(saveExr(path, picture));
+    ASSERT_TRUE(saveExr(path, image));
     const auto loaded = loadExr(path);
     ASSERT_TRUE(loaded) << loaded.error().format();
     EXPECT_EQ(loaded->find("x.F")->floats, values);
-    EXPECT_EQ(loaded->find("x.I")->ids, picture.channels[1].ids);
+    EXPECT_EQ(loaded->find("x.I")->ids, image.channels[1].ids);
     EXPECT_EQ(loaded->attributes.at("note"), "two\nlines");
     const ExrChannel& half = *loaded->find("Y");
     EXPECT_EQ(half.type, ExrPixelType::Half);
@@ -118,7 +118,7 @@ TEST(ImageIo, NothingToSaveIsRefused) {
     EXPECT_FALSE(savePng(folder.path("a.png"), Image8{}));
     EXPECT_FALSE(savePng(folder.path("a.png"), Image8{2, 2, {1, 2, 3}}));
     EXPECT_FALSE(saveHdr(folder.path("a.hdr"), ImageF{}));
-    EXPECT_FALSE(saveExr(folder.path("a.exr"), ExrPicture{}));
+    EXPECT_FALSE(saveExr(folder.path("a.exr"), ExrImage{}));
     EXPECT_EQ(folder.size(), 0u);
 }
 
@@ -165,9 +165,7 @@ TEST(AtomicFile, FailuresKeepTheOldFileAndLeaveNothing) {
 }
 
 TEST(AtomicFile, DevicesAreWrittenNotReplaced) {
-    if (!std::filesystem::is_character_file("/dev/full")) {
-        GTEST_SKIP() << "no /dev/full here";
-    }
+    if (!std::filesystem::is_character_file("/dev/full")) { GTEST_SKIP() << "no /dev/full here"; }
     const Status full = writeFileAtomically("/dev/full", "x");
     ASSERT_FALSE(full);
     EXPECT_THAT(full.error().format(), HasSubstr("No space left"));
@@ -223,7 +221,9 @@ TEST(AtomicFile, ASaveRemovesTheLeftoversOfKilledOnesToTheSameName) {
     EXPECT_EQ(TempFolder::read(path), "new");
     EXPECT_FALSE(std::filesystem::exists(stale));
     EXPECT_EQ(TempFolder::read(busy), "in work");
-    for (const std::string& other : others) EXPECT_TRUE(std::filesystem::exists(other)) << other;
+    for (const std::string& other : others) {
+        EXPECT_TRUE(std::filesystem::exists(other)) << other;
+    }
     EXPECT_TRUE(std::filesystem::is_directory(folder.path("file.4711-2.tmp")));
     EXPECT_TRUE(std::filesystem::is_symlink(folder.path("file.4711-3.tmp")));
     ::close(writer);

@@ -15,8 +15,8 @@ TEST(MemoryUse, NotCounted) { GTEST_SKIP() << "the thread sanitizer brings its o
 #include <filesystem>
 #include <new>
 
-#include "engine/build/feature_scan.h"
-#include "engine/build/scene_builder.h"
+#include "engine/builders/feature_scan.h"
+#include "engine/builders/scene_builder.h"
 #include "engine/io/scene_loader.h"
 #include "engine/render/checkpoint.h"
 #include "engine/render/memory_use.h"
@@ -39,28 +39,21 @@ size_t headerFor(size_t alignment) { return std::max(alignment, kUsualAlignment)
 void* allocate(size_t size, size_t alignment = kUsualAlignment) {
     const size_t header = headerFor(alignment);
     char* block = static_cast<char*>(std::aligned_alloc(header, (size / header + 2) * header));
-    if (block == nullptr) {
-        std::abort();
-    }
+    if (block == nullptr) { std::abort(); }
     *reinterpret_cast<size_t*>(block) = size;
     if (size >= kLargeBlock) {
         const size_t now = largeBytes += size;
         size_t peak = largePeak;
-        while (peak < now && !largePeak.compare_exchange_weak(peak, now)) {
-        }
+        while (peak < now && !largePeak.compare_exchange_weak(peak, now)) {}
     }
     return block + header;
 }
 
 void release(void* pointer, size_t alignment = kUsualAlignment) {
-    if (pointer == nullptr) {
-        return;
-    }
+    if (pointer == nullptr) { return; }
     char* block = static_cast<char*>(pointer) - headerFor(alignment);
     const size_t size = *reinterpret_cast<size_t*>(block);
-    if (size >= kLargeBlock) {
-        largeBytes -= size;
-    }
+    if (size >= kLargeBlock) { largeBytes -= size; }
     std::free(block);
 }
 

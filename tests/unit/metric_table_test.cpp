@@ -21,17 +21,17 @@ TEST(MetricTable, NamesAreUniqueAndFound) {
 }
 
 TEST(MetricTable, ValuesAreTheMembers) {
-    const PictureMetrics m{.mse = 1.0,
-                           .rmse = 2.0,
-                           .relMse = 9.0,
-                           .relMseTrimmed = 4.0,
-                           .mape = 5.0,
-                           .bias = -6.0,
-                           .relativeBias = -7.0,
-                           .maxError = 8.0,
-                           .ssim = 0.5,
-                           .flip = 0.25,
-                           .hdrFlip = 0.75};
+    const ImageMetrics m{.mse = 1.0,
+                         .rmse = 2.0,
+                         .relMse = 9.0,
+                         .relMseTrimmed = 4.0,
+                         .mape = 5.0,
+                         .bias = -6.0,
+                         .relativeBias = -7.0,
+                         .maxError = 8.0,
+                         .ssim = 0.5,
+                         .flip = 0.25,
+                         .hdrFlip = 0.75};
     const std::pair<const char*, double> expected[] = {
         {"mse", 1.0},           {"rmse", 2.0}, {"rel_mse", 9.0}, {"rel_mse_trimmed", 4.0},
         {"relative_rmse", 3.0}, {"mape", 5.0}, {"bias", -6.0},   {"relative_bias", -7.0},
@@ -44,7 +44,7 @@ TEST(MetricTable, ValuesAreTheMembers) {
 }
 
 TEST(MetricTable, PerfectValues) {
-    const PictureMetrics equal{};
+    const ImageMetrics equal{};
     for (const MetricInfo& metric : metricTable()) {
         EXPECT_EQ(metric.value(equal), metric.largerIsBetter ? 1.0 : 0.0) << metric.key;
     }

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Where the numbers in metrics_expected_test.cpp come from: every metric once more, in NumPy and by another route.
 
-Run by hand (needs NumPy): metrics_expected.py. It makes the pictures of tests/support/formula_pictures.h from the
+Run by hand (needs NumPy): metrics_expected.py. It makes the pictures of tests/support/formula_images.h from the
 same integer formulas, and prints each figure. The routes differ from engine/report on purpose: whole 2-D kernels and
 explicit padding instead of separable passes, direct definitions instead of sums by blocks, everything in double.
 """

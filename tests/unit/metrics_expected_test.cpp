@@ -7,7 +7,7 @@
 
 #include "engine/report/hdr_flip.h"
 #include "engine/report/metrics.h"
-#include "tests/support/formula_pictures.h"
+#include "tests/support/formula_images.h"
 
 namespace glint {
 namespace {
@@ -31,8 +31,8 @@ constexpr Expected kExpected[] = {
 TEST(MetricsExpected, AgreeWithAnIndependentProgram) {
     for (const Expected& e : kExpected) {
         SCOPED_TRACE(testing::Message() << e.width << " x " << e.height);
-        const auto metrics = comparePictures(test::formulaTest(e.width, e.height),
-                                             test::formulaReference(e.width, e.height), {.hdrFlip = true});
+        const auto metrics = compareImages(test::formulaTest(e.width, e.height),
+                                           test::formulaReference(e.width, e.height), {.hdrFlip = true});
         ASSERT_TRUE(metrics) << metrics.error().format();
         EXPECT_NEAR(metrics->mse, e.mse, kTolerance);
         EXPECT_NEAR(metrics->rmse, e.rmse, kTolerance);
@@ -50,7 +50,7 @@ TEST(MetricsExpected, AgreeWithAnIndependentProgram) {
 
 TEST(MetricsExpected, AtAnotherExposureAndViewingDistance) {
     const MetricOptions options{.exposureStops = 1.0, .pixelsPerDegree = 20.0};
-    const auto metrics = comparePictures(test::formulaTest(64, 48), test::formulaReference(64, 48), options);
+    const auto metrics = compareImages(test::formulaTest(64, 48), test::formulaReference(64, 48), options);
     ASSERT_TRUE(metrics) << metrics.error().format();
     EXPECT_NEAR(metrics->flip, 0.191855525786, kTolerance);
     EXPECT_NEAR(metrics->ssim, 0.962474647109, kTolerance);
@@ -60,23 +60,23 @@ TEST(MetricsExpected, AtAnotherExposureAndViewingDistance) {
 /// HyAB and its redistribution. With c = 203.3017^0.7, the distance of green and blue, 0.95 + 0.05 (100^0.7 -
 /// 0.4 c) / (0.6 c) for black and white.
 TEST(MetricsExpected, FlipOfFlatFieldsByHand) {
-    const auto metrics = comparePictures(test::flatPicture(9, 9, 1.0f), test::flatPicture(9, 9, 0.0f));
+    const auto metrics = compareImages(test::flatImage(9, 9, 1.0f), test::flatImage(9, 9, 0.0f));
     ASSERT_TRUE(metrics);
     const double c = std::pow(203.30165461, 0.7);
     EXPECT_NEAR(metrics->flip, 0.95 + 0.05 * (std::pow(100.0, 0.7) - 0.4 * c) / (0.6 * c), kTolerance);
 }
 
-/// The authors' program says of its own example that it spans -12.5423 to 0.9427 stops in 14 exposures. A
-/// picture whose largest and median luminance (the mean of the two in the middle) are as far apart has as
-/// many.
+/// The authors' program says of its own example that it spans -12.5423 to 0.9427 stops in 14 exposures.
+/// A picture whose largest and median luminance (the mean of the two in the middle) are as far apart has
+/// as many.
 TEST(MetricsExpected, HdrFlipExposuresAsPublished) {
-    ImageF picture = test::flatPicture(2, 2, 0.0f);
+    ImageF image = test::flatImage(2, 2, 0.0f);
     const double ratio = std::exp2(12.5423 + 0.9427);
     const float values[] = {1.0f, 3.0f, 0.5f, static_cast<float>(2.0 * ratio)};
-    for (size_t i = 0; i < picture.rgb.size(); ++i) {
-        picture.rgb[i] = values[i / 3];
+    for (size_t i = 0; i < image.rgb.size(); ++i) {
+        image.rgb[i] = values[i / 3];
     }
-    const ExposureRange range = hdrFlipExposures(picture);
+    const ExposureRange range = hdrFlipExposures(image);
     EXPECT_EQ(range.count, 14);
     EXPECT_NEAR(range.stop - range.start, std::log2(ratio), 1e-6);
     // The curve of Narkowicz, before its scale of 0.6, takes 1.2713234 to 0.85.
@@ -94,7 +94,7 @@ ImageF stretched(ImageF image) {
 TEST(MetricsExpected, HdrFlipOverManyExposures) {
     const ImageF reference = stretched(test::formulaReference(64, 48));
     EXPECT_EQ(hdrFlipExposures(reference).count, 4);
-    const auto metrics = comparePictures(stretched(test::formulaTest(64, 48)), reference, {.hdrFlip = true});
+    const auto metrics = compareImages(stretched(test::formulaTest(64, 48)), reference, {.hdrFlip = true});
     ASSERT_TRUE(metrics) << metrics.error().format();
     EXPECT_NEAR(metrics->hdrFlip, 0.194319222336, kTolerance);
 }

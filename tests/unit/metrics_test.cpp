@@ -9,27 +9,27 @@
 #include <gtest/gtest.h>
 
 #include "engine/report/hdr_flip.h"
-#include "tests/support/formula_pictures.h"
+#include "tests/support/formula_images.h"
 
 namespace glint {
 namespace {
 
-using test::flatPicture;
+using test::flatImage;
 using test::formulaReference;
 using test::formulaTest;
 
 constexpr float kInf = std::numeric_limits<float>::infinity();
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-PictureMetrics compare(const ImageF& test, const ImageF& reference, const MetricOptions& options = {}) {
-    const auto metrics = comparePictures(test, reference, options);
+ImageMetrics compare(const ImageF& test, const ImageF& reference, const MetricOptions& options = {}) {
+    const auto metrics = compareImages(test, reference, options);
     EXPECT_TRUE(metrics) << metrics.error().format();
-    return metrics ? *metrics : PictureMetrics{};
+    return metrics ? *metrics : ImageMetrics{};
 }
 
-TEST(Metrics, EqualPicturesDifferByNothing) {
-    const ImageF picture = formulaReference(37, 23);
-    const PictureMetrics m = compare(picture, picture);
+TEST(Metrics, EqualImagesDifferByNothing) {
+    const ImageF image = formulaReference(37, 23);
+    const ImageMetrics m = compare(image, image);
     for (const double zero :
          {m.mse, m.rmse, m.relMse, m.relMseTrimmed, m.mape, m.bias, m.relativeBias, m.maxError, m.flip}) {
         EXPECT_EQ(zero, 0.0);
@@ -39,7 +39,7 @@ TEST(Metrics, EqualPicturesDifferByNothing) {
 }
 
 TEST(Metrics, OnePixel) {
-    const PictureMetrics m = compare(flatPicture(1, 1, 0.3f), flatPicture(1, 1, 0.2f));
+    const ImageMetrics m = compare(flatImage(1, 1, 0.3f), flatImage(1, 1, 0.2f));
     const double error = static_cast<double>(0.3f) - static_cast<double>(0.2f);
     EXPECT_DOUBLE_EQ(m.mse, error * error);
     EXPECT_NEAR(m.relMse, error * error / (0.04 + 0.01), 1e-8);
@@ -54,24 +54,24 @@ TEST(Metrics, OnePixel) {
     EXPECT_LT(m.flip, 1.0);
 }
 
-TEST(Metrics, BiasHasTheSignOfTheTestPicture) {
-    EXPECT_NEAR(compare(flatPicture(8, 8, 1.1f), flatPicture(8, 8, 1.0f)).relativeBias, 0.1, 1e-6);
-    EXPECT_NEAR(compare(flatPicture(8, 8, 0.9f), flatPicture(8, 8, 1.0f)).relativeBias, -0.1, 1e-6);
+TEST(Metrics, BiasHasTheSignOfTheTestImage) {
+    EXPECT_NEAR(compare(flatImage(8, 8, 1.1f), flatImage(8, 8, 1.0f)).relativeBias, 0.1, 1e-6);
+    EXPECT_NEAR(compare(flatImage(8, 8, 0.9f), flatImage(8, 8, 1.0f)).relativeBias, -0.1, 1e-6);
 }
 
 TEST(Metrics, BlackReferenceGivesFiniteRelativeErrors) {
-    const PictureMetrics m = compare(flatPicture(16, 16, 0.1f), flatPicture(16, 16, 0.0f));
+    const ImageMetrics m = compare(flatImage(16, 16, 0.1f), flatImage(16, 16, 0.0f));
     EXPECT_NEAR(m.relMse, 0.01 / 0.01, 1e-6);
     EXPECT_NEAR(m.mape, 0.1 / 0.01, 1e-5);
     EXPECT_EQ(m.relativeBias, std::numeric_limits<double>::infinity());
-    EXPECT_EQ(compare(flatPicture(16, 16, 0.0f), flatPicture(16, 16, 0.0f)).relativeBias, 0.0);
+    EXPECT_EQ(compare(flatImage(16, 16, 0.0f), flatImage(16, 16, 0.0f)).relativeBias, 0.0);
 }
 
 TEST(Metrics, TrimmingDropsTheOutlierAndNothingElse) {
-    ImageF test = flatPicture(40, 50, 1.1f);
-    const ImageF reference = flatPicture(40, 50, 1.0f);
+    ImageF test = flatImage(40, 50, 1.1f);
+    const ImageF reference = flatImage(40, 50, 1.0f);
     test.rgb[3 * (7 * 40 + 5)] = 1e6f;
-    const PictureMetrics m = compare(test, reference);
+    const ImageMetrics m = compare(test, reference);
     EXPECT_EQ(m.trimmedPixels, 2u);  // 0.1 % of 2000
     EXPECT_NEAR(m.relMseTrimmed, 0.01 / 1.01, 1e-7);
     EXPECT_GT(m.relMse, 1e8);
@@ -84,8 +84,8 @@ TEST(Metrics, TrimmingDropsTheOutlierAndNothingElse) {
 TEST(Metrics, MetricsThatHaveNoReferenceAreSymmetric) {
     const ImageF a = formulaTest(33, 29);
     const ImageF b = formulaReference(33, 29);
-    const PictureMetrics ab = compare(a, b);
-    const PictureMetrics ba = compare(b, a);
+    const ImageMetrics ab = compare(a, b);
+    const ImageMetrics ba = compare(b, a);
     EXPECT_DOUBLE_EQ(ab.mse, ba.mse);
     EXPECT_DOUBLE_EQ(ab.bias, -ba.bias);
     EXPECT_DOUBLE_EQ(ab.ssim, ba.ssim);
@@ -94,19 +94,19 @@ TEST(Metrics, MetricsThatHaveNoReferenceAreSymmetric) {
 }
 
 TEST(Metrics, SizesMustMatch) {
-    const auto result = comparePictures(flatPicture(4, 3, 0.0f), flatPicture(3, 4, 0.0f));
+    const auto result = compareImages(flatImage(4, 3, 0.0f), flatImage(3, 4, 0.0f));
     ASSERT_FALSE(result);
     EXPECT_THAT(result.error().message, testing::AllOf(testing::HasSubstr("4x3"), testing::HasSubstr("3x4")));
-    EXPECT_FALSE(comparePictures(ImageF{}, ImageF{}));
+    EXPECT_FALSE(compareImages(ImageF{}, ImageF{}));
 }
 
 TEST(Metrics, OptionsOutOfRangeAreErrors) {
-    const ImageF picture = flatPicture(2, 2, 0.5f);
+    const ImageF image = flatImage(2, 2, 0.5f);
     for (const MetricOptions& options :
          {MetricOptions{.relativeEpsilon = 0.0}, MetricOptions{.relativeEpsilon = std::nan("")},
           MetricOptions{.trimmedShare = 1.0}, MetricOptions{.trimmedShare = -0.1},
           MetricOptions{.exposureStops = std::nan("")}, MetricOptions{.pixelsPerDegree = 0.0}}) {
-        EXPECT_FALSE(comparePictures(picture, picture, options));
+        EXPECT_FALSE(compareImages(image, image, options));
     }
 }
 
@@ -121,7 +121,7 @@ TEST(Metrics, NonFinitePixelsAreCountedAndLeftOut) {
     ImageF broken = reference;
     broken.rgb[3 * 100] = -kInf;
     broken.rgb[3 * 101] = kNan;
-    const PictureMetrics m = compare(test, broken);
+    const ImageMetrics m = compare(test, broken);
     EXPECT_EQ(m.testNonFinite, 2u);
     EXPECT_EQ(m.referenceNonFinite, 2u);
     EXPECT_EQ(m.comparedPixels, 24u * 20u - 3u);
@@ -135,7 +135,7 @@ TEST(Metrics, NonFinitePixelsAreCountedAndLeftOut) {
             clean.rgb[c] = cleanReference.rgb[c] = 0.0f;
         }
     }
-    const PictureMetrics expected = compare(clean, cleanReference);
+    const ImageMetrics expected = compare(clean, cleanReference);
     const double share = 480.0 / 477.0;
     EXPECT_NEAR(m.mse, expected.mse * share, 1e-12);
     EXPECT_NEAR(m.mape, expected.mape * share, 1e-12);
@@ -143,45 +143,45 @@ TEST(Metrics, NonFinitePixelsAreCountedAndLeftOut) {
 }
 
 TEST(Metrics, NothingFiniteIsAnError) {
-    const auto result = comparePictures(flatPicture(2, 2, kNan), flatPicture(2, 2, 1.0f));
+    const auto result = compareImages(flatImage(2, 2, kNan), flatImage(2, 2, 1.0f));
     ASSERT_FALSE(result);
     EXPECT_THAT(result.error().message, testing::HasSubstr("4 are not in the first"));
 }
 
 TEST(Metrics, WhatIsNotAskedForIsNotANumber) {
     const ImageF a = formulaTest(9, 9);
-    const PictureMetrics m = compare(a, formulaReference(9, 9), {.ssim = false, .flip = false});
+    const ImageMetrics m = compare(a, formulaReference(9, 9), {.ssim = false, .flip = false});
     EXPECT_TRUE(std::isnan(m.ssim));
     EXPECT_TRUE(std::isnan(m.flip));
     EXPECT_GT(m.mse, 0.0);
 }
 
 TEST(Metrics, HugeAndNegativeValuesStayFinite) {
-    ImageF test = flatPicture(16, 16, -3.0f);
+    ImageF test = flatImage(16, 16, -3.0f);
     test.rgb[0] = 3e38f;
     test.rgb[1] = -3e38f;
-    const PictureMetrics m = compare(test, flatPicture(16, 16, 0.5f));
+    const ImageMetrics m = compare(test, flatImage(16, 16, 0.5f));
     for (const double value :
          {m.mse, m.relMse, m.relMseTrimmed, m.mape, m.bias, m.maxError, m.ssim, m.flip}) {
         EXPECT_TRUE(std::isfinite(value));
     }
 }
 
-TEST(Metrics, HdrFlipOfEqualBlackAndExtremePictures) {
+TEST(Metrics, HdrFlipOfEqualBlackAndExtremeImages) {
     const MetricOptions options{.flip = false, .hdrFlip = true};
-    const ImageF picture = formulaReference(20, 20);
-    EXPECT_EQ(compare(picture, picture, options).hdrFlip, 0.0);
-    EXPECT_EQ(compare(flatPicture(9, 9, 0.0f), flatPicture(9, 9, 0.0f), options).hdrFlip, 0.0);
-    ImageF lamp = flatPicture(20, 20, 0.0f);
-    lamp.rgb[0] = 3e38f;
-    EXPECT_LE(hdrFlipExposures(lamp).count, 24) << "nearly all of it is black";
-    const double seen = compare(picture, lamp, options).hdrFlip;
+    const ImageF image = formulaReference(20, 20);
+    EXPECT_EQ(compare(image, image, options).hdrFlip, 0.0);
+    EXPECT_EQ(compare(flatImage(9, 9, 0.0f), flatImage(9, 9, 0.0f), options).hdrFlip, 0.0);
+    ImageF emitter = flatImage(20, 20, 0.0f);
+    emitter.rgb[0] = 3e38f;
+    EXPECT_LE(hdrFlipExposures(emitter).count, 24) << "nearly all of it is black";
+    const double seen = compare(image, emitter, options).hdrFlip;
     EXPECT_TRUE(seen >= 0.0 && seen <= 1.0) << seen;
 }
 
 TEST(Metrics, HdrFlipSeesWhatOneExposureCutsOff) {
     const MetricOptions options{.hdrFlip = true};
-    const PictureMetrics m = compare(flatPicture(16, 16, 40.0f), flatPicture(16, 16, 80.0f), options);
+    const ImageMetrics m = compare(flatImage(16, 16, 40.0f), flatImage(16, 16, 80.0f), options);
     EXPECT_EQ(m.flip, 0.0) << "both are white at 0 stops";
     EXPECT_GT(m.hdrFlip, 0.1);
 }
@@ -189,9 +189,9 @@ TEST(Metrics, HdrFlipSeesWhatOneExposureCutsOff) {
 TEST(Metrics, ThreadsChangeNothing) {
     const ImageF test = formulaTest(67, 131);
     const ImageF reference = formulaReference(67, 131);
-    const PictureMetrics one = compare(test, reference, {.threads = 1});
+    const ImageMetrics one = compare(test, reference, {.threads = 1});
     for (const int threads : {2, 3, 8}) {
-        const PictureMetrics many = compare(test, reference, {.threads = threads});
+        const ImageMetrics many = compare(test, reference, {.threads = threads});
         EXPECT_EQ(one.mse, many.mse);
         EXPECT_EQ(one.relMse, many.relMse);
         EXPECT_EQ(one.relMseTrimmed, many.relMseTrimmed);

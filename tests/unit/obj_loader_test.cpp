@@ -222,10 +222,10 @@ TEST(MtlLoader, MapsToGlintMaterials) {
     EXPECT_EQ(materialOf("Kd 1 1 1\nTf 0.5 1 1\nd 0\nNi 1.5\n").color.value, Vec3(0.5f, 1.0f, 1.0f));
     EXPECT_EQ(materialOf("Kd 1 1 1\nd 0.9\n").kind, MaterialKind::Diffuse);
 
-    const Material lamp = materialOf("Kd 0 0 0\nKe 10 8 6\n");
-    EXPECT_TRUE(lamp.emissive());
-    EXPECT_TRUE(lamp.emitsBothSides);
-    EXPECT_EQ(lamp.emission, Vec3(10, 8, 6));
+    const Material emitter = materialOf("Kd 0 0 0\nKe 10 8 6\n");
+    EXPECT_TRUE(emitter.emissive());
+    EXPECT_TRUE(emitter.emitsBothSides);
+    EXPECT_EQ(emitter.emission, Vec3(10, 8, 6));
 }
 
 size_t trianglesIn(const std::filesystem::path& folder) {
@@ -245,9 +245,7 @@ size_t trianglesIn(const std::filesystem::path& folder) {
 
 TEST(ObjLoader, SeedMeshesLoadWhole) {
     const std::filesystem::path meshes = std::filesystem::path(GLINT_SHARED_DIR) / "seed-scenes" / "mesh";
-    if (!std::filesystem::exists(meshes)) {
-        GTEST_SKIP() << "the seed scenes are not at " << meshes;
-    }
+    if (!std::filesystem::exists(meshes)) { GTEST_SKIP() << "the seed scenes are not at " << meshes; }
     EXPECT_EQ(trianglesIn(meshes / "sibenik"), 75165u);
     EXPECT_EQ(trianglesIn(meshes / "living_room"), 167288u);
 }

@@ -1,5 +1,5 @@
-// Photon look-ups against brute force, over radii that differ by a million, and their independence of
-// threads.
+// Photon look-ups against brute force, over radii that differ by a million, and their independence
+// of threads.
 #include "engine/render/photon_store.h"
 
 #include <algorithm>
@@ -51,9 +51,7 @@ template <class PhotonMap>
 std::vector<uint32_t> photonsWithin(const PhotonMap& map, const Vec3& center, float radius) {
     std::vector<uint32_t> found;
     map.visitNear(center, radius, [&](const Photon& photon) {
-        if (lengthSquared(photon.p - center) < radius * radius) {
-            found.push_back(photon.wiPacked);
-        }
+        if (lengthSquared(photon.p - center) < radius * radius) { found.push_back(photon.wiPacked); }
     });
     std::sort(found.begin(), found.end());
     return found;
@@ -62,9 +60,7 @@ std::vector<uint32_t> photonsWithin(const PhotonMap& map, const Vec3& center, fl
 std::vector<uint32_t> bruteForce(const std::vector<Photon>& photons, const Vec3& center, float radius) {
     std::vector<uint32_t> found;
     for (const Photon& photon : photons) {
-        if (lengthSquared(photon.p - center) < radius * radius) {
-            found.push_back(photon.wiPacked);
-        }
+        if (lengthSquared(photon.p - center) < radius * radius) { found.push_back(photon.wiPacked); }
     }
     return found;
 }

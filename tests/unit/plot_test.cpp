@@ -66,9 +66,7 @@ std::vector<Box> labelBoxes(const Drawing& drawing) {
     std::vector<Box> boxes;
     for (const auto& shape : drawing.shapes) {
         const auto* label = std::get_if<Label>(&shape);
-        if (label == nullptr) {
-            continue;
-        }
+        if (label == nullptr) { continue; }
         const double width = textWidth(label->text, label->size, label->bold);
         const double share = label->anchor == TextAnchor::Start    ? 0.0
                              : label->anchor == TextAnchor::Middle ? 0.5
@@ -239,13 +237,13 @@ TEST(Plot, FilesAreSavedWholeAndDecode) {
     const test::TempFolder folder;
     ASSERT_TRUE(saveChart(folder.path("a.png"), exampleChart()));
     ASSERT_TRUE(saveChart(folder.path("a.svg"), exampleChart()));
-    const auto picture = loadImage8(folder.path("a.png"));
-    ASSERT_TRUE(picture) << picture.error().format();
-    EXPECT_EQ((*picture)->width, 1920);
-    EXPECT_EQ((*picture)->height, 1200);
+    const auto image = loadImage8(folder.path("a.png"));
+    ASSERT_TRUE(image) << image.error().format();
+    EXPECT_EQ((*image)->width, 1920);
+    EXPECT_EQ((*image)->height, 1200);
     const auto has = [&](uint8_t r, uint8_t g, uint8_t b) {
-        for (size_t i = 0; i + 2 < (*picture)->rgb.size(); i += 3) {
-            if ((*picture)->rgb[i] == r && (*picture)->rgb[i + 1] == g && (*picture)->rgb[i + 2] == b) {
+        for (size_t i = 0; i + 2 < (*image)->rgb.size(); i += 3) {
+            if ((*image)->rgb[i] == r && (*image)->rgb[i + 1] == g && (*image)->rgb[i + 2] == b) {
                 return true;
             }
         }

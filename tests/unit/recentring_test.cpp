@@ -1,15 +1,15 @@
 // Scenes far from the origin: what is moved, what stays, and that the picture is that of the same scene at
 // the origin, to the bit where the move is exact.
-#include "engine/build/recentring.h"
+#include "engine/builders/recentring.h"
 
 #include <filesystem>
 
 #include <gtest/gtest.h>
 
-#include "engine/build/instance_builder.h"
-#include "engine/build/light_table.h"
-#include "engine/build/mesh_builder.h"
-#include "engine/build/scene_builder.h"
+#include "engine/builders/instance_builder.h"
+#include "engine/builders/light_table.h"
+#include "engine/builders/mesh_builder.h"
+#include "engine/builders/scene_builder.h"
 #include "engine/io/scene_loader.h"
 #include "engine/report/stress_scene.h"
 #include "tests/support/render_scene.h"
@@ -53,7 +53,7 @@ TEST(Recentring, LeavesTheScenesOfThisRepositoryAlone) {
     int scenes = 0;
     for (const auto& entry : std::filesystem::directory_iterator(GLINT_SOURCE_DIR "/scenes")) {
         const std::string name = entry.path().filename().string();
-        if (!name.ends_with(".json") || name.ends_with("schema.json")) continue;
+        if (!name.ends_with(".json") || name.ends_with("schema.json")) { continue; }
         const auto scene = loadScene(entry.path().string(), {});
         ASSERT_TRUE(scene) << entry.path();
         EXPECT_EQ(findRecentring(*scene, nullptr), nullptr) << entry.path();
@@ -90,11 +90,13 @@ TEST(Recentring, MeshesFarFromTheirOwnOriginAreCentredToo) {
     SceneDescription brought = room;
     for (Mesh& mesh : brought.meshes) {
         auto data = std::make_shared<MeshData>(*mesh.data);
-        for (Vec3& p : data->positions) p += kExactOffset;
+        for (Vec3& p : data->positions) {
+            p += kExactOffset;
+        }
         mesh.data = std::move(data);
     }
     for (Object& object : brought.objects) {
-        if (object.shape != ShapeKind::Mesh) continue;
+        if (object.shape != ShapeKind::Mesh) { continue; }
         object.objectToWorld = object.objectToWorld * translate(-kExactOffset);
     }
     const auto found = findRecentring(brought, nullptr);
@@ -102,7 +104,9 @@ TEST(Recentring, MeshesFarFromTheirOwnOriginAreCentredToo) {
     EXPECT_TRUE(isZero(found->origin));
     const SceneDescription moved = recentred(brought, *found);
     for (const Mesh& mesh : moved.meshes) {
-        for (const Vec3& p : mesh.data->positions) EXPECT_LT(maxComponent(absVec(p)), 20.0f);
+        for (const Vec3& p : mesh.data->positions) {
+            EXPECT_LT(maxComponent(absVec(p)), 20.0f);
+        }
     }
     for (const Object& object : moved.objects) {
         EXPECT_LT(maxComponent(absVec(object.objectToWorld.translation)), 20.0f);
@@ -124,17 +128,17 @@ TEST(Recentring, CameraAndMaterialEditsKeepTheOriginAndRebuildNoMesh) {
 TEST(Recentring, AMovedObjectKeepsTheOriginUntilTheSceneGrows) {
     SceneDescription scene = farRoom();
     const auto before = edited(scene, EditKind::Everything, nullptr);
-    Object& ball = scene.objects[2];
-    ball.objectToWorld.translation += Vec3(0.25f, 0, 0.25f);
+    Object& sphere = scene.objects[2];
+    sphere.objectToWorld.translation += Vec3(0.25f, 0, 0.25f);
     BuildReport report;
     const auto after = edited(scene, EditKind::ObjectTransform, before.get(), &report);
     EXPECT_EQ(after->origin(), before->origin());
     EXPECT_EQ(after->meshes, before->meshes);
     EXPECT_EQ(report.meshesBuilt, 0);
     EXPECT_EQ(after->instances->instances[2].objectToWorld.translation,
-              ball.objectToWorld.translation - kExactOffset);
+              sphere.objectToWorld.translation - kExactOffset);
     // Dragged to where world coordinates will do: as if it had been loaded so.
-    ball.objectToWorld.translation = {0, 0, 0};
+    sphere.objectToWorld.translation = {0, 0, 0};
     const auto home = edited(scene, EditKind::ObjectTransform, after.get());
     EXPECT_TRUE(isZero(home->origin()));
     EXPECT_EQ(home->meshes[0]->data, scene.meshes[0].data);

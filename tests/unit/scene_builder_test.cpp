@@ -1,5 +1,5 @@
 // The edit table with real parts: what each edit rebuilds and what it shares, and what is refused.
-#include "engine/build/scene_builder.h"
+#include "engine/builders/scene_builder.h"
 
 #include <limits>
 
@@ -25,12 +25,12 @@ class SceneBuilder : public testing::Test {
         description.materials.back().name = "spare";
         // The scene's own materials may share one mesh; a lamp makes light tables matter.
         description.materials.back().emission = Vec3(1.0f);
-        Object lamp;
-        lamp.name = "lamp";
-        lamp.shape = ShapeKind::Sphere;
-        lamp.material = static_cast<int>(description.materials.size()) - 1;
-        lamp.objectToWorld.translation = {0, 5, 0};
-        description.objects.push_back(lamp);
+        Object emitter;
+        emitter.name = "lamp";
+        emitter.shape = ShapeKind::Sphere;
+        emitter.material = static_cast<int>(description.materials.size()) - 1;
+        emitter.objectToWorld.translation = {0, 5, 0};
+        description.objects.push_back(emitter);
         const Edited first = edit(EditKind::Everything, nullptr);
         before = first.scene;
     }
@@ -40,9 +40,7 @@ class SceneBuilder : public testing::Test {
         auto result = buildScene({std::make_shared<SceneDescription>(description), kinds}, previous.get(), 1,
                                  nullptr, &out.report);
         EXPECT_TRUE(result.ok()) << (result.ok() ? "" : result.error().format());
-        if (result.ok()) {
-            out.scene = *result;
-        }
+        if (result.ok()) { out.scene = *result; }
         return out;
     }
 

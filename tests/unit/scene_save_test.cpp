@@ -35,12 +35,8 @@ void expectSame(const MeshData& a, const MeshData& b) {
 void expectSame(const ImageSource& a, const ImageSource& b) {
     ASSERT_EQ(a.bytes != nullptr, b.bytes != nullptr);
     ASSERT_EQ(a.floats != nullptr, b.floats != nullptr);
-    if (a.bytes) {
-        EXPECT_TRUE(sameArray(a.bytes->rgb, b.bytes->rgb));
-    }
-    if (a.floats) {
-        EXPECT_TRUE(sameArray(a.floats->rgb, b.floats->rgb));
-    }
+    if (a.bytes) { EXPECT_TRUE(sameArray(a.bytes->rgb, b.bytes->rgb)); }
+    if (a.floats) { EXPECT_TRUE(sameArray(a.floats->rgb, b.floats->rgb)); }
 }
 
 void expectSame(const Material& a, const Material& b) {
@@ -141,9 +137,7 @@ TEST(SceneSave, OurOwnScenesComeBack) {
 
 TEST(SceneSave, TextScenesAndObjFilesComeBack) {
     const fs::path seeds = fs::path(GLINT_SHARED_DIR) / "seed-scenes";
-    if (!fs::exists(seeds)) {
-        GTEST_SKIP() << seeds << " is not here";
-    }
+    if (!fs::exists(seeds)) { GTEST_SKIP() << seeds << " is not here"; }
     for (const char* name :
          {"scene03_sphere", "scene04_axes", "scene11_smallpt", "scene18_dof", "scene21_livingroom"}) {
         expectSurvivesSaving((seeds / "testcases" / name).string() + ".txt", {.allowMissing = true});

@@ -144,9 +144,7 @@ TEST(SceneText, CurvesAreNamedAndLeftOutOnlyWhenAllowed) {
 TEST(SceneText, SeedScenesAreReadOrNameWhatTheyLack) {
     const std::filesystem::path folder =
         std::filesystem::path(GLINT_SHARED_DIR) / "seed-scenes" / "testcases";
-    if (!std::filesystem::exists(folder)) {
-        GTEST_SKIP() << folder << " is not here";
-    }
+    if (!std::filesystem::exists(folder)) { GTEST_SKIP() << folder << " is not here"; }
     const std::map<std::string, std::string> lacking = {{"scene08_core", "bare curves"},
                                                         {"scene09_norm", "RevSurface"},
                                                         {"scene10_wineglass", "RevSurface"},

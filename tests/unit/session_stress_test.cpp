@@ -76,12 +76,8 @@ TEST(SessionStress, ThousandsOfRandomActsLeaveASessionThatWorks) {
             generation = snapshot->generation;
             ASSERT_EQ(snapshot->radiance.size(), static_cast<size_t>(snapshot->width) * snapshot->height * 3);
         }
-        if (i % 50 == 0) {
-            captures.push_back(session.captureLater());
-        }
-        if (i % 16 == 0) {
-            std::this_thread::sleep_for(std::chrono::microseconds(300));
-        }
+        if (i % 50 == 0) { captures.push_back(session.captureLater()); }
+        if (i % 16 == 0) { std::this_thread::sleep_for(std::chrono::microseconds(300)); }
     }
     control->buildsFailing = 0;
     control->failPasses = false;

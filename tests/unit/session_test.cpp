@@ -31,9 +31,7 @@ struct Bench {
     bool waitFor(const std::function<bool()>& condition) const {
         const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(kPatience);
         while (!condition()) {
-            if (std::chrono::steady_clock::now() > end) {
-                return false;
-            }
+            if (std::chrono::steady_clock::now() > end) { return false; }
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
         return true;
@@ -137,7 +135,7 @@ TEST(Session, ErrorMapsComeOnRequest) {
     EXPECT_EQ(bench.session->status().counters.filmRestarts, 1u);
 }
 
-TEST(Session, WishesNeverRestartTheFilm) {
+TEST(Session, RequestsNeverRestartTheFilm) {
     Bench bench;
     bench.session->setLimits({.passes = 4});
     bench.open(8, 8);
@@ -175,7 +173,7 @@ TEST(Session, AovsAndStandardErrorsComeOnRequestAlsoWhenFinished) {
     EXPECT_EQ(bench.session->status().passes, 4u);
 }
 
-TEST(Session, LayersThatAnEditKeepsHaveThePicturesSizeAfterPreviews) {
+TEST(Session, LayersThatAnEditKeepsHaveTheImagesSizeAfterPreviews) {
     Bench bench;
     const auto scene = fakeScene(64, 64);
     scene->options.integrator = IntegratorKind::Sppm;
@@ -353,7 +351,7 @@ TEST(Session, BackendErrorsAndExceptionsFailWithAMessageAndARestartTriesAgain) {
     EXPECT_EQ(bench.session->wait(kPatience), SessionState::Finished);
 }
 
-TEST(Session, ALastGoodPictureOutlivesAFailure) {
+TEST(Session, ALastGoodImageOutlivesAFailure) {
     Bench bench;
     bench.open(8, 8);
     ASSERT_TRUE(
@@ -364,7 +362,7 @@ TEST(Session, ALastGoodPictureOutlivesAFailure) {
     EXPECT_TRUE(bench.session->capture().has_value());
 }
 
-TEST(Session, AHeavySceneShowsAPreviewFirstAndThenTheWholePicture) {
+TEST(Session, AHeavySceneShowsAPreviewFirstAndThenTheWholeImage) {
     Bench bench;
     bench.session->setLimits({.passes = 1});
     bench.control->secondsPerPath = 2e-5;  // 0.33 s for 128x128
@@ -447,19 +445,19 @@ TEST(Session, ResumingWithAnotherSizeFails) {
     EXPECT_NE(bench.session->status().error.find("9x8"), std::string::npos);
 }
 
-TEST(Session, AContinuousDragStillShowsPictures) {
+TEST(Session, AContinuousDragStillShowsImages) {
     Bench bench;
     bench.control->secondsPerPath = 3e-6;
     bench.open(128, 128);
     ASSERT_TRUE(bench.waitFor([&] { return bench.session->status().passes > 0; }));
     bench.session->setInteracting(true);
-    const uint64_t before = bench.session->status().picturesAfterEdits;
+    const uint64_t before = bench.session->status().imagesAfterEdits;
     for (int i = 0; i < 100; ++i) {
         bench.session->post({fakeScene(128, 128), EditKind::Camera});
         std::this_thread::sleep_for(std::chrono::milliseconds(4));
     }
     // Edits come faster than previews end; the picture must move all the same.
-    EXPECT_GT(bench.session->status().picturesAfterEdits, before + 5);
+    EXPECT_GT(bench.session->status().imagesAfterEdits, before + 5);
 }
 
 }  // namespace

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/build/camera_builder.h"
-#include "engine/build/feature_scan.h"
-#include "engine/build/material_table.h"
+#include "engine/builders/camera_builder.h"
+#include "engine/builders/feature_scan.h"
+#include "engine/builders/material_table.h"
 
 namespace glint {
 namespace {
@@ -43,9 +43,7 @@ Material materialOf(MaterialKind kind) {
 Result<std::shared_ptr<const MaterialTable>> build(const SceneDescription& scene,
                                                    std::shared_ptr<const MaterialTable> previous = nullptr) {
     const auto textures = buildTextureTable(scene, nullptr);
-    if (!textures) {
-        return textures.error();
-    }
+    if (!textures) { return textures.error(); }
     return buildMaterialTable(scene, **textures, previous);
 }
 

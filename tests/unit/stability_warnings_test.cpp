@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/build/repeated_triangles.h"
+#include "engine/builders/repeated_triangles.h"
 #include "engine/io/scene_loader.h"
 #include "engine/report/stress_scene.h"
 #include "tests/support/temp_folder.h"
@@ -14,7 +14,7 @@ namespace {
 
 bool warnsOf(const SceneDescription& scene, const std::string& words) {
     for (const std::string& warning : stabilityWarnings(scene)) {
-        if (warning.find(words) != std::string::npos) return true;
+        if (warning.find(words) != std::string::npos) { return true; }
     }
     return false;
 }

@@ -143,7 +143,9 @@ TEST(StressSuite, FindsErrorsThatWerePutIn) {
 TEST(StressSuite, FindsAPairedDifference) {
     const SceneDescription room = stressRoom();
     SceneDescription brighter = room;
-    for (Material& material : brighter.materials) material.emission *= 1.02f;
+    for (Material& material : brighter.materials) {
+        material.emission *= 1.02f;
+    }
     const auto same = measurePathsAgainst(room, room, 8, {});
     const auto other = measurePathsAgainst(brighter, room, 8, {});
     ASSERT_TRUE(same && other);
@@ -187,7 +189,9 @@ TEST(StressSuite, EveryCaseHasAnIdentityOfItsOwn) {
 TEST(StressSuite, FiltersByFamilyAndByPartOfAName) {
     const auto scale = filterStressCases(stressCases(), "scale");
     ASSERT_TRUE(scale);
-    for (const StressCase& c : *scale) EXPECT_EQ(c.family, "scale");
+    for (const StressCase& c : *scale) {
+        EXPECT_EQ(c.family, "scale");
+    }
     const auto part = filterStressCases(stressCases(), "albedo/sphere");
     ASSERT_TRUE(part);
     EXPECT_LT(part->size(), filterStressCases(stressCases(), "albedo")->size());

@@ -59,7 +59,7 @@ TEST(ToneMap, OddInputGivesDisplayableValues) {
     }
 }
 
-TEST(ToneMap, PictureEqualsPixelsOnAnyNumberOfThreads) {
+TEST(ToneMap, ImageEqualsPixelsOnAnyNumberOfThreads) {
     constexpr int kWidth = 13;
     constexpr int kHeight = 57;
     std::vector<float> radiance;
@@ -67,8 +67,8 @@ TEST(ToneMap, PictureEqualsPixelsOnAnyNumberOfThreads) {
         radiance.push_back(0.001f * static_cast<float>((i * 7919) % 3001));
     }
     for (const ToneMap map : kAll) {
-        const Image8 one = toneMapPicture(radiance.data(), kWidth, kHeight, 0.5f, map, 1);
-        EXPECT_EQ(toneMapPicture(radiance.data(), kWidth, kHeight, 0.5f, map, 3).rgb, one.rgb);
+        const Image8 one = toneMapImage(radiance.data(), kWidth, kHeight, 0.5f, map, 1);
+        EXPECT_EQ(toneMapImage(radiance.data(), kWidth, kHeight, 0.5f, map, 3).rgb, one.rgb);
         for (size_t i = 0; i < one.rgb.size(); i += 3) {
             const Vec3 expected = toneMapped({radiance[i], radiance[i + 1], radiance[i + 2]}, 0.5f, map);
             for (int c = 0; c < 3; ++c) {

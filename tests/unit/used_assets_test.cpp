@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "engine/build/feature_scan.h"
+#include "engine/builders/feature_scan.h"
 #include "engine/io/image_io.h"
 #include "engine/io/scene_json.h"
 #include "engine/io/scene_loader.h"
@@ -324,7 +324,7 @@ bool samePixels(const std::vector<FilmPixel>& a, const std::vector<FilmPixel>& b
 
 /// Textures are read and assigned while a session renders, on another thread, and the picture is that of a
 /// scene that had them from the beginning. No structure is built again for texture coordinates that came.
-TEST_F(UsedAssets, AssignedWhileRenderingThePictureIsTheSame) {
+TEST_F(UsedAssets, AssignedWhileRenderingTheImageIsTheSame) {
     SceneDescription scene = loadText("idle.json", kIdleScene);
     SessionOptions options;
     options.previews = false;

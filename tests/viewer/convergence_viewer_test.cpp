@@ -83,7 +83,7 @@ screenshot "curves.png"
     EXPECT_THAT(ran.output, HasSubstr("90 %: "));
 }
 
-TEST(ConvergenceViewer, TheErrorAgainstAReferenceIsThatOfTheSavedPictures) {
+TEST(ConvergenceViewer, TheErrorAgainstAReferenceIsThatOfTheSavedImages) {
     makeReference("reference.exr", 40);
     const Ran ran = play(R"(
 drop "reference.exr"
@@ -122,8 +122,8 @@ expect no-widget "Convergence/In use"
     const auto path = loadImageF("path.exr");
     const auto sppm = loadImageF("sppm.exr");
     ASSERT_TRUE(reference && path && sppm);
-    const auto ofPath = comparePictures(**path, **reference);
-    const auto ofSppm = comparePictures(**sppm, **reference);
+    const auto ofPath = compareImages(**path, **reference);
+    const auto ofSppm = compareImages(**sppm, **reference);
     ASSERT_TRUE(ofPath && ofSppm);
     EXPECT_GT(ofPath->relativeRmse(), 1e-4) << "another seed, another picture";
     EXPECT_THAT(printed(ran, "Convergence/Path tracing"),
@@ -342,11 +342,11 @@ expect no-widget "Scale"
     EXPECT_THAT(scales[0], HasSubstr("noise"));
     EXPECT_THAT(scales[1], HasSubstr("radius")) << "path tracing is chosen, and the other side shows it";
     // Right of the divider, on the sphere: coloured; left of it grey radiance.
-    const auto picture = loadImage8("radius.png");
-    ASSERT_TRUE(picture);
+    const auto image = loadImage8("radius.png");
+    ASSERT_TRUE(image);
     const auto tint = [&](int x, int y) {
         const uint8_t* c =
-            (*picture)->rgb.data() + (static_cast<size_t>(y) * 1280 + static_cast<size_t>(x)) * 3;
+            (*image)->rgb.data() + (static_cast<size_t>(y) * 1280 + static_cast<size_t>(x)) * 3;
         return std::max({c[0], c[1], c[2]}) - std::min({c[0], c[1], c[2]});
     };
     EXPECT_GE(tint(520, 348), 30);

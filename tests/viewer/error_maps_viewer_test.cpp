@@ -13,7 +13,7 @@
 #include "engine/io/exr_io.h"
 #include "engine/io/image_io.h"
 #include "tests/viewer/play_script.h"
-#include "viewer/window/picture_source.h"
+#include "viewer/window/shown_image_source.h"
 
 namespace glint {
 namespace {
@@ -41,8 +41,9 @@ set "Layers" on
 /// Moves the mouse to each place and prints what the status line says of its pixel.
 std::string readouts(const std::vector<Vec2i>& places) {
     std::string script;
-    for (const Vec2i& at : places)
+    for (const Vec2i& at : places) {
         script += fmt::format("move {} {}\nwait frames 3\nprint \"Status line\"\n", at.x, at.y);
+    }
     return script;
 }
 
@@ -60,8 +61,9 @@ std::vector<Readout> readoutsOf(const Ran& ran) {
         Readout readout;
         const size_t open = line.find('(');
         if (open != std::string::npos &&
-            std::sscanf(line.c_str() + open, "(%d, %d)", &readout.pixel.x, &readout.pixel.y) == 2)
+            std::sscanf(line.c_str() + open, "(%d, %d)", &readout.pixel.x, &readout.pixel.y) == 2) {
             readout.text = line.substr(line.find(')', open) + 3);
+        }
         found.push_back(readout);
     }
     return found;
@@ -69,7 +71,7 @@ std::vector<Readout> readoutsOf(const Ran& ran) {
 
 std::vector<float> layer(const std::string& file, const char* name) {
     const auto loaded = loadExr(file);
-    if (!loaded) return {};
+    if (!loaded) { return {}; }
     const ExrChannel* channel = loaded->find(name);
     return channel != nullptr ? channel->floats : std::vector<float>{};
 }
@@ -96,7 +98,7 @@ const uint8_t* colorOf(const Image8& screenshot, int x, int y) {
 constexpr int kRowsAboveScale = kHeight - 6;
 
 /// The picture's pixels in the screenshot have the colours of these values.
-void expectColors(const std::string& screenshot, const FilmSnapshot& snapshot, ShownPicture shown) {
+void expectColors(const std::string& screenshot, const FilmSnapshot& snapshot, ShownImage shown) {
     MapScale scale;
     const std::vector<uint8_t> colors = falseColors(snapshot, shown, nullptr, &scale);
     const auto image = loadImage8(screenshot);
@@ -171,9 +173,9 @@ screenshot "bound.png"
         EXPECT_EQ(read[i].text, fmt::format("bias {:+.3g} luminance", bias));
         expectBound(read[i + places.size()], ofFile.errorBound);
     }
-    expectColors("bias.png", ofFile, ShownPicture::Bias);
+    expectColors("bias.png", ofFile, ShownImage::Bias);
     expectSigns("bias.png", ofFile.bias);
-    expectColors("bound.png", ofFile, ShownPicture::ErrorBound);
+    expectColors("bound.png", ofFile, ShownImage::ErrorBound);
 }
 
 TEST(ErrorMapsViewer, ComparedEachSideShowsItsOwnBound) {

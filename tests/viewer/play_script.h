@@ -31,8 +31,9 @@ inline Ran run(const std::string& arguments) {
     const std::string command = std::string(GLINT_PROGRAM) + " " + arguments + " 2>&1 < /dev/null";
     std::FILE* pipe = popen(command.c_str(), "r");
     std::array<char, 4096> buffer{};
-    for (size_t got; (got = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+    for (size_t got; (got = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
         ran.output.append(buffer.data(), got);
+    }
     const int status = pclose(pipe);
     ran.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     return ran;

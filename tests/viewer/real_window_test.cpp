@@ -1,6 +1,6 @@
 // A real window on an X server of the test's own (Xvfb), with a mouse and a keyboard that are not ours
-// (xdotool): a click pauses, a drag on the picture moves the camera, closing ends the program with exit code
-// 0.
+// (xdotool): a click pauses, a drag on the picture moves the camera, closing ends the program with exit
+// code 0.
 //
 // Nothing here is timed: the test waits for what the window's title says. The guard against hanging is
 // generous. Where a widget is comes from a script's `print widgets` in a headless window of the same size.
@@ -64,7 +64,7 @@ std::string read(const std::string& path) {
 bool until(const std::function<bool()>& met) {
     const auto end = std::chrono::steady_clock::now() + kHangGuard;
     while (!met()) {
-        if (std::chrono::steady_clock::now() > end) return false;
+        if (std::chrono::steady_clock::now() > end) { return false; }
         std::this_thread::sleep_for(kPause);
     }
     return true;
@@ -76,13 +76,15 @@ class Child {
   public:
     Child(const Words& words, const std::string& outputFile, int inheritedPipe = -1) {
         pid_ = fork();
-        if (pid_ != 0) return;
+        if (pid_ != 0) { return; }
         const int output = open(outputFile.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0644);
         dup2(output, STDOUT_FILENO);
         dup2(output, STDERR_FILENO);
-        if (inheritedPipe >= 0) dup2(inheritedPipe, 3);
+        if (inheritedPipe >= 0) { dup2(inheritedPipe, 3); }
         std::vector<char*> argv;
-        for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
+        for (const std::string& word : words) {
+            argv.push_back(const_cast<char*>(word.c_str()));
+        }
         argv.push_back(nullptr);
         execvp(argv[0], argv.data());
         _exit(127);
@@ -90,17 +92,20 @@ class Child {
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
     ~Child() {
-        if (!ended()) kill(pid_, SIGTERM);
-        for (int i = 0; i < 50 && !ended(); ++i) std::this_thread::sleep_for(kPause);
-        if (ended()) return;
+        if (!ended()) { kill(pid_, SIGTERM); }
+        for (int i = 0; i < 50 && !ended(); ++i) {
+            std::this_thread::sleep_for(kPause);
+        }
+        if (ended()) { return; }
         kill(pid_, SIGKILL);
         waitpid(pid_, nullptr, 0);
     }
 
     bool ended() {
         int status = 0;
-        if (!exitCode_ && waitpid(pid_, &status, WNOHANG) == pid_)
+        if (!exitCode_ && waitpid(pid_, &status, WNOHANG) == pid_) {
             exitCode_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+        }
         return exitCode_.has_value();
     }
     /// -1: it did not end.
@@ -117,8 +122,9 @@ std::string outputOf(const std::string& command) {
     std::FILE* pipe = popen((command + " 2>&1 < /dev/null").c_str(), "r");
     std::string output;
     std::array<char, 4096> buffer{};
-    for (size_t got; (got = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+    for (size_t got; (got = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
         output.append(buffer.data(), got);
+    }
     pclose(pipe);
     return output;
 }
@@ -132,7 +138,7 @@ class XServer {
   public:
     explicit XServer(const Words& more = {}) {
         int ends[2];
-        if (pipe(ends) != 0) return;
+        if (pipe(ends) != 0) { return; }
         Words words{
             "Xvfb", "-displayfd", "3", "-screen", "0", "1280x720x24", "-nolisten", "tcp",
             // Otherwise it starts anew whenever its last client leaves, and drops who is just arriving.
@@ -141,9 +147,11 @@ class XServer {
         server_ = std::make_unique<Child>(words, "xvfb.log", ends[1]);
         close(ends[1]);
         char digit = 0;
-        while (::read(ends[0], &digit, 1) == 1 && digit != '\n') name_ += digit;
+        while (::read(ends[0], &digit, 1) == 1 && digit != '\n') {
+            name_ += digit;
+        }
         close(ends[0]);
-        if (!name_.empty()) name_ = ":" + name_;
+        if (!name_.empty()) { name_ = ":" + name_; }
     }
     const std::string& name() const { return name_; }
 
@@ -162,10 +170,11 @@ struct Rect {
 std::optional<Rect> placeOf(const std::string& widgets, const std::string& name) {
     const size_t at = widgets.find("\"" + name + "\" ");
     Rect rect;
-    if (at == std::string::npos) return std::nullopt;
+    if (at == std::string::npos) { return std::nullopt; }
     const char* numbers = widgets.c_str() + at + name.size() + 3;
-    if (std::sscanf(numbers, "%d %d %d %d", &rect.x, &rect.y, &rect.width, &rect.height) != 4)
+    if (std::sscanf(numbers, "%d %d %d %d", &rect.x, &rect.y, &rect.width, &rect.height) != 4) {
         return std::nullopt;
+    }
     return rect;
 }
 
@@ -185,8 +194,8 @@ void askToClose(const std::string& display, unsigned long window) {
     XCloseDisplay(connection);
 }
 
-/// Another program that files are dragged from, by the XDND protocol (version 5, as a file manager speaks
-/// it).
+/// Another program that files are dragged from, by the XDND protocol (version 5, as a file manager
+/// speaks it).
 class DragSource {
   public:
     explicit DragSource(const std::string& display) : display_(XOpenDisplay(display.c_str())) {
@@ -203,7 +212,7 @@ class DragSource {
         say(target, "XdndEnter", {5L << 24, list, 0, 0});
         const long copy = static_cast<long>(atom("XdndActionCopy"));
         say(target, "XdndPosition", {0, (300L << 16) | 300, CurrentTime, copy});
-        if (!answered("XdndStatus", uriList)) return false;
+        if (!answered("XdndStatus", uriList)) { return false; }
         say(target, "XdndDrop", {0, CurrentTime, 0, 0});
         return answered("XdndFinished", uriList);
     }
@@ -218,7 +227,9 @@ class DragSource {
         event.xclient.message_type = atom(message);
         event.xclient.format = 32;
         event.xclient.data.l[0] = static_cast<long>(window_);
-        for (size_t i = 0; i < data.size(); ++i) event.xclient.data.l[i + 1] = data[i];
+        for (size_t i = 0; i < data.size(); ++i) {
+            event.xclient.data.l[i + 1] = data[i];
+        }
         XSendEvent(display_, target, False, NoEventMask, &event);
         XFlush(display_);
     }
@@ -231,7 +242,7 @@ class DragSource {
             while (!isThere && XPending(display_) > 0) {
                 XEvent event{};
                 XNextEvent(display_, &event);
-                if (event.type == SelectionRequest) handOut(event.xselectionrequest, uriList);
+                if (event.type == SelectionRequest) { handOut(event.xselectionrequest, uriList); }
                 isThere = event.type == ClientMessage && event.xclient.message_type == wanted;
             }
             return isThere;
@@ -262,7 +273,7 @@ class RealWindow : public testing::Test {
   protected:
     void SetUp() override {
         for (const char* program : {"Xvfb", "xdotool"}) {
-            if (!isInstalled(program)) GTEST_SKIP() << program << " is not installed";
+            if (!isInstalled(program)) { GTEST_SKIP() << program << " is not installed"; }
         }
         write("scene.json", kScene);
     }
@@ -311,13 +322,14 @@ class RealWindow : public testing::Test {
         hand("mouseup 1");
     }
 
-    void dragPicture(int dx, int dy) {
+    void dragImage(int dx, int dy) {
         const auto place = placeOf(widgets_, "Image");
         ASSERT_TRUE(place) << widgets_;
         moveTo(place->centreX(), place->centreY());
         hand("mousedown 1");
-        for (int step = 1; step <= 12; ++step)
+        for (int step = 1; step <= 12; ++step) {
             moveTo(place->centreX() + dx * step / 12, place->centreY() + dy * step / 12);
+        }
         hand("mouseup 1");
     }
 
@@ -332,10 +344,10 @@ class RealWindow : public testing::Test {
 TEST_F(RealWindow, AClickPausesADragMovesTheCameraAndClosingEndsIt) {
 #if GLINT_TEST_HAS_XLIB
     openWindow();
-    if (HasFatalFailure()) return;
+    if (HasFatalFailure()) { return; }
     click("Render/Pause");
     ASSERT_TRUE(titleSays("paused")) << read("glint.log");
-    dragPicture(120, 30);
+    dragImage(120, 30);
     askToClose(display_->name(), std::stoul(window_));
     EXPECT_EQ(glint_->exitCode(), 0) << read("glint.log");
     const nlohmann::json left = report();
@@ -353,7 +365,7 @@ TEST_F(RealWindow, AClickPausesADragMovesTheCameraAndClosingEndsIt) {
 TEST_F(RealWindow, FilesAreDroppedOnIt) {
 #if GLINT_TEST_HAS_XLIB
     openWindow();
-    if (HasFatalFailure()) return;
+    if (HasFatalFailure()) { return; }
     write("another scene.json", kScene);
     write("broken.json", "{\n  \"glint\": 1,\n  \"camra\": 3\n}\n");
     write("no picture.png", "hello");
@@ -379,7 +391,7 @@ TEST_F(RealWindow, FilesAreDroppedOnIt) {
 
 TEST_F(RealWindow, TheKeyboardPausesAndQuits) {
     openWindow();
-    if (HasFatalFailure()) return;
+    if (HasFatalFailure()) { return; }
     hand("windowfocus " + window_);
     // Held until it is seen: pressed and released between two frames, a key would be lost.
     hand("keydown space");

@@ -56,17 +56,20 @@ struct Bench {
     }
     std::vector<uint32_t> passes() const {
         std::vector<uint32_t> all;
-        for (const ReferencePoint& point : errors.points(IntegratorKind::PathTracing))
+        for (const ReferencePoint& point : errors.points(IntegratorKind::PathTracing)) {
             all.push_back(point.passes);
+        }
         return all;
     }
 };
 
 TEST(ReferenceErrors, AreMeasuredAtGrowingDistancesAndAtTheEnd) {
     Bench bench(0.5f);
-    ASSERT_TRUE(bench.errors.picture());
-    EXPECT_DOUBLE_EQ(bench.errors.picture()->mean, 0.5);
-    for (uint32_t pass = 2; pass <= 40; ++pass) bench.observe(pass, 1.0f);
+    ASSERT_TRUE(bench.errors.image());
+    EXPECT_DOUBLE_EQ(bench.errors.image()->mean, 0.5);
+    for (uint32_t pass = 2; pass <= 40; ++pass) {
+        bench.observe(pass, 1.0f);
+    }
     EXPECT_THAT(bench.passes(),
                 testing::ElementsAre(2, 3, 4, 5, 6, 7, 9, 11, 13, 15, 18, 21, 25, 29, 34, 40));
     bench.observe(41, 1.0f, true);
@@ -82,7 +85,9 @@ TEST(ReferenceErrors, AreMeasuredAtGrowingDistancesAndAtTheEnd) {
 
 TEST(ReferenceErrors, BeginAnewWithTheFilmAndGoBackWithACheckpoint) {
     Bench bench(0.5f);
-    for (const uint32_t pass : {2u, 4u, 8u}) bench.observe(pass, 1.0f);
+    for (const uint32_t pass : {2u, 4u, 8u}) {
+        bench.observe(pass, 1.0f);
+    }
     bench.errors.follow(IntegratorKind::PathTracing, curveFrom(1.0));
     EXPECT_EQ(bench.passes().size(), 3u) << "the same film";
     bench.observe(5, 1.0f);
@@ -99,12 +104,16 @@ TEST(ReferenceErrors, BeginAnewWithTheFilmAndGoBackWithACheckpoint) {
 TEST(ReferenceErrors, AFilmOfMoreThanAFewPointsIsKeptForComparison) {
     Bench bench(0.5f);
     const auto before = [&] { return bench.errors.pointsBefore(IntegratorKind::PathTracing).size(); };
-    for (uint32_t pass = 2; pass <= 6; ++pass) bench.observe(pass, 1.0f);
+    for (uint32_t pass = 2; pass <= 6; ++pass) {
+        bench.observe(pass, 1.0f);
+    }
     EXPECT_EQ(before(), 0u);
     bench.errors.follow(IntegratorKind::PathTracing, {});
     EXPECT_EQ(before(), 5u);
     bench.errors.follow(IntegratorKind::PathTracing, curveFrom(1.5));
-    for (uint32_t pass = 2; pass <= 4; ++pass) bench.observe(pass, 1.0f);
+    for (uint32_t pass = 2; pass <= 4; ++pass) {
+        bench.observe(pass, 1.0f);
+    }
     bench.errors.follow(IntegratorKind::PathTracing, {});
     EXPECT_EQ(before(), 5u) << "a film of three points does not take its place";
     bench.errors.clear();
@@ -121,9 +130,9 @@ TEST(ReferenceErrors, AnotherSizeIsNotCompared) {
     bench.settle();
     ASSERT_TRUE(bench.errors.loadError());
     EXPECT_THAT(bench.errors.loadError()->format(), HasSubstr("missing.exr"));
-    EXPECT_TRUE(bench.errors.picture()) << "the one before stays";
+    EXPECT_TRUE(bench.errors.image()) << "the one before stays";
     bench.errors.clear();
-    EXPECT_FALSE(bench.errors.picture());
+    EXPECT_FALSE(bench.errors.image());
     EXPECT_FALSE(bench.errors.loadError());
 }
 

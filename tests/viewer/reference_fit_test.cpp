@@ -27,10 +27,11 @@ SceneDescription smallScene() {
 
 std::shared_ptr<const LoadedReference> referenceOf(const SceneDescription* named) {
     auto reference = std::make_shared<LoadedReference>();
-    if (named == nullptr) return reference;
+    if (named == nullptr) { return reference; }
     reference->attributes["sceneHash"] = sceneHash(*named).hex();
-    for (const Setting& setting : renderSettings(*named))
+    for (const Setting& setting : renderSettings(*named)) {
         reference->attributes["setting." + setting.name] = setting.value;
+    }
     return reference;
 }
 
@@ -70,7 +71,7 @@ const std::vector<Edit>& edits() {
     return kEdits;
 }
 
-TEST(ReferenceFit, APictureThatNamesNothingIsOfTheSceneItWasLoadedFor) {
+TEST(ReferenceFit, AImageThatNamesNothingIsOfTheSceneItWasLoadedFor) {
     const SceneDescription scene = smallScene();
     const auto reference = referenceOf(nullptr);
     for (const Edit& edit : edits()) {
@@ -83,7 +84,7 @@ TEST(ReferenceFit, APictureThatNamesNothingIsOfTheSceneItWasLoadedFor) {
     }
 }
 
-TEST(ReferenceFit, APictureThatNamesItsSceneIsHeldAgainstTheName) {
+TEST(ReferenceFit, AImageThatNamesItsSceneIsHeldAgainstTheName) {
     const SceneDescription scene = smallScene();
     const auto reference = referenceOf(&scene);
     for (const Edit& edit : edits()) {

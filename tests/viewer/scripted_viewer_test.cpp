@@ -30,8 +30,8 @@ expect mesh-builds 0
 expect top-level-builds 0
 expect "Aperture" 0
 )");
-    // The last expectation is there to fail: it shows that the drag arrived, and that a failing script is an
-    // error.
+    // The last expectation is there to fail: it shows that the drag arrived, and that a failing script is
+    // an error.
     EXPECT_EQ(ran.exitCode, 1) << ran.output;
     EXPECT_THAT(ran.output, testing::HasSubstr("script.txt:14:19:")) << "the aperture changed";
 }
@@ -194,15 +194,16 @@ key f1
 wait frames 3
 screenshot "panels.png"
 )"));
-    const auto picture = loadImage8("panels.png");
-    ASSERT_TRUE(picture) << picture.error().format();
-    EXPECT_EQ((*picture)->width, 1280);
-    EXPECT_EQ((*picture)->height, 720);
+    const auto image = loadImage8("panels.png");
+    ASSERT_TRUE(image) << image.error().format();
+    EXPECT_EQ((*image)->width, 1280);
+    EXPECT_EQ((*image)->height, 720);
     // The column of panels holds text: far from one grey.
     size_t bright = 0;
     for (int y = 0; y < 700; ++y) {
-        for (int x = 920; x < 1260; ++x)
-            bright += (*picture)->rgb[static_cast<size_t>(y * 1280 + x) * 3] > 180;
+        for (int x = 920; x < 1260; ++x) {
+            bright += (*image)->rgb[static_cast<size_t>(y * 1280 + x) * 3] > 180;
+        }
     }
     EXPECT_GT(bright, 1000u);
 }
@@ -290,7 +291,7 @@ expect message "camera"
                       "--passes 6"));
 }
 
-TEST(ScriptedViewer, ThePngIsThePictureOnTheScreen) {
+TEST(ScriptedViewer, ThePngIsTheImageOnTheScreen) {
     expectPlayed(play(R"(
 set "Exposure" 0.7
 set "Tone map" Reinhard
@@ -326,17 +327,17 @@ TEST(ScriptedViewer, ScriptErrorsHaveTheirPlace) {
     EXPECT_THAT(ran.output, testing::HasSubstr("script.txt:1:1:"));
 }
 
-TEST(ScriptedViewer, HeadlessWithoutAScriptLeavesPictures) {
+TEST(ScriptedViewer, HeadlessWithoutAScriptLeavesImages) {
     write("scene.json", kScene);
     const Ran ran = run(
         "view scene.json --headless --threads 1 --size 900x500 --scale 2 --passes 2 --screenshot window.png "
         "--output picture.png");
     ASSERT_EQ(ran.exitCode, 0) << ran.output;
     const auto window = loadImage8("window.png");
-    const auto picture = loadImage8("picture.png");
-    ASSERT_TRUE(window && picture);
+    const auto image = loadImage8("picture.png");
+    ASSERT_TRUE(window && image);
     EXPECT_EQ((*window)->width, 900);
-    EXPECT_EQ((*picture)->width, 64);
+    EXPECT_EQ((*image)->width, 64);
 }
 
 TEST(ScriptedViewer, WithoutADisplayItSaysWhatToDo) {

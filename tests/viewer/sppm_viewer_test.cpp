@@ -61,7 +61,7 @@ expect restarts 0
                       "--passes 5"));
 }
 
-TEST(SppmViewer, SwitchingKeepsBothPictures) {
+TEST(SppmViewer, SwitchingKeepsBothImages) {
     const Ran ran = play(R"(
 wait finished
 set "Integrator" SPPM

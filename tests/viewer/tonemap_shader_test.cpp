@@ -18,7 +18,7 @@ namespace {
 constexpr int kWidth = 64;
 constexpr int kHeight = 33;
 
-std::vector<float> testPicture() {
+std::vector<float> testImage() {
     std::vector<float> rgb;
     uint32_t state = 1;
     for (int i = 0; i < kWidth * kHeight * 3; ++i) {
@@ -37,18 +37,19 @@ TEST(ToneMapShader, AgreesWithTheProcessorsToOneStep) {
     ASSERT_TRUE(surface) << surface.error().format();
     const auto display = ImageDisplay::create((*surface)->gl());
     ASSERT_TRUE(display) << display.error().format();
-    const std::vector<float> picture = testPicture();
-    (*display)->upload(picture.data(), kWidth, kHeight, false);
+    const std::vector<float> image = testImage();
+    (*display)->upload(image.data(), kWidth, kHeight, false);
     for (int map = 0; map < kToneMapCount; ++map) {
         for (const float stops : {-10.0f, -1.5f, 0.0f, 0.3333f, 3.0f, 10.0f}) {
             const auto toneMap = static_cast<ToneMap>(map);
             (*display)->update({stops, toneMap});
             const std::vector<uint8_t> shown = (*display)->readBack();
-            const Image8 saved = toneMapPicture(picture.data(), kWidth, kHeight, stops, toneMap, 1);
+            const Image8 saved = toneMapImage(image.data(), kWidth, kHeight, stops, toneMap, 1);
             ASSERT_EQ(shown.size(), saved.rgb.size());
             int largest = 0;
-            for (size_t i = 0; i < shown.size(); ++i)
+            for (size_t i = 0; i < shown.size(); ++i) {
                 largest = std::max(largest, std::abs(shown[i] - saved.rgb[i]));
+            }
             EXPECT_LE(largest, 1) << toneMapName(toneMap) << " at " << stops << " stops";
             EXPECT_NE(*std::max_element(shown.begin(), shown.end()), 0);
         }

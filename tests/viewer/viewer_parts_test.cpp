@@ -68,7 +68,9 @@ TEST(SceneDiff, EachChangeIsTheSmallestEdit) {
 TEST(CameraController, OrbitKeepsTheDistanceAndStopsShortOfThePoles) {
     Camera camera;
     const float distance = targetDistance(camera);
-    for (int i = 0; i < 50; ++i) orbit(&camera, {13.0f, 40.0f}, 500.0f);
+    for (int i = 0; i < 50; ++i) {
+        orbit(&camera, {13.0f, 40.0f}, 500.0f);
+    }
     EXPECT_NEAR(targetDistance(camera), distance, 1e-3f * distance);
     const Vec3 direction = glm::normalize(camera.position - camera.target);
     EXPECT_LT(std::fabs(direction.y), 0.99999f);
@@ -87,7 +89,9 @@ TEST(CameraController, PanKeepsWhatIsUnderTheMouse) {
 
 TEST(CameraController, DollyNeverReachesTheTarget) {
     Camera camera;
-    for (int i = 0; i < 100; ++i) dolly(&camera, 3.0f);
+    for (int i = 0; i < 100; ++i) {
+        dolly(&camera, 3.0f);
+    }
     EXPECT_GT(targetDistance(camera), 0.0f);
     Camera other;
     dolly(&other, 1.0f);
@@ -104,7 +108,7 @@ TEST(CameraController, FStopAndApertureAreInverse) {
     EXPECT_NEAR(camera.apertureDiameter, 0.03297f / 2.8f, 1e-5f);
 }
 
-TEST(CameraController, FramePutsTheWholeSphereInThePicture) {
+TEST(CameraController, FramePutsTheWholeSphereInTheImage) {
     Camera camera;
     frameBounds(&camera, {Vec3(9.0f), Vec3(11.0f)}, 1.0f);
     EXPECT_EQ(camera.target, Vec3(10.0f));

@@ -35,7 +35,7 @@ struct LatencyOptions {
 struct LatencyRow {
     std::string name;
     Percentiles cancel;
-    Percentiles toPicture;
+    Percentiles toImage;
 };
 
 void rest(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
@@ -68,32 +68,32 @@ class Measurement {
     Measurement(const Scene& scene, int threads)
         : scene_(scene), session_(makeCpuBackend(threads), sessionOptions(threads)) {
         session_.post({scene_, EditKind::Everything});
-        waitForPictures(1);
+        waitForImages(1);
         rest(0.3);
     }
 
     LatencyRow singleEdits(const std::string& name, int edits) {
         cancels_.clear();
-        pictures_.clear();
+        images_.clear();
         for (int step = 0; step < edits; ++step) {
             // Irregular, so that edits meet passes at every stage.
             rest(0.05 + 0.13 * ((step * 7919) % 101) / 101.0);
             edit(step);
         }
-        return {name + ", single edits", percentilesOf(cancels_), percentilesOf(pictures_)};
+        return {name + ", single edits", percentilesOf(cancels_), percentilesOf(images_)};
     }
 
     LatencyRow drag(const std::string& name, int edits) {
         cancels_.clear();
-        pictures_.clear();
+        images_.clear();
         session_.setInteracting(true);
         SessionStatus before = session_.status();
         for (int step = 0; step < edits; ++step) {
             session_.post(nextEdit(scene_, 0 + 5 * step));
             rest(1.0 / 60.0);
             const SessionStatus now = session_.status();
-            if (now.picturesAfterEdits > before.picturesAfterEdits) {
-                pictures_.push_back(now.lastEditToPictureSeconds);
+            if (now.imagesAfterEdits > before.imagesAfterEdits) {
+                images_.push_back(now.lastEditToImageSeconds);
             }
             if (now.counters.passesDiscarded > before.counters.passesDiscarded) {
                 cancels_.push_back(now.lastCancelSeconds);
@@ -101,7 +101,7 @@ class Measurement {
             before = now;
         }
         session_.setInteracting(false);
-        return {name + ", drag at 60 Hz", percentilesOf(cancels_), percentilesOf(pictures_)};
+        return {name + ", drag at 60 Hz", percentilesOf(cancels_), percentilesOf(images_)};
     }
 
   private:
@@ -114,24 +114,24 @@ class Measurement {
     void edit(int step) {
         const SessionStatus before = session_.status();
         session_.post(nextEdit(scene_, step));
-        waitForPictures(before.picturesAfterEdits + 1);
+        waitForImages(before.imagesAfterEdits + 1);
         const SessionStatus after = session_.status();
-        pictures_.push_back(after.lastEditToPictureSeconds);
+        images_.push_back(after.lastEditToImageSeconds);
         if (after.counters.passesDiscarded > before.counters.passesDiscarded) {
             cancels_.push_back(after.lastCancelSeconds);
         }
     }
 
-    void waitForPictures(uint64_t count) {
+    void waitForImages(uint64_t count) {
         const auto end = Clock::now() + std::chrono::duration<double>(kPatience);
-        while (session_.status().picturesAfterEdits < count && Clock::now() < end) {
+        while (session_.status().imagesAfterEdits < count && Clock::now() < end) {
             rest(0.001);
         }
     }
 
     Scene scene_;
     RenderSession session_;
-    std::vector<double> cancels_, pictures_;
+    std::vector<double> cancels_, images_;
 };
 
 int runLatency(const LatencyOptions& options) {
@@ -153,10 +153,10 @@ int runLatency(const LatencyOptions& options) {
     for (const LatencyRow& row : rows) {
         report["rows"].push_back({{"name", row.name},
                                   {"cancel", percentilesJson(row.cancel)},
-                                  {"edit_to_picture", percentilesJson(row.toPicture)}});
+                                  {"edit_to_picture", percentilesJson(row.toImage)}});
         if (!jsonTakesOutput(options.json)) {
             fmt::print("{}\n  cancel           {}\n  edit to picture  {}\n", row.name,
-                       percentilesText(row.cancel), percentilesText(row.toPicture));
+                       percentilesText(row.cancel), percentilesText(row.toImage));
         }
     }
     const Status written = writeJson(options.json, report);

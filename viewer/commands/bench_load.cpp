@@ -31,17 +31,15 @@ struct LoadBenchOptions {
 struct LoadFigures {
     uint32_t triangles = 0;
     uint64_t bytes = 0;
-    double load = 0.0;     ///< file to description
-    double build = 0.0;    ///< description to acceleration structures and tables
-    double picture = 0.0;  ///< the rest, to the first picture
+    double load = 0.0;   ///< file to description
+    double build = 0.0;  ///< description to acceleration structures and tables
+    double image = 0.0;  ///< the rest, to the first picture
     double total = 0.0;
 };
 
 bool writeObj(const MeshData& mesh, const std::string& path) {
     std::FILE* file = std::fopen(path.c_str(), "w");
-    if (file == nullptr) {
-        return false;
-    }
+    if (file == nullptr) { return false; }
     for (const Vec3& p : mesh.positions) {
         fmt::print(file, "v {:.6f} {:.6f} {:.6f}\n", p.x, p.y, p.z);
     }
@@ -60,9 +58,7 @@ Result<LoadFigures> measure(const std::string& path, int threads) {
     figures.bytes = std::filesystem::file_size(path);
     const auto began = Clock::now();
     auto scene = loadScene(path);
-    if (!scene) {
-        return scene.error();
-    }
+    if (!scene) { return scene.error(); }
     figures.load = since(began);
     for (const Mesh& mesh : scene->meshes) {
         figures.triangles += mesh.data->triangleCount();
@@ -76,11 +72,9 @@ Result<LoadFigures> measure(const std::string& path, int threads) {
     }
     figures.total = since(began);
     const SessionStatus status = session.status();
-    if (status.state == SessionState::Failed) {
-        return Error{status.error, {}};
-    }
+    if (status.state == SessionState::Failed) { return Error{status.error, {}}; }
     figures.build = status.lastBuildSeconds;
-    figures.picture = figures.total - figures.load - figures.build;
+    figures.image = figures.total - figures.load - figures.build;
     return figures;
 }
 
@@ -89,9 +83,7 @@ Result<LoadFigures> writeAndMeasure(const LoadBenchOptions& options) {
     source.generator = "blob";
     source.triangles = options.triangles;
     const auto mesh = generateMesh(source);
-    if (!mesh) {
-        return mesh.error();
-    }
+    if (!mesh) { return mesh.error(); }
     std::error_code problem;
     const auto folder =
         std::filesystem::temp_directory_path(problem) / fmt::format("glint-bench-{}", getpid());
@@ -116,13 +108,13 @@ int runLoad(const LoadBenchOptions& options) {
         fmt::print(
             "  read           {:7.3f} s\n  build          {:7.3f} s\n  first picture  {:7.3f} s\n  in all    "
             "     {:7.3f} s\n",
-            figures->load, figures->build, figures->picture, figures->total);
+            figures->load, figures->build, figures->image, figures->total);
     }
     const Status written = writeJson(options.json, {{"triangles", figures->triangles},
                                                     {"file_bytes", figures->bytes},
                                                     {"read_seconds", figures->load},
                                                     {"build_seconds", figures->build},
-                                                    {"first_picture_seconds", figures->picture},
+                                                    {"first_picture_seconds", figures->image},
                                                     {"total_seconds", figures->total}});
     if (!written) {
         fmt::print(stderr, "error: {}\n", written.error().format());

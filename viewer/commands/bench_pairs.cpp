@@ -1,5 +1,5 @@
-// The interval: Conover 1999, "Practical Nonparametric Statistics", section 3.2 (quantiles by order
-// statistics).
+// The interval: Conover 1999, "Practical Nonparametric Statistics", section 3.2 (quantiles by
+// order statistics).
 #include "viewer/commands/bench_pairs.h"
 
 #include <algorithm>
@@ -67,9 +67,7 @@ RatioInterval ratioOf(const std::vector<double>& numerators, const std::vector<d
     for (size_t i = 0; i < std::min(numerators.size(), denominators.size()); ++i) {
         ratios.push_back(numerators[i] / denominators[i]);
     }
-    if (ratios.empty()) {
-        return {};
-    }
+    if (ratios.empty()) { return {}; }
     std::ranges::sort(ratios);
     const size_t n = ratios.size();
     size_t rank = 1;
@@ -88,9 +86,9 @@ nlohmann::ordered_json ratioJson(const RatioInterval& r) {
     return {{"median", r.median}, {"low", r.low}, {"high", r.high}, {"confidence", r.confidence}};
 }
 
-PictureDifference comparePictures(const Film& first, const Film& second, const SppmState& firstSppm,
-                                  const SppmState& secondSppm) {
-    PictureDifference result;
+ImageDifference compareImages(const Film& first, const Film& second, const SppmState& firstSppm,
+                              const SppmState& secondSppm) {
+    ImageDifference result;
     result.pixels = first.pixels().size();
     double sum = 0.0;
     for (size_t i = 0; i < result.pixels; ++i) {
@@ -104,13 +102,11 @@ PictureDifference comparePictures(const Film& first, const Film& second, const S
                 std::max(result.largest, std::fabs(a - channelOf(second, secondSppm, i, channel)));
         }
     }
-    if (sum > 0.0) {
-        result.largest *= 3.0 * static_cast<double>(result.pixels) / sum;
-    }
+    if (sum > 0.0) { result.largest *= 3.0 * static_cast<double>(result.pixels) / sum; }
     return result;
 }
 
-std::string differenceText(const PictureDifference& d) {
+std::string differenceText(const ImageDifference& d) {
     return d.identical() ? "identical"
                          : fmt::format("{} of {} pixels differ, by up to {:.2g} of the mean", d.different,
                                        d.pixels, d.largest);

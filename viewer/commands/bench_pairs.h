@@ -42,7 +42,7 @@ std::string ratioText(const RatioInterval& ratio);
 /// {median, low, high, confidence}.
 nlohmann::ordered_json ratioJson(const RatioInterval& ratio);
 
-struct PictureDifference {
+struct ImageDifference {
     size_t pixels = 0;
     size_t different = 0;  ///< pixels of which any bit of the sums differs
     double largest = 0.0;  ///< greatest difference of a channel, over the first picture's mean channel
@@ -50,10 +50,10 @@ struct PictureDifference {
 };
 
 /// Of two films of the same size and, where both have passes, of the photons' statistics on top.
-PictureDifference comparePictures(const Film& first, const Film& second, const SppmState& firstSppm = {},
-                                  const SppmState& secondSppm = {});
+ImageDifference compareImages(const Film& first, const Film& second, const SppmState& firstSppm = {},
+                              const SppmState& secondSppm = {});
 
 /// "identical" or "12 of 4096 pixels differ, by up to 3.1e-07 of the mean".
-std::string differenceText(const PictureDifference& difference);
+std::string differenceText(const ImageDifference& difference);
 
 }  // namespace glint

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/parallel.h"
-#include "engine/build/emission_table.h"
-#include "engine/build/scene_builder.h"
+#include "engine/builders/emission_table.h"
+#include "engine/builders/scene_builder.h"
 #include "engine/io/scene_loader.h"
 #include "engine/render/cpu_sppm.h"
 #include "engine/render/pass_params.h"
@@ -49,7 +49,9 @@ struct PassesResult {
 
     double stageSum() const {
         double sum = 0.0;
-        for (const Stage& stage : stages) sum += stage.median;
+        for (const Stage& stage : stages) {
+            sum += stage.median;
+        }
         return sum;
     }
 };
@@ -60,11 +62,11 @@ Result<std::shared_ptr<SceneDescription>> sceneOf(const PassesOptions& options) 
         scene = benchGlassAndMirror(options.size, options.size);
     } else {
         Result<SceneDescription> loaded = loadScene(options.scene, {});
-        if (!loaded) return loaded.error();
+        if (!loaded) { return loaded.error(); }
         scene = std::make_shared<SceneDescription>(std::move(*loaded));
     }
     scene->options.integrator = IntegratorKind::Sppm;
-    if (options.photons > 0) scene->sppm.photonsPerPass = options.photons;
+    if (options.photons > 0) { scene->sppm.photonsPerPass = options.photons; }
     if (!options.lookup.empty()) {
         scene->sppm.lookup = options.lookup == "tree" ? PhotonLookupKind::Tree : PhotonLookupKind::Grid;
     }
@@ -91,17 +93,21 @@ Result<PassesResult> measure(const BuiltScene& built, SppmParams params, const P
         const auto began = Clock::now();
         const auto done =
             sppm.renderPass(view, built.features, emission.view(), params, never, &state, &direct);
-        if (!done) return done.error();
+        if (!done) { return done.error(); }
         const auto rendered = Clock::now();
         film.commit(direct, params.pass.pass, threads);
-        if (pass < kWarmUpPasses) continue;
+        if (pass < kWarmUpPasses) { continue; }
         seconds.push_back(since(began));
         const SppmPassStats& s = sppm.stats();
         const double stages[] = {s.cameraSeconds, s.photonSeconds, s.sortSeconds, s.gatherSeconds,
                                  since(rendered)};
-        for (size_t i = 0; i < result.stages.size(); ++i) result.stages[i].seconds.push_back(stages[i]);
+        for (size_t i = 0; i < result.stages.size(); ++i) {
+            result.stages[i].seconds.push_back(stages[i]);
+        }
     }
-    for (Stage& stage : result.stages) stage.median = percentilesOf(stage.seconds).median;
+    for (Stage& stage : result.stages) {
+        stage.median = percentilesOf(stage.seconds).median;
+    }
     result.pass = percentilesOf(std::move(seconds));
     result.last = sppm.stats();
     result.kernel = sppm.variant(params, built.features).name;
@@ -113,7 +119,9 @@ Status report(const PassesOptions& options, const SppmParams& params, const Pass
     const double share = r.stages[3].median / r.stageSum();
     const char* lookup = params.lookup == PhotonLookup::Tree ? "tree" : "grid";
     nlohmann::ordered_json stages = nlohmann::ordered_json::object();
-    for (const Stage& stage : r.stages) stages[stage.name] = stage.median * 1e3;
+    for (const Stage& stage : r.stages) {
+        stages[stage.name] = stage.median * 1e3;
+    }
     if (!jsonTakesOutput(options.json)) {
         fmt::print("kernel          {}, {}\nthreads         {}\n", r.kernel, lookup, threads);
         fmt::print("passes          {:.2f} /s, {}x{} pixels, {} photons a pass\n", 1.0 / r.pass.median,
@@ -146,15 +154,15 @@ Status report(const PassesOptions& options, const SppmParams& params, const Pass
 
 int runPasses(const PassesOptions& options) {
     const auto scene = sceneOf(options);
-    if (!scene) return complain(scene.error(), kExitBadInput);
+    if (!scene) { return reportError(scene.error(), kExitBadInput); }
     const int threads = options.threads > 0 ? options.threads : defaultThreadCount();
     const auto built = buildScene({*scene, EditKind::Everything}, nullptr, threads, nullptr, nullptr);
-    if (!built) return complain(built.error(), kExitBadInput);
+    if (!built) { return reportError(built.error(), kExitBadInput); }
     const SppmParams params = sppmParamsOf(**scene);
     const auto result = measure(**built, params, options, threads);
-    if (!result) return complain(result.error(), kExitFailed);
+    if (!result) { return reportError(result.error(), kExitFailed); }
     const Status written = report(options, params, *result, threads);
-    return written ? kExitDone : complain(written.error(), kExitFailed);
+    return written ? kExitDone : reportError(written.error(), kExitFailed);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/parallel.h"
-#include "engine/build/scene_builder.h"
+#include "engine/builders/scene_builder.h"
 #include "engine/io/scene_loader.h"
 #include "engine/render/backend.h"
 #include "engine/render/cpu_variants.h"
@@ -40,10 +40,11 @@ struct PathsResult {
 };
 
 Result<std::shared_ptr<const SceneDescription>> sceneOf(const PathsOptions& options) {
-    if (options.scene.empty())
+    if (options.scene.empty()) {
         return std::shared_ptr<const SceneDescription>(benchCornell(options.size, options.size));
+    }
     Result<SceneDescription> loaded = loadScene(options.scene, {});
-    if (!loaded) return loaded.error();
+    if (!loaded) { return loaded.error(); }
     return std::shared_ptr<const SceneDescription>(std::make_shared<SceneDescription>(std::move(*loaded)));
 }
 
@@ -59,7 +60,7 @@ PathsResult measure(const SceneDescription& scene, Backend& backend, const Paths
         (void)backend.renderPass(params, never, &samples);
         film.commit(samples, params.pass, options.threads);
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-        if (pass > 0) seconds.push_back(took.count());
+        if (pass > 0) { seconds.push_back(took.count()); }
     }
     PathsResult result;
     result.fastestPassSeconds = *std::min_element(seconds.begin(), seconds.end());
@@ -96,16 +97,16 @@ Status report(const PathsOptions& options, const PathsResult& r, int threads, co
 
 int runPaths(const PathsOptions& options) {
     const auto scene = sceneOf(options);
-    if (!scene) return complain(scene.error(), kExitBadInput);
+    if (!scene) { return reportError(scene.error(), kExitBadInput); }
     const int threads = options.threads > 0 ? options.threads : defaultThreadCount();
     const auto built = buildScene({*scene, EditKind::Everything}, nullptr, threads, nullptr, nullptr);
-    if (!built) return complain(built.error(), kExitBadInput);
+    if (!built) { return reportError(built.error(), kExitBadInput); }
     const auto backend = makeCpuBackend(threads);
     const Status set = backend->setScene(*built);
-    if (!set) return complain(set.error(), kExitFailed);
+    if (!set) { return reportError(set.error(), kExitFailed); }
     const PathsResult result = measure(**scene, *backend, options);
     const Status written = report(options, result, threads, chooseVariant((*built)->features).name);
-    return written ? kExitDone : complain(written.error(), kExitFailed);
+    return written ? kExitDone : reportError(written.error(), kExitFailed);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "engine/base/parallel.h"
-#include "engine/build/instance_builder.h"
+#include "engine/builders/instance_builder.h"
 #include "engine/kernels/surface.h"
 #include "engine/scene/generated_mesh.h"
 #include "viewer/commands/embree_oracle.h"
@@ -81,9 +81,9 @@ std::vector<Ray> raysFromHits(const Contest& contest, const std::vector<Ray>& ra
                               const Make& make) {
     std::vector<Ray> result;
     for (size_t i = 0; i < rays.size(); ++i) {
-        if (answers.hits[i].primitive == kNone) continue;
+        if (answers.hits[i].primitive == kNone) { continue; }
         SurfacePoint surface = surfaceAt<kBenchMask>(contest.view, rays[i], answers.hits[i]);
-        if (glm::dot(surface.ng, rays[i].direction) > 0.0f) surface.ng = -surface.ng;
+        if (glm::dot(surface.ng, rays[i].direction) > 0.0f) { surface.ng = -surface.ng; }
         result.push_back(make(i, surface));
     }
     return result;
@@ -126,7 +126,7 @@ Answers contestRays(const Contest& contest, const RaySet& set, BenchRaysReport* 
     std::vector<double> glintSeconds, embreeSeconds;
     for (int turn = 0; turn < std::max(1, report->options.turns); ++turn) {
         glintSeconds.push_back(secondsOf([&] { traceGlint(contest, set, report->threads, &glint); }));
-        if (!contest.embree) continue;
+        if (!contest.embree) { continue; }
         embreeSeconds.push_back(secondsOf([&] { traceEmbree(contest, set, report->threads, &embree); }));
     }
     const double mrays = 1e-6 * static_cast<double>(set.rays.size());
@@ -138,7 +138,7 @@ Answers contestRays(const Contest& contest, const RaySet& set, BenchRaysReport* 
         for (size_t i = 0; i < set.rays.size(); ++i) {
             const auto kind = compareHits(contest.view, *contest.embree, set.rays[i], set.anyHit,
                                           glint.hits[i], embree.hits[i]);
-            if (kind) ++report->disagreements[static_cast<size_t>(*kind)];
+            if (kind) { ++report->disagreements[static_cast<size_t>(*kind)]; }
         }
     }
     report->rows.push_back(row);
@@ -151,7 +151,7 @@ void contestBuilds(std::shared_ptr<const MeshData> data, Contest* contest, Bench
     for (int turn = 0; turn < std::min(3, std::max(1, report->options.turns)); ++turn) {
         contest->mesh.reset();
         glintSeconds.push_back(secondsOf([&] { contest->mesh = buildMesh(data, report->threads); }));
-        if (!EmbreeOracle::available()) continue;
+        if (!EmbreeOracle::available()) { continue; }
         contest->embree.reset();
         contest->embree.emplace(data, report->threads);
         embreeSeconds.push_back(contest->embree->buildSeconds());
@@ -159,7 +159,7 @@ void contestBuilds(std::shared_ptr<const MeshData> data, Contest* contest, Bench
     const double mtris = 1e-6 * report->triangles;
     report->glintBuildMtrisPerS = mtris / median(glintSeconds);
     report->bytesPerTriangle = static_cast<double>(contest->mesh->accelerationBytes()) / report->triangles;
-    if (embreeSeconds.empty()) return;
+    if (embreeSeconds.empty()) { return; }
     report->embreeBuildMtrisPerS = mtris / median(embreeSeconds);
     report->buildRatio = report->glintBuildMtrisPerS / report->embreeBuildMtrisPerS;
 }
@@ -168,7 +168,9 @@ void contestBuilds(std::shared_ptr<const MeshData> data, Contest* contest, Bench
 
 uint64_t BenchRaysReport::disagreementCount() const {
     uint64_t sum = 0;
-    for (uint64_t count : disagreements) sum += count;
+    for (uint64_t count : disagreements) {
+        sum += count;
+    }
     return sum;
 }
 
@@ -178,7 +180,7 @@ Result<BenchRaysReport> measureRays(const BenchRaysOptions& options) {
     source.triangles = options.triangles;
     source.seed = options.seed;
     auto data = generateMesh(source);
-    if (!data) return data.error();
+    if (!data) { return data.error(); }
 
     BenchRaysReport report;
     report.options = options;

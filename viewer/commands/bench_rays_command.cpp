@@ -18,9 +18,9 @@ int runRays(const BenchRaysOptions& options, const std::string& json) {
         fmt::print(stderr, "error: {}\n", report.error().format());
         return kExitBadInput;
     }
-    if (!jsonTakesOutput(json)) fmt::print("{}", benchRaysText(*report));
+    if (!jsonTakesOutput(json)) { fmt::print("{}", benchRaysText(*report)); }
     const Status written = writeJson(json, benchRaysJson(*report));
-    if (written) return kExitDone;
+    if (written) { return kExitDone; }
     fmt::print(stderr, "error: {}\n", written.error().format());
     return kExitFailed;
 }

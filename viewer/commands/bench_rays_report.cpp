@@ -45,10 +45,12 @@ std::string benchRaysText(const BenchRaysReport& r) {
     out += fmt::format("{:<22}{:>10.2f}{}\n", "build, Mtriangles/s", r.glintBuildMtrisPerS,
                        embreeColumns(r, r.embreeBuildMtrisPerS, r.buildRatio));
     out += fmt::format("{:<22}{:>10.1f}\n", "bytes per triangle", r.bytesPerTriangle);
-    if (!r.hasEmbree) return out;
+    if (!r.hasEmbree) { return out; }
     out += fmt::format("\n{} of {} answers differ from Embree's\n", r.disagreementCount(), r.raysCompared);
     for (size_t i = 0; i < kRayDisagreementCount; ++i) {
-        if (r.disagreements[i] > 0) out += fmt::format("{:>10}  {}\n", r.disagreements[i], kKinds[i].meaning);
+        if (r.disagreements[i] > 0) {
+            out += fmt::format("{:>10}  {}\n", r.disagreements[i], kKinds[i].meaning);
+        }
     }
     return out;
 }

@@ -26,10 +26,10 @@ void addObject(SceneDescription* scene, const char* name, ShapeKind shape, int m
     scene->objects.push_back(object);
 }
 
-int addLamp(SceneDescription* scene, const Vec3& radiance) {
-    const int lamp = addMaterial(scene, "lamp", Vec3(0.0f));
-    scene->materials[lamp].emission = radiance;
-    return lamp;
+int addEmitter(SceneDescription* scene, const Vec3& radiance) {
+    const int emitter = addMaterial(scene, "lamp", Vec3(0.0f));
+    scene->materials[emitter].emission = radiance;
+    return emitter;
 }
 
 Affine facingDown(const Vec3& center, float halfSize) {
@@ -58,7 +58,7 @@ std::shared_ptr<SceneDescription> benchCornell(int width, int height) {
     const int white = addMaterial(scene.get(), "white", Vec3(0.73f));
     const int red = addMaterial(scene.get(), "red", {0.65f, 0.05f, 0.05f});
     const int green = addMaterial(scene.get(), "green", {0.12f, 0.45f, 0.15f});
-    const int lamp = addLamp(scene.get(), Vec3(15.0f));
+    const int emitter = addEmitter(scene.get(), Vec3(15.0f));
     const auto wall = [&](const char* name, int material, const Vec3& center, const Vec3& axis,
                           float angleRad) {
         addObject(scene.get(), name, ShapeKind::Rectangle, material,
@@ -69,7 +69,7 @@ std::shared_ptr<SceneDescription> benchCornell(int width, int height) {
     wall("back", white, {0, 1, -1}, {0, 1, 0}, 0.0f);
     wall("left", red, {-1, 1, 0}, {0, 1, 0}, kQuarterTurn);
     wall("right", green, {1, 1, 0}, {0, 1, 0}, -kQuarterTurn);
-    addObject(scene.get(), "lamp", ShapeKind::Rectangle, lamp, facingDown({0, 1.999f, 0}, 0.25f));
+    addObject(scene.get(), "lamp", ShapeKind::Rectangle, emitter, facingDown({0, 1.999f, 0}, 0.25f));
     addObject(scene.get(), "left sphere", ShapeKind::Sphere, white,
               translate({-0.4f, 0.4f, -0.3f}) * scale(Vec3(0.4f)));
     addObject(scene.get(), "right sphere", ShapeKind::Sphere, white,
@@ -96,9 +96,7 @@ Result<std::shared_ptr<SceneDescription>> benchMesh(uint32_t triangles, int widt
     source.triangles = triangles;
     source.seed = 1;
     auto mesh = generateMesh(source);
-    if (!mesh) {
-        return mesh.error();
-    }
+    if (!mesh) { return mesh.error(); }
     auto scene = std::make_shared<SceneDescription>();
     scene->title = "A generated mesh of the benchmarks";
     scene->resolution = {width, height};
@@ -107,12 +105,12 @@ Result<std::shared_ptr<SceneDescription>> benchMesh(uint32_t triangles, int widt
     lookAt(scene.get(), {0, 1.5f, 4.5f}, {0, 0.2f, 0}, 38.0f);
     const int clay = addMaterial(scene.get(), "clay", {0.6f, 0.5f, 0.4f});
     const int white = addMaterial(scene.get(), "white", Vec3(0.73f));
-    const int lamp = addLamp(scene.get(), Vec3(12.0f));
+    const int emitter = addEmitter(scene.get(), Vec3(12.0f));
     scene->meshes.push_back({"blob", source, *mesh});
     addObject(scene.get(), "blob", ShapeKind::Mesh, clay, Affine());
     scene->objects.back().mesh = 0;
     addObject(scene.get(), "floor", ShapeKind::Rectangle, white, facingUp({0, -1.3f, 0}, 4.0f));
-    addObject(scene.get(), "lamp", ShapeKind::Rectangle, lamp, facingDown({1, 4, 1}, 1.0f));
+    addObject(scene.get(), "lamp", ShapeKind::Rectangle, emitter, facingDown({1, 4, 1}, 1.0f));
     return scene;
 }
 

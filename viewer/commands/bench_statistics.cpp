@@ -10,9 +10,7 @@
 namespace glint {
 
 Percentiles percentilesOf(std::vector<double> samples) {
-    if (samples.empty()) {
-        return {};
-    }
+    if (samples.empty()) { return {}; }
     std::ranges::sort(samples);
     const auto rank = [&](double share) {
         const auto index = static_cast<size_t>(std::ceil(share * static_cast<double>(samples.size())));

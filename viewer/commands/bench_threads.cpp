@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/parallel.h"
-#include "engine/build/scene_builder.h"
+#include "engine/builders/scene_builder.h"
 #include "engine/render/backend.h"
 #include "engine/render/pass_params.h"
 #include "viewer/commands/bench_pairs.h"
@@ -60,7 +60,7 @@ int runThreads(const ThreadsOptions& options) {
     const double oneSeconds = percentilesOf(times.first).median;
     const double manySeconds = percentilesOf(times.second).median;
     const RatioInterval ratio = ratioOf(times.first, times.second);
-    const bool same = comparePictures(filmOne, filmMany).identical();
+    const bool same = compareImages(filmOne, filmMany).identical();
     if (!jsonTakesOutput(options.json)) {
         fmt::print("1 thread   {:.2f} passes/s\n{} threads  {:.2f} passes/s\nratio      {}\nfilms are {}\n",
                    1.0 / oneSeconds, many, 1.0 / manySeconds, ratioText(ratio),
@@ -75,9 +75,7 @@ int runThreads(const ThreadsOptions& options) {
                                                     {"ratio_low", ratio.low},
                                                     {"ratio_high", ratio.high},
                                                     {"films_identical", same}});
-    if (!written) {
-        fmt::print(stderr, "error: {}\n", written.error().format());
-    }
+    if (!written) { fmt::print(stderr, "error: {}\n", written.error().format()); }
     return same && written ? kExitDone : kExitFailed;
 }
 

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/parallel.h"
-#include "engine/build/scene_builder.h"
+#include "engine/builders/scene_builder.h"
 #include "engine/io/scene_loader.h"
 #include "engine/render/backend.h"
 #include "engine/render/cpu_variants.h"
@@ -68,15 +68,9 @@ class KernelRun {
                               : backend_->renderPass(params_.pass, never, &samples_);
         const double processor = processorSeconds() - processorBefore;
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-        if (pass > 0) {
-            wallSeconds_.push_back(took.count());
-        }
-        if (!done && status_) {
-            status_ = done.error();
-        }
-        if (done) {
-            film_.commit(samples_, pass, threads_);
-        }
+        if (pass > 0) { wallSeconds_.push_back(took.count()); }
+        if (!done && status_) { status_ = done.error(); }
+        if (done) { film_.commit(samples_, pass, threads_); }
         return processor;
     }
 
@@ -104,7 +98,7 @@ struct VariantsRow {
     double fullSeconds = 0.0;
     RatioInterval ratio;  ///< the full kernel's processor time over the specialised one's
     RatioInterval wallRatio;
-    PictureDifference difference;
+    ImageDifference difference;
 
     const char* name() const { return integrator == IntegratorKind::Sppm ? "sppm" : "path"; }
 };
@@ -116,14 +110,12 @@ Result<std::shared_ptr<SceneDescription>> sceneOf(const VariantsOptions& options
         return benchMesh(kMeshTriangles, size, size);
     }
     Result<SceneDescription> loaded = loadScene(options.scene, {});
-    if (!loaded) {
-        return loaded.error();
-    }
+    if (!loaded) { return loaded.error(); }
     auto scene = std::make_shared<SceneDescription>(std::move(*loaded));
     if (options.size > 0) {
-        Resolution& picture = scene->resolution;
-        picture.height = std::max(1, picture.height * options.size / picture.width);
-        picture.width = options.size;
+        Resolution& image = scene->resolution;
+        image.height = std::max(1, image.height * options.size / image.width);
+        image.width = options.size;
     }
     return scene;
 }
@@ -136,9 +128,7 @@ Result<VariantsRow> measure(const SceneDescription& scene, const std::shared_ptr
         turns, [&](uint32_t pass) { return specialised.renderPass(pass); },
         [&](uint32_t pass) { return full.renderPass(pass); });
     for (const KernelRun* run : {&specialised, &full}) {
-        if (!run->status()) {
-            return run->status().error();
-        }
+        if (!run->status()) { return run->status().error(); }
     }
     VariantsRow row;
     row.integrator = integrator;
@@ -148,7 +138,7 @@ Result<VariantsRow> measure(const SceneDescription& scene, const std::shared_ptr
     row.fullSeconds = percentilesOf(full.wallSeconds()).median;
     row.ratio = ratioOf(times.second, times.first);
     row.wallRatio = ratioOf(full.wallSeconds(), specialised.wallSeconds());
-    row.difference = comparePictures(specialised.film(), full.film(), specialised.sppm(), full.sppm());
+    row.difference = compareImages(specialised.film(), full.film(), specialised.sppm(), full.sppm());
     return row;
 }
 
@@ -176,29 +166,19 @@ nlohmann::ordered_json jsonOf(const VariantsRow& row) {
 
 int runVariants(const VariantsOptions& options) {
     const auto scene = sceneOf(options);
-    if (!scene) {
-        return complain(scene.error(), kExitBadInput);
-    }
+    if (!scene) { return reportError(scene.error(), kExitBadInput); }
     const int threads = options.threads > 0 ? options.threads : defaultThreadCount();
     const auto built = buildScene({*scene, EditKind::Everything}, nullptr, threads, nullptr, nullptr);
-    if (!built) {
-        return complain(built.error(), kExitBadInput);
-    }
+    if (!built) { return reportError(built.error(), kExitBadInput); }
     std::vector<VariantsRow> rows;
     for (const IntegratorKind integrator : {IntegratorKind::PathTracing, IntegratorKind::Sppm}) {
         const char* name = integrator == IntegratorKind::Sppm ? "sppm" : "path";
-        if (!options.integrator.empty() && options.integrator != name) {
-            continue;
-        }
+        if (!options.integrator.empty() && options.integrator != name) { continue; }
         const auto row = measure(**scene, *built, integrator, threads, options.turns);
-        if (!row) {
-            return complain(row.error(), kExitFailed);
-        }
+        if (!row) { return reportError(row.error(), kExitFailed); }
         rows.push_back(*row);
     }
-    if (!jsonTakesOutput(options.json)) {
-        print(rows);
-    }
+    if (!jsonTakesOutput(options.json)) { print(rows); }
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const VariantsRow& row : rows) {
         list.push_back(jsonOf(row));
@@ -209,7 +189,7 @@ int runVariants(const VariantsOptions& options) {
                                                     {"threads", threads},
                                                     {"turns", options.turns},
                                                     {"rows", list}});
-    return written ? kExitDone : complain(written.error(), kExitFailed);
+    return written ? kExitDone : reportError(written.error(), kExitFailed);
 }
 
 }  // namespace

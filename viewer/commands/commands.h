@@ -1,5 +1,5 @@
-// The program's commands. Each add…Command() describes one to the command line parser and runs it when it is
-// chosen.
+// The program's commands. Each add…Command() describes one to the command line parser and runs it when it
+// is chosen.
 //
 // Called by program.cpp. A command prints its result to standard output and its one error message to standard
 // error, and answers with an exit code; nothing here calls exit().
@@ -22,7 +22,7 @@ enum ExitCode : int {
 };
 
 /// Prints the command's one error message to standard error and gives back the exit code.
-int complain(const Error& error, int exitCode);
+int reportError(const Error& error, int exitCode);
 
 /// Each adds a subcommand to `app`; when the user chose it, *exitCode is set by running it.
 void addViewCommand(CLI::App& app, int* exitCode);

@@ -12,7 +12,7 @@
 
 #include "engine/base/log.h"
 #include "engine/base/parallel.h"
-#include "engine/build/scene_builder.h"
+#include "engine/builders/scene_builder.h"
 #include "engine/io/scene_loader.h"
 #include "viewer/commands/commands.h"
 #include "viewer/commands/converge_options.h"
@@ -29,9 +29,7 @@ std::string processorName() {
     std::ifstream file("/proc/cpuinfo");
     for (std::string line; std::getline(file, line);) {
         const size_t colon = line.find(": ");
-        if (line.starts_with("model name") && colon != std::string::npos) {
-            return line.substr(colon + 2);
-        }
+        if (line.starts_with("model name") && colon != std::string::npos) { return line.substr(colon + 2); }
     }
     return "unknown processor";
 }
@@ -64,16 +62,12 @@ class ConvergeRun {
     }
 
     int run() {
-        if (const Status ready = prepare(); !ready) {
-            return complain(ready.error(), kExitBadInput);
-        }
+        if (const Status ready = prepare(); !ready) { return reportError(ready.error(), kExitBadInput); }
         context_ = contextOf(options_, scene_);
         ConvergeReference finder(options_, folder_, scene_, plan_, host_, &line_);
-        Result<std::optional<ReferencePicture>> found = finder.find();
+        Result<std::optional<ReferenceImage>> found = finder.find();
         line_.finish();
-        if (!found) {
-            return complain(found.error(), finder.failureCode());
-        }
+        if (!found) { return reportError(found.error(), finder.failureCode()); }
         if (!*found) {
             fmt::print(stderr, "interrupted before there was a reference: nothing was measured\n");
             return kExitInterrupted;
@@ -87,27 +81,17 @@ class ConvergeRun {
 
   private:
     Status prepare() {
-        if (Status consistent = checkConvergeOptions(options_); !consistent) {
-            return consistent;
-        }
-        if (Status writable = folder_.check(options_.overwrite); !writable) {
-            return writable;
-        }
+        if (Status consistent = checkConvergeOptions(options_); !consistent) { return consistent; }
+        if (Status writable = folder_.check(options_.overwrite); !writable) { return writable; }
         Result<SceneDescription> loaded = loadScene(options_.scene, {.allowMissing = options_.allowMissing});
-        if (!loaded) {
-            return loaded.error();
-        }
+        if (!loaded) { return loaded.error(); }
         scene_ = std::move(*loaded);
         for (const std::string& warning : scene_.warnings) {
             logWarning("{}", warning);
         }
-        if (Status applied = applyTo(options_, &scene_); !applied) {
-            return applied;
-        }
+        if (Status applied = applyTo(options_, &scene_); !applied) { return applied; }
         Result<ConvergencePlan> plan = planOf(options_, scene_);
-        if (!plan) {
-            return plan.error();
-        }
+        if (!plan) { return plan.error(); }
         plan_ = std::move(*plan);
         return checkItCanRun();
     }
@@ -116,9 +100,7 @@ class ConvergeRun {
     Status checkItCanRun() {
         for (const ConvergenceVariant& variant : plan_.variants) {
             const auto backend = exactBackend(variant.applyTo(plan_.defaults));
-            if (!backend) {
-                return Error{fmt::format("{}: {}", variant.text, backend.error().message), {}};
-            }
+            if (!backend) { return Error{fmt::format("{}: {}", variant.text, backend.error().message), {}}; }
         }
         const auto built = buildScene({std::make_shared<SceneDescription>(scene_), EditKind::Everything},
                                       nullptr, options_.threads, nullptr, nullptr);
@@ -130,21 +112,13 @@ class ConvergeRun {
             summarizeConvergence(*result, reference_, options_.subtractReference);
         const ConvergenceReport report{context_, plan_, scene_, reference_, *result, summary};
         Status written = folder_.make();
-        if (written) {
-            written = folder_.write(report, result);
-        }
+        if (written) { written = folder_.write(report, result); }
         // Also when the disk is full: what was measured must not be lost.
-        if (!jsonTakesOutput(options_.json)) {
-            printReport(report);
-        }
-        if (!written) {
-            return complain(written.error(), kExitFailed);
-        }
+        if (!jsonTakesOutput(options_.json)) { printReport(report); }
+        if (!written) { return reportError(written.error(), kExitFailed); }
         if (!options_.json.empty()) {
             written = writeJson(options_.json, nlohmann::ordered_json::parse(summaryJson(report)));
-            if (!written) {
-                return complain(written.error(), kExitFailed);
-            }
+            if (!written) { return reportError(written.error(), kExitFailed); }
         }
         const bool failed = std::ranges::any_of(result->variants,
                                                 [](const MeasuredVariant& v) { return !v.problem.empty(); });
@@ -156,7 +130,7 @@ class ConvergeRun {
     SceneDescription scene_;
     ConvergencePlan plan_;
     ConvergenceContext context_;
-    ReferencePicture reference_;
+    ReferenceImage reference_;
     ConvergenceHost host_;
     PartLine line_;
     InterruptGuard interrupt_;

@@ -81,13 +81,12 @@ void addMeasuringOptions(CLI::App& command, ConvergeOptions* o) {
         ->capture_default_str()
         ->group(group);
     command
-        .add_option("--pictures", o->pictures,
-                    "Pictures of each variant: of the end, a tenth, a hundredth ...")
+        .add_option("--pictures", o->images, "Pictures of each variant: of the end, a tenth, a hundredth ...")
         ->check(CLI::Range(0, 8))
         ->capture_default_str()
         ->group(group);
     command
-        .add_option("--picture-times", o->pictureTimes,
+        .add_option("--picture-times", o->imageTimes,
                     "Pictures at these seconds (with --passes: passes) instead, and at the end")
         ->delimiter(',')
         ->check(aboveZero())
@@ -134,13 +133,9 @@ void addConvergeOptions(CLI::App& command, ConvergeOptions* o) {
 std::string commandAsWritten(const CLI::App& command) {
     std::string text = "glint converge";
     for (const CLI::Option* option : command.get_options()) {
-        if (option->count() == 0 || option->get_name() == "--help") {
-            continue;
-        }
+        if (option->count() == 0 || option->get_name() == "--help") { continue; }
         const bool named = option->get_positional() || option->get_lnames().empty();
-        if (!named) {
-            text += " --" + option->get_lnames().front();
-        }
+        if (!named) { text += " --" + option->get_lnames().front(); }
         if (option->get_items_expected_max() > 0) {
             text += " " + quotedForShell(fmt::format("{}", fmt::join(option->results(), ",")));
         }
@@ -176,9 +171,7 @@ Status applyTo(const ConvergeOptions& o, SceneDescription* scene) {
 
 Result<ConvergencePlan> planOf(const ConvergeOptions& o, const SceneDescription& scene) {
     Result<std::vector<ConvergenceVariant>> variants = parseVariants(o.integrators);
-    if (!variants) {
-        return variants.error();
-    }
+    if (!variants) { return variants.error(); }
     ConvergencePlan plan;
     plan.variants = std::move(*variants);
     plan.defaults.options = scene.options;
@@ -188,14 +181,14 @@ Result<ConvergencePlan> planOf(const ConvergeOptions& o, const SceneDescription&
     plan.passes = o.passes;
     plan.seconds = o.passes > 0 ? 0.0 : o.seconds > 0.0 ? o.seconds : kDefaultConvergeSeconds;
     plan.points = o.points;
-    plan.pictures = o.pictures;
-    plan.pictureMoments = o.pictureTimes;
-    std::ranges::sort(plan.pictureMoments);
+    plan.images = o.images;
+    plan.imageMoments = o.imageTimes;
+    std::ranges::sort(plan.imageMoments);
     if (const double whole = plan.seconds > 0.0 ? plan.seconds : plan.passes;
-        !o.pictureTimes.empty() && plan.pictureMoments.back() > whole) {
-        return Error{fmt::format("--picture-times: {:g} lies beyond the end at {:g}",
-                                 plan.pictureMoments.back(), whole),
-                     {}};
+        !o.imageTimes.empty() && plan.imageMoments.back() > whole) {
+        return Error{
+            fmt::format("--picture-times: {:g} lies beyond the end at {:g}", plan.imageMoments.back(), whole),
+            {}};
     }
     plan.exposureStops = static_cast<double>(o.exposure);
     return plan;

@@ -29,8 +29,8 @@ struct ConvergeOptions {
     uint32_t passes = 0;
     int seeds = 4;
     int points = 16;
-    int pictures = 3;
-    std::vector<double> pictureTimes;  ///< empty: as `pictures` says
+    int images = 3;
+    std::vector<double> imageTimes;  ///< empty: as `pictures` says
     std::string size;
     std::optional<int> depth;
     std::optional<uint32_t> seed;

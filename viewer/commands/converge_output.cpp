@@ -10,8 +10,8 @@
 
 #include "engine/io/atomic_file.h"
 #include "engine/report/convergence_charts.h"
+#include "engine/report/convergence_images.h"
 #include "engine/report/convergence_page.h"
-#include "engine/report/convergence_pictures.h"
 
 namespace glint {
 namespace {
@@ -40,9 +40,7 @@ fs::path existingParent(fs::path path) {
 
 Status ConvergeFolder::check(bool overwrite) const {
     std::error_code ignored;
-    if (path_.empty()) {
-        return Error{"--out is empty; expected a folder", {}};
-    }
+    if (path_.empty()) { return Error{"--out is empty; expected a folder", {}}; }
     const fs::path parent = existingParent(path_);
     if (!fs::is_directory(parent, ignored)) {
         return cannotWrite(path_, fmt::format("{} is a file; expected a folder", parent.string()));
@@ -77,21 +75,17 @@ std::string ConvergeFolder::file(const std::string& name) const { return (fs::pa
 Status ConvergeFolder::write(const ConvergenceReport& report, ConvergenceResult* result) const {
     const std::array<std::pair<const char*, std::string (*)(const ConvergenceReport&)>, 3> texts{
         {{"curve.csv", curveCsv}, {"summary.csv", summaryCsv}, {"summary.json", summaryJson}}};
-    const Result<PictureLegend> legend = savePictures(path_, report.plan, report.reference, result);
+    const Result<ImageLegend> legend = saveImages(path_, report.plan, report.reference, result);
     // Numbers first: a picture that cannot be written must not cost them.
     for (const auto& [name, textOf] : texts) {
         if (const Status written = writeFileAtomically(file(name), textOf(report)); !written) {
             return written;
         }
     }
-    if (!legend) {
-        return legend.error();
-    }
+    if (!legend) { return legend.error(); }
     const LogLogChart chart = errorChart(report, ErrorMeasure::RelativeError);
     for (const char* name : {"plot.svg", "plot.png"}) {
-        if (const Status saved = saveChart(file(name), chart); !saved) {
-            return saved;
-        }
+        if (const Status saved = saveChart(file(name), chart); !saved) { return saved; }
     }
     return writeFileAtomically(file("index.html"), convergencePage(report, path_, *legend));
 }

@@ -44,9 +44,7 @@ void printVariant(const MeasuredVariant& variant, const VariantSummary& summary)
 PartLine::PartLine() : terminal_(isatty(STDERR_FILENO) == 1) {}
 
 void PartLine::begin(const std::string& part) {
-    if (!terminal_) {
-        fmt::print(stderr, "{}\n", part);
-    }
+    if (!terminal_) { fmt::print(stderr, "{}\n", part); }
 }
 
 void PartLine::draw(const std::string& text) {
@@ -76,7 +74,7 @@ void printReport(const ConvergenceReport& report) {
     fmt::print("{}\n", kSecondsMeaning);
     fmt::print(
         "seconds to an error: ~ not reached, predicted by the fit; < already at the first measurement\n");
-    const ReferencePicture& reference = report.reference;
+    const ReferenceImage& reference = report.reference;
     if (reference.knowsItsError()) {
         fmt::print("reference: {} by {}, its own error {:.3g} %, {:.2g} of the smallest one measured{}\n",
                    reference.path, reference.method.empty() ? "an unknown method" : reference.method,

@@ -28,9 +28,7 @@ Result<std::unique_ptr<Backend>> exactBackend(const VariantSettings& settings) {
         return makeCpuBackend(settings.threads,
                               settings.fullKernel ? KernelChoice::Full : KernelChoice::Specialised);
     }
-    if (settings.fullKernel) {
-        return Error{"kernel=full is for the CPU; expected backend=cpu", {}};
-    }
+    if (settings.fullKernel) { return Error{"kernel=full is for the CPU; expected backend=cpu", {}}; }
     auto backend = makeBackend(settings.backend, settings.threads);
     if (backend && (*backend)->name().starts_with("CPU")) {
         return Error{"CUDA cannot be used here; a comparison needs the back end it names", {}};
@@ -39,14 +37,10 @@ Result<std::unique_ptr<Backend>> exactBackend(const VariantSettings& settings) {
 }
 
 ConvergeReference::Found ConvergeReference::find() {
-    if (!options_.reference.empty()) {
-        return takeGiven();
-    }
+    if (!options_.reference.empty()) { return takeGiven(); }
     const char* own = scene_.options.integrator == IntegratorKind::Sppm ? "sppm" : "pt";
     const auto variant = parseVariant(options_.referenceVariant.empty() ? own : options_.referenceVariant);
-    if (!variant) {
-        return variant.error();
-    }
+    if (!variant) { return variant.error(); }
     ReferencePlan wanted{*variant, plan_.defaults, options_.makeReference};
     wanted.settings.options.fireflyClamp = 0.0f;
     wanted.settings = variant->applyTo(wanted.settings);
@@ -70,27 +64,19 @@ bool ConvergeReference::findPrecision(ReferencePlan* wanted) const {
 }
 
 ConvergeReference::Found ConvergeReference::takeGiven() {
-    Result<ReferencePicture> loaded = loadReference(options_.reference, scene_, options_.anyReference);
-    if (!loaded) {
-        return loaded.error();
-    }
+    Result<ReferenceImage> loaded = loadReference(options_.reference, scene_, options_.anyReference);
+    if (!loaded) { return loaded.error(); }
     Found given = std::optional(std::move(*loaded));
     std::error_code ignored;
-    if (std::filesystem::equivalent(options_.reference, folder_.reference(), ignored)) {
-        return given;
-    }
+    if (std::filesystem::equivalent(options_.reference, folder_.reference(), ignored)) { return given; }
     if (std::filesystem::exists(folder_.reference(), ignored) && !options_.overwrite) {
         return Error{fmt::format("{} is another reference; expected another folder, or --overwrite",
                                  folder_.reference()),
                      {}};
     }
     const Result<std::string> bytes = readFile(options_.reference);
-    if (!bytes) {
-        return bytes.error();
-    }
-    if (const Status made = folder_.make(); !made) {
-        return made.error();
-    }
+    if (!bytes) { return bytes.error(); }
+    if (const Status made = folder_.make(); !made) { return made.error(); }
     const Status copied = writeFileAtomically(folder_.reference(), *bytes);
     return copied ? std::move(given) : Found(copied.error());
 }
@@ -98,13 +84,9 @@ ConvergeReference::Found ConvergeReference::takeGiven() {
 /// The reference of an earlier run in this folder, where it is as good as the one asked for.
 ConvergeReference::Found ConvergeReference::takeCached(ReferencePlan* wanted) {
     std::error_code ignored;
-    if (!std::filesystem::exists(folder_.reference(), ignored)) {
-        return std::optional<ReferencePicture>();
-    }
-    Result<ReferencePicture> old = loadReference(folder_.reference(), scene_, false);
-    if (!old && options_.overwrite) {
-        return std::optional<ReferencePicture>();
-    }
+    if (!std::filesystem::exists(folder_.reference(), ignored)) { return std::optional<ReferenceImage>(); }
+    Result<ReferenceImage> old = loadReference(folder_.reference(), scene_, false);
+    if (!old && options_.overwrite) { return std::optional<ReferenceImage>(); }
     if (!old) {
         return Error{fmt::format("{}; expected another folder, or --overwrite", old.error().format()), {}};
     }
@@ -119,7 +101,7 @@ ConvergeReference::Found ConvergeReference::takeCached(ReferencePlan* wanted) {
         fmt::print(stderr, "{} is replaced: made by {} with a limit of {:.3g} s, its own error is {:.3g} %\n",
                    folder_.reference(), old->method.empty() ? "something else" : old->method,
                    old->timeLimitSeconds, 100.0 * old->relativeError());
-        return std::optional<ReferencePicture>();
+        return std::optional<ReferenceImage>();
     }
     fmt::print(stderr, "{} is used again ({:.3g} s by {})\n", folder_.reference(), old->renderSeconds,
                old->method);
@@ -129,19 +111,17 @@ ConvergeReference::Found ConvergeReference::takeCached(ReferencePlan* wanted) {
 
 ConvergeReference::Found ConvergeReference::makeNew(ReferencePlan wanted) {
     // Now, and not after an hour: some folders can only be refused by trying.
-    if (const Status folder = folder_.make(); !folder) {
-        return folder.error();
-    }
+    if (const Status folder = folder_.make(); !folder) { return folder.error(); }
     failureCode_ = kExitFailed;
     Found made = findPrecision(&wanted) ? makeReference(wanted, scene_, host_)
-                                        : Found(std::optional<ReferencePicture>());
+                                        : Found(std::optional<ReferenceImage>());
     if (!made || !*made) {
         folder_.removeIfEmpty();
         return made;
     }
     std::error_code ignored;
     if ((*made)->endedBy == "interrupt" && std::filesystem::exists(folder_.reference(), ignored)) {
-        return std::optional<ReferencePicture>();  // An earlier one may be better.
+        return std::optional<ReferenceImage>();  // An earlier one may be better.
     }
     (*made)->path = folder_.reference();
     if (const Status saved = saveReference(folder_.reference(), **made, scene_, wanted.settings); !saved) {
@@ -153,7 +133,7 @@ ConvergeReference::Found ConvergeReference::makeNew(ReferencePlan wanted) {
 }
 
 /// Before hours are spent on comparing with it.
-void ConvergeReference::announce(const ReferencePlan& wanted, const ReferencePicture& made) const {
+void ConvergeReference::announce(const ReferencePlan& wanted, const ReferenceImage& made) const {
     line_.finish();
     const double own = made.relativeError();
     fmt::print(stderr, "the reference's own error is {:.3g} % after {} s", 100.0 * own,

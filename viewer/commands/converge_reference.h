@@ -19,7 +19,7 @@ Result<std::unique_ptr<Backend>> exactBackend(const VariantSettings& settings);
 
 class ConvergeReference {
   public:
-    using Found = Result<std::optional<ReferencePicture>>;
+    using Found = Result<std::optional<ReferenceImage>>;
 
     ConvergeReference(const ConvergeOptions& options, const ConvergeFolder& folder,
                       const SceneDescription& scene, const ConvergencePlan& plan, const ConvergenceHost& host,
@@ -37,7 +37,7 @@ class ConvergeReference {
     Found takeGiven();
     Found takeCached(ReferencePlan* wanted);
     Found makeNew(ReferencePlan wanted);
-    void announce(const ReferencePlan& wanted, const ReferencePicture& made) const;
+    void announce(const ReferencePlan& wanted, const ReferenceImage& made) const;
 
     const ConvergeOptions& options_;
     const ConvergeFolder& folder_;

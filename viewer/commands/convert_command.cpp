@@ -18,21 +18,19 @@ struct ConvertOptions {
 
 int runConvert(const ConvertOptions& options) {
     if (!options.out.ends_with(".json")) {
-        return complain({fmt::format("'{}': expected a name that ends in .json", options.out), {}},
-                        kExitBadInput);
+        return reportError({fmt::format("'{}': expected a name that ends in .json", options.out), {}},
+                           kExitBadInput);
     }
     if (Status writable = checkWritable(options.out); !writable) {
-        return complain(writable.error(), kExitBadInput);
+        return reportError(writable.error(), kExitBadInput);
     }
     const auto scene = loadScene(options.in, {.allowMissing = options.allowMissing});
-    if (!scene) {
-        return complain(scene.error(), kExitBadInput);
-    }
+    if (!scene) { return reportError(scene.error(), kExitBadInput); }
     for (const std::string& warning : scene->warnings) {
         logWarning("{}", warning);
     }
     if (Status saved = saveSceneJson(*scene, options.out); !saved) {
-        return complain(saved.error(), kExitFailed);
+        return reportError(saved.error(), kExitFailed);
     }
     return kExitDone;
 }

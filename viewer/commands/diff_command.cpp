@@ -50,25 +50,21 @@ struct DiffOptions {
 };
 
 /// A picture and whether its file has 8 bits a channel.
-struct LoadedPicture {
+struct LoadedImage {
     std::shared_ptr<const ImageF> colors;
     bool eightBits = false;
 };
 
-Result<LoadedPicture> loadPicture(const std::string& path) {
+Result<LoadedImage> loadRgbImage(const std::string& path) {
     const Result<ImageSource> image = loadImage(path);
-    if (!image) {
-        return image.error();
-    }
-    return LoadedPicture{linearColors(*image), image->bytes != nullptr};
+    if (!image) { return image.error(); }
+    return LoadedImage{linearColors(*image), image->bytes != nullptr};
 }
 
 /// What 8 bits lack beside a picture of floats; nothing where both are of one kind.
-std::vector<std::string> kindWarnings(const DiffOptions& options, const LoadedPicture& test,
-                                      const LoadedPicture& reference) {
-    if (test.eightBits == reference.eightBits) {
-        return {};
-    }
+std::vector<std::string> kindWarnings(const DiffOptions& options, const LoadedImage& test,
+                                      const LoadedImage& reference) {
+    if (test.eightBits == reference.eightBits) { return {}; }
     const ImageF& floats = test.eightBits ? *reference.colors : *test.colors;
     const auto brighter = std::ranges::count_if(floats.rgb, [](float value) { return value > 1.0f; });
     const std::string& bytesFile = test.eightBits ? options.test : options.reference;
@@ -88,9 +84,9 @@ std::string limitOption(const MetricInfo& metric) {
     return fmt::format("--{}-{}", metric.largerIsBetter ? "min" : "max", metric.option);
 }
 
-void printMetrics(const DiffOptions& options, const PictureMetrics& metrics, const ImageF& picture) {
+void printMetrics(const DiffOptions& options, const ImageMetrics& metrics, const ImageF& image) {
     fmt::print("{} against the reference {}\n", options.test, options.reference);
-    fmt::print("{}x{} pixels", picture.width, picture.height);
+    fmt::print("{}x{} pixels", image.width, image.height);
     if (metrics.trimmedPixels > 0) {
         fmt::print("; the worst {} left out of relMSE trimmed", metrics.trimmedPixels);
     }
@@ -133,8 +129,8 @@ void printMaps(const std::vector<WrittenMap>& maps) {
     }
 }
 
-nlohmann::ordered_json jsonReport(const DiffOptions& options, const PictureMetrics& metrics,
-                                  const ImageF& picture, bool within) {
+nlohmann::ordered_json jsonReport(const DiffOptions& options, const ImageMetrics& metrics,
+                                  const ImageF& image, bool within) {
     nlohmann::ordered_json values, limits = nlohmann::ordered_json::array();
     for (const MetricInfo& metric : metricTable()) {
         const double value = metric.value(metrics);
@@ -147,8 +143,8 @@ nlohmann::ordered_json jsonReport(const DiffOptions& options, const PictureMetri
     }
     return {{"picture", options.test},
             {"reference", options.reference},
-            {"width", picture.width},
-            {"height", picture.height},
+            {"width", image.width},
+            {"height", image.height},
             {"metrics", values},
             {"max_error_pixel", {metrics.maxErrorX, metrics.maxErrorY}},
             {"trimmed_pixels", metrics.trimmedPixels},
@@ -159,7 +155,7 @@ nlohmann::ordered_json jsonReport(const DiffOptions& options, const PictureMetri
             {"within_limits", within}};
 }
 
-bool allWithin(const DiffOptions& options, const PictureMetrics& metrics) {
+bool allWithin(const DiffOptions& options, const ImageMetrics& metrics) {
     bool within = true;
     for (const auto& [key, limit] : options.limits) {
         const MetricInfo& metric = *findMetric(key);
@@ -169,19 +165,15 @@ bool allWithin(const DiffOptions& options, const PictureMetrics& metrics) {
 }
 
 /// Prints and writes everything; the maps after the numbers, which must not be lost with them.
-Status report(const DiffOptions& options, const PictureMetrics& metrics, const ImageF& test,
+Status report(const DiffOptions& options, const ImageMetrics& metrics, const ImageF& test,
               const ImageF& reference, const std::vector<std::string>& warnings) {
     const bool printed = !jsonTakesOutput(options.json);
-    if (printed) {
-        printMetrics(options, metrics, test);
-    }
+    if (printed) { printMetrics(options, metrics, test); }
     Result<std::vector<WrittenMap>> maps = std::vector<WrittenMap>();
     if (!options.maps.empty()) {
         maps = writeMaps(options.maps, options.ranges, test, reference, options.metrics);
     }
-    if (printed && maps) {
-        printMaps(*maps);
-    }
+    if (printed && maps) { printMaps(*maps); }
     nlohmann::ordered_json json = jsonReport(options, metrics, test, allWithin(options, metrics));
     json["maps"] = mapsJson(maps ? *maps : std::vector<WrittenMap>());
     json["warnings"] = warnings;
@@ -190,22 +182,15 @@ Status report(const DiffOptions& options, const PictureMetrics& metrics, const I
 }
 
 int runDiff(const DiffOptions& options) {
-    const auto test = loadPicture(options.test);
-    if (!test) {
-        return complain(test.error(), kExitBadInput);
-    }
-    const auto reference = loadPicture(options.reference);
-    if (!reference) {
-        return complain(reference.error(), kExitBadInput);
-    }
-    const Result<PictureMetrics> metrics =
-        comparePictures(*test->colors, *reference->colors, options.metrics);
-    if (!metrics) {
-        return complain(metrics.error(), kExitBadInput);
-    }
+    const auto test = loadRgbImage(options.test);
+    if (!test) { return reportError(test.error(), kExitBadInput); }
+    const auto reference = loadRgbImage(options.reference);
+    if (!reference) { return reportError(reference.error(), kExitBadInput); }
+    const Result<ImageMetrics> metrics = compareImages(*test->colors, *reference->colors, options.metrics);
+    if (!metrics) { return reportError(metrics.error(), kExitBadInput); }
     if (!options.maps.empty()) {
         if (const Status prepared = prepareMapFolder(options.maps); !prepared) {
-            return complain(prepared.error(), kExitBadInput);
+            return reportError(prepared.error(), kExitBadInput);
         }
     }
     const std::vector<std::string> warnings = kindWarnings(options, *test, *reference);
@@ -213,9 +198,7 @@ int runDiff(const DiffOptions& options) {
         logWarning("{}", warning);
     }
     const Status written = report(options, *metrics, *test->colors, *reference->colors, warnings);
-    if (!written) {
-        return complain(written.error(), kExitFailed);
-    }
+    if (!written) { return reportError(written.error(), kExitFailed); }
     return allWithin(options, *metrics) ? kExitDone : kExitBeyondLimit;
 }
 

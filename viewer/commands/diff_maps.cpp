@@ -46,9 +46,7 @@ Status addMapRange(std::string_view text, MapRanges* ranges) {
     const std::string_view name = text.substr(0, text.find('='));
     for (int i = 0; i < kErrorMapKindCount; ++i) {
         const auto kind = static_cast<ErrorMapKind>(i);
-        if (name != errorMapName(kind) || kind == ErrorMapKind::Flip) {
-            continue;
-        }
+        if (name != errorMapName(kind) || kind == ErrorMapKind::Flip) { continue; }
         std::optional<MapRange>& range = (*ranges)[static_cast<size_t>(i)];
         range = rangeOf(kind, text.size() > name.size() ? text.substr(name.size() + 1) : std::string_view());
         return range ? Status()
@@ -79,9 +77,7 @@ Result<std::vector<WrittenMap>> writeMaps(const std::string& folder, const MapRa
     for (int i = 0; i < kErrorMapKindCount; ++i) {
         const auto kind = static_cast<ErrorMapKind>(i);
         const Result<ErrorMap> map = errorMap(kind, test, reference, options);
-        if (!map) {
-            return map.error();
-        }
+        if (!map) { return map.error(); }
         const std::optional<MapRange>& wanted = ranges[static_cast<size_t>(i)];
         written.push_back({kind, mapFile(folder, kind), wanted ? *wanted : readableRange(*map)});
         if (const Status saved = savePng(written.back().file, mapWithLegend(*map, written.back().range));

@@ -57,8 +57,9 @@ const char* EmbreeOracle::version() { return RTC_VERSION_STRING; }
 EmbreeOracle::EmbreeOracle(std::shared_ptr<const MeshData> mesh, int threads)
     : scene_(std::make_unique<Scene>()) {
     scene_->mesh = std::move(mesh);
-    for (const Vec3& p : scene_->mesh->positions)
+    for (const Vec3& p : scene_->mesh->positions) {
         scene_->paddedPositions.insert(scene_->paddedPositions.end(), {p.x, p.y, p.z});
+    }
     scene_->paddedPositions.push_back(0.0f);
     const int used = threads > 0 ? threads : defaultThreadCount();
     scene_->device = rtcNewDevice(fmt::format("threads={}", used).c_str());
@@ -87,7 +88,7 @@ bool EmbreeOracle::intersect(const Ray& ray, Hit* hit) const {
     query.ray = toEmbree(ray);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(scene_->scene, &context, &query);
-    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) { return false; }
     *hit = {query.ray.tfar, 0, query.hit.primID, Vec2(query.hit.u, query.hit.v)};
     return true;
 }

@@ -1,5 +1,5 @@
-// Embree behind three functions: the yardstick of `glint bench rays` and the oracle of the intersection
-// tests.
+// Embree behind three functions: the yardstick of `glint bench rays` and the oracle of the
+// intersection tests.
 //
 // Without Embree at compile time available() is false and nothing else may be called. Never part of a render.
 #pragma once

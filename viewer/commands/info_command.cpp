@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "engine/build/scene_builder.h"
+#include "engine/builders/scene_builder.h"
 #include "engine/io/scene_loader.h"
 #include "engine/render/photon_store.h"
 #include "engine/render/sppm_state.h"
@@ -91,23 +91,17 @@ nlohmann::ordered_json jsonReport(const SceneDescription& scene, const SceneRepo
 
 int runInfo(const InfoOptions& options) {
     auto loaded = loadScene(options.scene, {.allowMissing = options.allowMissing});
-    if (!loaded) {
-        return complain(loaded.error(), kExitBadInput);
-    }
+    if (!loaded) { return reportError(loaded.error(), kExitBadInput); }
     const auto scene = std::make_shared<SceneDescription>(std::move(*loaded));
     const auto built = buildScene({scene, EditKind::Everything}, nullptr, 0, nullptr, nullptr);
-    if (!built) {
-        return complain(built.error(), kExitBadInput);
-    }
+    if (!built) { return reportError(built.error(), kExitBadInput); }
     const SceneReport report = reportOf(*scene, **built);
     if (!jsonTakesOutput(options.json)) {
         printSceneReport(*scene, report);
-        if (options.memory) {
-            printMemory(report.memory);
-        }
+        if (options.memory) { printMemory(report.memory); }
     }
     const Status written = writeJson(options.json, jsonReport(*scene, report));
-    return written ? kExitDone : complain(written.error(), kExitFailed);
+    return written ? kExitDone : reportError(written.error(), kExitFailed);
 }
 
 }  // namespace

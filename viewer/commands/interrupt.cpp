@@ -16,9 +16,7 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 struct sigaction previousInterrupt, previousTerminate;
 
 void onSignal(int) {
-    if (raised.exchange(true)) {
-        _exit(kExitInterrupted);
-    }
+    if (raised.exchange(true)) { _exit(kExitInterrupted); }
 }
 
 }  // namespace

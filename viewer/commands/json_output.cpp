@@ -17,9 +17,7 @@ void addJsonOption(CLI::App& command, std::string* target) {
 }
 
 Status writeJson(const std::string& target, const nlohmann::ordered_json& report) {
-    if (target.empty()) {
-        return {};
-    }
+    if (target.empty()) { return {}; }
     const std::string text =
         report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
     if (jsonTakesOutput(target)) {

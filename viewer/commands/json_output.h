@@ -1,5 +1,5 @@
-// The --json option of commands: where the report goes, and how it is written. Keys are listed in README.md
-// here.
+// The --json option of commands: where the report goes, and how it is written. Keys are listed in
+// README.md here.
 #pragma once
 
 #include <string>

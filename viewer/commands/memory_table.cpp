@@ -50,9 +50,7 @@ MemoryTable memoryTableOf(const SceneDescription& scene, const BuiltScene& built
     for (size_t i = 0; i < kMemoryPartCount; ++i) {
         const auto part = static_cast<MemoryPart>(i);
         const uint64_t without = most[part] - planned[part];
-        if (used[part] + unused[part] + without == 0) {
-            continue;
-        }
+        if (used[part] + unused[part] + without == 0) { continue; }
         const char* why = unused[part] + without > 0 ? reasonOf(part) : "";
         table.rows.push_back({memoryPartName(part), used[part], unused[part], without, why});
     }

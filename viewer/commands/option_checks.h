@@ -1,5 +1,5 @@
-// What CLI11's own checks let through or say badly: NaN passes its ranges. Used where commands declare
-// options.
+// What CLI11's own checks let through or say badly: NaN passes its ranges. Used where commands
+// declare options.
 #pragma once
 
 #include <string>

@@ -34,12 +34,8 @@ Status checkWritable(const std::string& path) {
 
 Status checkAllWritable(const std::vector<std::string>& paths) {
     for (auto path = paths.begin(); path != paths.end(); ++path) {
-        if (path->empty()) {
-            continue;
-        }
-        if (Status writable = checkWritable(*path); !writable) {
-            return writable;
-        }
+        if (path->empty()) { continue; }
+        if (Status writable = checkWritable(*path); !writable) { return writable; }
         const auto isSameFile = [&](const std::string& other) {
             std::error_code ignored;
             return !other.empty() && std::filesystem::weakly_canonical(other, ignored) ==

@@ -33,9 +33,7 @@ std::string counted(const NamedCount& item) {
 /// `label` and the items, separated by commas, over as many lines as they need.
 void printList(std::string_view label, std::string_view lead, const std::vector<std::string>& items) {
     std::string line = fmt::format("{:<{}}{}", label, kIndent, lead);
-    if (items.empty()) {
-        line += "none";
-    }
+    if (items.empty()) { line += "none"; }
     for (size_t i = 0; i < items.size(); ++i) {
         const std::string text = items[i] + (i + 1 < items.size() ? "," : "");
         if (line.size() + text.size() > kWidth) {

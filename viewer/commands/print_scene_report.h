@@ -1,5 +1,5 @@
-// The report of `glint info` for people: a line or a few for each kind of thing. JSON is made in
-// info_command.
+// The report of `glint info` for people: a line or a few for each kind of thing. JSON is made
+// in info_command.
 #pragma once
 
 #include "viewer/commands/scene_report.h"

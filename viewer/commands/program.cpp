@@ -112,9 +112,7 @@ void addViewWhereItIsMeant(const CLI::App& app, std::vector<std::string>* argume
 
 /// Text that went to a full disk or a closed pipe is a result that nobody got.
 int flushOutput(int exitCode) {
-    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) {
-        return exitCode;
-    }
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) { return exitCode; }
     fmt::print(stderr, "error: standard output cannot be written: {}\n", std::strerror(errno));
     return exitCode == kExitDone ? kExitFailed : exitCode;
 }
@@ -137,9 +135,7 @@ int parseAndRun(std::vector<std::string> arguments) {
     std::ranges::reverse(arguments);  // CLI11 takes them from the back.
     try {
         app.parse(std::move(arguments));
-    } catch (const CLI::ParseError& problem) {
-        return answerParseError(app, problem);
-    }
+    } catch (const CLI::ParseError& problem) { return answerParseError(app, problem); }
     return exitCode;
 }
 

@@ -29,18 +29,14 @@ void consider(double fraction, double seconds, Forecast* best) {
 }
 
 std::string describeError(const SessionStatus& status) {
-    if (!std::isfinite(status.relativeError)) {
-        return "?";
-    }
+    if (!std::isfinite(status.relativeError)) { return "?"; }
     return fmt::format("{:.2f} % ({:.2f} to {:.2f})", 100.0 * status.relativeError,
                        100.0 * status.relativeErrorLow, 100.0 * status.relativeErrorHigh);
 }
 
 std::string describe(const SessionStatus& status, const StopLimits& limits, const Forecast& ahead) {
     std::string passes = fmt::format("pass {}", status.passes);
-    if (limits.passes > 0) {
-        passes += fmt::format("/{}", limits.passes);
-    }
+    if (limits.passes > 0) { passes += fmt::format("/{}", limits.passes); }
     return fmt::format("{:3.0f} %  {}  {:.2f} Mpaths/s  error {}  left {}", 100.0 * ahead.fraction, passes,
                        status.pathsPerSecond * 1e-6, describeError(status), describeTimeLeft(ahead));
 }
@@ -49,9 +45,7 @@ std::string describe(const SessionStatus& status, const StopLimits& limits, cons
 
 Forecast forecast(const SessionStatus& status, const StopLimits& limits, const ConvergenceCurve& curve) {
     Forecast best;
-    if (status.passes == 0 || status.passesPerSecond <= 0.0) {
-        return best;
-    }
+    if (status.passes == 0 || status.passesPerSecond <= 0.0) { return best; }
     const double passes = status.passes;
     if (limits.passes > 0) {
         consider(passes / limits.passes, (limits.passes - passes) / status.passesPerSecond, &best);
@@ -67,9 +61,7 @@ Forecast forecast(const SessionStatus& status, const StopLimits& limits, const C
 }
 
 std::string formatSeconds(double seconds) {
-    if (!(seconds >= 0.0) || seconds > 1e7) {
-        return "?";
-    }
+    if (!(seconds >= 0.0) || seconds > 1e7) { return "?"; }
     const auto whole = static_cast<long>(std::lround(seconds));
     const long hours = whole / 3600, minutes = whole / 60 % 60;
     return hours > 0 ? fmt::format("{}:{:02}:{:02}", hours, minutes, whole % 60)

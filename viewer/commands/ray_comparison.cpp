@@ -48,7 +48,7 @@ bool nearEdge(const ExactHit& exact) { return std::abs(exact.smallestWeight) <= 
 /// One program met `primitive` where the other saw something farther or nothing.
 RayDisagreement explainExtraHit(const MeshView& mesh, uint32_t primitive, const Ray& ray) {
     const ExactHit exact = exactHit(mesh, primitive, ray);
-    if (nearEdge(exact)) return RayDisagreement::EdgeRounding;
+    if (nearEdge(exact)) { return RayDisagreement::EdgeRounding; }
     const auto tMin = static_cast<double>(ray.tMin);
     const auto tMax = static_cast<double>(ray.tMax);
     if (std::abs(exact.t - tMin) <= exact.tTolerance || std::abs(exact.t - tMax) <= exact.tTolerance) {
@@ -59,9 +59,9 @@ RayDisagreement explainExtraHit(const MeshView& mesh, uint32_t primitive, const 
 
 std::optional<RayDisagreement> compareNearest(const MeshView& mesh, const Ray& ray, const Hit& a,
                                               const Hit& b) {
-    if (a.primitive == kNone && b.primitive == kNone) return std::nullopt;
-    if (a.primitive == kNone) return explainExtraHit(mesh, b.primitive, ray);
-    if (b.primitive == kNone) return explainExtraHit(mesh, a.primitive, ray);
+    if (a.primitive == kNone && b.primitive == kNone) { return std::nullopt; }
+    if (a.primitive == kNone) { return explainExtraHit(mesh, b.primitive, ray); }
+    if (b.primitive == kNone) { return explainExtraHit(mesh, a.primitive, ray); }
     const ExactHit exactA = exactHit(mesh, a.primitive, ray);
     const double difference = std::abs(static_cast<double>(a.t) - static_cast<double>(b.t));
     if (a.primitive == b.primitive) {
@@ -69,7 +69,7 @@ std::optional<RayDisagreement> compareNearest(const MeshView& mesh, const Ray& r
     }
     const ExactHit exactB = exactHit(mesh, b.primitive, ray);
     const double tolerance = std::max(exactA.tTolerance, exactB.tTolerance);
-    if (difference <= tolerance) return RayDisagreement::EdgeTie;
+    if (difference <= tolerance) { return RayDisagreement::EdgeTie; }
     return explainExtraHit(mesh, a.t < b.t ? a.primitive : b.primitive, ray);
 }
 
@@ -78,8 +78,8 @@ std::optional<RayDisagreement> compareNearest(const MeshView& mesh, const Ray& r
 std::optional<RayDisagreement> compareHits(const SceneView& view, const EmbreeOracle& embree, const Ray& ray,
                                            bool anyHit, const Hit& glintHit, const Hit& embreeHit) {
     const MeshView& mesh = view.geometry.meshes[0];
-    if (!anyHit) return compareNearest(mesh, ray, glintHit, embreeHit);
-    if (glintHit.primitive == embreeHit.primitive) return std::nullopt;
+    if (!anyHit) { return compareNearest(mesh, ray, glintHit, embreeHit); }
+    if (glintHit.primitive == embreeHit.primitive) { return std::nullopt; }
     Hit nearest{kInfinity, kNone, kNone, Vec2(0.0f)};
     const bool embreeBlocked = embreeHit.primitive != kNone;
     const bool found =

@@ -1,5 +1,5 @@
-// `glint render`: reads the options and the scene, refuses what cannot be written, and leaves the rest to
-// render_run.
+// `glint render`: reads the options and the scene, refuses what cannot be written, and leaves the rest
+// to render_run.
 #include <chrono>
 
 #include <CLI/CLI.hpp>
@@ -36,40 +36,32 @@ Status checkOutputs(const RenderCommandOptions& o) {
             {}};
     }
     const Result<SaveInterval> interval = parseSaveInterval(o.checkpointEvery);
-    if (!interval) {
-        return interval.error();
-    }
+    if (!interval) { return interval.error(); }
     if (interval->seconds > 0.0 && o.checkpoint.empty()) {
         return Error{"--checkpoint-every with seconds needs --checkpoint FILE", {}};
     }
-    if (o.replayPass) {
-        return Error{"--pass needs --pixel X,Y: the path to look into", {}};
-    }
+    if (o.replayPass) { return Error{"--pass needs --pixel X,Y: the path to look into", {}}; }
     return checkAllWritable({o.output, o.checkpoint, o.json == "-" ? std::string() : o.json});
 }
 
 int runCommand(const RenderCommandOptions& options) {
     if (options.pixel.empty()) {
         if (Status outputs = checkOutputs(options); !outputs) {
-            return complain(outputs.error(), kExitBadInput);
+            return reportError(outputs.error(), kExitBadInput);
         }
     }
     const auto began = std::chrono::steady_clock::now();
     Result<SceneDescription> loaded = loadScene(options.scene, {.allowMissing = options.allowMissing});
-    if (!loaded) {
-        return complain(loaded.error(), kExitBadInput);
-    }
+    if (!loaded) { return reportError(loaded.error(), kExitBadInput); }
     const double loadSeconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     for (const std::string& warning : loaded->warnings) {
         logWarning("{}", warning);
     }
     if (Status applied = applyTo(options, &*loaded); !applied) {
-        return complain(applied.error(), kExitBadInput);
+        return reportError(applied.error(), kExitBadInput);
     }
-    if (!options.pixel.empty()) {
-        return runReplay(*loaded, options);
-    }
+    if (!options.pixel.empty()) { return runReplay(*loaded, options); }
     return runRender(std::make_shared<SceneDescription>(std::move(*loaded)), options, loadSeconds);
 }
 

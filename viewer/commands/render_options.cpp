@@ -9,7 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "engine/base/nearest_name.h"
-#include "engine/build/scene_validation.h"
+#include "engine/builders/scene_validation.h"
 #include "viewer/commands/json_output.h"
 #include "viewer/commands/option_checks.h"
 
@@ -114,7 +114,7 @@ void addPhotonOptions(CLI::App& command, RenderCommandOptions* o) {
         ->group(group);
 }
 
-void addPictureOptions(CLI::App& command, RenderCommandOptions* o) {
+void addImageOptions(CLI::App& command, RenderCommandOptions* o) {
     const std::string group = "The picture";
     command.add_option("-o,--output", o->output, "Picture to write: .png, .exr or .hdr")
         ->type_name("OUT")
@@ -156,12 +156,8 @@ void addCheckpointOptions(CLI::App& command, RenderCommandOptions* o) {
 Status applyRadius(const std::string& text, SppmOptions* sppm) {
     const bool automatic = text.starts_with("auto");
     const std::string_view rest = std::string_view(text).substr(automatic ? 4 : 0);
-    if (automatic) {
-        sppm->radiusWorld = 0.0f;
-    }
-    if (automatic && rest.empty()) {
-        return {};
-    }
+    if (automatic) { sppm->radiusWorld = 0.0f; }
+    if (automatic && rest.empty()) { return {}; }
     const std::string_view digits = automatic && rest.starts_with(':') ? rest.substr(1) : rest;
     float value = 0.0f;
     const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
@@ -196,9 +192,7 @@ Status applyPhotons(const RenderCommandOptions& o, SceneDescription* scene) {
     if (!(sppm.alpha > 0.0f && sppm.alpha < 1.0f)) {
         return Error{fmt::format("--alpha is {}; expected a number between 0 and 1", sppm.alpha), {}};
     }
-    if (!o.direct.empty()) {
-        sppm.sampleDirectLight = o.direct == "sampled";
-    }
+    if (!o.direct.empty()) { sppm.sampleDirectLight = o.direct == "sampled"; }
     if (!o.lookup.empty()) {
         sppm.lookup = o.lookup == "tree" ? PhotonLookupKind::Tree : PhotonLookupKind::Grid;
     }
@@ -206,9 +200,7 @@ Status applyPhotons(const RenderCommandOptions& o, SceneDescription* scene) {
 }
 
 void setVec3(const std::vector<float>& values, Vec3* target) {
-    if (values.size() == 3) {
-        *target = Vec3(values[0], values[1], values[2]);
-    }
+    if (values.size() == 3) { *target = Vec3(values[0], values[1], values[2]); }
 }
 
 }  // namespace
@@ -216,9 +208,7 @@ void setVec3(const std::vector<float>& values, Vec3* target) {
 std::string quotedForShell(const std::string& word) {
     constexpr std::string_view kPlain =
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.,:/+=@%";
-    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) {
-        return word;
-    }
+    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) { return word; }
     std::string quoted = "'";
     for (const char c : word) {
         quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -241,7 +231,7 @@ void addRenderOptions(CLI::App& command, RenderCommandOptions* o) {
     command.add_option("scene", o->scene, "The scene: Glint JSON, 6.837 text, OBJ or PLY")
         ->required()
         ->type_name("SCENE");
-    addPictureOptions(command, o);
+    addImageOptions(command, o);
     addLimits(command, o);
     addSettings(command, o);
     addPhotonOptions(command, o);
@@ -262,9 +252,7 @@ void addRenderOptions(CLI::App& command, RenderCommandOptions* o) {
 }
 
 Result<SaveInterval> parseSaveInterval(const std::string& text) {
-    if (text.empty()) {
-        return SaveInterval{};
-    }
+    if (text.empty()) { return SaveInterval{}; }
     const bool bySeconds = text.back() == 's';
     const char* end = text.data() + text.size() - (bySeconds ? 1 : 0);
     SaveInterval interval;
@@ -300,9 +288,7 @@ Result<Vec2i> parsePair(const std::string& text, char separator, const char* wha
 Status applyTo(const RenderCommandOptions& o, SceneDescription* scene) {
     if (!o.size.empty()) {
         const Result<Vec2i> size = parsePair(o.size, 'x', "--size");
-        if (!size) {
-            return size.error();
-        }
+        if (!size) { return size.error(); }
         if (size->x < 1 || size->y < 1 || size->x > kMaxResolution || size->y > kMaxResolution) {
             return Error{
                 fmt::format("--size is {}; expected 1 to {} pixels each way", o.size, kMaxResolution), {}};

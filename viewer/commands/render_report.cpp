@@ -17,9 +17,7 @@ bool isSppm(const RenderReport& r) { return r.capture.scene->options.integrator 
 double pathCount(const Film& film) { return static_cast<double>(film.pixels().size()) * film.passes(); }
 
 std::string describe(const ErrorEstimate& error) {
-    if (!std::isfinite(error.relative)) {
-        return "unknown";
-    }
+    if (!std::isfinite(error.relative)) { return "unknown"; }
     return fmt::format("{:.2f} % ({:.2f} to {:.2f})", 100.0 * error.relative, 100.0 * error.low,
                        100.0 * error.high);
 }
@@ -41,9 +39,7 @@ void reportFaults(const RenderReport& r) {
     const Film& film = r.capture.film;
     const auto& counts = film.faultCounts();
     const uint64_t dropped = counts[1] + counts[2] + counts[3];
-    if (dropped == 0) {
-        return;
-    }
+    if (dropped == 0) { return; }
     fmt::print(stderr, "{} samples were dropped: {} not a number, {} infinite, {} negative\n", dropped,
                counts[1], counts[2], counts[3]);
     if (!film.faults().empty() && !isSppm(r)) {
@@ -56,9 +52,7 @@ void reportFaults(const RenderReport& r) {
 /// What --error would have taken, where another limit or Ctrl-C came first.
 void printTimeToError(const RenderReport& r) {
     const double target = r.options.limits.relativeError;
-    if (!(target > 0.0) || hasReached(r.capture.curve, target)) {
-        return;
-    }
+    if (!(target > 0.0) || hasReached(r.capture.curve, target)) { return; }
     if (const auto ahead = forecastError(r.capture.curve, target)) {
         fmt::print("an error below {:g} % would take about {:.3g} s more ({:.3g} to {:.3g})\n",
                    100.0 * target, ahead->secondsLeft, ahead->secondsLow, ahead->secondsHigh);
@@ -70,9 +64,7 @@ void printTimeToError(const RenderReport& r) {
 /// Null without --error, and while it cannot be known.
 nlohmann::ordered_json timeToError(const RenderReport& r) {
     const auto ahead = forecastError(r.capture.curve, r.options.limits.relativeError);
-    if (!ahead) {
-        return nullptr;
-    }
+    if (!ahead) { return nullptr; }
     return {{"target", r.options.limits.relativeError},
             {"seconds_left", ahead->secondsLeft},
             {"seconds_low", ahead->secondsLow},

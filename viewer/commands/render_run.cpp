@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 
 #include "engine/base/log.h"
-#include "engine/build/scene_builder.h"
+#include "engine/builders/scene_builder.h"
 #include "engine/render/checkpoint.h"
+#include "engine/render/image_file.h"
 #include "engine/render/pass_params.h"
 #include "engine/render/path_replay.h"
-#include "engine/render/picture_file.h"
 #include "engine/render/snapshot.h"
 #include "engine/render/sppm_state.h"
 #include "viewer/commands/commands.h"
@@ -54,9 +54,7 @@ class BatchRender {
     }
 
     int run() {
-        if (const int code = start(); code != kExitDone) {
-            return code;
-        }
+        if (const int code = start(); code != kExitDone) { return code; }
         const bool finished = waitUntilDone();
         const SessionStatus status = session_->status();
         if (status.state == SessionState::Failed && status.passes == 0) {
@@ -64,20 +62,14 @@ class BatchRender {
         }
         const auto capture = session_->capture();
         if (!capture) {
-            return complain(Error{status.error.empty() ? "nothing was rendered" : status.error, {}},
-                            kExitFailed);
+            return reportError(Error{status.error.empty() ? "nothing was rendered" : status.error, {}},
+                               kExitFailed);
         }
-        if (const Status saved = save(*capture); !saved) {
-            return complain(saved.error(), kExitFailed);
-        }
+        if (const Status saved = save(*capture); !saved) { return reportError(saved.error(), kExitFailed); }
         const Status reported =
             reportRender({options_, *capture, session_->status(), loadSeconds_, photonsPerPass_});
-        if (status.state == SessionState::Failed) {
-            return kExitFailed;
-        }
-        if (!reported) {
-            return complain(reported.error(), kExitFailed);
-        }
+        if (status.state == SessionState::Failed) { return kExitFailed; }
+        if (!reported) { return reportError(reported.error(), kExitFailed); }
         return finished ? kExitDone : kExitInterrupted;
     }
 
@@ -86,20 +78,14 @@ class BatchRender {
 
     int start() {
         auto backend = makeBackend(options_.backend, options_.threads);
-        if (!backend) {
-            return complain(backend.error(), kExitBadInput);
-        }
+        if (!backend) { return reportError(backend.error(), kExitBadInput); }
         const Result<AovChoice> aovs = chooseAovs(options_.aovs);
-        if (!aovs) {
-            return complain(aovs.error(), kExitBadInput);
-        }
+        if (!aovs) { return reportError(aovs.error(), kExitBadInput); }
         aovs_ = *aovs;
         std::optional<ResumePoint> from;
         if (!options_.resume.empty()) {
             Result<ResumePoint> loaded = loadCheckpoint(options_.resume, *scene_);
-            if (!loaded) {
-                return complain(loaded.error(), kExitBadInput);
-            }
+            if (!loaded) { return reportError(loaded.error(), kExitBadInput); }
             from = std::move(*loaded);
             startPasses_ = from->film.passes();
         }
@@ -109,7 +95,7 @@ class BatchRender {
         session.lowPriority = false;
         session.threads = options_.threads;
         session_ = std::make_unique<RenderSession>(std::move(*backend), session);
-        session_->setLimits(limitsUntilNextPicture(startPasses_));
+        session_->setLimits(limitsUntilNextImage(startPasses_));
         session_->request(aovs_.aovs, aovs_.standardError);
         if (from) {
             session_->resume(scene_, std::move(*from));
@@ -128,16 +114,12 @@ class BatchRender {
         while (!finished && !interrupt.interrupted()) {
             const SessionState state = session_->wait(kPollSeconds);
             finished = state == SessionState::Finished || state == SessionState::Failed;
-            if (state == SessionState::Finished && goesOnAfterPicture()) {
-                finished = false;
-            }
+            if (state == SessionState::Finished && goesOnAfterImage()) { finished = false; }
             progress.update(session_->status(), limits_,
                             *session_->convergenceCurve(scene_->options.integrator));
             const double sinceSave = std::chrono::duration<double>(Clock::now() - savedAt).count();
             if (!finished && saves_.seconds > 0.0 && sinceSave >= saves_.seconds) {
-                if (const auto capture = session_->capture()) {
-                    saveOnTheWay(*capture);
-                }
+                if (const auto capture = session_->capture()) { saveOnTheWay(*capture); }
                 savedAt = Clock::now();
             }
         }
@@ -146,33 +128,29 @@ class BatchRender {
     }
 
     /// The limits, or fewer passes where a numbered picture comes before.
-    StopLimits limitsUntilNextPicture(uint32_t passes) {
+    StopLimits limitsUntilNextImage(uint32_t passes) {
         StopLimits limits = limits_;
-        nextPicture_ = 0;
+        nextImage_ = 0;
         if (saves_.passes > 0) {
             const uint32_t next = (passes / saves_.passes + 1) * saves_.passes;
-            if (limits.passes == 0 || next < limits.passes) {
-                limits.passes = nextPicture_ = next;
-            }
+            if (limits.passes == 0 || next < limits.passes) { limits.passes = nextImage_ = next; }
         }
         return limits;
     }
 
     /// When the session stopped for a numbered picture: writes it and lets it go on. False: a limit that the
     /// user set was reached.
-    bool goesOnAfterPicture() {
+    bool goesOnAfterImage() {
         const uint32_t passes = session_->status().passes;
-        if (nextPicture_ == 0 || passes != nextPicture_) {
-            return false;
-        }
+        if (nextImage_ == 0 || passes != nextImage_) { return false; }
         if (const auto capture = session_->capture()) {
             const std::string path = numberedPath(options_.output, passes);
-            if (const Status saved = writePicture(*capture, path); !saved) {
+            if (const Status saved = writeImage(*capture, path); !saved) {
                 logError("{}", saved.error().format());
             }
             saveOnTheWay(*capture);
         }
-        session_->setLimits(limitsUntilNextPicture(passes));
+        session_->setLimits(limitsUntilNextImage(passes));
         return true;
     }
 
@@ -185,21 +163,21 @@ class BatchRender {
         }
     }
 
-    Status writePicture(const SessionCapture& capture, const std::string& path) const {
+    Status writeImage(const SessionCapture& capture, const std::string& path) const {
         auto snapshot = makeSnapshot(
             capture, {.standardError = aovs_.standardError, .errorMaps = aovs_.errorMaps}, options_.threads);
         snapshot->aovs = std::make_shared<AovFilm>(capture.aovs);
-        PictureOptions picture;
-        picture.exposureStops = options_.exposure;
-        picture.toneMap = toneMapFromName(options_.tone).value_or(ToneMap::Srgb);
-        picture.exrColor = options_.exrFloat ? ExrPixelType::Float : ExrPixelType::Half;
-        picture.aovs = aovs_.aovs;
-        picture.threads = options_.threads;
-        return savePicture(path, *snapshot, *capture.scene, picture);
+        ImageOptions image;
+        image.exposureStops = options_.exposure;
+        image.toneMap = toneMapFromName(options_.tone).value_or(ToneMap::Srgb);
+        image.exrColor = options_.exrFloat ? ExrPixelType::Float : ExrPixelType::Half;
+        image.aovs = aovs_.aovs;
+        image.threads = options_.threads;
+        return saveImage(path, *snapshot, *capture.scene, image);
     }
 
     Status save(const SessionCapture& capture) const {
-        const Status saved = writePicture(capture, options_.output);
+        const Status saved = writeImage(capture, options_.output);
         // A full disk must not cost the checkpoint too.
         const Status kept =
             options_.checkpoint.empty() ? Status() : saveCheckpoint(options_.checkpoint, capture);
@@ -214,7 +192,7 @@ class BatchRender {
     AovChoice aovs_;
     uint32_t photonsPerPass_ = 0;  ///< SPPM: what the budget allows
     uint32_t startPasses_ = 0;     ///< that the checkpoint brought
-    uint32_t nextPicture_ = 0;     ///< pass count of the next numbered picture; 0: none before the end
+    uint32_t nextImage_ = 0;       ///< pass count of the next numbered picture; 0: none before the end
     std::unique_ptr<RenderSession> session_;
 };
 
@@ -227,29 +205,27 @@ int runRender(std::shared_ptr<const SceneDescription> scene, const RenderCommand
 
 int runReplay(const SceneDescription& scene, const RenderCommandOptions& options) {
     const Result<Vec2i> pixel = parsePair(options.pixel, ',', "--pixel");
-    if (!pixel) {
-        return complain(pixel.error(), kExitBadInput);
-    }
+    if (!pixel) { return reportError(pixel.error(), kExitBadInput); }
     if (scene.options.integrator == IntegratorKind::Sppm) {
-        return complain(Error{"--pixel follows the path tracer's paths; add --integrator path", {}},
-                        kExitBadInput);
+        return reportError(Error{"--pixel follows the path tracer's paths; add --integrator path", {}},
+                           kExitBadInput);
     }
     const Resolution& size = scene.resolution;
     if (pixel->x < 0 || pixel->y < 0 || pixel->x >= size.width || pixel->y >= size.height) {
-        return complain(Error{fmt::format("--pixel {} lies outside the picture of {}x{} pixels",
-                                          options.pixel, size.width, size.height),
-                              {}},
-                        kExitBadInput);
+        return reportError(Error{fmt::format("--pixel {} lies outside the picture of {}x{} pixels",
+                                             options.pixel, size.width, size.height),
+                                 {}},
+                           kExitBadInput);
     }
     const auto built = buildScene({std::make_shared<SceneDescription>(scene), EditKind::Everything}, nullptr,
                                   options.threads, nullptr, nullptr);
-    if (!built) {
-        return complain(built.error(), kExitBadInput);
-    }
+    if (!built) { return reportError(built.error(), kExitBadInput); }
     PassParams params = passParamsOf(scene);
     params.pass = options.replayPass.value_or(0);
     PathReplay replay = replayPath((*built)->view(), (*built)->features, params, pixel->x, pixel->y);
-    for (PathEvent& event : replay.events) event.position += (*built)->origin();
+    for (PathEvent& event : replay.events) {
+        event.position += (*built)->origin();
+    }
     fmt::print("{}", formatPathLog(replay, params, pixel->x, pixel->y));
     return kExitDone;
 }

@@ -7,8 +7,8 @@
 
 namespace glint {
 
-/// Renders `scene` as `options` say and writes everything they name. Prints its own messages. Returns an exit
-/// code.
+/// Renders `scene` as `options` say and writes everything they name. Prints its own messages. Returns an
+/// exit code.
 int runRender(std::shared_ptr<const SceneDescription> scene, const RenderCommandOptions& options,
               double loadSeconds);
 

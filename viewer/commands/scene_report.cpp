@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/build/light_table.h"
+#include "engine/builders/light_table.h"
 #include "engine/io/image_io.h"
 #include "engine/io/used_assets.h"
 #include "engine/render/cpu_variants.h"
@@ -59,9 +59,7 @@ std::vector<NamedCount> countByKind(const std::array<const char*, kCount>& names
     }
     std::vector<NamedCount> out;
     for (size_t i = 0; i < kCount; ++i) {
-        if (counts[i] > 0) {
-            out.push_back({names[i], counts[i]});
-        }
+        if (counts[i] > 0) { out.push_back({names[i], counts[i]}); }
     }
     return out;
 }
@@ -75,9 +73,7 @@ void countLights(const SceneDescription& scene, const BuiltScene& built, SceneRe
     const auto emissive = std::ranges::count_if(scene.objects, [&](const Object& object) {
         return scene.materials[static_cast<size_t>(object.material)].emissive();
     });
-    if (emissive > 0) {
-        report->lights.push_back({"emissive object", static_cast<uint64_t>(emissive)});
-    }
+    if (emissive > 0) { report->lights.push_back({"emissive object", static_cast<uint64_t>(emissive)}); }
     if (scene.environment.emissive()) {
         report->lights.push_back(
             {scene.environment.image >= 0 ? "environment image" : "constant environment", 1});
@@ -98,9 +94,7 @@ void listWhatIsLeftOut(FeatureMask compiled, const SceneDescription& scene, cons
         {"materials that no object has", countUnused(usedMaterials(scene))},
         {"textures that no object uses", countUnused(usedTextures(scene))}};
     for (const auto& [what, count] : unused) {
-        if (count > 0) {
-            report->leftOut.push_back(fmt::format("{}: {}", what, count));
-        }
+        if (count > 0) { report->leftOut.push_back(fmt::format("{}: {}", what, count)); }
     }
     const auto withoutUvs = std::ranges::count_if(
         scene.meshes, [](const Mesh& mesh) { return mesh.data && mesh.data->uvsLeftOut; });
@@ -125,9 +119,7 @@ std::vector<NotRead> listWhatIsNotRead(const SceneDescription& scene) {
         const std::string resolved = resolvePath(item.file, scene.path);
         std::error_code problem;
         const auto size = std::filesystem::file_size(resolved, problem);
-        if (!item.file.empty() && !problem) {
-            item.fileBytes = size;
-        }
+        if (!item.file.empty() && !problem) { item.fileBytes = size; }
         if (asset.kind == AssetKind::Mesh) {
             item.kind = "mesh";
             item.name = scene.meshes[asset.index].name;
@@ -144,9 +136,7 @@ std::vector<NotRead> listWhatIsNotRead(const SceneDescription& scene) {
                 item.memoryBytes = width * (width / 2) * 3 * sizeof(float);
             }
         }
-        if (!item.file.empty() && !item.fileBytes) {
-            item.why = "the file is missing";
-        }
+        if (!item.file.empty() && !item.fileBytes) { item.why = "the file is missing"; }
         out.push_back(std::move(item));
     }
     return out;
@@ -157,9 +147,7 @@ std::vector<NotRead> listWhatIsNotRead(const SceneDescription& scene) {
 std::vector<std::string> featureNames(FeatureMask mask) {
     std::vector<std::string> names;
     for (const FeatureName& feature : kFeatureNames) {
-        if ((mask & feature.bit) != 0) {
-            names.emplace_back(feature.name);
-        }
+        if ((mask & feature.bit) != 0) { names.emplace_back(feature.name); }
     }
     return names;
 }

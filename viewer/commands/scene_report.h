@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/base/result.h"
-#include "engine/build/built_scene.h"
+#include "engine/builders/built_scene.h"
 #include "engine/render/sppm_state.h"
 #include "engine/scene/scene.h"
 #include "viewer/commands/memory_table.h"
@@ -40,8 +40,8 @@ struct SceneReport {
     uint64_t textures = 0;
     uint64_t usedTextures = 0;
     std::vector<std::string> features;
-    std::vector<std::string>
-        leftOut;         ///< features that the kernel was compiled without, and data not allocated
+    /// features that the kernel was compiled without, and data not allocated
+    std::vector<std::string> leftOut;
     std::string kernel;  ///< the path tracer's
     std::string sppmKernel;
     std::vector<NotRead> notRead;

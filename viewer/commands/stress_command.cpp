@@ -35,7 +35,7 @@ class InterruptWatch {
     InterruptWatch()
         : thread_([this](const std::stop_token& done) {
               while (!done.stop_requested()) {
-                  if (guard_.interrupted()) stop = true;
+                  if (guard_.interrupted()) { stop = true; }
                   std::this_thread::sleep_for(std::chrono::milliseconds(20));
               }
           }) {}
@@ -49,7 +49,7 @@ class InterruptWatch {
 
 void printHeading(const StressCase& c, std::string* last) {
     const std::string heading = c.family + ": truth: " + c.truth;
-    if (heading == *last) return;
+    if (heading == *last) { return; }
     fmt::print("\n{}\n", heading);
     *last = heading;
 }
@@ -67,7 +67,7 @@ void printRow(const StressResult& result) {
     const StressCase& c = *result.stressCase;
     const bool known = result.judgement.verdict != StressVerdict::Ok && !result.unexpected();
     std::string remark = result.judgement.reason;
-    if (known) remark += ", a documented limit";
+    if (known) { remark += ", a documented limit"; }
     fmt::print("  {:<32} {:<72} {:>22} {:>8} {:<9}{}\n", c.grade, c.extreme,
                stressErrorText(result.judgement), result.outcome.dropped(),
                stressVerdictName(result.judgement.verdict), remark.empty() ? "" : " " + remark);
@@ -134,7 +134,7 @@ bool runCases(const std::vector<StressCase>& cases, const StressOptions& options
     std::string heading;
     const Status done = runStressCases(cases, effort, [&](StressResult result) {
         results->push_back(std::move(result));
-        if (silent || options.summary) return;
+        if (silent || options.summary) { return; }
         printHeading(*results->back().stressCase, &heading);
         printRow(results->back());
     });
@@ -143,33 +143,34 @@ bool runCases(const std::vector<StressCase>& cases, const StressOptions& options
 
 int runStress(const StressOptions& options) {
     auto cases = filterStressCases(stressCases(), options.filter);
-    if (!cases) return complain(cases.error(), kExitBadInput);
+    if (!cases) { return reportError(cases.error(), kExitBadInput); }
     if (options.list) {
         printList(*cases);
         return kExitDone;
     }
     if (Status writable = checkAllWritable({options.html, jsonTakesOutput(options.json) ? "" : options.json});
         !writable) {
-        return complain(writable.error(), kExitBadInput);
+        return reportError(writable.error(), kExitBadInput);
     }
     const size_t leftOut =
         options.quick ? std::erase_if(*cases, [](const StressCase& c) { return !c.quick; }) : 0;
-    if (cases->empty())
-        return complain({"the filter leaves no case that is part of --quick", {}}, kExitBadInput);
+    if (cases->empty()) {
+        return reportError({"the filter leaves no case that is part of --quick", {}}, kExitBadInput);
+    }
 
     std::vector<StressResult> results;
     const bool finished = runCases(*cases, options, &results);
     if (!jsonTakesOutput(options.json)) {
-        if (options.summary) fmt::print("{}", stressMarkdown(results));
-        if (!options.summary) printEnd(results);
-        if (leftOut > 0) fmt::print("\n{} more cases are not part of --quick\n", leftOut);
+        if (options.summary) { fmt::print("{}", stressMarkdown(results)); }
+        if (!options.summary) { printEnd(results); }
+        if (leftOut > 0) { fmt::print("\n{} more cases are not part of --quick\n", leftOut); }
     }
     Status written = options.html.empty()
                          ? Status()
                          : writeFileAtomically(options.html, stressHtml(results, options.quick));
-    if (written) written = writeJson(options.json, jsonReport(results, options));
-    if (!written) return complain(written.error(), kExitFailed);
-    if (!finished) return kExitInterrupted;
+    if (written) { written = writeJson(options.json, jsonReport(results, options)); }
+    if (!written) { return reportError(written.error(), kExitFailed); }
+    if (!finished) { return kExitInterrupted; }
     const bool asDocumented =
         std::ranges::none_of(results, [](const StressResult& result) { return result.unexpected(); });
     return asDocumented ? kExitDone : kExitBeyondLimit;

@@ -63,7 +63,7 @@ Result<Vec2i> parseSize(const std::string& text) {
 Result<ViewerOptions> viewerOptions(const ViewCommandOptions& o) {
     ViewerOptions options;
     const auto size = parseSize(o.size);
-    if (!size) return size.error();
+    if (!size) { return size.error(); }
     if (!o.headless && (!o.screenshot.empty() || !o.output.empty())) {
         return Error{"--screenshot and --output need --headless", {}};
     }
@@ -72,10 +72,10 @@ Result<ViewerOptions> viewerOptions(const ViewCommandOptions& o) {
     }
     const Status writable =
         checkAllWritable({o.screenshot, o.output, o.json == "-" ? std::string() : o.json});
-    if (!writable) return writable.error();
+    if (!writable) { return writable.error(); }
     if (!o.script.empty()) {
         auto script = loadScript(o.script);
-        if (!script) return script.error();
+        if (!script) { return script.error(); }
         options.script = std::move(*script);
     }
     options.headless = o.headless;
@@ -97,19 +97,19 @@ bool hasDisplay() {
 
 int runCommand(const ViewCommandOptions& o) {
     auto options = viewerOptions(o);
-    if (!options) return complain(options.error(), kExitBadInput);
+    if (!options) { return reportError(options.error(), kExitBadInput); }
     auto backend = makeBackend(o.backend, o.threads);
-    if (!backend) return complain(backend.error(), kExitBadInput);
+    if (!backend) { return reportError(backend.error(), kExitBadInput); }
     std::optional<SceneDescription> scene;
     if (!o.scene.empty()) {
         auto loaded = loadScene(o.scene, {.allowMissing = o.allowMissing});
-        if (!loaded) return complain(loaded.error(), kExitBadInput);
+        if (!loaded) { return reportError(loaded.error(), kExitBadInput); }
         scene = std::move(*loaded);
     } else if (o.headless && o.script.empty()) {
-        return complain(Error{"--headless needs a SCENE or a --script", {}}, kExitBadInput);
+        return reportError(Error{"--headless needs a SCENE or a --script", {}}, kExitBadInput);
     }
     if (!o.headless && !hasDisplay()) {
-        return complain(
+        return reportError(
             Error{"there is no display (DISPLAY and WAYLAND_DISPLAY are not set); `glint view --headless` "
                   "draws the same window without one, and `glint render` only renders",
                   {}},
@@ -118,10 +118,10 @@ int runCommand(const ViewCommandOptions& o) {
     bool scriptFailed = false;
     const Status done = runViewer(*options, std::move(*backend), std::move(scene), &scriptFailed);
     const int exitCode = done ? static_cast<int>(kExitDone)
-                              : complain(done.error(), scriptFailed ? kExitBadInput : kExitFailed);
+                              : reportError(done.error(), scriptFailed ? kExitBadInput : kExitFailed);
     if (JobQueue::anyAbandoned()) {
-        // A scene is still being loaded by a thread that nobody needs any more; it must not outlive the
-        // statics.
+        // A scene is still being loaded by a thread that nobody needs any more; it must not outlive
+        // the statics.
         std::fflush(nullptr);
         std::_Exit(exitCode);
     }
@@ -131,7 +131,7 @@ int runCommand(const ViewCommandOptions& o) {
 #else
 
 int runCommand(const ViewCommandOptions&) {
-    return complain(
+    return reportError(
         Error{"this build has no window (GLINT_VIEWER=OFF); `glint render` renders without one", {}},
         kExitFailed);
 }

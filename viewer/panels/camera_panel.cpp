@@ -25,8 +25,9 @@ void drawView(ViewerModel* model, Camera* camera) {
                  .tooltip = "What the camera looks at and orbits around, in metres"});
     Vec3 up = camera->up;
     if (ui::vector3("Up", &up, {.format = "%.3f", .speed = 0.005f, .tooltip = "What is up in the picture"}) &&
-        lengthSquared(up) > 0.0f)
+        lengthSquared(up) > 0.0f) {
         camera->up = up;
+    }
     ui::number(
         "Field of view", &camera->verticalFovDeg,
         {.format = "%.1f°", .speed = 0.1f, .min = 1.0f, .max = 170.0f, .tooltip = "Vertical, full angle"});
@@ -37,7 +38,7 @@ void drawView(ViewerModel* model, Camera* camera) {
                     static_cast<float>(size.width) / static_cast<float>(size.height));
     }
     ImGui::SameLine();
-    if (ui::button("Reset", width, "The scene file's camera (Home)")) *camera = model->cameraOfFile();
+    if (ui::button("Reset", width, "The scene file's camera (Home)")) { *camera = model->cameraOfFile(); }
 }
 
 void drawLens(ViewerModel* model, Camera* camera) {
@@ -96,7 +97,7 @@ void drawLens(ViewerModel* model, Camera* camera) {
 }  // namespace
 
 void drawCameraPanel(ViewerModel* model) {
-    if (!ui::section("Camera", true)) return;
+    if (!ui::section("Camera", true)) { return; }
     ImGui::PushID("camera");
     if (model->hasScene()) {
         drawView(model, &model->draft().camera);

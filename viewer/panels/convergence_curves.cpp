@@ -26,8 +26,9 @@ PlotCurve curveOf(const ViewerModel& model, const CurveSource& source) {
     curve.isDashed = source.isBefore;
     curve.hasMarkers = source.isMeasured && !source.isBefore;
     if (source.isMeasured) {
-        for (const ReferencePoint& p : measuredBy(model, source))
+        for (const ReferencePoint& p : measuredBy(model, source)) {
             curve.points.push_back({p.renderSeconds, p.error(model.convergence.metric) * 100.0});
+        }
         return curve;
     }
     const double band = source.isBefore ? 0.0 : 100.0;
@@ -54,11 +55,12 @@ std::vector<CurveSource> curveSources(const ViewerModel& model) {
     const bool isMeasured = hasReference(model);
     std::vector<CurveSource> sources;
     const auto addBoth = [&](bool measured, bool before) {
-        for (size_t kind = 0; kind < kBothIntegrators.size(); ++kind)
+        for (size_t kind = 0; kind < kBothIntegrators.size(); ++kind) {
             sources.push_back({kind, measured, before});
+        }
     };
     addBoth(isMeasured, false);
-    if (isMeasured && model.convergence.metric == ReferenceMetric::RmseOverMean) addBoth(false, false);
+    if (isMeasured && model.convergence.metric == ReferenceMetric::RmseOverMean) { addBoth(false, false); }
     addBoth(isMeasured, true);
     return sources;
 }
@@ -66,9 +68,11 @@ std::vector<CurveSource> curveSources(const ViewerModel& model) {
 LogLogPlot convergencePlot(const ViewerModel& model, const std::vector<CurveSource>& sources) {
     LogLogPlot plot{.targetY = targetOf(model) * 100.0, .xTitle = "render time, s"};
     const bool reference = hasReference(model);
-    for (const CurveSource& source : sources) plot.curves.push_back(curveOf(model, source));
+    for (const CurveSource& source : sources) {
+        plot.curves.push_back(curveOf(model, source));
+    }
     plot.yTitle = reference ? "error, %" : "estimated error, %";
-    if (model.reference.picture() && !reference) plot.warning = "the reference does not fit: see below";
+    if (model.reference.image() && !reference) { plot.warning = "the reference does not fit: see below"; }
     const bool isMeasured = !plot.curves[0].points.empty() || !plot.curves[1].points.empty();
     plot.nothing = !reference   ? "from the second pass on"
                    : isMeasured ? "the same as the reference"
@@ -91,9 +95,9 @@ std::string pointText(const ViewerModel& model, const CurveSource& source, size_
     const ConvergencePoint& p = estimatedBy(model, source)[point];
     std::string text = fmt::format("{}{}: {} after {}, {}", name, hasReference(model) ? ", estimated" : "",
                                    percent(p.relativeError), duration(p.renderSeconds), passesText(p.passes));
-    if (source.isBefore) return text;
+    if (source.isBefore) { return text; }
     text += "\n    " + bandText(p.relativeErrorLow, p.relativeErrorHigh);
-    if (p.relativeBias > 0.0) text += fmt::format(", bias {}", percent(p.relativeBias));
+    if (p.relativeBias > 0.0) { text += fmt::format(", bias {}", percent(p.relativeBias)); }
     return text;
 }
 

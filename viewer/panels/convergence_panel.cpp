@@ -32,14 +32,15 @@ void drawPlot(const ViewerModel& model) {
         drawLogLogPlot(plot, {corner.x, corner.y}, {corner.x + size.x, corner.y + size.y});
     std::string shown;
     for (size_t i = 0; i < hover.size(); ++i) {
-        if (hover[i]) shown += (shown.empty() ? "" : "\n") + pointText(model, sources[i], *hover[i]);
+        if (hover[i]) { shown += (shown.empty() ? "" : "\n") + pointText(model, sources[i], *hover[i]); }
     }
     if (!shown.empty()) {
         ui::tooltip(shown.c_str());
     } else {
-        for (size_t i = 0; i < kBothIntegrators.size(); ++i)
+        for (size_t i = 0; i < kBothIntegrators.size(); ++i) {
             shown += fmt::format("{}{} {} points", i > 0 ? ", " : "", kIntegratorNames[i],
                                  plot.curves[i].points.size());
+        }
     }
     ui::itemArea("Curve", shown);
 }
@@ -74,13 +75,13 @@ void drawErrors(const ViewerModel& model) {
 std::string forecastText(const ConvergenceCurve& curve, double target) {
     if (curve.points().back().relativeError <= target) {
         for (const ConvergencePoint& point : curve.points()) {
-            if (point.relativeError <= target) return "reached at " + duration(point.renderSeconds);
+            if (point.relativeError <= target) { return "reached at " + duration(point.renderSeconds); }
         }
     }
     const auto forecast = forecastError(curve, target);
-    if (!forecast || !std::isfinite(forecast->secondsLeft)) return "not to be told yet";
+    if (!forecast || !std::isfinite(forecast->secondsLeft)) { return "not to be told yet"; }
     std::string left = "in " + duration(forecast->secondsLeft);
-    if (!(forecast->secondsHigh > forecast->secondsLow * 1.02)) return left;
+    if (!(forecast->secondsHigh > forecast->secondsLow * 1.02)) { return left; }
     const bool isBounded = std::isfinite(forecast->secondsHigh);
     return fmt::format("{}  ({} – {})", left, duration(forecast->secondsLow),
                        isBounded ? duration(forecast->secondsHigh) : "never");
@@ -124,8 +125,8 @@ std::string whyUnfit(const ViewerModel& model) {
     const Resolution& size = model.draft().resolution;
     std::string mismatch = model.reference.mismatch(size.width, size.height);
     const ReferenceFit& fit = model.referenceFit;
-    if (!mismatch.empty() || fit.fits()) return mismatch;
-    if (fit.checking()) return "Checking whether the reference shows this scene…";
+    if (!mismatch.empty() || fit.fits()) { return mismatch; }
+    if (fit.checking()) { return "Checking whether the reference shows this scene…"; }
     return fmt::format(
         "The reference does not fit: {}. {}", fit.difference(),
         fit.useAnyway ? "The errors are measured all the same." : "Until it does, the error is estimated.");
@@ -133,14 +134,14 @@ std::string whyUnfit(const ViewerModel& model) {
 
 void drawOwnError(const LoadedReference& reference) {
     const auto found = reference.attributes.find("referenceRelativeError");
-    if (found == reference.attributes.end()) return;
+    if (found == reference.attributes.end()) { return; }
     ui::value("Its own error", percent(std::strtod(found->second.c_str(), nullptr)),
               "RMSE / mean of the reference itself. Errors close to it say little");
 }
 
 /// It was rendered from the same random numbers as one of the pictures here.
 bool sharesSeed(const ViewerModel& model) {
-    const auto& attributes = model.reference.picture()->attributes;
+    const auto& attributes = model.reference.image()->attributes;
     const auto seed = attributes.find("setting.seed");
     return seed != attributes.end() && !attributes.contains("referenceSeeds") &&
            seed->second == std::to_string(model.draft().options.seed);
@@ -148,31 +149,34 @@ bool sharesSeed(const ViewerModel& model) {
 
 void drawReferenceState(const ViewerModel& model) {
     const ReferenceErrors& reference = model.reference;
-    if (reference.loadError()) warn("Load error", reference.loadError()->format());
-    if (!reference.picture()) {
-        if (!reference.loading() && !reference.loadError())
+    if (reference.loadError()) { warn("Load error", reference.loadError()->format()); }
+    if (!reference.image()) {
+        if (!reference.loading() && !reference.loadError()) {
             ui::hint(
                 "Without a reference the error is estimated. Drop an EXR, HDR or PNG file on the window.");
+        }
         return;
     }
     const std::string mismatch = whyUnfit(model);
     ui::value("In use",
-              fmt::format("{} × {} px", reference.picture()->image.width, reference.picture()->image.height),
-              reference.picture()->path.c_str());
-    if (!mismatch.empty()) warn("Mismatch", mismatch);
-    drawOwnError(*reference.picture());
-    if (sharesSeed(model))
+              fmt::format("{} × {} px", reference.image()->image.width, reference.image()->image.height),
+              reference.image()->path.c_str());
+    if (!mismatch.empty()) { warn("Mismatch", mismatch); }
+    drawOwnError(*reference.image());
+    if (sharesSeed(model)) {
         warn("Seed note",
              "The reference has this scene's seed: noise that both share is not seen as an error.");
-    if (reference.picture()->isEightBit)
+    }
+    if (reference.image()->isEightBit) {
         warn("Note", "An 8-bit reference knows no values above 1: lamps will seem wrong.");
+    }
 }
 
 /// It has the right size, and shows something else.
 bool isDoubtful(const ViewerModel& model) {
     const Resolution& size = model.draft().resolution;
     const ReferenceFit& fit = model.referenceFit;
-    return model.reference.picture() && model.reference.mismatch(size.width, size.height).empty() &&
+    return model.reference.image() && model.reference.mismatch(size.width, size.height).empty() &&
            !fit.fits() && !fit.checking();
 }
 
@@ -185,27 +189,29 @@ void drawReference(ViewerModel* model) {
     const float half = ui::buttonWidth(2);
     const bool loading = model->reference.loading();
     const bool pressed = ui::button(loading ? "Loading…" : "Load", half, "Compares with this file");
-    if ((pressed || entered) && !loading) model->reference.load(model->files.reference);
+    if ((pressed || entered) && !loading) { model->reference.load(model->files.reference); }
     ImGui::SameLine();
-    if (ui::button("Clear", half, "Back to the estimate")) model->reference.clear();
+    if (ui::button("Clear", half, "Back to the estimate")) { model->reference.clear(); }
     drawReferenceState(*model);
-    if (isDoubtful(*model))
+    if (isDoubtful(*model)) {
         ui::toggle("Use anyway", &model->referenceFit.useAnyway,
                    "Measures against it although it seems to show something else");
+    }
     int metric = static_cast<int>(model->convergence.metric);
     if (hasReference(*model) &&
         ui::choice(
             "Measured as", &metric, kMetrics,
             "Relative RMSE: root of relMSE. RMSE / mean: what the estimate is of, too; it is drawn behind. "
-            "MAPE: mean absolute relative error"))
+            "MAPE: mean absolute relative error")) {
         model->convergence.metric = static_cast<ReferenceMetric>(metric);
+    }
 }
 
 void drawExport(ViewerModel* model) {
     ui::gap();
     ui::text("CSV file", &model->files.csv, "convergence.csv", "Every point of the curves, as a table");
-    if (ui::button("Export CSV", ui::buttonWidth(1))) model->saveConvergenceCsv();
-    if (model->csvMessage().empty()) return;
+    if (ui::button("Export CSV", ui::buttonWidth(1))) { model->saveConvergenceCsv(); }
+    if (model->csvMessage().empty()) { return; }
     if (model->csvMessageIsError()) {
         warn("CSV message", model->csvMessage());
     } else {
@@ -216,8 +222,8 @@ void drawExport(ViewerModel* model) {
 }  // namespace
 
 void drawConvergencePanel(ViewerModel* model) {
-    if (!model->hasScene()) return;
-    if (!ui::section("Convergence", true, "The error over render time, on logarithmic axes")) return;
+    if (!model->hasScene()) { return; }
+    if (!ui::section("Convergence", true, "The error over render time, on logarithmic axes")) { return; }
     ImGui::PushID("convergence");
     drawPlot(*model);
     drawErrors(*model);

@@ -21,15 +21,15 @@ struct MarkedLine {
 MarkedLine markedLine(const Error& error) {
     const std::string all = error.format();
     const size_t caretLine = all.rfind('\n');
-    if (caretLine == std::string::npos || all.find('^', caretLine) == std::string::npos) return {};
+    if (caretLine == std::string::npos || all.find('^', caretLine) == std::string::npos) { return {}; }
     const size_t textLine = all.rfind('\n', caretLine - 1);
-    if (textLine == std::string::npos) return {};
+    if (textLine == std::string::npos) { return {}; }
     return {all.substr(textLine + 1, caretLine - textLine - 1), all.find('^', caretLine) - caretLine - 1};
 }
 
 std::string placeOf(const SourcePlace& place) {
-    if (place.file.empty()) return "";
-    if (place.line == 0) return place.file;
+    if (place.file.empty()) { return ""; }
+    if (place.line == 0) { return place.file; }
     return place.column == 0 ? fmt::format("{}, line {}", place.file, place.line)
                              : fmt::format("{}, line {}, column {}", place.file, place.line, place.column);
 }
@@ -48,7 +48,7 @@ void drawMarkedLine(const MarkedLine& line) {
     ImGui::GetWindowDrawList()->AddTriangleFilled(
         {corner.x + offset, y + width}, {corner.x + offset + width, y + width},
         {corner.x + offset + width * 0.5f, y + width * 0.2f}, ImGui::GetColorU32(theme::kTextError));
-    if (ImGui::IsWindowAppearing()) ImGui::SetScrollFromPosX(offset, 0.5f);
+    if (ImGui::IsWindowAppearing()) { ImGui::SetScrollFromPosX(offset, 0.5f); }
     ImGui::EndChild();
     ImGui::PopStyleColor();
 }
@@ -72,7 +72,7 @@ bool drawErrorBox(const char* title, const Error& error) {
     ImGui::TextColored(theme::kTextError, "%s", title);
     ImGui::PopFont();
     ImGui::TextUnformatted(error.message.c_str());
-    if (!place.empty()) ImGui::TextColored(theme::kTextDim, "%s", place.c_str());
+    if (!place.empty()) { ImGui::TextColored(theme::kTextDim, "%s", place.c_str()); }
     ImGui::PopTextWrapPos();
     if (line.mark != std::string::npos) {
         ImGui::PushItemWidth(inner);

@@ -29,7 +29,7 @@ void drawEnvironment(ViewerModel* model) {
         }
         const std::vector<std::string_view> views(names.begin(), names.end());
         int index = environment->image + 1;
-        if (ui::choice("Image", &index, views, "Latitude and longitude")) environment->image = index - 1;
+        if (ui::choice("Image", &index, views, "Latitude and longitude")) { environment->image = index - 1; }
         drawAssetState(model);
     }
     ui::number("Rotation", &environment->rotationDeg,
@@ -42,14 +42,15 @@ void drawEnvironment(ViewerModel* model) {
 
 void drawLight(Light* light, float speed) {
     int kind = static_cast<int>(light->kind);
-    if (ui::choice("Kind", &kind, kKinds)) light->kind = static_cast<LightKind>(kind);
+    if (ui::choice("Kind", &kind, kKinds)) { light->kind = static_cast<LightKind>(kind); }
     const bool directional = light->kind == LightKind::Directional;
     ui::color(directional ? "Irradiance" : "Intensity", &light->color, 1e6f,
               directional ? "W/m² on a surface that faces it" : "W/sr");
     ui::number("Strength", &light->strength,
                {.format = "× %.3f", .speed = std::max(light->strength * 0.01f, 0.01f), .max = 1e6f});
-    if (!directional)
+    if (!directional) {
         ui::vector3("Position", &light->position, {.format = "%.3f", .speed = speed, .tooltip = "Metres"});
+    }
     if (light->kind != LightKind::Point) {
         Vec3 direction = light->direction;
         if (ui::vector3("Direction", &direction,
@@ -58,7 +59,7 @@ void drawLight(Light* light, float speed) {
             light->direction = direction;
         }
     }
-    if (light->kind != LightKind::Spot) return;
+    if (light->kind != LightKind::Spot) { return; }
     ui::number("Cone", &light->coneAngleDeg,
                {.format = "%.1f°",
                 .speed = 0.1f,
@@ -93,7 +94,7 @@ void drawLights(ViewerModel* model) {
 }  // namespace
 
 void drawLightsPanel(ViewerModel* model) {
-    if (!ui::section("Lights", false)) return;
+    if (!ui::section("Lights", false)) { return; }
     ImGui::PushID("lights");
     if (model->hasScene()) {
         drawLights(model);

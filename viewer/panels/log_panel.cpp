@@ -13,7 +13,7 @@ namespace glint {
 namespace {
 
 ImVec4 colorOf(LogLevel level) {
-    if (level == LogLevel::Error) return theme::kTextError;
+    if (level == LogLevel::Error) { return theme::kTextError; }
     return level == LogLevel::Warning ? theme::kTextWarning : ImGui::GetStyleColorVec4(ImGuiCol_Text);
 }
 
@@ -32,18 +32,22 @@ void drawLine(const LogLine& line) {
 void drawLogPanel() {
     static std::vector<LogLine> lines;
     static uint64_t seen = 0;
-    if (!ui::section("Log", false)) return;
+    if (!ui::section("Log", false)) { return; }
     std::vector<LogLine> fresh = recentLogLines(&seen);
     const bool grew = !fresh.empty();
-    if (grew) lines = std::move(fresh);
+    if (grew) { lines = std::move(fresh); }
     ImGui::BeginChild("log", {0.0f, ImGui::GetTextLineHeightWithSpacing() * 10.0f});
     const bool follow = ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - 1.0f;
-    for (const LogLine& line : lines) drawLine(line);
-    if (grew && follow) ImGui::SetScrollHereY(1.0f);
+    for (const LogLine& line : lines) {
+        drawLine(line);
+    }
+    if (grew && follow) { ImGui::SetScrollHereY(1.0f); }
     ImGui::EndChild();
     if (ui::button("Copy log", ui::buttonWidth(1))) {
         std::string all;
-        for (const LogLine& line : lines) all += fmt::format("{:.1f} {}\n", line.seconds, line.text);
+        for (const LogLine& line : lines) {
+            all += fmt::format("{:.1f} {}\n", line.seconds, line.text);
+        }
         ImGui::SetClipboardText(all.c_str());
     }
 }

@@ -24,8 +24,8 @@ std::string nameOf(const Material& material, size_t index) {
 
 /// What the list's patch shows: a lamp's light, a metal's reflectance head on, or the colour.
 Vec3 patchColor(const Material& material) {
-    if (material.emissive()) return material.emission;
-    if (material.kind != MaterialKind::Conductor) return material.color.value;
+    if (material.emissive()) { return material.emission; }
+    if (material.kind != MaterialKind::Conductor) { return material.color.value; }
     const auto named = findMetal(material.metal);
     const Vec3 eta = named ? named->eta : material.eta;
     const Vec3 k = named ? named->k : material.k;
@@ -54,7 +54,7 @@ void drawList(ViewerModel* model) {
 
 void drawTexture(ViewerModel* model, Material* material) {
     const SceneDescription& scene = model->draft();
-    if (scene.textures.empty()) return;
+    if (scene.textures.empty()) { return; }
     std::vector<std::string> names{"none"};
     for (size_t i = 0; i < scene.textures.size(); ++i) {
         const Texture& texture = scene.textures[i];
@@ -64,8 +64,9 @@ void drawTexture(ViewerModel* model, Material* material) {
     }
     const std::vector<std::string_view> views(names.begin(), names.end());
     int index = material->color.texture + 1;
-    if (ui::choice("Texture", &index, views, "An image that replaces the colour"))
+    if (ui::choice("Texture", &index, views, "An image that replaces the colour")) {
         material->color.texture = index - 1;
+    }
     drawAssetState(model);
 }
 
@@ -83,7 +84,7 @@ void drawMetal(Material* material) {
         }
         material->metal = index == 0 ? "" : std::string(names[static_cast<size_t>(index)]);
     }
-    if (index != 0) return;
+    if (index != 0) { return; }
     ui::vector3("Eta", &material->eta,
                 {.format = "%.3f",
                  .speed = 0.005f,
@@ -102,7 +103,7 @@ void drawScattering(ViewerModel* model, Material* material) {
     const bool plastic = kind == MaterialKind::Plastic;
     ui::color("Colour", &material->color.value, 1.0f, "Linear Rec.709. Click the patch for a picker");
     drawTexture(model, material);
-    if (conductor) drawMetal(material);
+    if (conductor) { drawMetal(material); }
     if (dielectric || plastic || mixture) {
         ui::number("IOR", &material->ior,
                    {.format = "%.3f",
@@ -116,8 +117,10 @@ void drawScattering(ViewerModel* model, Material* material) {
             "Roughness", &material->roughness,
             {.format = "%.3f", .max = 1.0f, .zeroText = "smooth", .slider = true, .tooltip = "GGX alpha"});
     }
-    if (dielectric) ui::toggle("Thin", &material->thin, "A sheet without thickness: light passes straight");
-    if (!mixture) return;
+    if (dielectric) {
+        ui::toggle("Thin", &material->thin, "A sheet without thickness: light passes straight");
+    }
+    if (!mixture) { return; }
     Vec3 weights = material->mixtureWeights;
     if (ui::vector3("Weights", &weights,
                     {.format = "%.2f",
@@ -141,7 +144,7 @@ void drawEmission(Material* material) {
 }  // namespace
 
 void drawMaterialsPanel(ViewerModel* model) {
-    if (!ui::section("Materials", false)) return;
+    if (!ui::section("Materials", false)) { return; }
     ImGui::PushID("materials");
     std::vector<Material>& materials = model->draft().materials;
     if (materials.empty()) {
@@ -153,7 +156,7 @@ void drawMaterialsPanel(ViewerModel* model) {
         Material& material = materials[static_cast<size_t>(model->selectedMaterial)];
         ImGui::PushID(model->selectedMaterial);
         int kind = static_cast<int>(material.kind);
-        if (ui::choice("Kind", &kind, kKinds)) material.kind = static_cast<MaterialKind>(kind);
+        if (ui::choice("Kind", &kind, kKinds)) { material.kind = static_cast<MaterialKind>(kind); }
         drawScattering(model, &material);
         drawEmission(&material);
         ImGui::PopID();

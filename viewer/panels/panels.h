@@ -16,7 +16,7 @@ void drawCameraPanel(ViewerModel* model);
 void drawMaterialsPanel(ViewerModel* model);
 void drawLightsPanel(ViewerModel* model);
 void drawDisplayPanel(ViewerModel* model);
-void drawPicturePanel(ViewerModel* model);
+void drawImagePanel(ViewerModel* model);
 void drawCheckpointPanel(ViewerModel* model);
 void drawLogPanel();
 

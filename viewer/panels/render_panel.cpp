@@ -35,8 +35,8 @@ const char* stateText(const ViewerModel& model) {
 /// The share of the nearest stop limit that is done; negative without limits.
 float progress(const SessionStatus& status, const StopLimits& limits) {
     double done = -1.0;
-    if (limits.passes > 0) done = std::max(done, static_cast<double>(status.passes) / limits.passes);
-    if (limits.renderSeconds > 0.0) done = std::max(done, status.renderSeconds / limits.renderSeconds);
+    if (limits.passes > 0) { done = std::max(done, static_cast<double>(status.passes) / limits.passes); }
+    if (limits.renderSeconds > 0.0) { done = std::max(done, status.renderSeconds / limits.renderSeconds); }
     if (limits.relativeError > 0.0 && status.relativeError > 0.0 && std::isfinite(status.relativeError)) {
         // The error falls with the square root of the passes.
         done = std::max(done, std::pow(limits.relativeError / status.relativeError, 2.0));
@@ -55,7 +55,7 @@ void drawActions(ViewerModel* model) {
         model->paused = !model->paused;
     }
     ImGui::SameLine();
-    if (ui::button("Restart", width, "Throws the picture away and begins again (R)")) model->restart();
+    if (ui::button("Restart", width, "Throws the picture away and begins again (R)")) { model->restart(); }
 }
 
 void drawIntegrator(ViewerModel* model) {
@@ -84,8 +84,7 @@ void drawNumbers(const ViewerModel& model) {
     ui::value("Elapsed", duration(status.renderSeconds), "Time spent in passes since the last restart");
     ui::value("Est. error", status.passes > 1 ? percent(status.relativeError) : "–",
               "Root mean squared standard error of the pixels, relative to the picture's mean luminance");
-    ui::value("Last edit", latency(status.lastEditToPictureSeconds),
-              "From the edit to its first new picture");
+    ui::value("Last edit", latency(status.lastEditToImageSeconds), "From the edit to its first new picture");
     ui::value("Device", status.backend, "What runs the passes");
     if (!status.error.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, theme::kTextError);
@@ -133,21 +132,21 @@ void drawFaults(ViewerModel* model) {
     const uint64_t total = counts[1] + counts[2] + counts[3];
     ui::value("Dropped", total == 0 ? "none" : fmt::format("{} samples", grouped(total)),
               "Samples that were not finite or negative: counted, left out, and never clamped");
-    if (total == 0) return;
+    if (total == 0) { return; }
     ui::hint(
         fmt::format("{} not a number, {} infinite, {} negative", counts[1], counts[2], counts[3]).c_str());
-    if (ui::button("Find the first", ui::buttonWidth(1))) model->findFault();
-    if (model->replayCommand().empty()) return;
+    if (ui::button("Find the first", ui::buttonWidth(1))) { model->findFault(); }
+    if (model->replayCommand().empty()) { return; }
     std::string command = model->replayCommand();
     ImGui::SetNextItemWidth(-FLT_MIN);
     ImGui::InputText("##replay", command.data(), command.size() + 1, ImGuiInputTextFlags_ReadOnly);
-    if (ui::button("Copy command", ui::buttonWidth(1))) ImGui::SetClipboardText(command.c_str());
+    if (ui::button("Copy command", ui::buttonWidth(1))) { ImGui::SetClipboardText(command.c_str()); }
 }
 
 }  // namespace
 
 void drawRenderPanel(ViewerModel* model) {
-    if (!ui::section("Render", true)) return;
+    if (!ui::section("Render", true)) { return; }
     ImGui::PushID("render");
     drawActions(model);
     drawIntegrator(model);

@@ -9,19 +9,20 @@
 namespace glint {
 
 void drawScenePanel(ViewerModel* model) {
-    if (!ui::section("Scene", true)) return;
+    if (!ui::section("Scene", true)) { return; }
     ImGui::PushID("scene");
     const bool entered = ui::text("File", &model->files.scene, "scene.json, .txt, .obj, .ply",
                                   "A scene to open: Glint JSON, a text scene, OBJ or PLY. Enter opens it.");
     const char* action = model->opening() ? "Opening…" : "Open";
-    if ((ui::button(action, ui::buttonWidth(1)) || entered) && !model->opening())
+    if ((ui::button(action, ui::buttonWidth(1)) || entered) && !model->opening()) {
         model->open(model->files.scene);
+    }
     if (model->openError()) {
         ui::gap();
-        if (drawErrorBox("This scene cannot be opened", *model->openError())) model->dismissOpenError();
-        if (model->hasScene()) ui::hint("The scene that was open goes on.");
+        if (drawErrorBox("This scene cannot be opened", *model->openError())) { model->dismissOpenError(); }
+        if (model->hasScene()) { ui::hint("The scene that was open goes on."); }
     }
-    if (model->hasScene() && !model->draft().title.empty()) ui::hint(model->draft().title.c_str());
+    if (model->hasScene() && !model->draft().title.empty()) { ui::hint(model->draft().title.c_str()); }
     ImGui::PopID();
     ui::gap();
 }
@@ -35,7 +36,7 @@ void drawPanels(ViewerModel* model) {
     drawMaterialsPanel(model);
     drawLightsPanel(model);
     drawDisplayPanel(model);
-    drawPicturePanel(model);
+    drawImagePanel(model);
     drawCheckpointPanel(model);
     drawLogPanel();
 }

@@ -65,12 +65,14 @@ void drawPhotons(SppmOptions* sppm) {
     static constexpr std::array<std::string_view, 2> kDirect{"Sampled", "By photons"};
     int direct = sppm->sampleDirectLight ? 0 : 1;
     if (ui::choice("Direct light", &direct, kDirect,
-                   "Sampled: shadow rays, and photons carry only what was scattered"))
+                   "Sampled: shadow rays, and photons carry only what was scattered")) {
         sppm->sampleDirectLight = direct == 0;
+    }
     static constexpr std::array<std::string_view, 2> kLookups{"Hash grid", "Kd-tree"};
     int lookup = static_cast<int>(sppm->lookup);
-    if (ui::choice("Look-up", &lookup, kLookups, "How photons are found; the picture stays the same"))
+    if (ui::choice("Look-up", &lookup, kLookups, "How photons are found; the picture stays the same")) {
         sppm->lookup = static_cast<PhotonLookupKind>(lookup);
+    }
     ui::number(
         "Store from", &sppm->storeRoughness,
         {.format = "%.3f",
@@ -97,7 +99,7 @@ void drawMemory(const ViewerModel& model, SppmOptions* sppm) {
             .c_str());
     ui::value("Films", fmt::format("{:.1f} MiB", static_cast<double>(model.status().filmBytes) / kMiB),
               "In use now by the films and statistics of both integrators, previews included");
-    if (memory.photonsPerPass >= sppm->photonsPerPass) return;
+    if (memory.photonsPerPass >= sppm->photonsPerPass) { return; }
     ImGui::PushStyleColor(ImGuiCol_Text, theme::kTextWarning);
     ui::value("Reduced to", fmt::format("{} photons a pass", grouped(memory.photonsPerPass)),
               "As many as fit the memory limit");
@@ -107,11 +109,12 @@ void drawMemory(const ViewerModel& model, SppmOptions* sppm) {
 }  // namespace
 
 void drawSppmPanel(ViewerModel* model) {
-    if (!model->hasScene()) return;
+    if (!model->hasScene()) { return; }
     SceneDescription& scene = model->draft();
-    if (scene.options.integrator != IntegratorKind::Sppm && !model->display.split) return;
-    if (!ui::section("SPPM", true, "Stochastic progressive photon mapping (Hachisuka and Jensen 2009)"))
+    if (scene.options.integrator != IntegratorKind::Sppm && !model->display.split) { return; }
+    if (!ui::section("SPPM", true, "Stochastic progressive photon mapping (Hachisuka and Jensen 2009)")) {
         return;
+    }
     ImGui::PushID("sppm");
     const float size = maxComponent(model->bounds().extent());
     drawRadius(&scene.sppm, std::isfinite(size) && size > 0.0f ? size : 1.0f);

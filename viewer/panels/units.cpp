@@ -18,14 +18,14 @@ std::string withPrefix(double value, const char* unit) {
 }
 
 std::string duration(double seconds) {
-    if (seconds < 59.95) return fmt::format("{:.1f} s", seconds);
+    if (seconds < 59.95) { return fmt::format("{:.1f} s", seconds); }
     const auto whole = static_cast<uint64_t>(std::lround(seconds));
-    if (whole < 3600) return fmt::format("{}:{:02} min", whole / 60, whole % 60);
+    if (whole < 3600) { return fmt::format("{}:{:02} min", whole / 60, whole % 60); }
     return fmt::format("{}:{:02}:{:02} h", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
 std::string percent(double fraction) {
-    if (!std::isfinite(fraction)) return "–";
+    if (!std::isfinite(fraction)) { return "–"; }
     const double value = fraction * 100.0;
     const int decimals = value >= 10.0 ? 1 : value >= 0.1 ? 2 : 4;
     return fmt::format("{:.{}f} %", value, decimals);
@@ -45,8 +45,8 @@ std::string latency(double seconds) {
 }
 
 std::string length(double metres) {
-    if (metres < 0.9995e-3) return fmt::format("{:.3g} µm", metres * 1e6);
-    if (metres < 0.9995) return fmt::format("{:.3g} mm", metres * 1e3);
+    if (metres < 0.9995e-3) { return fmt::format("{:.3g} µm", metres * 1e6); }
+    if (metres < 0.9995) { return fmt::format("{:.3g} mm", metres * 1e3); }
     return metres < 999.5 ? fmt::format("{:.3g} m", metres) : fmt::format("{:.3g} km", metres / 1e3);
 }
 

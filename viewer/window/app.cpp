@@ -14,13 +14,13 @@
 #include "engine/base/log.h"
 #include "engine/io/atomic_file.h"
 #include "engine/io/image_io.h"
-#include "engine/render/picture_file.h"
+#include "engine/render/image_file.h"
 #include "engine/render/snapshot.h"
 #include "viewer/commands/progress.h"
 #include "viewer/window/frame_stats.h"
-#include "viewer/window/picture_source.h"
 #include "viewer/window/script_player.h"
 #include "viewer/window/shell.h"
+#include "viewer/window/shown_image_source.h"
 #include "viewer/window/theme.h"
 #include "viewer/window/widgets.h"
 
@@ -60,7 +60,7 @@ class App {
     bool headlessDone();
     Status finish();
     Status saveScreenshot(const std::string& path) const;
-    Status savePictureFile();
+    Status saveImageFile();
     Status saveFrameStats();
 
     ViewerOptions options_;
@@ -69,8 +69,8 @@ class App {
     bool rendererStarted_ = false;
     std::unique_ptr<ImageDisplay> display_;
     std::unique_ptr<ImageDisplay> otherDisplay_;  // the second picture of a comparison
-    PictureSource source_;
-    PictureSource otherSource_;
+    ShownImageSource source_;
+    ShownImageSource otherSource_;
     WidgetRegistry registry_;
     Fonts fonts_;
     float loadedScale_ = 0.0f;
@@ -94,10 +94,10 @@ class App {
 App::~App() {
     display_.reset();
     otherDisplay_.reset();
-    if (rendererStarted_) ImGui_ImplOpenGL3_Shutdown();
+    if (rendererStarted_) { ImGui_ImplOpenGL3_Shutdown(); }
     // The surface ends ImGui's platform back end, which lives in ImGui's context.
     surface_.reset();
-    if (imgui_ != nullptr) ImGui::DestroyContext(imgui_);
+    if (imgui_ != nullptr) { ImGui::DestroyContext(imgui_); }
 }
 
 Status App::open(std::optional<SceneDescription> scene) {
@@ -105,15 +105,15 @@ Status App::open(std::optional<SceneDescription> scene) {
     ImGui::GetIO().IniFilename = nullptr;
     auto surface =
         options_.headless ? makeHeadlessSurface(options_.surface) : makeWindowSurface(options_.surface);
-    if (!surface) return surface.error();
+    if (!surface) { return surface.error(); }
     surface_ = std::move(*surface);
     rendererStarted_ = ImGui_ImplOpenGL3_Init("#version 330 core");
-    if (!rendererStarted_) return Error{"Dear ImGui cannot use this OpenGL context", {}};
+    if (!rendererStarted_) { return Error{"Dear ImGui cannot use this OpenGL context", {}}; }
     auto display = ImageDisplay::create(surface_->gl());
-    if (!display) return display.error();
+    if (!display) { return display.error(); }
     display_ = std::move(*display);
     auto other = ImageDisplay::create(surface_->gl());
-    if (!other) return other.error();
+    if (!other) { return other.error(); }
     otherDisplay_ = std::move(*other);
     if (options_.script) {
         player_ =
@@ -121,19 +121,21 @@ Status App::open(std::optional<SceneDescription> scene) {
                                            [this](const std::string& path) { return saveScreenshot(path); });
     }
     model_.limits.passes = options_.passes;
-    if (options_.headless && !options_.script && options_.passes == 0) model_.limits.passes = kHeadlessPasses;
-    if (options_.headless && !options_.script) progress_.emplace();
-    if (scene) model_.adopt(std::move(*scene));
+    if (options_.headless && !options_.script && options_.passes == 0) {
+        model_.limits.passes = kHeadlessPasses;
+    }
+    if (options_.headless && !options_.script) { progress_.emplace(); }
+    if (scene) { model_.adopt(std::move(*scene)); }
     return {};
 }
 
 void App::fitToScreen() {
     const float content = surface_->contentScale();
     const float framebuffer = surface_->framebufferScale();
-    if (content == loadedScale_ && framebuffer == loadedFramebufferScale_) return;
-    if (loadedScale_ > 0.0f) ImGui_ImplOpenGL3_DestroyFontsTexture();
+    if (content == loadedScale_ && framebuffer == loadedFramebufferScale_) { return; }
+    if (loadedScale_ > 0.0f) { ImGui_ImplOpenGL3_DestroyFontsTexture(); }
     fonts_ = loadFonts(content, framebuffer);
-    if (!fonts_.note.empty() && loadedScale_ == 0.0f) logWarning("{}", fonts_.note);
+    if (!fonts_.note.empty() && loadedScale_ == 0.0f) { logWarning("{}", fonts_.note); }
     applyTheme(content / framebuffer);
     loadedScale_ = content;
     loadedFramebufferScale_ = framebuffer;
@@ -144,20 +146,20 @@ void App::drawFrame() {
     fitToScreen();
     ImGui_ImplOpenGL3_NewFrame();
     surface_->beginFrame();
-    if (player_) player_->feed(&ImGui::GetIO());
+    if (player_) { player_->feed(&ImGui::GetIO()); }
     ImGui::NewFrame();
     ui::beginFrame(&registry_, &fonts_, loadedScale_ / loadedFramebufferScale_);
     const bool held = shell_.draw(&model_, {display_.get(), otherDisplay_.get(), &source_, &otherSource_});
     const auto now = Clock::now();
-    if (model_.commitEdits(held) != EditKind::None) lastEdit_ = now;
-    if (!held || seconds(now - lastEdit_) > kMotionEndSeconds) model_.finishMotion();
+    if (model_.commitEdits(held) != EditKind::None) { lastEdit_ = now; }
+    if (!held || seconds(now - lastEdit_) > kMotionEndSeconds) { model_.finishMotion(); }
     ImGui::Render();
     const auto built = Clock::now();
     const auto reference = model_.usableReference();
-    PictureSource::Wanted wanted{model_.snapshot(),
-                                 model_.display.shown,
-                                 reference,
-                                 {model_.display.exposureStops, model_.display.toneMap}};
+    ShownImageSource::Wanted wanted{model_.snapshot(),
+                                    model_.display.shown,
+                                    reference,
+                                    {model_.display.exposureStops, model_.display.toneMap}};
     source_.show(wanted, nullptr, display_.get());
     if (model_.display.split) {
         wanted.snapshot = model_.otherSnapshot();
@@ -166,7 +168,7 @@ void App::drawFrame() {
     model_.displayIsBehind = source_.isBehind() || (model_.display.split && otherSource_.isBehind());
     drawnSnapshot_ = model_.snapshot();
     drawnOther_ = model_.otherSnapshot();
-    if (!options_.frameStats.empty()) surface_->gl().Finish();
+    if (!options_.frameStats.empty()) { surface_->gl().Finish(); }
     const auto uploaded = Clock::now();
     const GlApi& gl = surface_->gl();
     const Vec2i size = surface_->framebufferSize();
@@ -181,10 +183,11 @@ void App::drawFrame() {
 }
 
 bool App::worthDrawing(Clock::time_point now) {
-    if (player_ || !options_.frameStats.empty()) return true;
+    if (player_ || !options_.frameStats.empty()) { return true; }
     if (seconds(now - lastInput_) < kLivelySeconds || model_.snapshot() != drawnSnapshot_ ||
-        model_.otherSnapshot() != drawnOther_ || source_.isReady() || otherSource_.isReady())
+        model_.otherSnapshot() != drawnOther_ || source_.isReady() || otherSource_.isReady()) {
         return true;
+    }
     const bool active = model_.status().state == SessionState::Rendering ||
                         model_.status().state == SessionState::Building || model_.busy() ||
                         model_.awaitsEdit();
@@ -199,7 +202,7 @@ double App::pause(Clock::time_point now) const {
                        state == SessionState::Empty || state == SessionState::Failed) &&
                       !model_.busy() && !model_.opening() && !model_.awaitsEdit() &&
                       !model_.displayIsBehind && !options_.headless;
-    if (idle) return kIdleFrameSeconds;
+    if (idle) { return kIdleFrameSeconds; }
     // A loop that had nothing to draw sleeps as well: without that it would take a core from the renderer.
     const double sinceDrawn = seconds(now - lastDrawn_);
     return sinceDrawn < kFrameSeconds ? kFrameSeconds - sinceDrawn : kFrameSeconds;
@@ -216,50 +219,56 @@ Status App::run(bool* scriptFailed) {
                 return stepped;
             }
         }
-        if (surface_->takeInputFlag()) lastInput_ = Clock::now();
-        for (const std::string& file : surface_->takeDroppedFiles()) model_.takeDroppedFile(file);
-        if (worthDrawing(Clock::now())) drawFrame();
-        if (const std::string title = currentTitle(); title != title_) surface_->setTitle(title_ = title);
-        if (progress_) progress_->update(model_.status(), model_.limits);
-        if (player_ ? player_->done() : headlessDone()) break;
+        if (surface_->takeInputFlag()) { lastInput_ = Clock::now(); }
+        for (const std::string& file : surface_->takeDroppedFiles()) {
+            model_.takeDroppedFile(file);
+        }
+        if (worthDrawing(Clock::now())) { drawFrame(); }
+        if (const std::string title = currentTitle(); title != title_) { surface_->setTitle(title_ = title); }
+        if (progress_) { progress_->update(model_.status(), model_.limits); }
+        if (player_ ? player_->done() : headlessDone()) { break; }
         const auto now = Clock::now();
         const double wait = pause(now);
         planned = now + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(wait));
         surface_->waitEvents(wait);
-        if (surface_->hasDisplay() && Clock::now() < planned) planned = Clock::now();  // an event woke it
+        if (surface_->hasDisplay() && Clock::now() < planned) {
+            planned = Clock::now();  // an event woke it
+        }
     }
     return finish();
 }
 
 std::string App::currentTitle() const {
-    if (!model_.hasScene()) return "Glint";
+    if (!model_.hasScene()) { return "Glint"; }
     const std::string file = std::filesystem::path(model_.draft().path).filename().string();
     const bool paused = model_.status().state == SessionState::Paused;
     return fmt::format("{}{} – Glint", file, paused ? " (paused)" : "");
 }
 
 bool App::headlessDone() {
-    if (!options_.headless) return false;
+    if (!options_.headless) { return false; }
     const SessionStatus& status = model_.status();
     const bool over = status.state == SessionState::Failed ||
                       (status.state == SessionState::Finished && !model_.awaitsEdit() && model_.snapshot() &&
                        model_.snapshot()->passes == status.passes);
     settled_ = over && model_.snapshot() == drawnSnapshot_ && !model_.displayIsBehind ? settled_ + 1 : 0;
-    if (over) lastInput_ = Clock::now();  // draw the frames that are left without pause
+    if (over) {
+        lastInput_ = Clock::now();  // draw the frames that are left without pause
+    }
     return settled_ > kSettleFrames;
 }
 
 Status App::finish() {
-    if (progress_) progress_->finish();
+    if (progress_) { progress_->finish(); }
     if (model_.status().state == SessionState::Failed && options_.headless) {
         return Error{model_.status().error, {}};
     }
     if (!options_.screenshot.empty()) {
-        if (Status saved = saveScreenshot(options_.screenshot); !saved) return saved;
+        if (Status saved = saveScreenshot(options_.screenshot); !saved) { return saved; }
         fmt::print(stderr, "the window is in {}\n", options_.screenshot);
     }
     if (!options_.output.empty()) {
-        if (Status saved = savePictureFile(); !saved) return saved;
+        if (Status saved = saveImageFile(); !saved) { return saved; }
         fmt::print(stderr, "the picture is in {}\n", options_.output);
     }
     return options_.frameStats.empty() ? Status() : saveFrameStats();
@@ -270,18 +279,17 @@ Status App::saveScreenshot(const std::string& path) const {
     return savePng(path, Image8{size.x, size.y, readSurface(*surface_)});
 }
 
-Status App::savePictureFile() {
+Status App::saveImageFile() {
     const auto capture = model_.session().capture();
-    if (!capture) return Error{"there is no picture to save", SourcePlace{options_.output, 0, 0, ""}};
-    auto picture = makeSnapshot(*capture, {.standardError = true}, 0);
-    const PictureOptions look{.exposureStops = model_.display.exposureStops,
-                              .toneMap = model_.display.toneMap};
-    return savePicture(options_.output, *picture, *capture->scene, look);
+    if (!capture) { return Error{"there is no picture to save", SourcePlace{options_.output, 0, 0, ""}}; }
+    auto image = makeSnapshot(*capture, {.standardError = true}, 0);
+    const ImageOptions look{.exposureStops = model_.display.exposureStops, .toneMap = model_.display.toneMap};
+    return saveImage(options_.output, *image, *capture->scene, look);
 }
 
 Status App::saveFrameStats() {
     const std::string report = stats_.json(model_.session().status(), model_.draft().camera);
-    if (options_.frameStats != "-") return writeFileAtomically(options_.frameStats, report);
+    if (options_.frameStats != "-") { return writeFileAtomically(options_.frameStats, report); }
     std::fputs(report.c_str(), stdout);
     return {};
 }
@@ -291,7 +299,7 @@ Status App::saveFrameStats() {
 Status runViewer(const ViewerOptions& options, std::unique_ptr<Backend> backend,
                  std::optional<SceneDescription> scene, bool* scriptFailed) {
     App app(options, std::move(backend));
-    if (Status opened = app.open(std::move(scene)); !opened) return opened;
+    if (Status opened = app.open(std::move(scene)); !opened) { return opened; }
     return app.run(scriptFailed);
 }
 

@@ -1,5 +1,5 @@
-// The viewer as a whole: a surface, the model, the shell, and the loop that joins them. Called by the view
-// command.
+// The viewer as a whole: a surface, the model, the shell, and the loop that joins them. Called by the
+// view command.
 #pragma once
 
 #include <optional>

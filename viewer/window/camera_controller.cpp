@@ -50,23 +50,23 @@ Vec3 turned(const Camera& camera, const Vec3& direction, Vec2 angles) {
 
 float targetDistance(const Camera& camera) { return glm::length(camera.target - camera.position); }
 
-void orbit(Camera* camera, Vec2 dragPixels, float pictureHeight) {
-    const Vec2 angles = dragPixels * Vec2(-kPi, kPi) / std::max(pictureHeight, 1.0f);
-    if (targetDistance(*camera) <= 0.0f) return;
+void orbit(Camera* camera, Vec2 dragPixels, float imageHeight) {
+    const Vec2 angles = dragPixels * Vec2(-kPi, kPi) / std::max(imageHeight, 1.0f);
+    if (targetDistance(*camera) <= 0.0f) { return; }
     camera->position = camera->target + turned(*camera, camera->position - camera->target, angles);
 }
 
-void lookAround(Camera* camera, Vec2 dragPixels, float pictureHeight) {
+void lookAround(Camera* camera, Vec2 dragPixels, float imageHeight) {
     const Vec2 angles = dragPixels * Vec2(-1.0f, -1.0f) *
-                        (camera->verticalFovDeg * kPi / 180.0f / std::max(pictureHeight, 1.0f));
-    if (targetDistance(*camera) <= 0.0f) return;
+                        (camera->verticalFovDeg * kPi / 180.0f / std::max(imageHeight, 1.0f));
+    if (targetDistance(*camera) <= 0.0f) { return; }
     camera->target = camera->position + turned(*camera, camera->target - camera->position, angles);
 }
 
-void pan(Camera* camera, Vec2 dragPixels, float pictureHeight) {
+void pan(Camera* camera, Vec2 dragPixels, float imageHeight) {
     const Axes axes = axesOf(*camera);
     const float metresPerPixel =
-        2.0f * targetDistance(*camera) * tanHalfFov(*camera) / std::max(pictureHeight, 1.0f);
+        2.0f * targetDistance(*camera) * tanHalfFov(*camera) / std::max(imageHeight, 1.0f);
     const Vec3 shift =
         axes.right * (-dragPixels.x * metresPerPixel) + axes.up * (dragPixels.y * metresPerPixel);
     camera->position += shift;
@@ -87,7 +87,7 @@ void fly(Camera* camera, const Vec3& amount) {
 }
 
 void frameBounds(Camera* camera, const Bounds& bounds, float aspect) {
-    if (bounds.empty()) return;
+    if (bounds.empty()) { return; }
     const float radius = std::max(0.5f * glm::length(bounds.extent()), 1e-6f);
     const float tanVertical = tanHalfFov(*camera);
     const float tanSmallest = std::min(tanVertical, tanVertical * aspect * camera->horizontalScale);
@@ -111,16 +111,18 @@ Bounds sceneBounds(const SceneDescription& scene) {
     Bounds all;
     for (const Object& object : scene.objects) {
         Bounds local;
-        if (object.shape == ShapeKind::Plane) continue;
+        if (object.shape == ShapeKind::Plane) { continue; }
         if (object.shape == ShapeKind::Mesh) {
             const size_t mesh = static_cast<size_t>(object.mesh);
-            if (mesh >= scene.meshes.size() || !scene.meshes[mesh].data) continue;
-            for (const Vec3& p : scene.meshes[mesh].data->positions) local.grow(p);
+            if (mesh >= scene.meshes.size() || !scene.meshes[mesh].data) { continue; }
+            for (const Vec3& p : scene.meshes[mesh].data->positions) {
+                local.grow(p);
+            }
         } else {
             const float depth = object.shape == ShapeKind::Sphere ? 1.0f : 0.0f;
             local = {Vec3{-1.0f, -1.0f, -depth}, Vec3{1.0f, 1.0f, depth}};
         }
-        if (!local.empty()) all.grow(transformBounds(object.objectToWorld, local));
+        if (!local.empty()) { all.grow(transformBounds(object.objectToWorld, local)); }
     }
     return all;
 }

@@ -10,15 +10,15 @@ namespace glint {
 
 /// Turns the camera around its target. A drag over the picture's height turns by half a circle. The view
 /// never passes over the poles of `up`.
-void orbit(Camera* camera, Vec2 dragPixels, float pictureHeight);
+void orbit(Camera* camera, Vec2 dragPixels, float imageHeight);
 /// Shifts position and target in the picture's plane so that the target stays under the mouse.
-void pan(Camera* camera, Vec2 dragPixels, float pictureHeight);
+void pan(Camera* camera, Vec2 dragPixels, float imageHeight);
 /// Moves towards the target (steps > 0) by a fixed share of the distance; never reaches it.
 void dolly(Camera* camera, float steps);
 /// Moves position and target together: x right, y up, z forwards, in units of the target's distance.
 void fly(Camera* camera, const Vec3& amount);
 /// Looks around from where the camera stands: turns the target about the position.
-void lookAround(Camera* camera, Vec2 dragPixels, float pictureHeight);
+void lookAround(Camera* camera, Vec2 dragPixels, float imageHeight);
 /// Keeps the direction and moves so that `bounds` fill the picture. Does nothing for empty bounds.
 void frameBounds(Camera* camera, const Bounds& bounds, float aspect);
 

@@ -17,7 +17,9 @@ class ColorWriter {
   public:
     explicit ColorWriter(size_t pixels) : rgba_(pixels * kChannels, 255), next_(rgba_.data()) {}
     void add(const Vec3& display) {
-        for (int c = 0; c < 3; ++c) next_[c] = displayByte(display[c]);
+        for (int c = 0; c < 3; ++c) {
+            next_[c] = displayByte(display[c]);
+        }
         next_ += kChannels;
     }
     std::vector<uint8_t> take() { return std::move(rgba_); }
@@ -29,28 +31,28 @@ class ColorWriter {
 
 Vec3 screenColor(const Vec3& linear) { return toneMapped(linear, 0.0f, ToneMap::Srgb); }
 
-Vec3 falseColor(const AovSample& sample, ShownPicture shown, const DepthRange& range) {
+Vec3 falseColor(const AovSample& sample, ShownImage shown, const DepthRange& range) {
     switch (shown) {
-        case ShownPicture::Albedo:
+        case ShownImage::Albedo:
             return screenColor(sample.albedo);
-        case ShownPicture::ShadingNormal:
+        case ShownImage::ShadingNormal:
             return normalColor(sample.shadingNormal);
-        case ShownPicture::GeometricNormal:
+        case ShownImage::GeometricNormal:
             return normalColor(sample.geometricNormal);
-        case ShownPicture::Depth:
+        case ShownImage::Depth:
             return depthColor(sample.depth, range.nearest, range.farthest);
-        case ShownPicture::ObjectId:
+        case ShownImage::ObjectId:
             return idColor(sample.objectId);
-        case ShownPicture::MaterialId:
+        case ShownImage::MaterialId:
             return idColor(sample.materialId);
-        case ShownPicture::Radiance:
-        case ShownPicture::StandardError:
-        case ShownPicture::Bias:
-        case ShownPicture::ErrorBound:
-        case ShownPicture::ReferenceError:
-        case ShownPicture::Radius:
-        case ShownPicture::PhotonCount:
-        case ShownPicture::VisiblePoints:
+        case ShownImage::Radiance:
+        case ShownImage::StandardError:
+        case ShownImage::Bias:
+        case ShownImage::ErrorBound:
+        case ShownImage::ReferenceError:
+        case ShownImage::Radius:
+        case ShownImage::PhotonCount:
+        case ShownImage::VisiblePoints:
             break;
     }
     return Vec3(0.0f);
@@ -59,7 +61,9 @@ Vec3 falseColor(const AovSample& sample, ShownPicture shown, const DepthRange& r
 DepthRange rangeOf(const std::vector<AovSample>& samples) {
     std::vector<float> depths;
     depths.reserve(samples.size());
-    for (const AovSample& sample : samples) depths.push_back(sample.depth);
+    for (const AovSample& sample : samples) {
+        depths.push_back(sample.depth);
+    }
     return depthRange(depths);
 }
 
@@ -72,9 +76,9 @@ HeatScale scaleWithoutOutliers(const std::vector<float>& values) {
     const size_t step = std::max<size_t>(1, values.size() / kSamples);
     for (size_t i = 0; i < values.size(); i += step) {
         const float size = std::fabs(values[i]);
-        if (size > 0.0f && std::isfinite(size)) sizes.push_back(size);
+        if (size > 0.0f && std::isfinite(size)) { sizes.push_back(size); }
     }
-    if (sizes.empty()) return {};
+    if (sizes.empty()) { return {}; }
     const auto high = sizes.begin() + static_cast<ptrdiff_t>(kShare * static_cast<double>(sizes.size() - 1));
     std::nth_element(sizes.begin(), high, sizes.end());
     const float largest = *high;
@@ -85,8 +89,9 @@ HeatScale scaleWithoutOutliers(const std::vector<float>& values) {
 /// The heat ramp as a table: a picture asks for millions of its colours.
 std::vector<Vec3> heatRamp() {
     std::vector<Vec3> ramp(kRampSteps);
-    for (size_t i = 0; i < kRampSteps; ++i)
+    for (size_t i = 0; i < kRampSteps; ++i) {
         ramp[i] = heatColor(static_cast<float>(i) / static_cast<float>(kRampSteps - 1));
+    }
     return ramp;
 }
 
@@ -110,21 +115,24 @@ std::vector<uint8_t> heatColors(const std::vector<float>& values, const HeatScal
 
 std::vector<uint8_t> signedColors(const std::vector<float>& values, float largest) {
     ColorWriter colors(values.size());
-    for (const float value : values)
+    for (const float value : values) {
         colors.add(std::isfinite(value) && largest > 0.0f ? signedColor(value / largest) : Vec3(0.0f));
+    }
     return colors.take();
 }
 
 std::vector<float> errorsAgainst(const LoadedReference& reference, const FilmSnapshot& snapshot) {
     std::vector<float> errors(snapshot.radiance.size() / 3);
-    for (size_t i = 0; i < errors.size(); ++i) errors[i] = errorAgainst(reference, snapshot, i);
+    for (size_t i = 0; i < errors.size(); ++i) {
+        errors[i] = errorAgainst(reference, snapshot, i);
+    }
     return errors;
 }
 
-std::vector<uint8_t> mapColors(const std::vector<float>& values, ShownPicture shown, MapScale* scale) {
-    scale->isSigned = shown == ShownPicture::Bias;
+std::vector<uint8_t> mapColors(const std::vector<float>& values, ShownImage shown, MapScale* scale) {
+    scale->isSigned = shown == ShownImage::Bias;
     if (!scale->isThere()) {
-        const bool holdsAll = shown == ShownPicture::Radius || shown == ShownPicture::PhotonCount;
+        const bool holdsAll = shown == ShownImage::Radius || shown == ShownImage::PhotonCount;
         scale->heat = holdsAll ? heatScale(values) : scaleWithoutOutliers(values);
     }
     return scale->isSigned ? signedColors(values, scale->heat.largest) : heatColors(values, scale->heat);
@@ -132,28 +140,33 @@ std::vector<uint8_t> mapColors(const std::vector<float>& values, ShownPicture sh
 
 std::vector<uint8_t> visiblePointColors(const std::vector<float>& radii) {
     ColorWriter colors(radii.size());
-    for (const float radius : radii) colors.add(radius > 0.0f ? kVisiblePoint : kNoVisiblePoint);
+    for (const float radius : radii) {
+        colors.add(radius > 0.0f ? kVisiblePoint : kNoVisiblePoint);
+    }
     return colors.take();
 }
 
 }  // namespace
 
-ShownPicture pictureOf(const FilmSnapshot& snapshot, ShownPicture wanted, const LoadedReference* reference) {
+ShownImage imageOf(const FilmSnapshot& snapshot, ShownImage wanted, const LoadedReference* reference) {
     const bool isComparable = reference != nullptr && reference->image.width == snapshot.width &&
                               reference->image.height == snapshot.height;
-    if (wanted == ShownPicture::ReferenceError && !isComparable) return ShownPicture::Radiance;
+    if (wanted == ShownImage::ReferenceError && !isComparable) { return ShownImage::Radiance; }
     const bool isSppm = snapshot.integrator == IntegratorKind::Sppm;
-    return isOfSppm(wanted) && !isSppm ? ShownPicture::Radiance : wanted;
+    return isOfSppm(wanted) && !isSppm ? ShownImage::Radiance : wanted;
 }
 
-std::string instead(const FilmSnapshot& snapshot, ShownPicture wanted, const LoadedReference* reference) {
-    if (wanted == ShownPicture::ReferenceError && reference == nullptr)
+std::string instead(const FilmSnapshot& snapshot, ShownImage wanted, const LoadedReference* reference) {
+    if (wanted == ShownImage::ReferenceError && reference == nullptr) {
         return "No reference that fits: the radiance";
-    const bool isSpread = wanted == ShownPicture::StandardError || wanted == ShownPicture::ErrorBound;
-    if (isSpread && snapshot.passes < 2 && snapshot.previewScale == 1) return "Known from the second pass on";
-    if (!isOfSppm(wanted) || snapshot.integrator == IntegratorKind::Sppm) return "";
-    return wanted == ShownPicture::Bias ? "Path tracing has no bias: its radiance"
-                                        : "Path tracing has no photons: its radiance";
+    }
+    const bool isSpread = wanted == ShownImage::StandardError || wanted == ShownImage::ErrorBound;
+    if (isSpread && snapshot.passes < 2 && snapshot.previewScale == 1) {
+        return "Known from the second pass on";
+    }
+    if (!isOfSppm(wanted) || snapshot.integrator == IntegratorKind::Sppm) { return ""; }
+    return wanted == ShownImage::Bias ? "Path tracing has no bias: its radiance"
+                                      : "Path tracing has no photons: its radiance";
 }
 
 float errorAgainst(const LoadedReference& reference, const FilmSnapshot& snapshot, size_t pixel) {
@@ -162,22 +175,25 @@ float errorAgainst(const LoadedReference& reference, const FilmSnapshot& snapsho
     return (std::fabs(t[0] - r[0]) + std::fabs(t[1] - r[1]) + std::fabs(t[2] - r[2])) / 3.0f;
 }
 
-std::vector<uint8_t> falseColors(const FilmSnapshot& snapshot, ShownPicture shown,
+std::vector<uint8_t> falseColors(const FilmSnapshot& snapshot, ShownImage shown,
                                  const LoadedReference* reference, MapScale* scale) {
-    if (shown == ShownPicture::StandardError) return mapColors(snapshot.standardError, shown, scale);
-    if (shown == ShownPicture::Bias) return mapColors(snapshot.bias, shown, scale);
-    if (shown == ShownPicture::ErrorBound) return mapColors(snapshot.errorBound, shown, scale);
-    if (shown == ShownPicture::Radius) return mapColors(snapshot.radiusWorld, shown, scale);
-    if (shown == ShownPicture::PhotonCount) return mapColors(snapshot.photonCount, shown, scale);
-    if (shown == ShownPicture::ReferenceError)
+    if (shown == ShownImage::StandardError) { return mapColors(snapshot.standardError, shown, scale); }
+    if (shown == ShownImage::Bias) { return mapColors(snapshot.bias, shown, scale); }
+    if (shown == ShownImage::ErrorBound) { return mapColors(snapshot.errorBound, shown, scale); }
+    if (shown == ShownImage::Radius) { return mapColors(snapshot.radiusWorld, shown, scale); }
+    if (shown == ShownImage::PhotonCount) { return mapColors(snapshot.photonCount, shown, scale); }
+    if (shown == ShownImage::ReferenceError) {
         return mapColors(errorsAgainst(*reference, snapshot), shown, scale);
+    }
     *scale = {};
-    if (shown == ShownPicture::VisiblePoints) return visiblePointColors(snapshot.radiusWorld);
-    if (!snapshot.aovs || snapshot.aovs->passes() == 0) return {};
+    if (shown == ShownImage::VisiblePoints) { return visiblePointColors(snapshot.radiusWorld); }
+    if (!snapshot.aovs || snapshot.aovs->passes() == 0) { return {}; }
     const std::vector<AovSample>& samples = snapshot.aovs->pixels();
-    const DepthRange range = shown == ShownPicture::Depth ? rangeOf(samples) : DepthRange{};
+    const DepthRange range = shown == ShownImage::Depth ? rangeOf(samples) : DepthRange{};
     ColorWriter colors(samples.size());
-    for (const AovSample& sample : samples) colors.add(falseColor(sample, shown, range));
+    for (const AovSample& sample : samples) {
+        colors.add(falseColor(sample, shown, range));
+    }
     return colors.take();
 }
 

@@ -23,18 +23,18 @@ struct MapScale {
 
 /// What is shown of this snapshot: its radiance where it has not what is wanted, as path tracing has no
 /// photons, or where the reference is missing or of another size.
-ShownPicture pictureOf(const FilmSnapshot& snapshot, ShownPicture wanted, const LoadedReference* reference);
+ShownImage imageOf(const FilmSnapshot& snapshot, ShownImage wanted, const LoadedReference* reference);
 
-/// What a snapshot shows instead of `wanted`, and why, for the picture's corner; "" when it shows what is
-/// wanted.
-std::string instead(const FilmSnapshot& snapshot, ShownPicture wanted, const LoadedReference* reference);
+/// What a snapshot shows instead of `wanted`, and why, for the picture's corner; "" when it shows what
+/// is wanted.
+std::string instead(const FilmSnapshot& snapshot, ShownImage wanted, const LoadedReference* reference);
 
 /// Mean of |t - r| over the three channels of a pixel of both pictures.
 float errorAgainst(const LoadedReference& reference, const FilmSnapshot& snapshot, size_t pixel);
 
 /// 4 bytes a pixel. Empty when the snapshot does not carry that picture (yet). `scale` goes in as the one to
 /// use, or {} to find one, and comes back as the one that was used.
-std::vector<uint8_t> falseColors(const FilmSnapshot& snapshot, ShownPicture shown,
+std::vector<uint8_t> falseColors(const FilmSnapshot& snapshot, ShownImage shown,
                                  const LoadedReference* reference, MapScale* scale);
 
 /// The radiance as the shader shows it, 4 bytes a pixel.

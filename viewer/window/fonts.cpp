@@ -17,14 +17,14 @@ constexpr ImWchar kGlyphs[] = {0x0020, 0x00ff, 0x0370, 0x03ff, 0x2010, 0x2027, 0
 
 bool isReadable(const char* path) {
     std::FILE* file = std::fopen(path, "rb");
-    if (file != nullptr) std::fclose(file);
+    if (file != nullptr) { std::fclose(file); }
     return file != nullptr;
 }
 
 template <size_t kCount>
 const char* firstReadable(const std::array<const char*, kCount>& paths) {
     for (const char* path : paths) {
-        if (isReadable(path)) return path;
+        if (isReadable(path)) { return path; }
     }
     return nullptr;
 }
@@ -55,8 +55,8 @@ Fonts loadFonts(float contentScale, float framebufferScale) {
     Fonts fonts;
     const char* regular = firstReadable(kRegular);
     const char* heading = firstReadable(kHeading);
-    if (regular != nullptr) fonts.regular = addFont(regular, pixels);
-    if (heading != nullptr) fonts.heading = addFont(heading, pixels);
+    if (regular != nullptr) { fonts.regular = addFont(regular, pixels); }
+    if (heading != nullptr) { fonts.heading = addFont(heading, pixels); }
     if (regular != kRegular[0]) {
         fonts.note = "The font Roboto is missing (package fonts-roboto-unhinted); ";
         fonts.note += regular != nullptr ? "DejaVu Sans stands in" : "ImGui's bitmap font stands in";
@@ -66,7 +66,7 @@ Fonts loadFonts(float contentScale, float framebufferScale) {
         config.SizePixels = std::round(13.0f * contentScale);
         fonts.regular = io.Fonts->AddFontDefault(&config);
     }
-    if (fonts.heading == nullptr) fonts.heading = fonts.regular;
+    if (fonts.heading == nullptr) { fonts.heading = fonts.regular; }
     return fonts;
 }
 

@@ -24,7 +24,7 @@ nlohmann::ordered_json sessionReport(const SessionStatus& session) {
             {"passes", session.passes},
             {"restarts", session.counters.filmRestarts},
             {"preview_passes", session.counters.previewPasses},
-            {"last_edit_ms", session.lastEditToPictureSeconds * 1000.0},
+            {"last_edit_ms", session.lastEditToImageSeconds * 1000.0},
             {"last_cancel_ms", session.lastCancelSeconds * 1000.0}};
 }
 
@@ -55,7 +55,9 @@ const char* stateName(SessionState state) {
 std::string FrameStats::json(const SessionStatus& session, const Camera& camera) const {
     const auto collect = [this](auto&& part) {
         std::vector<double> values;
-        for (const FrameTimes& frame : frames_) values.push_back(part(frame));
+        for (const FrameTimes& frame : frames_) {
+            values.push_back(part(frame));
+        }
         return values;
     };
     const std::vector<double> own =

@@ -15,8 +15,8 @@ struct FrameTimes {
     double uiMs = 0.0;      ///< input, panels and edits
     double uploadMs = 0.0;  ///< a new picture to the graphics card and its tone mapping
     double drawMs = 0.0;    ///< ImGui's draw lists and the swap: all drawing when OpenGL is software
-    double wakeMs =
-        0.0;  ///< how much later than asked the loop woke up: the scheduler, with all cores rendering
+    /// how much later than asked the loop woke up: the scheduler, with all cores rendering
+    double wakeMs = 0.0;
 };
 
 class FrameStats {

@@ -65,8 +65,8 @@ struct GlApi {
 using GlProc = void (*)();
 using GlLookup = std::function<GlProc(const char* name)>;
 
-/// Needs a current context. Error: the first function that is missing, with the driver's name where it is
-/// known.
+/// Needs a current context. Error: the first function that is missing, with the driver's name where it
+/// is known.
 Result<GlApi> loadGlApi(const GlLookup& lookup);
 
 }  // namespace glint

@@ -64,9 +64,9 @@ class HeadlessSurface final : public Surface {
 
 Result<std::unique_ptr<Surface>> makeHeadlessSurface(const SurfaceOptions& options) {
     auto context = OsMesaContext::create(options.width, options.height);
-    if (!context) return context.error();
+    if (!context) { return context.error(); }
     const auto gl = loadGlApi((*context)->lookup());
-    if (!gl) return gl.error();
+    if (!gl) { return gl.error(); }
     return std::unique_ptr<Surface>(std::make_unique<HeadlessSurface>(options, std::move(*context), *gl));
 }
 

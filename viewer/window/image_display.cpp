@@ -17,7 +17,7 @@ Result<GLuint> compileShader(const GlApi& gl, GLenum kind, const char* name, con
     gl.CompileShader(shader);
     GLint compiled = 0;
     gl.GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-    if (compiled) return shader;
+    if (compiled) { return shader; }
     char log[1024] = "";
     gl.GetShaderInfoLog(shader, sizeof log, nullptr, log);
     gl.DeleteShader(shader);
@@ -26,7 +26,7 @@ Result<GLuint> compileShader(const GlApi& gl, GLenum kind, const char* name, con
 
 Result<GLuint> linkProgram(const GlApi& gl) {
     auto vertex = compileShader(gl, GL_VERTEX_SHADER, "fullscreen.vert", kFullscreenVertexShader);
-    if (!vertex) return vertex.error();
+    if (!vertex) { return vertex.error(); }
     auto fragment = compileShader(gl, GL_FRAGMENT_SHADER, "tonemap.frag", kToneMapFragmentShader);
     if (!fragment) {
         gl.DeleteShader(*vertex);
@@ -40,7 +40,7 @@ Result<GLuint> linkProgram(const GlApi& gl) {
     gl.DeleteShader(*fragment);
     GLint linked = 0;
     gl.GetProgramiv(program, GL_LINK_STATUS, &linked);
-    if (linked) return program;
+    if (linked) { return program; }
     char log[1024] = "";
     gl.GetProgramInfoLog(program, sizeof log, nullptr, log);
     gl.DeleteProgram(program);
@@ -72,13 +72,13 @@ GLuint makeTexture(const GlApi& gl, GLint filter) {
 
 Result<std::unique_ptr<ImageDisplay>> ImageDisplay::create(const GlApi& gl) {
     std::unique_ptr<ImageDisplay> display(new ImageDisplay(gl));
-    if (Status ready = display->init(); !ready) return ready.error();
+    if (Status ready = display->init(); !ready) { return ready.error(); }
     return display;
 }
 
 Status ImageDisplay::init() {
     auto program = linkProgram(gl_);
-    if (!program) return program.error();
+    if (!program) { return program.error(); }
     program_ = *program;
     exposureLocation_ = gl_.GetUniformLocation(program_, "exposureStops");
     toneMapLocation_ = gl_.GetUniformLocation(program_, "toneMap");
@@ -95,7 +95,7 @@ ImageDisplay::~ImageDisplay() {
     gl_.DeleteTextures(2, textures);
     gl_.DeleteFramebuffers(1, &framebuffer_);
     gl_.DeleteVertexArrays(1, &vertexArray_);
-    if (program_ != 0) gl_.DeleteProgram(program_);
+    if (program_ != 0) { gl_.DeleteProgram(program_); }
 }
 
 void ImageDisplay::shape(int width, int height, bool smooth) {
@@ -136,12 +136,14 @@ void ImageDisplay::uploadColors(const uint8_t* rgba, int width, int height, bool
 }
 
 void ImageDisplay::update(const Look& look) {
-    if (!hasRadiance_ || (!stale_ && look == look_)) return;
+    if (!hasRadiance_ || (!stale_ && look == look_)) { return; }
     look_ = look;
     stale_ = false;
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     gl_.Viewport(0, 0, width_, height_);
-    for (const GLenum state : {GL_BLEND, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_CULL_FACE}) gl_.Disable(state);
+    for (const GLenum state : {GL_BLEND, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_CULL_FACE}) {
+        gl_.Disable(state);
+    }
     gl_.UseProgram(program_);
     gl_.Uniform1f(exposureLocation_, look.exposureStops);
     gl_.Uniform1i(toneMapLocation_, static_cast<int>(look.toneMap));

@@ -23,8 +23,8 @@ class ImageDisplay {
     ImageDisplay(const ImageDisplay&) = delete;
     ImageDisplay& operator=(const ImageDisplay&) = delete;
 
-    /// 3 floats a pixel, row 0 at the top. `smooth`: magnified with interpolation (a preview), otherwise as
-    /// squares.
+    /// 3 floats a pixel, row 0 at the top. `smooth`: magnified with interpolation (a preview), otherwise
+    /// as squares.
     void upload(const float* rgb, int width, int height, bool smooth);
     /// Colours as the screen shows them, 4 bytes a pixel; the look does not touch them.
     void uploadColors(const uint8_t* rgba, int width, int height, bool smooth);
@@ -38,8 +38,8 @@ class ImageDisplay {
     /// Draws the tone-mapped copy if the radiance or the look is new.
     void update(const Look& look);
 
-    /// Texture name of the tone-mapped copy; its first row is the picture's top row. 0 before the first
-    /// upload.
+    /// Texture name of the tone-mapped copy; its first row is the picture's top row. 0 before the
+    /// first upload.
     unsigned int texture() const { return width_ > 0 ? displayTexture_ : 0; }
     int width() const { return width_; }
     int height() const { return height_; }

@@ -23,7 +23,7 @@ bool isDown(int key) { return ImGui::IsKeyDown(key); }
 /// Which way the fly keys point; zero when none is down or a text field has the keyboard.
 Vec3 flyDirection() {
     const ImGuiIO& io = ImGui::GetIO();
-    if (io.WantTextInput || io.KeyCtrl || io.KeyAlt) return Vec3(0.0f);
+    if (io.WantTextInput || io.KeyCtrl || io.KeyAlt) { return Vec3(0.0f); }
     const auto axis = [](int plus, int minus) {
         return static_cast<float>(isDown(plus)) - static_cast<float>(isDown(minus));
     };
@@ -38,7 +38,7 @@ void drawHint(Vec2 min, Vec2 max, const char* text) {
 
 }  // namespace
 
-void ImageView::placePicture(const ViewerModel& model, Vec2 min, Vec2 max) {
+void ImageView::placeImage(const ViewerModel& model, Vec2 min, Vec2 max) {
     const Resolution& size = model.draft().resolution;
     const Vec2 film(static_cast<float>(std::max(size.width, 1)),
                     static_cast<float>(std::max(size.height, 1)));
@@ -47,14 +47,14 @@ void ImageView::placePicture(const ViewerModel& model, Vec2 min, Vec2 max) {
     const ImVec2 pixelScale = ImGui::GetIO().DisplayFramebufferScale;
     zoom_ = model.display.pixelScale ? 1.0f / std::max(pixelScale.x, 1.0f) : fit;
     const Vec2 shown = film * zoom_;
-    pictureMin_ = {std::floor(min.x + (room.x - shown.x) * 0.5f),
-                   std::floor(min.y + (room.y - shown.y) * 0.5f)};
-    pictureMax_ = pictureMin_ + shown;
+    imageMin_ = {std::floor(min.x + (room.x - shown.x) * 0.5f),
+                 std::floor(min.y + (room.y - shown.y) * 0.5f)};
+    imageMax_ = imageMin_ + shown;
 }
 
 bool ImageView::navigate(Camera* camera, bool hovered, bool held) {
     const ImGuiIO& io = ImGui::GetIO();
-    const float height = pictureMax_.y - pictureMin_.y;
+    const float height = imageMax_.y - imageMin_.y;
     const Vec2 delta(io.MouseDelta.x, io.MouseDelta.y);
     if (held && (delta.x != 0.0f || delta.y != 0.0f)) {
         if (!ImGui::IsMouseDown(ImGuiMouseButton_Left) || io.KeyShift) {
@@ -78,7 +78,7 @@ bool ImageView::navigate(Camera* camera, bool hovered, bool held) {
     return held || flying || (lastWheel_ >= 0.0 && ImGui::GetTime() - lastWheel_ < kWheelHoldSeconds);
 }
 
-bool ImageView::draw(ViewerModel* model, const Pictures& pictures, Vec2 min, Vec2 max) {
+bool ImageView::draw(ViewerModel* model, const ImageFiles& images, Vec2 min, Vec2 max) {
     ImGui::SetNextWindowPos({min.x, min.y});
     ImGui::SetNextWindowSize({max.x - min.x, max.y - min.y});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
@@ -86,8 +86,8 @@ bool ImageView::draw(ViewerModel* model, const Pictures& pictures, Vec2 min, Vec
     ImGui::Begin("##image", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
-    if (model->hasScene()) placePicture(*model, min, max);
-    if (model->hasScene() && model->display.split) dragDivider(&model->display, pictureMin_, pictureMax_);
+    if (model->hasScene()) { placeImage(*model, min, max); }
+    if (model->hasScene() && model->display.split) { dragDivider(&model->display, imageMin_, imageMax_); }
     ImGui::SetCursorScreenPos({min.x, min.y});
     ImGui::InvisibleButton("##area", {max.x - min.x, max.y - min.y},
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
@@ -99,17 +99,16 @@ bool ImageView::draw(ViewerModel* model, const Pictures& pictures, Vec2 min, Vec
     bool moving = false;
     if (model->hasScene()) {
         moving = navigate(&model->draft().camera, hovered, held);
-        if (pictures.main->texture() != 0) {
-            drawPictures(*model, pictures, pictureMin_, pictureMax_);
+        if (images.main->texture() != 0) {
+            drawImages(*model, images, imageMin_, imageMax_);
         } else {
             drawHint(min, max, "Building…");
         }
         const ImVec2 mouse = ImGui::GetIO().MousePos;
-        if (hovered && mouse.x >= pictureMin_.x && mouse.y >= pictureMin_.y && mouse.x < pictureMax_.x &&
-            mouse.y < pictureMax_.y) {
-            hoveredPixel_ = Vec2i((Vec2(mouse.x, mouse.y) - pictureMin_) / zoom_);
-            const bool onRight =
-                mouse.x > pictureMin_.x + (pictureMax_.x - pictureMin_.x) * model->display.splitAt;
+        if (hovered && mouse.x >= imageMin_.x && mouse.y >= imageMin_.y && mouse.x < imageMax_.x &&
+            mouse.y < imageMax_.y) {
+            hoveredPixel_ = Vec2i((Vec2(mouse.x, mouse.y) - imageMin_) / zoom_);
+            const bool onRight = mouse.x > imageMin_.x + (imageMax_.x - imageMin_.x) * model->display.splitAt;
             const bool mainIsRight = model->draft().options.integrator == IntegratorKind::Sppm;
             hoversOther_ = model->display.split && onRight != mainIsRight;
         }

@@ -13,7 +13,7 @@ namespace glint {
 class ImageView {
   public:
     /// Draws into the given rectangle (ImGui units). Returns true while the user holds the camera.
-    bool draw(ViewerModel* model, const Pictures& pictures, Vec2 min, Vec2 max);
+    bool draw(ViewerModel* model, const ImageFiles& images, Vec2 min, Vec2 max);
 
     /// The film's pixel under the mouse.
     const std::optional<Vec2i>& hoveredPixel() const { return hoveredPixel_; }
@@ -23,11 +23,11 @@ class ImageView {
     float zoom() const { return zoom_; }
 
   private:
-    void placePicture(const ViewerModel& model, Vec2 min, Vec2 max);
+    void placeImage(const ViewerModel& model, Vec2 min, Vec2 max);
     bool navigate(Camera* camera, bool hovered, bool held);
 
-    Vec2 pictureMin_{0.0f};
-    Vec2 pictureMax_{0.0f};
+    Vec2 imageMin_{0.0f};
+    Vec2 imageMax_{0.0f};
     float zoom_ = 1.0f;
     double lastWheel_ = -1.0;
     std::optional<Vec2i> hoveredPixel_;

@@ -43,12 +43,10 @@ void JobQueue::start(Work work, bool mustFinish) {
         Completion completion;
         try {
             completion = work();
-        } catch (const std::exception& problem) {
-            logError("a background job stopped: {}", problem.what());
-        }
+        } catch (const std::exception& problem) { logError("a background job stopped: {}", problem.what()); }
         {
             const std::lock_guard lock(shared->mutex);
-            if (completion) shared->completions.push_back(std::move(completion));
+            if (completion) { shared->completions.push_back(std::move(completion)); }
             --shared->running;
             shared->mustFinish -= mustFinish;
         }
@@ -63,7 +61,9 @@ void JobQueue::runCompletions() {
         const std::lock_guard lock(shared_->mutex);
         ready.swap(shared_->completions);
     }
-    for (const Completion& completion : ready) completion();
+    for (const Completion& completion : ready) {
+        completion();
+    }
 }
 
 int JobQueue::running() const {

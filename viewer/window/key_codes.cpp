@@ -102,19 +102,23 @@ void setKeyMap(ImGuiIO* io) {
         {ImGuiKey_Y, GLFW_KEY_Y},
         {ImGuiKey_Z, GLFW_KEY_Z},
     };
-    for (const auto& [key, code] : map) io->KeyMap[key] = code;
+    for (const auto& [key, code] : map) {
+        io->KeyMap[key] = code;
+    }
 }
 
 std::optional<int> keyCode(std::string_view name) {
     for (const auto& [known, code] : kKeys) {
-        if (known == name) return code;
+        if (known == name) { return code; }
     }
     return std::nullopt;
 }
 
 std::vector<std::string_view> keyNames() {
     std::vector<std::string_view> names;
-    for (const auto& key : kKeys) names.push_back(key.first);
+    for (const auto& key : kKeys) {
+        names.push_back(key.first);
+    }
     return names;
 }
 

@@ -58,21 +58,22 @@ bool findRanges(const LogLogPlot& plot, Axes* axes) {
     Extent bands;
     for (const PlotCurve& curve : plot.curves) {
         for (const PlotPoint& point : curve.points) {
-            if (!isDrawn(point)) continue;
+            if (!isDrawn(point)) { continue; }
             x.add(point.x);
             y.add(point.y);
-            if (!hasBand(point)) continue;
+            if (!hasBand(point)) { continue; }
             bands.add(point.low);
             bands.add(point.high);
         }
     }
-    if (x.high <= 0.0) return false;
+    if (x.high <= 0.0) { return false; }
     if (bands.high > 0.0) {
         y.add(std::max(bands.low, y.low / 4.0));
         y.add(std::min(bands.high, y.high * 4.0));
     }
-    if (plot.targetY && isPositive(*plot.targetY) && *plot.targetY * kTargetBelowCurves > y.low)
+    if (plot.targetY && isPositive(*plot.targetY) && *plot.targetY * kTargetBelowCurves > y.low) {
         y.add(*plot.targetY);
+    }
     axes->x = axisOver(x.low, x.high);
     axes->y = axisOver(y.low, y.high);
     return true;
@@ -106,7 +107,7 @@ void drawGrid(const Axes& axes, ImDrawList* draw) {
     for (const LogTick& tick : ticksOf(axes.x, axes.max.x - axes.min.x, labelRoom())) {
         const float x = axes.placeX(share(tick, axes.x));
         draw->AddLine({x, axes.min.y}, {x, axes.max.y}, tick.digit == 1 ? kGrid : kMinorGrid);
-        if (!tick.labelled) continue;
+        if (!tick.labelled) { continue; }
         const LogTickText text = tickText(tick, axes.x);
         const float width = sizeOf(text).x;
         drawTickText(text, {std::min(x - width * 0.5f, axes.max.x + gap - width), axes.max.y + gap * 0.5f},
@@ -115,7 +116,7 @@ void drawGrid(const Axes& axes, ImDrawList* draw) {
     for (const LogTick& tick : ticksOf(axes.y, axes.max.y - axes.min.y, 1.3f * ImGui::GetFontSize())) {
         const float y = axes.placeY(share(tick, axes.y));
         draw->AddLine({axes.min.x, y}, {axes.max.x, y}, tick.digit == 1 ? kGrid : kMinorGrid);
-        if (!tick.labelled) continue;
+        if (!tick.labelled) { continue; }
         const LogTickText text = tickText(tick, axes.y);
         const ImVec2 size = sizeOf(text);
         drawTickText(text, {axes.min.x - gap - size.x, y - size.y * 0.5f}, draw);
@@ -167,7 +168,7 @@ void drawCurve(const Axes& axes, const PlotCurve& curve, ImDrawList* draw) {
     std::vector<ImVec2> line;
     line.reserve(curve.points.size());
     for (const PlotPoint& point : curve.points) {
-        if (isDrawn(point)) line.push_back(axes.place(point.x, point.y));
+        if (isDrawn(point)) { line.push_back(axes.place(point.x, point.y)); }
     }
     const float thickness = (curve.isFaint ? 1.0f : 1.8f) * scale;
     if (curve.isDashed) {
@@ -176,16 +177,19 @@ void drawCurve(const Axes& axes, const PlotCurve& curve, ImDrawList* draw) {
         draw->AddPolyline(line.data(), static_cast<int>(line.size()), color, 0, thickness);
     }
     const size_t firstDot = curve.hasMarkers || line.empty() ? 0 : line.size() - 1;
-    if (curve.isFaint) return;
-    for (size_t i = firstDot; i < line.size(); ++i) draw->AddCircleFilled(line[i], 2.6f * scale, color);
+    if (curve.isFaint) { return; }
+    for (size_t i = firstDot; i < line.size(); ++i) {
+        draw->AddCircleFilled(line[i], 2.6f * scale, color);
+    }
 }
 
 void drawTarget(const Axes& axes, double target, ImDrawList* draw) {
     const float y = axes.placeY(axes.y.share(target));
-    if (y < axes.min.y || y > axes.max.y) return;
+    if (y < axes.min.y || y > axes.max.y) { return; }
     const float dash = 6.0f * ui::scale();
-    for (float x = axes.min.x; x < axes.max.x; x += 2.0f * dash)
+    for (float x = axes.min.x; x < axes.max.x; x += 2.0f * dash) {
         draw->AddLine({x, y}, {std::min(x + dash, axes.max.x), y}, kTargetColor, ui::scale());
+    }
 }
 
 /// In the plot's last line, up to `right`.
@@ -205,7 +209,7 @@ void drawTitles(const LogLogPlot& plot, const Axes& axes, Vec2 min, Vec2 max, Im
     draw->AddText({min.x + margin, min.y + margin}, dim, plot.yTitle.c_str());
     float right = max.x - margin;
     for (auto curve = plot.curves.rbegin(); curve != plot.curves.rend(); ++curve) {
-        if (curve->isFaint || curve->points.empty()) continue;
+        if (curve->isFaint || curve->points.empty()) { continue; }
         right -= ImGui::CalcTextSize(curve->name.c_str()).x;
         draw->AddText({right, min.y + margin}, text, curve->name.c_str());
         const float y = min.y + margin + line * 0.5f;
@@ -214,7 +218,7 @@ void drawTitles(const LogLogPlot& plot, const Axes& axes, Vec2 min, Vec2 max, Im
         draw->AddCircleFilled({right - 11.5f * scale, y}, 2.6f * scale, color);
         right -= 28.0f * scale;
     }
-    if (plot.warning.empty()) drawBelow(plot.xTitle, dim, axes.max.x, max.y, draw);
+    if (plot.warning.empty()) { drawBelow(plot.xTitle, dim, axes.max.x, max.y, draw); }
 }
 
 PlotHover hoverOf(const LogLogPlot& plot, const Axes& axes) {
@@ -231,11 +235,11 @@ PlotHover hoverOf(const LogLogPlot& plot, const Axes& axes) {
         float left = std::numeric_limits<float>::infinity();
         float right = -left;
         for (size_t i = 0; i < curve.points.size(); ++i) {
-            if (!isDrawn(curve.points[i])) continue;
+            if (!isDrawn(curve.points[i])) { continue; }
             const float x = axes.place(curve.points[i].x, curve.points[i].y).x;
             left = std::min(left, x);
             right = std::max(right, x);
-            if (std::fabs(x - mouse.x) >= nearest) continue;
+            if (std::fabs(x - mouse.x) >= nearest) { continue; }
             nearest = std::fabs(x - mouse.x);
             found = i;
         }
@@ -250,7 +254,7 @@ void drawHover(const LogLogPlot& plot, const PlotHover& hover, const Axes& axes,
     const float x = ImGui::GetIO().MousePos.x;
     draw->AddLine({x, axes.min.y}, {x, axes.max.y}, kGrid);
     for (size_t i = 0; i < hover.size(); ++i) {
-        if (!hover[i] || plot.curves[i].isFaint) continue;
+        if (!hover[i] || plot.curves[i].isFaint) { continue; }
         const PlotPoint& point = plot.curves[i].points[*hover[i]];
         const ImVec2 at = axes.place(point.x, point.y);
         draw->AddCircleFilled(at, 4.5f * scale, colorOf(plot.curves[i].color, 1.0f));
@@ -279,12 +283,15 @@ PlotHover drawLogLogPlot(const LogLogPlot& plot, Vec2 min, Vec2 max) {
     drawGrid(axes, draw);
     drawTitles(plot, axes, min, max, draw);
     draw->PushClipRect(axes.min, axes.max, true);
-    for (const PlotCurve& curve : plot.curves) drawBand(axes, curve, draw);
-    if (plot.targetY && isPositive(*plot.targetY)) drawTarget(axes, *plot.targetY, draw);
-    for (auto curve = plot.curves.rbegin(); curve != plot.curves.rend(); ++curve)
+    for (const PlotCurve& curve : plot.curves) {
+        drawBand(axes, curve, draw);
+    }
+    if (plot.targetY && isPositive(*plot.targetY)) { drawTarget(axes, *plot.targetY, draw); }
+    for (auto curve = plot.curves.rbegin(); curve != plot.curves.rend(); ++curve) {
         drawCurve(axes, *curve, draw);
+    }
     PlotHover hover = hoverOf(plot, axes);
-    if (!hover.empty()) drawHover(plot, hover, axes, draw);
+    if (!hover.empty()) { drawHover(plot, hover, axes, draw); }
     draw->PopClipRect();
     return hover;
 }

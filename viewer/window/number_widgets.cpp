@@ -18,7 +18,7 @@ namespace {
 bool parseNumber(const std::string& word, float* value) {
     char* end = nullptr;
     const float parsed = std::strtof(word.c_str(), &end);
-    if (word.empty() || *end != '\0' || !std::isfinite(parsed)) return false;
+    if (word.empty() || *end != '\0' || !std::isfinite(parsed)) { return false; }
     *value = parsed;
     return true;
 }
@@ -30,11 +30,12 @@ float clamped(float value, const NumberStyle& style) {
 /// Applies a script's assignment of `count` numbers.
 bool assignNumbers(std::string_view label, float* values, int count, const NumberStyle& style) {
     const auto words = frameRegistry()->takeAssignment(label);
-    if (!words) return false;
+    if (!words) { return false; }
     std::array<float, 3> parsed{};
     bool good = static_cast<int>(words->size()) == count;
-    for (int i = 0; good && i < count; ++i)
+    for (int i = 0; good && i < count; ++i) {
         good = parseNumber((*words)[static_cast<size_t>(i)], &parsed[static_cast<size_t>(i)]);
+    }
     if (!good) {
         frameRegistry()->reject(count == 1 ? "expected a number" : fmt::format("expected {} numbers", count));
         return false;
@@ -56,7 +57,7 @@ bool dragField(const char* id, float* value, const NumberStyle& style) {
     const bool changed = style.slider
                              ? ImGui::SliderFloat(id, value, style.min, style.max, format, kClamp)
                              : ImGui::DragFloat(id, value, style.speed, style.min, style.max, format, kClamp);
-    if (std::isfinite(*value)) return changed;
+    if (std::isfinite(*value)) { return changed; }
     *value = before;
     return false;
 }
@@ -71,7 +72,7 @@ bool dragFields3(const char* label, Vec3* vector, const NumberStyle& style, cons
         float* component = &vector->x + i;
         const std::string name = fmt::format("{}.{}", label, suffixes[i]);
         changed |= assignNumbers(name, component, 1, style);
-        if (i > 0) ImGui::SameLine(0.0f, spacing);
+        if (i > 0) { ImGui::SameLine(0.0f, spacing); }
         ImGui::SetNextItemWidth(fieldWidth);
         changed |= dragField(fmt::format("##{}", i).c_str(), component, style);
         record(WidgetKind::Number, name, fmt::format("{}", *component));
@@ -81,13 +82,13 @@ bool dragFields3(const char* label, Vec3* vector, const NumberStyle& style, cons
 }
 
 bool pickColor(Vec3* value) {
-    if (!ImGui::BeginPopup("picker")) return false;
+    if (!ImGui::BeginPopup("picker")) { return false; }
     Vec3 encoded = screenColor(*value);
     const bool changed =
         ImGui::ColorPicker3("##picker", &encoded.x,
                             ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoSmallPreview |
                                 ImGuiColorEditFlags_DisplayRGB | ImGuiColorEditFlags_DisplayHSV);
-    if (changed) *value = {srgbToLinear(encoded.x), srgbToLinear(encoded.y), srgbToLinear(encoded.z)};
+    if (changed) { *value = {srgbToLinear(encoded.x), srgbToLinear(encoded.y), srgbToLinear(encoded.z)}; }
     ImGui::EndPopup();
     return changed;
 }
@@ -108,7 +109,7 @@ bool integer(const char* label, int* value, const NumberStyle& style) {
     beginRow(label, style.tooltip);
     float assigned = static_cast<float>(*value);
     bool changed = assignNumbers(label, &assigned, 1, style);
-    if (changed) *value = static_cast<int>(std::lround(assigned));
+    if (changed) { *value = static_cast<int>(std::lround(assigned)); }
     const char* format = *value == 0 && style.zeroText != nullptr ? style.zeroText : style.format;
     changed |= ImGui::DragInt("##value", value, style.speed, static_cast<int>(style.min),
                               static_cast<int>(style.max), format, ImGuiSliderFlags_AlwaysClamp);

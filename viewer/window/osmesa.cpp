@@ -42,7 +42,7 @@ class Context final : public OsMesaContext {
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
     ~Context() override {
-        if (context_ != nullptr) api_.destroyContext(context_);
+        if (context_ != nullptr) { api_.destroyContext(context_); }
     }
 
     bool open(int width, int height) {
@@ -75,7 +75,7 @@ class Context final : public OsMesaContext {
 
 Result<std::unique_ptr<OsMesaContext>> OsMesaContext::create(int width, int height) {
     const auto api = openOsMesa();
-    if (!api) return api.error();
+    if (!api) { return api.error(); }
     auto context = std::make_unique<Context>(*api);
     if (!context->open(width, height)) {
         return Error{fmt::format("{} refuses an OpenGL 3.3 context of {}x{}", kOsMesaLibrary, width, height),

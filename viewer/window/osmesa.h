@@ -1,7 +1,7 @@
 // Mesa's off-screen renderer, opened when it is needed: a command that draws no window never loads it.
 //
-// Apart from the surface because <GL/osmesa.h> brings an old <GL/gl.h> that does not go together with core
-// OpenGL's.
+// Apart from the surface because <GL/osmesa.h> brings an old <GL/gl.h> that does not go together with
+// core OpenGL's.
 #pragma once
 
 #include <memory>

@@ -9,7 +9,7 @@ namespace glint {
 
 /// `filmPixel` counts in full resolution and is clamped to the picture. "" where the snapshot does not carry
 /// that picture (yet). `reference` may be null.
-std::string pixelReadout(const FilmSnapshot& snapshot, ShownPicture wanted, const LoadedReference* reference,
+std::string pixelReadout(const FilmSnapshot& snapshot, ShownImage wanted, const LoadedReference* reference,
                          Vec2i filmPixel);
 
 }  // namespace glint

@@ -53,7 +53,7 @@ class ReferenceErrors {
     bool loading() const { return loading_; }
     const std::optional<Error>& loadError() const { return loadError_; }
     /// Null without one.
-    const std::shared_ptr<const LoadedReference>& picture() const { return picture_; }
+    const std::shared_ptr<const LoadedReference>& image() const { return image_; }
     /// Why it cannot be compared with a picture of this size; "" when it can, or when there is none.
     std::string mismatch(int width, int height) const;
 
@@ -65,28 +65,34 @@ class ReferenceErrors {
     /// Once a frame for each snapshot that is shown. `resting`: no further pass will come by itself.
     void observe(const std::shared_ptr<const FilmSnapshot>& snapshot, bool resting);
     /// Passes rising.
-    const std::vector<ReferencePoint>& points(IntegratorKind kind) const { return track(kind).points; }
+    const std::vector<ReferencePoint>& points(IntegratorKind kind) const {
+        return integratorState(kind).points;
+    }
     /// Of the last film before the present one that had more than a few of them.
-    const std::vector<ReferencePoint>& pointsBefore(IntegratorKind kind) const { return track(kind).before; }
+    const std::vector<ReferencePoint>& pointsBefore(IntegratorKind kind) const {
+        return integratorState(kind).before;
+    }
     bool measuring() const;
 
   private:
-    struct Track {
+    struct IntegratorState {
         std::vector<ReferencePoint> points;
         std::vector<ReferencePoint> before;
         double filmBegan = 0.0;  ///< render seconds of the film's first point: its name; 0: there is none
         bool measuring = false;
     };
-    const Track& track(IntegratorKind kind) const { return tracks_[static_cast<size_t>(kind)]; }
+    const IntegratorState& integratorState(IntegratorKind kind) const {
+        return integratorStates_[static_cast<size_t>(kind)];
+    }
     void forgetPoints();
-    void measure(std::shared_ptr<const FilmSnapshot> snapshot, Track* track);
+    void measure(std::shared_ptr<const FilmSnapshot> snapshot, IntegratorState* integratorState);
 
     JobQueue jobs_;
-    std::shared_ptr<const LoadedReference> picture_;
+    std::shared_ptr<const LoadedReference> image_;
     std::optional<Error> loadError_;
     bool loading_ = false;
     std::string next_;  ///< to be loaded after the one that is being loaded
-    std::array<Track, 2> tracks_;
+    std::array<IntegratorState, 2> integratorStates_;
 };
 
 /// The points as a curve without bands, for forecastError().

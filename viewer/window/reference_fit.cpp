@@ -16,7 +16,7 @@ namespace glint {
 namespace {
 
 std::string changed(std::vector<std::string> what) {
-    if (what.empty()) return "";
+    if (what.empty()) { return ""; }
     const bool isPlural = what.size() > 1 || what.back().ends_with('s');
     const std::string last = std::move(what.back());
     what.pop_back();
@@ -28,20 +28,22 @@ std::string changed(std::vector<std::string> what) {
 void addOptions(const SceneDescription& then, const SceneDescription& now, std::vector<std::string>* what) {
     const RenderOptions& a = then.options;
     const RenderOptions& b = now.options;
-    if (!(then.resolution == now.resolution)) what->emplace_back("the size");
-    if (a.maxDepth != b.maxDepth) what->emplace_back("the max depth");
-    if (a.filter != b.filter || a.filterRadius != b.filterRadius) what->emplace_back("the filter");
+    if (!(then.resolution == now.resolution)) { what->emplace_back("the size"); }
+    if (a.maxDepth != b.maxDepth) { what->emplace_back("the max depth"); }
+    if (a.filter != b.filter || a.filterRadius != b.filterRadius) { what->emplace_back("the filter"); }
 }
 
 /// Nothing: only fingerprints can tell, since the two do not share their data.
 std::optional<std::string> editsBetween(const SceneDescription& then, const SceneDescription& now) {
     const EditKind kinds = differences(then, now);
-    if (has(kinds, EditKind::Everything)) return std::nullopt;
+    if (has(kinds, EditKind::Everything)) { return std::nullopt; }
     std::vector<std::string> what;
-    if (has(kinds, EditKind::Camera)) what.emplace_back("the camera");
-    if (has(kinds, EditKind::MaterialParameters | EditKind::MaterialKind)) what.emplace_back("the materials");
-    if (has(kinds, EditKind::Lights)) what.emplace_back("the lights");
-    if (has(kinds, EditKind::ObjectTransform)) what.emplace_back("the objects");
+    if (has(kinds, EditKind::Camera)) { what.emplace_back("the camera"); }
+    if (has(kinds, EditKind::MaterialParameters | EditKind::MaterialKind)) {
+        what.emplace_back("the materials");
+    }
+    if (has(kinds, EditKind::Lights)) { what.emplace_back("the lights"); }
+    if (has(kinds, EditKind::ObjectTransform)) { what.emplace_back("the objects"); }
     addOptions(then, now, &what);
     return changed(std::move(what));
 }
@@ -51,7 +53,9 @@ std::string hashedDifference(const SceneDescription& then, const SceneDescriptio
     const SceneHashes after = hashSceneParts(now);
     std::vector<std::string> what;
     for (size_t i = 0; i < before.parts.size(); ++i) {
-        if (!(before.parts[i] == after.parts[i])) what.emplace_back(scenePartName(static_cast<ScenePart>(i)));
+        if (!(before.parts[i] == after.parts[i])) {
+            what.emplace_back(scenePartName(static_cast<ScenePart>(i)));
+        }
     }
     addOptions(then, now, &what);
     return changed(std::move(what));
@@ -64,7 +68,7 @@ bool ReferenceFit::namesItsScene() const { return reference_->attributes.contain
 void ReferenceFit::answer(const Scene& scene, std::string difference) {
     checked_ = scene;
     difference_ = std::move(difference);
-    if (difference_.empty()) known_ = scene;
+    if (difference_.empty()) { known_ = scene; }
 }
 
 void ReferenceFit::startHash() {
@@ -77,7 +81,7 @@ void ReferenceFit::startHash() {
                 named ? referenceDifference(reference->attributes, *scene) : hashedDifference(*known, *scene);
             return [this, reference, scene, difference] {
                 hashing_ = false;
-                if (reference == reference_) answer(scene, difference);
+                if (reference == reference_) { answer(scene, difference); }
             };
         },
         false);
@@ -94,12 +98,12 @@ void ReferenceFit::check(const std::shared_ptr<const LoadedReference>& reference
     }
     jobs_.runCompletions();
     scene_ = scene;
-    if (!reference_ || !scene_ || scene_ == checked_) return;
-    if (!known_ && !namesItsScene()) return answer(scene_, "");
+    if (!reference_ || !scene_ || scene_ == checked_) { return; }
+    if (!known_ && !namesItsScene()) { return answer(scene_, ""); }
     if (known_) {
-        if (auto edits = editsBetween(*known_, *scene_)) return answer(scene_, std::move(*edits));
+        if (auto edits = editsBetween(*known_, *scene_)) { return answer(scene_, std::move(*edits)); }
     }
-    if (mayHash && !hashing_) startHash();
+    if (mayHash && !hashing_) { startHash(); }
 }
 
 }  // namespace glint

@@ -18,13 +18,13 @@ bool sameParameters(const Material& a, const Material& b) {
 }
 
 EditKind materialDifferences(const std::vector<Material>& before, const std::vector<Material>& after) {
-    if (before.size() != after.size()) return EditKind::Everything;
+    if (before.size() != after.size()) { return EditKind::Everything; }
     EditKind kinds = EditKind::None;
     for (size_t i = 0; i < before.size(); ++i) {
         const bool sameKind =
             before[i].kind == after[i].kind && before[i].color.texture == after[i].color.texture;
-        if (!sameKind) kinds |= EditKind::MaterialKind;
-        if (!sameParameters(before[i], after[i])) kinds |= EditKind::MaterialParameters;
+        if (!sameKind) { kinds |= EditKind::MaterialKind; }
+        if (!sameParameters(before[i], after[i])) { kinds |= EditKind::MaterialParameters; }
     }
     return kinds;
 }
@@ -43,7 +43,7 @@ bool sameLights(const SceneDescription& a, const SceneDescription& b) {
         return false;
     }
     for (size_t i = 0; i < a.lights.size(); ++i) {
-        if (!sameLight(a.lights[i], b.lights[i])) return false;
+        if (!sameLight(a.lights[i], b.lights[i])) { return false; }
     }
     return true;
 }
@@ -54,20 +54,22 @@ bool sameContent(const SceneDescription& a, const SceneDescription& b) {
         return false;
     }
     for (size_t i = 0; i < a.meshes.size(); ++i) {
-        if (a.meshes[i].data != b.meshes[i].data) return false;
+        if (a.meshes[i].data != b.meshes[i].data) { return false; }
     }
     for (size_t i = 0; i < a.objects.size(); ++i) {
         const Object& x = a.objects[i];
         const Object& y = b.objects[i];
-        if (x.shape != y.shape || x.mesh != y.mesh || x.material != y.material || x.frontOnly != y.frontOnly)
+        if (x.shape != y.shape || x.mesh != y.mesh || x.material != y.material ||
+            x.frontOnly != y.frontOnly) {
             return false;
+        }
     }
     return true;
 }
 
 bool sameTransforms(const SceneDescription& a, const SceneDescription& b) {
     for (size_t i = 0; i < a.objects.size(); ++i) {
-        if (!(a.objects[i].objectToWorld == b.objects[i].objectToWorld)) return false;
+        if (!(a.objects[i].objectToWorld == b.objects[i].objectToWorld)) { return false; }
     }
     return true;
 }
@@ -77,21 +79,21 @@ EditKind optionDifferences(const RenderOptions& before, const RenderOptions& aft
     RenderOptions switched = before;
     switched.integrator = after.integrator;
     EditKind kinds = switched == after ? EditKind::None : EditKind::Options;
-    if (before.integrator != after.integrator) kinds |= EditKind::Integrator;
+    if (before.integrator != after.integrator) { kinds |= EditKind::Integrator; }
     return kinds;
 }
 
 }  // namespace
 
 EditKind differences(const SceneDescription& before, const SceneDescription& after) {
-    if (!sameContent(before, after)) return EditKind::Everything;
+    if (!sameContent(before, after)) { return EditKind::Everything; }
     EditKind kinds = materialDifferences(before.materials, after.materials);
-    if (!sameCamera(before.camera, after.camera)) kinds |= EditKind::Camera;
-    if (!(before.resolution == after.resolution)) kinds |= EditKind::Resolution;
+    if (!sameCamera(before.camera, after.camera)) { kinds |= EditKind::Camera; }
+    if (!(before.resolution == after.resolution)) { kinds |= EditKind::Resolution; }
     kinds |= optionDifferences(before.options, after.options);
-    if (!(before.sppm == after.sppm)) kinds |= EditKind::SppmParameters;
-    if (!sameLights(before, after)) kinds |= EditKind::Lights;
-    if (!sameTransforms(before, after)) kinds |= EditKind::ObjectTransform;
+    if (!(before.sppm == after.sppm)) { kinds |= EditKind::SppmParameters; }
+    if (!sameLights(before, after)) { kinds |= EditKind::Lights; }
+    if (!sameTransforms(before, after)) { kinds |= EditKind::ObjectTransform; }
     return kinds;
 }
 

@@ -59,12 +59,12 @@ constexpr Form kForms[] = {
 std::optional<float> asNumber(const ScriptWord& word) {
     char* end = nullptr;
     const float value = std::strtof(word.text.c_str(), &end);
-    if (word.quoted || word.text.empty() || *end != '\0') return std::nullopt;
+    if (word.quoted || word.text.empty() || *end != '\0') { return std::nullopt; }
     return value;
 }
 
 bool isChoice(const ScriptWord& word, std::string_view choices) {
-    if (word.quoted) return false;
+    if (word.quoted) { return false; }
     const std::string padded = fmt::format(" {} ", choices);
     return padded.find(fmt::format(" {} ", word.text)) != std::string::npos;
 }
@@ -104,9 +104,9 @@ Match match(const ScriptStatement& statement, const Form& form) {
         }
         const bool repeats = form.words[i] == '*';
         const char letter = repeats ? form.words[i - 1] : form.words[i];
-        if (word == statement.words.size()) return {optional || repeats, word};
+        if (word == statement.words.size()) { return {optional || repeats, word}; }
         do {
-            if (!fits(statement.words[word], letter, form)) return {false, word};
+            if (!fits(statement.words[word], letter, form)) { return {false, word}; }
             ++word;
         } while (repeats && word < statement.words.size());
     }
@@ -119,9 +119,9 @@ Status check(const ScriptStatement& statement) {
     std::string usages;
     for (const Form& form : kForms) {
         verbs.push_back(form.verb);
-        if (form.verb != statement.verb) continue;
+        if (form.verb != statement.verb) { continue; }
         const Match matched = match(statement, form);
-        if (matched.whole) return {};
+        if (matched.whole) { return {}; }
         furthest = std::max(furthest, matched.fitting);
         usages += (usages.empty() ? "" : "  or  ") + std::string(form.usage);
     }
@@ -143,7 +143,7 @@ Result<std::vector<ScriptWord>> splitWords(std::string_view line, const SourcePl
             ++i;
             continue;
         }
-        if (line[i] == '#') break;
+        if (line[i] == '#') { break; }
         ScriptWord word{.text = "", .column = static_cast<int>(i) + 1, .quoted = line[i] == '"'};
         const size_t end = word.quoted ? line.find('"', i + 1) : line.find_first_of(" \t\r", i);
         if (word.quoted && end == std::string_view::npos) {
@@ -180,11 +180,11 @@ Result<std::vector<ScriptStatement>> parseScript(std::string_view text, const st
     for (int number = 1; std::getline(lines, line); ++number) {
         SourcePlace place{file, number, 1, line};
         auto words = splitWords(line, place);
-        if (!words) return words.error();
-        if (words->empty()) continue;
+        if (!words) { return words.error(); }
+        if (words->empty()) { continue; }
         place.column = words->front().column;
         ScriptStatement statement{words->front().text, {words->begin() + 1, words->end()}, place};
-        if (Status checked = check(statement); !checked) return checked.error();
+        if (Status checked = check(statement); !checked) { return checked.error(); }
         statements.push_back(std::move(statement));
     }
     return statements;
@@ -192,7 +192,7 @@ Result<std::vector<ScriptStatement>> parseScript(std::string_view text, const st
 
 Result<std::vector<ScriptStatement>> loadScript(const std::string& file) {
     const auto text = readFile(file);
-    if (!text) return text.error();
+    if (!text) { return text.error(); }
     return parseScript(*text, file);
 }
 

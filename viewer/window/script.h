@@ -1,7 +1,7 @@
 // Scripts that play the viewer's input. The language is described in README.md here.
 //
-// Parsing checks every statement's words before anything runs; what a statement does is script_player's
-// business.
+// Parsing checks every statement's words before anything runs; what a statement does is
+// script_player's business.
 #pragma once
 
 #include <string>
@@ -30,8 +30,8 @@ struct ScriptStatement {
     float number(size_t word) const;
 };
 
-/// Error: an unknown verb (with the nearest), or words that the verb does not take, with line, column and
-/// caret.
+/// Error: an unknown verb (with the nearest), or words that the verb does not take, with line, column
+/// and caret.
 Result<std::vector<ScriptStatement>> parseScript(std::string_view text, const std::string& file);
 Result<std::vector<ScriptStatement>> loadScript(const std::string& file);
 

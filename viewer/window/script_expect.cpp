@@ -47,18 +47,18 @@ bool sameValue(const std::string& have, const std::string& want) {
 
 Status ScriptPlayer::expectWidget(const ScriptStatement& statement) {
     const auto widget = registry_->find(statement.words[0].text);
-    if (!widget) return statement.errorAt(0, widget.error().message);
+    if (!widget) { return statement.errorAt(0, widget.error().message); }
     std::string want;
     for (size_t i = 1; i < statement.words.size(); ++i) {
         want += (i > 1 ? " " : "") + statement.words[i].text;
     }
-    if (sameValue(widget->value, want)) return {};
+    if (sameValue(widget->value, want)) { return {}; }
     return statement.errorAt(
         1, fmt::format("\"{}\" is \"{}\"; expected \"{}\"", statement.words[0].text, widget->value, want));
 }
 
 Status ScriptPlayer::runExpect(const ScriptStatement& statement) {
-    if (statement.words[0].quoted) return expectWidget(statement);
+    if (statement.words[0].quoted) { return expectWidget(statement); }
     const std::string& what = statement.words[0].text;
     const SessionStatus status = model_->session().status();
     const std::string argument = statement.words.size() > 1 ? statement.words[1].text : "";
@@ -66,7 +66,7 @@ Status ScriptPlayer::runExpect(const ScriptStatement& statement) {
         return met ? Status() : Status(statement.errorAt(statement.words.size() > 1 ? 1 : 0, message));
     };
     for (const NamedCounter& counter : kCounters) {
-        if (counter.name != what) continue;
+        if (counter.name != what) { continue; }
         const uint64_t since = status.counters.*counter.member - mark_.*counter.member;
         return unless(static_cast<float>(since) == statement.number(1),
                       fmt::format("{} since the mark: {}; expected {}", what, since, argument));
@@ -79,14 +79,14 @@ Status ScriptPlayer::runExpect(const ScriptStatement& statement) {
         return unless(static_cast<float>(status.passes) >= statement.number(1),
                       fmt::format("{} passes so far", status.passes));
     }
-    if (what == "widget") return unless(registry_->find(argument).ok(), "it is not on screen");
-    if (what == "no-widget") return unless(!registry_->find(argument).ok(), "it is on screen");
+    if (what == "widget") { return unless(registry_->find(argument).ok(), "it is not on screen"); }
+    if (what == "no-widget") { return unless(!registry_->find(argument).ok(), "it is on screen"); }
     if (what == "message") {
         return unless(contains(model_->fileMessage(), argument),
                       fmt::format("the message is \"{}\"", model_->fileMessage()));
     }
     const std::string error = model_->openError() ? model_->openError()->format() : "";
-    if (what == "no-error") return unless(error.empty(), error);
+    if (what == "no-error") { return unless(error.empty(), error); }
     if (what == "error") {
         return unless(!error.empty() && contains(error, argument), fmt::format("the error is \"{}\"", error));
     }

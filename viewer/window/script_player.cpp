@@ -20,7 +20,9 @@ double secondsNow() {
 }
 
 int buttonOf(const ScriptStatement& statement, size_t word) {
-    if (word >= statement.words.size() || statement.words[word].text == "left") return ImGuiMouseButton_Left;
+    if (word >= statement.words.size() || statement.words[word].text == "left") {
+        return ImGuiMouseButton_Left;
+    }
     return statement.words[word].text == "right" ? ImGuiMouseButton_Right : ImGuiMouseButton_Middle;
 }
 
@@ -38,9 +40,11 @@ ScriptPlayer::ScriptPlayer(std::vector<ScriptStatement> statements, WidgetRegist
 Status ScriptPlayer::step() {
     wheel_ = 0.0f;
     typed_.clear();
-    if (registry_->widgets().empty()) return {};  // the first frames: nothing has been on screen yet
+    if (registry_->widgets().empty()) {
+        return {};  // the first frames: nothing has been on screen yet
+    }
     while (next_ < statements_.size() && actions_.empty() && !finishing_) {
-        if (attempts_ == 0) began_ = secondsNow();
+        if (attempts_ == 0) { began_ = secondsNow(); }
         auto progress = run(statements_[next_]);
         if (!progress) {
             next_ = statements_.size();
@@ -95,7 +99,7 @@ void ScriptPlayer::feed(ImGuiIO* io) {
     io->KeyShift = isDown("shift");
     io->KeyCtrl = isDown("ctrl");
     io->KeyAlt = isDown("alt");
-    if (!typed_.empty()) io->AddInputCharactersUTF8(typed_.c_str());
+    if (!typed_.empty()) { io->AddInputCharactersUTF8(typed_.c_str()); }
 }
 
 void ScriptPlayer::click(Vec2 at, int button) {
@@ -113,9 +117,9 @@ void ScriptPlayer::drag(Vec2 from, Vec2 to, int button) {
 
 Result<std::optional<WidgetRecord>> ScriptPlayer::reachable(const ScriptStatement& statement) {
     auto widget = registry_->find(statement.words[0].text);
-    if (!widget && attempts_ < kScrollFrames) return std::optional<WidgetRecord>();
-    if (!widget) return statement.errorAt(0, widget.error().message);
-    if (widget->visible) return std::optional<WidgetRecord>(*widget);
+    if (!widget && attempts_ < kScrollFrames) { return std::optional<WidgetRecord>(); }
+    if (!widget) { return statement.errorAt(0, widget.error().message); }
+    if (widget->visible) { return std::optional<WidgetRecord>(*widget); }
     if (attempts_ >= 2 * kScrollFrames) {
         return statement.errorAt(0,
                                  fmt::format("\"{}\" cannot be scrolled into view", statement.words[0].text));
@@ -137,8 +141,8 @@ Result<ScriptPlayer::Progress> ScriptPlayer::runPointer(const ScriptStatement& s
         return Progress::Done;
     }
     const auto widget = reachable(statement);
-    if (!widget) return widget.error();
-    if (!*widget) return Progress::Again;
+    if (!widget) { return widget.error(); }
+    if (!*widget) { return Progress::Again; }
     const Vec2 at = centreOf(**widget);
     if (statement.verb == "move") {
         const bool isShared = statement.words.size() > 1;
@@ -157,7 +161,7 @@ Result<ScriptPlayer::Progress> ScriptPlayer::assign(const ScriptStatement& state
                                                     std::vector<std::string> words) {
     if (attempts_ == 0) {
         const auto widget = registry_->find(statement.words[0].text);
-        if (!widget) return statement.errorAt(0, widget.error().message);
+        if (!widget) { return statement.errorAt(0, widget.error().message); }
         if (widget->kind == WidgetKind::Button || widget->kind == WidgetKind::Value ||
             widget->kind == WidgetKind::Area) {
             return statement.errorAt(
@@ -167,15 +171,17 @@ Result<ScriptPlayer::Progress> ScriptPlayer::assign(const ScriptStatement& state
         return Progress::Again;
     }
     const std::string failure = registry_->assignmentFailure();
-    if (!failure.empty()) return statement.errorAt(1, failure);
+    if (!failure.empty()) { return statement.errorAt(1, failure); }
     return Progress::Done;
 }
 
 void ScriptPlayer::runKey(const ScriptStatement& statement) {
     const int code = *keyCode(statement.words[0].text);
     const bool both = statement.words.size() == 1;
-    if (both || statement.words[1].text == "down") actions_.push_back({Action::Kind::KeyDown, {}, code, ""});
-    if (both || statement.words[1].text == "up") actions_.push_back({Action::Kind::KeyUp, {}, code, ""});
+    if (both || statement.words[1].text == "down") {
+        actions_.push_back({Action::Kind::KeyDown, {}, code, ""});
+    }
+    if (both || statement.words[1].text == "up") { actions_.push_back({Action::Kind::KeyUp, {}, code, ""}); }
 }
 
 Result<ScriptPlayer::Progress> ScriptPlayer::runWait(const ScriptStatement& statement) {
@@ -183,34 +189,37 @@ Result<ScriptPlayer::Progress> ScriptPlayer::runWait(const ScriptStatement& stat
     const SessionStatus& status = model_->status();
     const double waited = secondsNow() - began_;
     bool met = false;
-    if (what == "frames") met = attempts_ >= static_cast<int>(statement.number(1));
-    if (what == "seconds") met = waited >= static_cast<double>(statement.number(1));
-    if (what == "passes")
+    if (what == "frames") { met = attempts_ >= static_cast<int>(statement.number(1)); }
+    if (what == "seconds") { met = waited >= static_cast<double>(statement.number(1)); }
+    if (what == "passes") {
         met = !model_->awaitsEdit() && status.passes >= static_cast<uint32_t>(statement.number(1));
-    if (what == "picture") {
-        met = attempts_ > 1 && !model_->awaitsEdit() && model_->pictureIsCurrent() &&
-              model_->carriesShownPicture() && !model_->displayIsBehind;
     }
-    if (what == "jobs") met = attempts_ > 1 && !model_->busy() && !model_->opening();
-    if (what == "finished") met = !model_->awaitsEdit() && status.state == SessionState::Finished;
-    if (what == "paused") met = status.state == SessionState::Paused;
-    if (met) return Progress::Done;
+    if (what == "picture") {
+        met = attempts_ > 1 && !model_->awaitsEdit() && model_->imageIsCurrent() &&
+              model_->carriesShownImage() && !model_->displayIsBehind;
+    }
+    if (what == "jobs") { met = attempts_ > 1 && !model_->busy() && !model_->opening(); }
+    if (what == "finished") { met = !model_->awaitsEdit() && status.state == SessionState::Finished; }
+    if (what == "paused") { met = status.state == SessionState::Paused; }
+    if (met) { return Progress::Done; }
     if (status.state == SessionState::Failed) {
         return statement.error(fmt::format("the render failed: {}", status.error));
     }
-    if (waited > kHangGuardSeconds) return statement.error("waited in vain");
+    if (waited > kHangGuardSeconds) { return statement.error("waited in vain"); }
     return Progress::Again;
 }
 
 Result<ScriptPlayer::Progress> ScriptPlayer::run(const ScriptStatement& statement) {
     const std::string& verb = statement.verb;
     const auto wordCount = statement.words.size();
-    if (verb == "click" || verb == "drag" || verb == "move") return runPointer(statement);
-    if (verb == "wait") return runWait(statement);
-    if (verb == "open" || verb == "close") return assign(statement, {verb == "open" ? "open" : "closed"});
+    if (verb == "click" || verb == "drag" || verb == "move") { return runPointer(statement); }
+    if (verb == "wait") { return runWait(statement); }
+    if (verb == "open" || verb == "close") { return assign(statement, {verb == "open" ? "open" : "closed"}); }
     if (verb == "set") {
         std::vector<std::string> words;
-        for (size_t i = 1; i < wordCount; ++i) words.push_back(statement.words[i].text);
+        for (size_t i = 1; i < wordCount; ++i) {
+            words.push_back(statement.words[i].text);
+        }
         return assign(statement, std::move(words));
     }
     if (verb == "expect") {
@@ -222,19 +231,20 @@ Result<ScriptPlayer::Progress> ScriptPlayer::run(const ScriptStatement& statemen
         return saved ? Result<Progress>(Progress::Done)
                      : Result<Progress>(statement.errorAt(0, saved.error().format()));
     }
-    if (verb == "press") actions_.push_back({Action::Kind::Press, {}, buttonOf(statement, 0), ""});
-    if (verb == "release") actions_.push_back({Action::Kind::Release, {}, buttonOf(statement, 0), ""});
+    if (verb == "press") { actions_.push_back({Action::Kind::Press, {}, buttonOf(statement, 0), ""}); }
+    if (verb == "release") { actions_.push_back({Action::Kind::Release, {}, buttonOf(statement, 0), ""}); }
     if (verb == "wheel") {
-        if (wordCount == 3)
+        if (wordCount == 3) {
             actions_.push_back({Action::Kind::Move, {statement.number(1), statement.number(2)}, 0, ""});
+        }
         actions_.push_back({Action::Kind::Wheel, {0.0f, statement.number(0)}, 0, ""});
     }
-    if (verb == "key") runKey(statement);
-    if (verb == "drop") model_->takeDroppedFile(statement.words[0].text);
-    if (verb == "text") actions_.push_back({Action::Kind::Text, {}, 0, statement.words[0].text});
-    if (verb == "mark") mark_ = model_->session().status().counters;
-    if (verb == "print") print(statement);
-    if (verb == "quit") next_ = statements_.size() - 1;
+    if (verb == "key") { runKey(statement); }
+    if (verb == "drop") { model_->takeDroppedFile(statement.words[0].text); }
+    if (verb == "text") { actions_.push_back({Action::Kind::Text, {}, 0, statement.words[0].text}); }
+    if (verb == "mark") { mark_ = model_->session().status().counters; }
+    if (verb == "print") { print(statement); }
+    if (verb == "quit") { next_ = statements_.size() - 1; }
     return Progress::Done;
 }
 

@@ -1,7 +1,7 @@
 // Plays a script: turns statements into input, one step a frame, and checks what they expect.
 //
-// The viewer behaves as with a person's input: the player only writes ImGuiIO, and sets widgets through the
-// registry.
+// The viewer behaves as with a person's input: the player only writes ImGuiIO, and sets widgets through
+// the registry.
 #pragma once
 
 #include <deque>

@@ -20,7 +20,7 @@ namespace {
 
 constexpr float kSplitterUnits = 6.0f;
 constexpr float kSmallestColumn = 300.0f;
-constexpr float kSmallestPicture = 240.0f;
+constexpr float kSmallestImage = 240.0f;
 constexpr float kExposureStep = 1.0f / 3.0f;
 constexpr double kMessageSeconds = 6.0;
 constexpr float kLeastStatusShare = 0.35f;  // what a long message leaves of the status line
@@ -59,22 +59,22 @@ bool isPressed(int key) { return ImGui::IsKeyPressed(key, false); }
 
 void Shell::handleKeys(ViewerModel* model) {
     const ImGuiIO& io = ImGui::GetIO();
-    if (isPressed(GLFW_KEY_F1)) helpShown_ = !helpShown_;
-    if (isPressed(GLFW_KEY_ESCAPE)) helpShown_ = false;
-    if (io.WantTextInput) return;
+    if (isPressed(GLFW_KEY_F1)) { helpShown_ = !helpShown_; }
+    if (isPressed(GLFW_KEY_ESCAPE)) { helpShown_ = false; }
+    if (io.WantTextInput) { return; }
     if (io.KeyCtrl) {
-        if (isPressed(GLFW_KEY_S) && model->hasScene()) model->savePng();
-        if (isPressed(GLFW_KEY_Q)) quitWanted_ = true;
+        if (isPressed(GLFW_KEY_S) && model->hasScene()) { model->savePng(); }
+        if (isPressed(GLFW_KEY_Q)) { quitWanted_ = true; }
         return;
     }
-    if (isPressed(GLFW_KEY_TAB)) panelsShown_ = !panelsShown_;
-    if (isPressed(GLFW_KEY_LEFT_BRACKET)) model->display.exposureStops -= kExposureStep;
-    if (isPressed(GLFW_KEY_RIGHT_BRACKET)) model->display.exposureStops += kExposureStep;
-    if (!model->hasScene()) return;
-    if (isPressed(GLFW_KEY_SPACE)) model->paused = !model->paused;
-    if (isPressed(GLFW_KEY_R)) model->restart();
-    if (isPressed(GLFW_KEY_C)) model->display.split = !model->display.split;
-    if (isPressed(GLFW_KEY_HOME)) model->draft().camera = model->cameraOfFile();
+    if (isPressed(GLFW_KEY_TAB)) { panelsShown_ = !panelsShown_; }
+    if (isPressed(GLFW_KEY_LEFT_BRACKET)) { model->display.exposureStops -= kExposureStep; }
+    if (isPressed(GLFW_KEY_RIGHT_BRACKET)) { model->display.exposureStops += kExposureStep; }
+    if (!model->hasScene()) { return; }
+    if (isPressed(GLFW_KEY_SPACE)) { model->paused = !model->paused; }
+    if (isPressed(GLFW_KEY_R)) { model->restart(); }
+    if (isPressed(GLFW_KEY_C)) { model->display.split = !model->display.split; }
+    if (isPressed(GLFW_KEY_HOME)) { model->draft().camera = model->cameraOfFile(); }
     if (isPressed(GLFW_KEY_F)) {
         const Resolution& size = model->draft().resolution;
         frameBounds(&model->draft().camera, model->bounds(),
@@ -92,8 +92,8 @@ void Shell::drawSplitter(float x, float height) {
     ImGui::InvisibleButton("##handle", {width, height});
     const bool active = ImGui::IsItemActive();
     const bool hovered = ImGui::IsItemHovered() || active;
-    if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    if (active) columnUnits_ -= ImGui::GetIO().MouseDelta.x / ui::scale();
+    if (hovered) { ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW); }
+    if (active) { columnUnits_ -= ImGui::GetIO().MouseDelta.x / ui::scale(); }
     ImGui::GetWindowDrawList()->AddRectFilled(
         {x, 0.0f}, {x + width, height},
         ImGui::GetColorU32(hovered ? ImGui::GetStyleColorVec4(ImGuiCol_SeparatorHovered)
@@ -150,7 +150,7 @@ void Shell::drawStatusLine(const ViewerModel& model, float y) {
     }
     const std::string& refused = model.status().error;
     const bool isMessage = showsFileMessage(model) || !refused.empty();
-    if (isMessage) right = refused.empty() ? model.fileMessage() : refused;
+    if (isMessage) { right = refused.empty() ? model.fileMessage() : refused; }
     const float rightX =
         std::max(io.DisplaySize.x - ImGui::CalcTextSize(right.c_str()).x - 10.0f * ui::scale(),
                  kLeastStatusShare * io.DisplaySize.x);
@@ -162,7 +162,7 @@ void Shell::drawStatusLine(const ViewerModel& model, float y) {
     const bool isError = isMessage && (model.fileMessageIsError() || !refused.empty());
     ImGui::TextColored(isError ? theme::kTextError : theme::kTextDim, "%s", right.c_str());
     ImGui::PopStyleColor();
-    if (isMessage) ui::area("Status message", {rightX, y}, {io.DisplaySize.x, io.DisplaySize.y}, right);
+    if (isMessage) { ui::area("Status message", {rightX, y}, {io.DisplaySize.x, io.DisplaySize.y}, right); }
     ui::area("Status line", {0.0f, y}, {io.DisplaySize.x, io.DisplaySize.y}, left);
     ImGui::End();
     ImGui::PopStyleVar(2);
@@ -191,23 +191,23 @@ void Shell::drawHelp() {
     ImGui::PopStyleVar(2);
 }
 
-bool Shell::draw(ViewerModel* model, const Pictures& pictures) {
+bool Shell::draw(ViewerModel* model, const ImageFiles& images) {
     handleKeys(model);
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const float scale = ui::scale();
     const float statusTop = size.y - ImGui::GetFontSize() - 9.0f * scale;
-    const float widest = std::max(kSmallestColumn, size.x / scale - kSmallestPicture);
+    const float widest = std::max(kSmallestColumn, size.x / scale - kSmallestImage);
     columnUnits_ = std::clamp(columnUnits_, kSmallestColumn, widest);
     const float column = panelsShown_ ? columnUnits_ * scale : 0.0f;
     const float splitter = panelsShown_ ? kSplitterUnits * scale : 0.0f;
-    const float pictureRight = std::max(1.0f, size.x - column - splitter);
-    const bool moving = view_.draw(model, pictures, {0.0f, 0.0f}, {pictureRight, statusTop});
+    const float imageRight = std::max(1.0f, size.x - column - splitter);
+    const bool moving = view_.draw(model, images, {0.0f, 0.0f}, {imageRight, statusTop});
     if (panelsShown_) {
-        drawSplitter(pictureRight, statusTop);
-        drawColumn(model, pictureRight + splitter, statusTop);
+        drawSplitter(imageRight, statusTop);
+        drawColumn(model, imageRight + splitter, statusTop);
     }
     drawStatusLine(*model, statusTop);
-    if (helpShown_) drawHelp();
+    if (helpShown_) { drawHelp(); }
     return moving || ImGui::IsAnyItemActive();
 }
 

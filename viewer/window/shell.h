@@ -1,5 +1,5 @@
-// What stands around the picture: the column of panels with its splitter, the status line, the help, the
-// keys.
+// What stands around the picture: the column of panels with its splitter, the status line, the help,
+// the keys.
 #pragma once
 
 #include "viewer/window/image_view.h"
@@ -9,7 +9,7 @@ namespace glint {
 class Shell {
   public:
     /// Draws the whole window. Returns true while the user holds the camera or a control.
-    bool draw(ViewerModel* model, const Pictures& pictures);
+    bool draw(ViewerModel* model, const ImageFiles& images);
     /// The keys asked for the end.
     bool quitWanted() const { return quitWanted_; }
 

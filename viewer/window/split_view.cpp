@@ -48,8 +48,8 @@ void drawPlate(const std::string& text, Vec2 corner, Vec2 size) {
 
 /// What the side shows, from the full text to the shortest one.
 std::array<std::string, 4> sideLabels(const char* name, const char* shortName, const FilmSnapshot* snapshot) {
-    if (snapshot == nullptr) return {fmt::format("{}   first pass…", name), name, shortName, ""};
-    if (snapshot->previewScale > 1) return {fmt::format("{}   preview", name), name, shortName, ""};
+    if (snapshot == nullptr) { return {fmt::format("{}   first pass…", name), name, shortName, ""}; }
+    if (snapshot->previewScale > 1) { return {fmt::format("{}   preview", name), name, shortName, ""}; }
     const std::string passes =
         fmt::format("{}   {} {}", name, grouped(snapshot->passes), snapshot->passes == 1 ? "pass" : "passes");
     return {fmt::format("{}   {}", passes, duration(snapshot->renderSeconds)), passes, name, shortName};
@@ -94,7 +94,7 @@ void drawSide(const Side& side, Vec2 min, Vec2 max, float from, float to) {
     const Area seen = seenPart(partMin, partMax);
     for (const std::string& label : sideLabels(side.name, side.shortName, side.snapshot)) {
         const Vec2 size = plateSize(label, 0.0f);
-        if (label.empty() || size.x > seen.max.x - seen.min.x - 2.0f * margin) continue;
+        if (label.empty() || size.x > seen.max.x - seen.min.x - 2.0f * margin) { continue; }
         const float x = isRight ? seen.max.x - margin - size.x : seen.min.x + margin;
         drawPlate(label, {x, seen.min.y + margin}, size);
         ui::area(isRight ? "Right side" : "Left side", seen.min, seen.max, label);
@@ -103,21 +103,21 @@ void drawSide(const Side& side, Vec2 min, Vec2 max, float from, float to) {
     draw->PopClipRect();
 }
 
-void drawSplit(const ViewerModel& model, const Pictures& pictures, Vec2 min, Vec2 max) {
+void drawSplit(const ViewerModel& model, const ImageFiles& images, Vec2 min, Vec2 max) {
     Side left{"Path tracing", "PT", nullptr, nullptr};
     Side right{"SPPM", "SPPM", nullptr, nullptr};
-    const auto put = [&](const FilmSnapshot* snapshot, const PictureSource& source,
+    const auto put = [&](const FilmSnapshot* snapshot, const ShownImageSource& source,
                          const ImageDisplay* display) {
         const IntegratorKind kind = snapshot != nullptr ? snapshot->integrator : source.shownIntegrator();
         Side& side = kind == IntegratorKind::Sppm ? right : left;
-        if (side.display == nullptr) side = {side.name, side.shortName, display, snapshot};
+        if (side.display == nullptr) { side = {side.name, side.shortName, display, snapshot}; }
     };
-    put(model.snapshot().get(), *pictures.mainSource, pictures.main);
-    put(model.otherSnapshot().get(), *pictures.otherSource, pictures.other);
+    put(model.snapshot().get(), *images.mainSource, images.main);
+    put(model.otherSnapshot().get(), *images.otherSource, images.other);
     const float x = dividerX(model.display, min, max);
     const float share = (x - min.x) / (max.x - min.x);
-    if (share > 0.0f) drawSide(left, min, max, 0.0f, share);
-    if (share < 1.0f) drawSide(right, min, max, share, 1.0f);
+    if (share > 0.0f) { drawSide(left, min, max, 0.0f, share); }
+    if (share < 1.0f) { drawSide(right, min, max, share, 1.0f); }
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const float half = std::max(1.0f, ui::scale());
     draw->AddRectFilled({x - 2.0f * half, min.y}, {x + 2.0f * half, max.y}, IM_COL32(0, 0, 0, 110));
@@ -125,26 +125,25 @@ void drawSplit(const ViewerModel& model, const Pictures& pictures, Vec2 min, Vec
     draw->AddCircleFilled({x, (min.y + max.y) * 0.5f}, 5.0f * half, IM_COL32(235, 235, 235, 255));
 }
 
-const char* unitOf(ShownPicture shown) {
-    if (shown == ShownPicture::Radius) return "radius";
-    if (shown == ShownPicture::PhotonCount) return "photons";
-    if (shown == ShownPicture::ReferenceError) return "off the reference";
-    return shown == ShownPicture::Bias         ? "bias"
-           : shown == ShownPicture::ErrorBound ? "bound at 90 %"
-                                               : "noise";
+const char* unitOf(ShownImage shown) {
+    if (shown == ShownImage::Radius) { return "radius"; }
+    if (shown == ShownImage::PhotonCount) { return "photons"; }
+    if (shown == ShownImage::ReferenceError) { return "off the reference"; }
+    return shown == ShownImage::Bias ? "bias" : shown == ShownImage::ErrorBound ? "bound at 90 %" : "noise";
 }
 
-std::string scaleText(ShownPicture shown, float value) {
-    if (shown == ShownPicture::Radius) return length(static_cast<double>(value));
-    if (shown == ShownPicture::Bias) return fmt::format("{:+.2g}", value);
-    if (shown == ShownPicture::PhotonCount && value >= 99.5f)
+std::string scaleText(ShownImage shown, float value) {
+    if (shown == ShownImage::Radius) { return length(static_cast<double>(value)); }
+    if (shown == ShownImage::Bias) { return fmt::format("{:+.2g}", value); }
+    if (shown == ShownImage::PhotonCount && value >= 99.5f) {
         return grouped(static_cast<uint64_t>(std::lround(value)));
+    }
     return fmt::format("{:.2g}", value);
 }
 
 /// The colours from the smallest to the largest value, with both, in the lower left corner or the right one.
 /// Returns its upper edge.
-float drawScale(const PictureSource& source, Vec2 min, Vec2 max, bool onRight) {
+float drawScale(const ShownImageSource& source, Vec2 min, Vec2 max, bool onRight) {
     const HeatScale& heat = source.scale().heat;
     const bool isSigned = source.scale().isSigned;
     const float scale = ui::scale();
@@ -180,11 +179,11 @@ float drawScale(const PictureSource& source, Vec2 min, Vec2 max, bool onRight) {
 }
 
 /// One scale for both sides where they share it, else on the side that has one. Returns where it begins.
-float drawScales(const ViewerModel& model, const Pictures& pictures, const Area& seen) {
-    const bool isMain = !model.display.split || pictures.mainSource->scale().isThere();
-    const PictureSource& source = isMain ? *pictures.mainSource : *pictures.otherSource;
-    if (!source.scale().isThere()) return seen.max.y;
-    const bool isOfBoth = isMain && (!model.display.split || pictures.otherSource->scale().isThere());
+float drawScales(const ViewerModel& model, const ImageFiles& images, const Area& seen) {
+    const bool isMain = !model.display.split || images.mainSource->scale().isThere();
+    const ShownImageSource& source = isMain ? *images.mainSource : *images.otherSource;
+    if (!source.scale().isThere()) { return seen.max.y; }
+    const bool isOfBoth = isMain && (!model.display.split || images.otherSource->scale().isThere());
     const bool onRight = !isOfBoth && source.shownIntegrator() == IntegratorKind::Sppm;
     return drawScale(source, seen.min, seen.max, onRight);
 }
@@ -195,13 +194,13 @@ void drawNotes(const ViewerModel& model, const Area& seen, float dividerAt, floa
     const bool isSplit = model.display.split;
     const char* widget = "Note";
     for (const auto& snapshot : {model.snapshot(), model.otherSnapshot()}) {
-        if (!snapshot) continue;
+        if (!snapshot) { continue; }
         const bool isRight = isSplit && snapshot->integrator == IntegratorKind::Sppm;
         const float left = isRight ? std::max(dividerAt, seen.min.x) : seen.min.x;
         const float right = isSplit && !isRight ? std::min(dividerAt, seen.max.x) : seen.max.x;
         const float room = right - left - 2.0f * margin;
         const std::string note = instead(*snapshot, model.display.shown, model.usableReference().get());
-        if (note.empty() || room < 4.0f * ImGui::GetFontSize()) continue;
+        if (note.empty() || room < 4.0f * ImGui::GetFontSize()) { continue; }
         const Vec2 size = plateSize(note, room);
         const Vec2 corner(left + margin, bottom - margin - size.y);
         drawPlate(note, corner, size);
@@ -212,32 +211,32 @@ void drawNotes(const ViewerModel& model, const Area& seen, float dividerAt, floa
 
 }  // namespace
 
-bool dragDivider(DisplaySettings* settings, Vec2 pictureMin, Vec2 pictureMax) {
-    const float x = dividerX(*settings, pictureMin, pictureMax);
+bool dragDivider(DisplaySettings* settings, Vec2 imageMin, Vec2 imageMax) {
+    const float x = dividerX(*settings, imageMin, imageMax);
     const float grab = kGrabUnits * ui::scale();
-    const Vec2 min(x - grab, pictureMin.y);
-    const Vec2 max(x + grab, pictureMax.y);
+    const Vec2 min(x - grab, imageMin.y);
+    const Vec2 max(x + grab, imageMax.y);
     ImGui::SetCursorScreenPos(im(min));
     ImGui::InvisibleButton("##divider", im(max - min));
     const bool active = ImGui::IsItemActive();
-    if (active || ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (active || ImGui::IsItemHovered()) { ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW); }
     if (active) {
-        const float share = (ImGui::GetIO().MousePos.x - pictureMin.x) / (pictureMax.x - pictureMin.x);
+        const float share = (ImGui::GetIO().MousePos.x - imageMin.x) / (imageMax.x - imageMin.x);
         settings->splitAt = std::clamp(share, 0.0f, 1.0f);
     }
     ui::area("Divider", min, max, fmt::format("{:.3f}", settings->splitAt));
     return active;
 }
 
-void drawPictures(const ViewerModel& model, const Pictures& pictures, Vec2 min, Vec2 max) {
+void drawImages(const ViewerModel& model, const ImageFiles& images, Vec2 min, Vec2 max) {
     if (model.display.split) {
-        drawSplit(model, pictures, min, max);
+        drawSplit(model, images, min, max);
     } else {
         ImGui::GetWindowDrawList()->AddImage(
-            reinterpret_cast<ImTextureID>(static_cast<intptr_t>(pictures.main->texture())), im(min), im(max));
+            reinterpret_cast<ImTextureID>(static_cast<intptr_t>(images.main->texture())), im(min), im(max));
     }
     const Area seen = seenPart(min, max);
-    const float scaleTop = drawScales(model, pictures, seen);
+    const float scaleTop = drawScales(model, images, seen);
     drawNotes(model, seen, dividerX(model.display, min, max), model.display.split ? scaleTop : seen.max.y);
 }
 

@@ -5,24 +5,24 @@
 #pragma once
 
 #include "viewer/window/image_display.h"
-#include "viewer/window/picture_source.h"
+#include "viewer/window/shown_image_source.h"
 #include "viewer/window/viewer_model.h"
 
 namespace glint {
 
 /// What is on the graphics card. `other` belongs to ViewerModel::otherSnapshot() and matters while the
 /// picture is split.
-struct Pictures {
+struct ImageFiles {
     const ImageDisplay* main = nullptr;
     const ImageDisplay* other = nullptr;
-    const PictureSource* mainSource = nullptr;
-    const PictureSource* otherSource = nullptr;
+    const ShownImageSource* mainSource = nullptr;
+    const ShownImageSource* otherSource = nullptr;
 };
 
 /// Call before any other widget of the area, so that the divider gets the mouse first. True while it is held.
-bool dragDivider(DisplaySettings* settings, Vec2 pictureMin, Vec2 pictureMax);
+bool dragDivider(DisplaySettings* settings, Vec2 imageMin, Vec2 imageMax);
 
 /// Pictures, divider, labels and scale inside the rectangle (ImGui units).
-void drawPictures(const ViewerModel& model, const Pictures& pictures, Vec2 min, Vec2 max);
+void drawImages(const ViewerModel& model, const ImageFiles& images, Vec2 min, Vec2 max);
 
 }  // namespace glint

@@ -51,8 +51,8 @@ struct SurfaceOptions {
 /// A window on the display. Error: no display, or no OpenGL 3.3; the message names the cause.
 Result<std::unique_ptr<Surface>> makeWindowSurface(const SurfaceOptions& options);
 
-/// Memory, drawn by OSMesa in this process; needs no display. Error: libOSMesa is missing or refuses the
-/// context.
+/// Memory, drawn by OSMesa in this process; needs no display. Error: libOSMesa is missing or refuses
+/// the context.
 Result<std::unique_ptr<Surface>> makeHeadlessSurface(const SurfaceOptions& options);
 
 /// What is on the surface now, 3 bytes a pixel, row 0 at the top.

@@ -17,40 +17,40 @@ namespace {
 constexpr uint32_t kAllAovs =
     kAovAlbedo | kAovShadingNormal | kAovGeometricNormal | kAovDepth | kAovObjectId | kAovMaterialId;
 
-uint32_t aovOf(ShownPicture shown) {
+uint32_t aovOf(ShownImage shown) {
     switch (shown) {
-        case ShownPicture::Albedo:
+        case ShownImage::Albedo:
             return kAovAlbedo;
-        case ShownPicture::ShadingNormal:
+        case ShownImage::ShadingNormal:
             return kAovShadingNormal;
-        case ShownPicture::GeometricNormal:
+        case ShownImage::GeometricNormal:
             return kAovGeometricNormal;
-        case ShownPicture::Depth:
+        case ShownImage::Depth:
             return kAovDepth;
-        case ShownPicture::ObjectId:
+        case ShownImage::ObjectId:
             return kAovObjectId;
-        case ShownPicture::MaterialId:
+        case ShownImage::MaterialId:
             return kAovMaterialId;
-        case ShownPicture::Radiance:
-        case ShownPicture::StandardError:
-        case ShownPicture::Bias:
-        case ShownPicture::ErrorBound:
-        case ShownPicture::ReferenceError:
-        case ShownPicture::Radius:
-        case ShownPicture::PhotonCount:
-        case ShownPicture::VisiblePoints:
+        case ShownImage::Radiance:
+        case ShownImage::StandardError:
+        case ShownImage::Bias:
+        case ShownImage::ErrorBound:
+        case ShownImage::ReferenceError:
+        case ShownImage::Radius:
+        case ShownImage::PhotonCount:
+        case ShownImage::VisiblePoints:
             break;
     }
     return 0;
 }
 
-bool carries(const FilmSnapshot& snapshot, ShownPicture shown) {
-    if (shown == ShownPicture::Radiance || shown == ShownPicture::ReferenceError) return true;
-    if (shown == ShownPicture::StandardError) return !snapshot.standardError.empty();
-    if (shown == ShownPicture::ErrorBound) return !snapshot.errorBound.empty();
-    if (isOfSppm(shown) && snapshot.integrator != IntegratorKind::Sppm) return true;
-    if (shown == ShownPicture::Bias) return !snapshot.bias.empty();
-    if (isOfPhotons(shown)) return !snapshot.radiusWorld.empty();
+bool carries(const FilmSnapshot& snapshot, ShownImage shown) {
+    if (shown == ShownImage::Radiance || shown == ShownImage::ReferenceError) { return true; }
+    if (shown == ShownImage::StandardError) { return !snapshot.standardError.empty(); }
+    if (shown == ShownImage::ErrorBound) { return !snapshot.errorBound.empty(); }
+    if (isOfSppm(shown) && snapshot.integrator != IntegratorKind::Sppm) { return true; }
+    if (shown == ShownImage::Bias) { return !snapshot.bias.empty(); }
+    if (isOfPhotons(shown)) { return !snapshot.radiusWorld.empty(); }
     return snapshot.aovs && snapshot.aovs->passes() > 0;
 }
 
@@ -66,11 +66,13 @@ ViewerModel::ViewerModel(std::unique_ptr<Backend> backend) : session_(std::move(
 }
 
 void ViewerModel::adopt(SceneDescription scene) {
-    for (const std::string& warning : scene.warnings) logWarning("{}: {}", scene.path, warning);
+    for (const std::string& warning : scene.warnings) {
+        logWarning("{}: {}", scene.path, warning);
+    }
     logInfo("Opened {}: {} objects, {} materials, {} lights, {}x{} pixels", scene.path, scene.objects.size(),
             scene.materials.size(), scene.lights.size(), scene.resolution.width, scene.resolution.height);
     isAnotherScene_ = scene.path != draft_.path;
-    if (isAnotherScene_) curvesBefore_.fill(std::make_shared<const ConvergenceCurve>());
+    if (isAnotherScene_) { curvesBefore_.fill(std::make_shared<const ConvergenceCurve>()); }
     ++adoptions_;
     readingAssets_ = false;
     assetError_.reset();
@@ -87,13 +89,13 @@ void ViewerModel::adopt(SceneDescription scene) {
     const float distance = targetDistance(draft_.camera);
     focusFollowsTarget = draft_.camera.apertureDiameter <= 0.0f ||
                          std::fabs(distance - draft_.camera.focalDistance) <= 1e-3f * distance;
-    postWishes();  // first, so that not a pass too many is made
-    expectPicture();
+    postRequest();  // first, so that not a pass too many is made
+    expectImage();
     session_.post({posted_, EditKind::Everything});
 }
 
 void ViewerModel::open(const std::string& path) {
-    if (path.empty()) return;
+    if (path.empty()) { return; }
     if (opening_) {
         openNext_ = path;
         return;
@@ -105,8 +107,8 @@ void ViewerModel::open(const std::string& path) {
             auto loaded = std::make_shared<Result<SceneDescription>>(loadScene(path));
             return [this, loaded] {
                 opening_ = false;
-                if (!*loaded) logError("{}", loaded->error().format());
-                if (!openNext_.empty()) return open(std::exchange(openNext_, ""));
+                if (!*loaded) { logError("{}", loaded->error().format()); }
+                if (!openNext_.empty()) { return open(std::exchange(openNext_, "")); }
                 if (*loaded) {
                     adopt(std::move(loaded->value()));
                 } else {
@@ -118,13 +120,13 @@ void ViewerModel::open(const std::string& path) {
 }
 
 void ViewerModel::restart() {
-    expectPicture();
+    expectImage();
     session_.restart();
     logInfo("Restarted by hand");
 }
 
 void ViewerModel::setInteracting(bool interacting) {
-    if (interacting == postedInteracting_) return;
+    if (interacting == postedInteracting_) { return; }
     postedInteracting_ = interacting;
     session_.setInteracting(interacting);
 }
@@ -134,10 +136,12 @@ void ViewerModel::refresh() {
     status_ = session_.status();
     snapshot_ = session_.snapshot();
     refreshOther();
-    if (awaitsEdit_ && status_.generation > generationBeforeEdit_ && pictureIsCurrent()) awaitsEdit_ = false;
+    if (awaitsEdit_ && status_.generation > generationBeforeEdit_ && imageIsCurrent()) {
+        awaitsEdit_ = false;
+    }
     const bool refused = status_.counters.editsRefused > refusedBeforeEdit_;
-    if (status_.state == SessionState::Failed || refused) awaitsEdit_ = false;
-    if (pendingExr_ && status_.aovPasses > 0) startExr();
+    if (status_.state == SessionState::Failed || refused) { awaitsEdit_ = false; }
+    if (pendingExr_ && status_.aovPasses > 0) { startExr(); }
     refreshConvergence();
     isAnotherScene_ = isAnotherScene_ && awaitsEdit_;
     autosave();
@@ -149,8 +153,9 @@ void ViewerModel::takeCurve(IntegratorKind kind) {
     auto now = session_.convergenceCurve(kind);
     const auto began = [](const ConvergenceCurve& curve) { return curve.points().front().renderSeconds; };
     const bool isAnother = !shown->empty() && (now->empty() || began(*now) != began(*shown));
-    if (isAnother && !isAnotherScene_ && shown->points().size() >= kWorthKeeping)
+    if (isAnother && !isAnotherScene_ && shown->points().size() >= kWorthKeeping) {
         curvesBefore_[static_cast<size_t>(kind)] = std::move(shown);
+    }
     shown = std::move(now);
 }
 
@@ -159,36 +164,38 @@ void ViewerModel::refreshOther() {
     auto other = display.split ? session_.otherSnapshot() : nullptr;
     const bool mayStay = display.split && otherSnapshot_ && snapshot_ && snapshot_->previewScale > 1 &&
                          otherSnapshot_->integrator != snapshot_->integrator;
-    if (other || !mayStay) otherSnapshot_ = std::move(other);
+    if (other || !mayStay) { otherSnapshot_ = std::move(other); }
 }
 
 void ViewerModel::refreshConvergence() {
     const bool wasLoading = reference.loading();
     reference.refresh();
-    if (wasLoading && !reference.loading()) tellOfReference();
+    if (wasLoading && !reference.loading()) { tellOfReference(); }
     for (const IntegratorKind kind : {IntegratorKind::PathTracing, IntegratorKind::Sppm}) {
         takeCurve(kind);
         reference.follow(kind, *curve(kind));
     }
-    referenceFit.check(reference.picture(), posted_, !postedInteracting_);
-    if (awaitsEdit_ || !usableReference()) return;  // what is shown may be of the scene before an edit
+    referenceFit.check(reference.image(), posted_, !postedInteracting_);
+    if (awaitsEdit_ || !usableReference()) {
+        return;  // what is shown may be of the scene before an edit
+    }
     const bool resting = status_.state == SessionState::Finished || status_.state == SessionState::Paused;
     for (const auto& shown : {snapshot_, otherSnapshot_}) {
-        if (shown) reference.observe(shown, resting);
+        if (shown) { reference.observe(shown, resting); }
     }
 }
 
 std::shared_ptr<const LoadedReference> ViewerModel::usableReference() const {
-    const auto& picture = reference.picture();
+    const auto& image = reference.image();
     const Resolution& size = draft_.resolution;
-    const bool isUsable = picture && reference.mismatch(size.width, size.height).empty() &&
+    const bool isUsable = image && reference.mismatch(size.width, size.height).empty() &&
                           (referenceFit.fits() || referenceFit.useAnyway);
-    return isUsable ? picture : nullptr;
+    return isUsable ? image : nullptr;
 }
 
 void ViewerModel::finishMotion() { setInteracting(false); }
 
-void ViewerModel::expectPicture() {
+void ViewerModel::expectImage() {
     awaitsEdit_ = true;
     const SessionStatus before = session_.status();
     generationBeforeEdit_ = before.generation;
@@ -196,11 +203,11 @@ void ViewerModel::expectPicture() {
 }
 
 EditKind ViewerModel::commitEdits(bool held) {
-    if (!posted_) return EditKind::None;
+    if (!posted_) { return EditKind::None; }
     if (focusFollowsTarget) {
         const bool moved = draft_.camera.position != posted_->camera.position ||
                            draft_.camera.target != posted_->camera.target;
-        if (moved) draft_.camera.focalDistance = targetDistance(draft_.camera);
+        if (moved) { draft_.camera.focalDistance = targetDistance(draft_.camera); }
     }
     EditKind kinds = differences(*posted_, draft_);
     std::shared_ptr<const SceneDescription> ready;
@@ -211,17 +218,17 @@ EditKind ViewerModel::commitEdits(bool held) {
     }
     if (kinds != EditKind::None) {
         posted_ = ready ? ready : std::make_shared<const SceneDescription>(draft_);
-        if (held) setInteracting(true);
-        expectPicture();
+        if (held) { setInteracting(true); }
+        expectImage();
         session_.post({posted_, kinds});
         replayCommand_.clear();
     }
-    postWishes();
+    postRequest();
     return kinds;
 }
 
 void ViewerModel::readAssets() {
-    if (readingAssets_) return;
+    if (readingAssets_) { return; }
     readingAssets_ = true;
     assetError_.reset();
     jobs_.start(
@@ -229,7 +236,7 @@ void ViewerModel::readAssets() {
          asked = std::make_shared<const SceneDescription>(draft_)]() -> JobQueue::Completion {
             auto read = std::make_shared<const CompletedScene>(completeScene(*asked));
             return [this, adoption, asked, read] {
-                if (adoption == adoptions_) takeReadAssets(*asked, *read);
+                if (adoption == adoptions_) { takeReadAssets(*asked, *read); }
             };
         },
         false);
@@ -255,7 +262,7 @@ void ViewerModel::takeReadAssets(const SceneDescription& asked, const CompletedS
     commitEdits(false);
 }
 
-void ViewerModel::postWishes() {
+void ViewerModel::postRequest() {
     if (!sameLimits(limits, postedLimits_)) {
         postedLimits_ = limits;
         session_.setLimits(limits);
@@ -265,27 +272,27 @@ void ViewerModel::postWishes() {
         session_.setPaused(paused);
     }
     const uint32_t aovs = files.exrLayers || pendingExr_ ? kAllAovs : aovOf(display.shown);
-    const bool error = display.shown == ShownPicture::StandardError;
+    const bool error = display.shown == ShownImage::StandardError;
     if (aovs != requestedAovs_ || error != requestedError_) {
         requestedAovs_ = aovs;
         requestedError_ = error;
         session_.request(aovs, error);
     }
-    const bool maps = display.shown == ShownPicture::Bias || display.shown == ShownPicture::ErrorBound;
-    if (maps != requestedErrorMaps_) session_.requestErrorMaps(requestedErrorMaps_ = maps);
+    const bool maps = display.shown == ShownImage::Bias || display.shown == ShownImage::ErrorBound;
+    if (maps != requestedErrorMaps_) { session_.requestErrorMaps(requestedErrorMaps_ = maps); }
     if (const bool photons = isOfPhotons(display.shown); photons != requestedPhotons_) {
         session_.requestPhotonStatistics(requestedPhotons_ = photons);
     }
-    if (display.split != comparing_) session_.setComparing(comparing_ = display.split);
+    if (display.split != comparing_) { session_.setComparing(comparing_ = display.split); }
 }
 
-bool ViewerModel::carriesShownPicture() const {
-    if (!snapshot_ || !carries(*snapshot_, display.shown)) return false;
+bool ViewerModel::carriesShownImage() const {
+    if (!snapshot_ || !carries(*snapshot_, display.shown)) { return false; }
     return !display.split ||
            (otherSnapshot_ && otherSnapshot_->previewScale == 1 && carries(*otherSnapshot_, display.shown));
 }
 
-bool ViewerModel::pictureIsCurrent() const {
+bool ViewerModel::imageIsCurrent() const {
     return snapshot_ && snapshot_->previewScale == 1 && snapshot_->generation == status_.generation;
 }
 

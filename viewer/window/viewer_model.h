@@ -23,7 +23,7 @@ namespace glint {
 struct CompletedScene;
 
 /// Which picture is shown. AOVs are asked of the session only while they are shown or saved.
-enum class ShownPicture {
+enum class ShownImage {
     Radiance,
     Albedo,
     ShadingNormal,
@@ -39,19 +39,19 @@ enum class ShownPicture {
     PhotonCount,     ///< SPPM: photons kept so far
     VisiblePoints,   ///< SPPM: which pixels hold one
 };
-constexpr int kShownPictureCount = 14;
+constexpr int kShownImageCount = 14;
 /// Pictures that need SPPM's radii and photon counts.
-constexpr bool isOfPhotons(ShownPicture shown) {
-    return shown == ShownPicture::Radius || shown == ShownPicture::PhotonCount ||
-           shown == ShownPicture::VisiblePoints;
+constexpr bool isOfPhotons(ShownImage shown) {
+    return shown == ShownImage::Radius || shown == ShownImage::PhotonCount ||
+           shown == ShownImage::VisiblePoints;
 }
 /// Pictures that path tracing does not have.
-constexpr bool isOfSppm(ShownPicture shown) { return isOfPhotons(shown) || shown == ShownPicture::Bias; }
+constexpr bool isOfSppm(ShownImage shown) { return isOfPhotons(shown) || shown == ShownImage::Bias; }
 
 struct DisplaySettings {
     float exposureStops = 0.0f;
     ToneMap toneMap = ToneMap::Srgb;
-    ShownPicture shown = ShownPicture::Radiance;
+    ShownImage shown = ShownImage::Radiance;
     bool pixelScale = false;  ///< one screen pixel a picture pixel, instead of fitting the window
     bool split = false;       ///< path tracing left of the divider, SPPM right of it, at equal render time
     float splitAt = 0.5f;     ///< the divider, as a share of the picture's width
@@ -144,9 +144,9 @@ class ViewerModel {
     /// While the picture is split: the integrator that snapshot() does not show; null before its first pass.
     const std::shared_ptr<const FilmSnapshot>& otherSnapshot() const { return otherSnapshot_; }
     /// The film is at full resolution and belongs to the scene as it is now.
-    bool pictureIsCurrent() const;
+    bool imageIsCurrent() const;
     /// The snapshots carry what DisplaySettings::shown asks for.
-    bool carriesShownPicture() const;
+    bool carriesShownImage() const;
     /// An edit was posted, or waits for a file, and no picture of it has come back.
     bool awaitsEdit() const { return awaitsEdit_ || readingAssets_; }
 
@@ -179,13 +179,13 @@ class ViewerModel {
     void setInteracting(bool interacting);
     void readAssets();
     void takeReadAssets(const SceneDescription& asked, const CompletedScene& read);
-    void expectPicture();
+    void expectImage();
     /// What is shown of the curves, and the snapshots' errors against the reference.
     void refreshConvergence();
     void refreshOther();
     void takeCurve(IntegratorKind kind);
     /// Limits, pause and extra pictures, where they changed.
-    void postWishes();
+    void postRequest();
     /// Takes the film when the pass in flight is done, then runs `save` on it, both in the background.
     void saveCaptured(const std::string& path, std::function<Status(const Capture&)> save);
     void startExr();

@@ -15,7 +15,7 @@
 #include "engine/io/image_io.h"
 #include "engine/io/scene_json.h"
 #include "engine/render/checkpoint.h"
-#include "engine/render/picture_file.h"
+#include "engine/render/image_file.h"
 #include "engine/render/snapshot.h"
 #include "viewer/window/convergence_csv.h"
 #include "viewer/window/viewer_model.h"
@@ -23,17 +23,17 @@
 namespace glint {
 namespace {
 
-std::shared_ptr<FilmSnapshot> pictureOf(const RenderSession::Capture& capture, bool errorMaps) {
-    auto picture = makeSnapshot(capture, {.standardError = true, .errorMaps = errorMaps}, 0);
-    if (capture.aovs.passes() > 0) picture->aovs = std::make_shared<const AovFilm>(capture.aovs);
-    return picture;
+std::shared_ptr<FilmSnapshot> imageOf(const RenderSession::Capture& capture, bool errorMaps) {
+    auto image = makeSnapshot(capture, {.standardError = true, .errorMaps = errorMaps}, 0);
+    if (capture.aovs.passes() > 0) { image->aovs = std::make_shared<const AovFilm>(capture.aovs); }
+    return image;
 }
 
 std::string replayLine(const std::string& scene, const FaultRecord& fault) {
     return fmt::format("glint render \"{}\" --pixel {},{} --pass {}", scene, fault.x, fault.y, fault.pass);
 }
 
-bool isPicture(const std::string& path) {
+bool isImage(const std::string& path) {
     static constexpr std::array<std::string_view, 8> kEndings{".exr", ".hdr",  ".pic", ".png",
                                                               ".jpg", ".jpeg", ".bmp", ".tga"};
     std::string ending = std::filesystem::path(path).extension().string();
@@ -62,8 +62,8 @@ void ViewerModel::tellOfReference() {
     fileMessageIsError_ = reference.loadError().has_value();
     if (fileMessageIsError_) {
         fileMessage_ = reference.loadError()->format();
-    } else if (reference.picture()) {
-        fileMessage_ = fmt::format("Reference {}", reference.picture()->path);
+    } else if (reference.image()) {
+        fileMessage_ = fmt::format("Reference {}", reference.image()->path);
     }
 }
 
@@ -86,10 +86,10 @@ void ViewerModel::saveCaptured(const std::string& path, std::function<Status(con
 }
 
 void ViewerModel::savePng() {
-    const PictureOptions options{.exposureStops = display.exposureStops, .toneMap = display.toneMap};
+    const ImageOptions options{.exposureStops = display.exposureStops, .toneMap = display.toneMap};
     const std::string path = files.png;
     saveCaptured(path, [path, options](const Capture& capture) {
-        return savePicture(path, *pictureOf(capture, false), *capture.scene, options);
+        return saveImage(path, *imageOf(capture, false), *capture.scene, options);
     });
 }
 
@@ -105,7 +105,7 @@ void ViewerModel::saveExr() {
 
 void ViewerModel::startExr() {
     pendingExr_ = false;
-    PictureOptions options;
+    ImageOptions options;
     options.exrColor = files.exrFloat ? ExrPixelType::Float : ExrPixelType::Half;
     if (files.exrLayers) {
         options.aovs =
@@ -113,7 +113,7 @@ void ViewerModel::startExr() {
     }
     const std::string path = files.exr;
     saveCaptured(path, [path, options, layers = files.exrLayers](const Capture& capture) {
-        return savePicture(path, *pictureOf(capture, layers), *capture.scene, options);
+        return saveImage(path, *imageOf(capture, layers), *capture.scene, options);
     });
 }
 
@@ -124,7 +124,7 @@ void ViewerModel::saveCheckpointFile() {
 }
 
 void ViewerModel::resumeCheckpoint() {
-    if (!posted_) return;
+    if (!posted_) { return; }
     const std::string path = files.checkpoint;
     fileMessage_ = fmt::format("Reading {}…", path);
     fileMessageIsError_ = false;
@@ -139,7 +139,7 @@ void ViewerModel::resumeCheckpoint() {
                         Error{"the scene was edited meanwhile; nothing was resumed", {path, 0, 0, ""}}, "");
                 } else {
                     const uint32_t passes = loaded->value().film.passes();
-                    expectPicture();
+                    expectImage();
                     session_.resume(scene, std::move(loaded->value()));
                     finishFileJob({}, fmt::format("Resumed {} at {} passes", path, passes));
                 }
@@ -178,7 +178,7 @@ void ViewerModel::saveConvergenceCsv() {
 }
 
 void ViewerModel::takeDroppedFile(const std::string& path) {
-    if (isPicture(path)) {
+    if (isImage(path)) {
         files.reference = path;
         reference.load(path);
     } else if (posted_ && path.ends_with(".glintfilm")) {
@@ -205,9 +205,11 @@ void ViewerModel::findFault() {
 }
 
 void ViewerModel::autosave() {
-    if (!files.automatic || status_.state != SessionState::Rendering || status_.passes == 0 || busy()) return;
-    if (lastAutosave_ == 0.0) lastAutosave_ = secondsNow();
-    if (secondsNow() - lastAutosave_ >= static_cast<double>(files.automaticSeconds)) saveCheckpointFile();
+    if (!files.automatic || status_.state != SessionState::Rendering || status_.passes == 0 || busy()) {
+        return;
+    }
+    if (lastAutosave_ == 0.0) { lastAutosave_ = secondsNow(); }
+    if (secondsNow() - lastAutosave_ >= static_cast<double>(files.automaticSeconds)) { saveCheckpointFile(); }
 }
 
 }  // namespace glint

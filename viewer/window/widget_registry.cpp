@@ -24,13 +24,13 @@ void WidgetRegistry::add(WidgetKind kind, std::string_view label, Vec2 min, Vec2
 }
 
 std::optional<std::vector<std::string>> WidgetRegistry::takeAssignment(std::string_view label) {
-    if (assignmentTarget_.empty() || assignmentTarget_ != fullName(label)) return std::nullopt;
+    if (assignmentTarget_.empty() || assignmentTarget_ != fullName(label)) { return std::nullopt; }
     assignmentTarget_.clear();
     return std::exchange(assignment_, {});
 }
 
 bool WidgetRegistry::wantsScroll(std::string_view label) {
-    if (scrollTarget_.empty() || scrollTarget_ != fullName(label)) return false;
+    if (scrollTarget_.empty() || scrollTarget_ != fullName(label)) { return false; }
     scrollTarget_.clear();
     return true;
 }
@@ -41,8 +41,8 @@ Result<WidgetRecord> WidgetRegistry::find(std::string_view name) const {
     for (const WidgetRecord& widget : shown_) {
         names.push_back(widget.fullName());
         names.push_back(widget.label);
-        if (widget.fullName() == name) return widget;
-        if (widget.label != name) continue;
+        if (widget.fullName() == name) { return widget; }
+        if (widget.label != name) { continue; }
         if (found != nullptr) {
             return Error{fmt::format("several widgets are called \"{}\"; write \"{}\" or \"{}\"", name,
                                      found->fullName(), widget.fullName()),
@@ -50,7 +50,7 @@ Result<WidgetRecord> WidgetRegistry::find(std::string_view name) const {
         }
         found = &widget;
     }
-    if (found != nullptr) return *found;
+    if (found != nullptr) { return *found; }
     const std::vector<std::string_view> views(names.begin(), names.end());
     return Error{
         fmt::format("no widget on screen is called \"{}\"{}; widgets of a closed section are not on screen",
@@ -65,7 +65,9 @@ void WidgetRegistry::assign(const WidgetRecord& widget, std::vector<std::string>
 }
 
 std::string WidgetRegistry::assignmentFailure() const {
-    if (!assignmentTarget_.empty()) return fmt::format("\"{}\" is no longer on screen", assignmentTarget_);
+    if (!assignmentTarget_.empty()) {
+        return fmt::format("\"{}\" is no longer on screen", assignmentTarget_);
+    }
     return rejection_;
 }
 

@@ -1,5 +1,5 @@
-// What widgets are on screen, by label: how a script finds, reads and sets them. Filled by widgets.cpp each
-// frame.
+// What widgets are on screen, by label: how a script finds, reads and sets them. Filled by widgets.cpp
+// each frame.
 //
 // A widget's full name is "Section/Label"; the label alone will do while only one widget has it. Values are
 // text, as a script writes them. Nothing here draws.
@@ -37,8 +37,8 @@ class WidgetRegistry {
     const std::string& section() const { return section_; }
     void add(WidgetKind kind, std::string_view label, Vec2 min, Vec2 max, bool visible, std::string value);
 
-    /// The words a script assigns to this widget, once; the widget answers through reject() if they do not
-    /// fit.
+    /// The words a script assigns to this widget, once; the widget answers through reject() if they do
+    /// not fit.
     std::optional<std::vector<std::string>> takeAssignment(std::string_view label);
     void reject(std::string reason) { rejection_ = std::move(reason); }
     /// True when this widget is to be scrolled into view.

@@ -45,12 +45,12 @@ ImVec4 screenColor4(const Vec3& linear) {
 void record(WidgetKind kind, std::string_view label, std::string shown) {
     const ImVec2 min = ImGui::GetItemRectMin();
     const ImVec2 max = ImGui::GetItemRectMax();
-    if (registry->wantsScroll(label)) ImGui::SetScrollHereY(0.5f);
+    if (registry->wantsScroll(label)) { ImGui::SetScrollHereY(0.5f); }
     registry->add(kind, label, {min.x, min.y}, {max.x, max.y}, isCentreVisible(min, max), std::move(shown));
 }
 
 void tooltip(const char* text) {
-    if (text == nullptr) return;
+    if (text == nullptr) { return; }
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22.0f);
     ImGui::TextUnformatted(text);
@@ -71,7 +71,7 @@ void beginRow(const char* label, const char* tooltip) {
     const float width = ImGui::GetContentRegionAvail().x;
     ImGui::AlignTextToFramePadding();
     ImGui::TextColored(theme::kTextDim, "%s", label);
-    if (ImGui::IsItemHovered()) ui::tooltip(tooltip);
+    if (ImGui::IsItemHovered()) { ui::tooltip(tooltip); }
     ImGui::SameLine(start + std::max(width * kLabelShare, ImGui::GetFontSize() * 6.5f));
     ImGui::SetNextItemWidth(-FLT_MIN);
 }
@@ -91,7 +91,7 @@ const Fonts& fonts() { return *frameFonts; }
 bool section(const char* label, bool openAtFirst, const char* tooltip) {
     registry->setSection("");
     const auto words = registry->takeAssignment(label);
-    if (words) ImGui::SetNextItemOpen(!words->empty() && (*words)[0] == "open", ImGuiCond_Always);
+    if (words) { ImGui::SetNextItemOpen(!words->empty() && (*words)[0] == "open", ImGuiCond_Always); }
     ImGui::PushFont(frameFonts->heading);
     const bool open = ImGui::CollapsingHeader(label, openAtFirst ? ImGuiTreeNodeFlags_DefaultOpen : 0);
     ImGui::PopFont();
@@ -163,8 +163,9 @@ bool toggle(const char* label, bool* value, const char* tooltip) {
 
 bool text(const char* label, std::string* value, const char* hintText, const char* tooltip) {
     beginRow(label, tooltip);
-    if (const auto words = registry->takeAssignment(label))
+    if (const auto words = registry->takeAssignment(label)) {
         *value = fmt::format("{}", fmt::join(*words, " "));
+    }
     const bool entered =
         ImGui::InputTextWithHint("##value", hintText, value, ImGuiInputTextFlags_EnterReturnsTrue);
     record(WidgetKind::Text, label, *value);
@@ -174,9 +175,9 @@ bool text(const char* label, std::string* value, const char* hintText, const cha
 }
 
 bool button(const char* label, float width, const char* tooltip, bool emphasis) {
-    if (emphasis) ImGui::PushStyleColor(ImGuiCol_Button, theme::kAccent);
+    if (emphasis) { ImGui::PushStyleColor(ImGuiCol_Button, theme::kAccent); }
     const bool pressed = ImGui::Button(label, {width, 0.0f});
-    if (emphasis) ImGui::PopStyleColor();
+    if (emphasis) { ImGui::PopStyleColor(); }
     record(WidgetKind::Button, label, "");
     tooltipForItem(tooltip);
     return pressed;
@@ -190,7 +191,7 @@ void value(const char* label, const std::string& shown, const char* tooltip) {
     beginRow(label, tooltip);
     ImGui::TextUnformatted(shown.c_str());
     record(WidgetKind::Value, label, shown);
-    if (ImGui::IsItemHovered()) ui::tooltip(tooltip);
+    if (ImGui::IsItemHovered()) { ui::tooltip(tooltip); }
     endRow();
     ImGui::PopStyleVar(2);
 }

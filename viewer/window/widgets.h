@@ -1,5 +1,5 @@
-// The few widgets that the panels are made of: one row each, label left, control right, known to scripts by
-// label.
+// The few widgets that the panels are made of: one row each, label left, control right, known to scripts
+// by label.
 //
 // Thin over Dear ImGui. Every function that takes a pointer returns true when it changed the value. Labels
 // must be unique within a section. A tooltip of nullptr shows none.

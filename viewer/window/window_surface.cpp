@@ -27,13 +27,13 @@ class WindowSurface final : public Surface {
     WindowSurface& operator=(const WindowSurface&) = delete;
 
     ~WindowSurface() override {
-        if (backendStarted_) ImGui_ImplGlfw_Shutdown();
-        if (window_ != nullptr) glfwDestroyWindow(window_);
+        if (backendStarted_) { ImGui_ImplGlfw_Shutdown(); }
+        if (window_ != nullptr) { glfwDestroyWindow(window_); }
         glfwTerminate();
     }
 
     Status open() {
-        if (!glfwInit()) return Error{fmt::format("no window can be opened: {}", lastGlfwError()), {}};
+        if (!glfwInit()) { return Error{fmt::format("no window can be opened: {}", lastGlfwError()), {}}; }
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -48,7 +48,7 @@ class WindowSurface final : public Surface {
         glfwSwapInterval(1);
         watchInput();
         auto loaded = loadGlApi([](const char* name) { return glfwGetProcAddress(name); });
-        if (!loaded) return loaded.error();
+        if (!loaded) { return loaded.error(); }
         gl_ = *loaded;
         return {};
     }
@@ -64,7 +64,7 @@ class WindowSurface final : public Surface {
 
     void beginFrame() override {
         // ImGui chains to our callbacks, so it is started after them; its context exists only by now.
-        if (!backendStarted_) backendStarted_ = ImGui_ImplGlfw_InitForOpenGL(window_, true);
+        if (!backendStarted_) { backendStarted_ = ImGui_ImplGlfw_InitForOpenGL(window_, true); }
         ImGui_ImplGlfw_NewFrame();
     }
 
@@ -80,7 +80,7 @@ class WindowSurface final : public Surface {
     }
 
     float contentScale() const override {
-        if (options_.contentScale > 0.0f) return options_.contentScale;
+        if (options_.contentScale > 0.0f) { return options_.contentScale; }
         float x = 1.0f;
         float y = 1.0f;
         glfwGetWindowContentScale(window_, &x, &y);
@@ -134,7 +134,7 @@ class WindowSurface final : public Surface {
 
 Result<std::unique_ptr<Surface>> makeWindowSurface(const SurfaceOptions& options) {
     auto surface = std::make_unique<WindowSurface>(options);
-    if (Status opened = surface->open(); !opened) return opened.error();
+    if (Status opened = surface->open(); !opened) { return opened.error(); }
     return std::unique_ptr<Surface>(std::move(surface));
 }
 

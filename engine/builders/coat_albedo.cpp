@@ -1,0 +1,68 @@
+#include "engine/builders/coat_albedo.h"
+
+#include <cmath>
+
+#include "engine/kernels/bsdf_plastic.h"
+
+namespace glint {
+namespace {
+
+float fresnelAt(float mu, float ior) {
+    float cosT = 0.0f;
+    return fresnelDielectric(mu, ior, &cosT);
+}
+
+/// 2 times the integral of E(mu) mu over [0, 1], as a sum over the albedo table's variable t = sqrt(mu),
+/// where it is smooth: 4 E t^3 dt.
+template <class Albedo>
+float cosineMean(const Albedo& albedo, int steps) {
+    double sum = 0.0;
+    for (int i = 0; i < steps; ++i) {
+        const double t = (i + 0.5) / steps;
+        sum += 4.0 * static_cast<double>(albedo(static_cast<float>(t * t))) * t * t * t / steps;
+    }
+    return static_cast<float>(sum);
+}
+
+}  // namespace
+
+float roughCoatAlbedo(float ior, float alpha, float mu) {
+    constexpr int kSteps = 16;
+    const Vec3 wo(safeSqrt((1.0f - mu) * (1.0f + mu)), 0.0f, mu);
+    float sum = 0.0f;
+    for (int i = 0; i < kSteps * kSteps; ++i) {
+        const int column = i % kSteps, row = i / kSteps;
+        const Vec2 u((static_cast<float>(column) + 0.5f) / kSteps, (static_cast<float>(row) + 0.5f) / kSteps);
+        const Vec3 h = sampleVisibleNormal(wo, alpha, u);
+        const Vec3 wi = reflect(wo, h);
+        if (wi.z > 0.0f) {
+            const float cosine = clampf(glm::dot(wo, h), 0.0f, 1.0f);
+            sum += fresnelAt(cosine, ior) * detail::ggxReflectionWeight(wo, wi, alpha);
+        }
+    }
+    return std::fmin(sum / (kSteps * kSteps), 1.0f);
+}
+
+void tabulateCoat(MaterialData* material) {
+    const float ior = material->ior;
+    const float smoothMean = cosineMean([&](float mu) { return fresnelAt(mu, ior); }, 512);
+    // What cannot get out: reciprocity of the smooth boundary, (1 - Eavg) = ior^2 (1 - Fi).
+    material->coatInternalAlbedo = clampf(1.0f - (1.0f - smoothMean) / square(ior), 0.0f, 1.0f);
+    material->coatAverageAlbedo = smoothMean;
+    if (material->alpha < kSmoothAlpha) { return; }
+    for (int i = 1; i < kCoatSamples; ++i) {
+        const float mu = square(static_cast<float>(i) / (kCoatSamples - 1));
+        const float fresnel = fresnelAt(mu, ior);
+        material->coatRatio[i] = fresnel > 0.0f ? roughCoatAlbedo(ior, material->alpha, mu) / fresnel : 0.0f;
+    }
+    // Below the first entry, within 0.06 degrees of grazing, narrow lobes have a dip that the table cannot
+    // resolve: the larger value loses a little light there, the smaller would gain some.
+    const float grazing =
+        roughCoatAlbedo(ior, material->alpha, 1e-4f) / std::fmax(fresnelAt(1e-4f, ior), 1e-6f);
+    material->coatRatio[0] = std::fmax(material->coatRatio[1], grazing);
+    // The mean of what the kernel interpolates, not of the exact albedo: energy is then conserved exactly.
+    material->coatAverageAlbedo =
+        cosineMean([&](float mu) { return detail::coatAlbedo(*material, mu); }, 512);
+}
+
+}  // namespace glint

@@ -1,0 +1,68 @@
+#include "engine/builders/feature_scan.h"
+
+#include "engine/builders/material_table.h"
+#include "engine/scene/scene_use.h"
+
+namespace glint {
+namespace {
+
+FeatureMask objectFeatures(const SceneDescription& scene, const Object& object) {
+    FeatureMask mask = object.frontOnly ? kFeatureFrontOnly : 0u;
+    switch (object.shape) {
+        case ShapeKind::Sphere:
+            return mask | kFeatureSphere;
+        case ShapeKind::Plane:
+            return mask | kFeaturePlane;
+        case ShapeKind::Rectangle:
+        case ShapeKind::Disc:
+            return mask | kFeatureFlat;
+        case ShapeKind::Mesh:
+            break;
+    }
+    mask |= kFeatureMesh;
+    mask |= object.objectToWorld == Affine{} ? 0u : kFeatureTransforms;
+    if (object.mesh >= 0 && static_cast<size_t>(object.mesh) < scene.meshes.size()) {
+        const auto& data = scene.meshes[static_cast<size_t>(object.mesh)].data;
+        mask |= data && !data->normals.empty() ? kFeatureMeshNormals : 0u;
+        mask |= data && !data->colors.empty() ? kFeatureMeshColors : 0u;
+    }
+    return mask;
+}
+
+FeatureMask materialFeatures(const Material& material) {
+    FeatureMask mask = material.color.texture >= 0 ? kFeatureTextures : 0u;
+    const bool rough = isRough(material);
+    mask |= rough ? kFeatureGlossy : 0u;
+    switch (material.kind) {
+        case MaterialKind::Diffuse:
+            return mask | kFeatureDiffuse;
+        case MaterialKind::Mirror:
+            return mask | kFeatureSpecular;
+        case MaterialKind::Conductor:
+            return mask | (rough ? 0u : kFeatureSpecular);
+        case MaterialKind::Dielectric:
+            return mask | kFeatureDielectric;
+        case MaterialKind::Plastic:
+            return mask | kFeaturePlastic;
+        case MaterialKind::Mixture:
+            return mask | kFeatureMixture;
+    }
+    return mask;
+}
+
+}  // namespace
+
+FeatureMask scanFeatures(const SceneDescription& scene) {
+    FeatureMask mask = scene.camera.apertureDiameter > 0.0f ? kFeatureDepthOfField : 0u;
+    mask |= scene.options.sampler == SamplerKind::Independent ? kFeatureIndependentSampler : 0u;
+    for (const Object& object : scene.objects) {
+        mask |= objectFeatures(scene, object);
+    }
+    const std::vector<bool> used = usedMaterials(scene);
+    for (size_t i = 0; i < used.size(); ++i) {
+        mask |= used[i] ? materialFeatures(scene.materials[i]) : 0u;
+    }
+    return mask;
+}
+
+}  // namespace glint

@@ -1,0 +1,34 @@
+// The placed shapes of a scene and the top-level acceleration structure over them.
+//
+// Called by the scene builder whenever an object or a mesh changed.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/builders/mesh_builder.h"
+#include "engine/scene/scene.h"
+
+namespace glint {
+
+struct InstanceTable {
+    std::vector<InstanceData> instances;  ///< same indices as SceneDescription::objects
+    std::vector<MeshView> meshes;         ///< same indices as SceneDescription::meshes
+    HugeVector<WideNode> topNodes;        ///< over all finite instances that are not empty
+    std::vector<uint32_t> topInstances;
+    std::vector<uint32_t> planes;
+    Bounds bounds;  ///< of the finite instances; a single point at 0 when there are none
+
+    /// Host pointers into this object.
+    GeometryView view() const;
+    size_t bytes() const;
+};
+
+/// `firstEmitter` has one entry per object (LightTable::firstEmitter), or is empty when nothing emits.
+/// The description must be valid: indices in range, transforms invertible. The meshes must outlive the
+/// table's users.
+std::shared_ptr<const InstanceTable> buildInstances(
+    const SceneDescription& scene, const std::vector<std::shared_ptr<const BuiltMesh>>& meshes,
+    const std::vector<uint32_t>& firstEmitter);
+
+}  // namespace glint

@@ -1,0 +1,48 @@
+// All lights of a scene as flat arrays: emitters, how they are chosen, and the environment's distribution.
+//
+// Called by the scene builder whenever emission, a transform of an emissive object, a light or the
+// environment changed. Knows nothing of sampling itself (kernels/light_sampling.h).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "engine/builders/environment_table.h"
+#include "engine/kernels/features.h"
+#include "engine/kernels/light_view.h"
+#include "engine/scene/scene.h"
+
+namespace glint {
+
+/// Up to this many finite emitters are weighed one by one at every shading point; more get a tree.
+constexpr uint32_t kFewLights = 8;
+
+struct LightTable {
+    std::vector<EmitterData> emitters;
+    std::vector<LightNode> nodes;
+    std::vector<uint32_t> emitterNodes;
+    /// For each object the index of its first emitter, or kNone: not emissive, or an infinite plane, which
+    /// shines but cannot be sampled. Instances take it into InstanceData::firstEmitter.
+    std::vector<uint32_t> firstEmitter;
+    std::shared_ptr<const EnvironmentTable> environment;  ///< null without an environment image
+    uint32_t finiteCount = 0;
+    bool usesTree = false;
+    float environmentIrradiance = 0.0f;
+    Vec3 environmentRadiance{0.0f};
+    float environmentRotationRad = 0.0f;
+
+    /// The light bits of the feature mask: area, delta and many lights, the kinds of environment.
+    FeatureMask features() const;
+    /// Host pointers into this object.
+    LightView view() const;
+    size_t bytes() const;
+};
+
+/// `previous` (may be null) lends its environment distribution when the image is the same object.
+/// Deterministic for any number of threads (0: all). The description must be valid: indices in range,
+/// transforms invertible.
+std::shared_ptr<const LightTable> buildLightTable(const SceneDescription& scene, const LightTable* previous,
+                                                  int threads);
+
+}  // namespace glint

@@ -1,0 +1,94 @@
+#include "engine/builders/texture_table.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "engine/scene/scene_use.h"
+
+namespace glint {
+namespace {
+
+template <class Image>
+bool hasAllPixels(const Image& image) {
+    return image.width > 0 && image.height > 0 &&
+           image.rgb.size() == 3 * static_cast<size_t>(image.width) * static_cast<size_t>(image.height);
+}
+
+Result<TextureView> makeView(const Texture& texture) {
+    const ImageSource& image = texture.image;
+    const bool complete =
+        image.bytes ? hasAllPixels(*image.bytes) : image.floats && hasAllPixels(*image.floats);
+    if (!complete) {
+        return Error{fmt::format("texture '{}' {}", texture.name,
+                                 image.isRead() ? "has no pixels" : "is used, but has not been read"),
+                     {}};
+    }
+    if (!std::isfinite(texture.scale.x) || !std::isfinite(texture.scale.y)) {
+        return Error{fmt::format("the scale of texture '{}' is not a finite number", texture.name), {}};
+    }
+    TextureView view;
+    view.bytes = image.bytes ? image.bytes->rgb.data() : nullptr;
+    view.floats = image.bytes ? nullptr : image.floats->rgb.data();
+    view.width = image.bytes ? image.bytes->width : image.floats->width;
+    view.height = image.bytes ? image.bytes->height : image.floats->height;
+    view.scale = texture.scale;
+    view.srgb = texture.encoding == ColorEncoding::Srgb && image.bytes != nullptr;
+    view.flipV = texture.flipV;
+    return view;
+}
+
+bool sameView(const TextureView& a, const TextureView& b) {
+    return a.bytes == b.bytes && a.floats == b.floats && a.width == b.width && a.height == b.height &&
+           a.scale == b.scale && a.srgb == b.srgb && a.flipV == b.flipV;
+}
+
+bool sameTable(const TextureTable& a, const TextureTable& b) {
+    return a.packedIndex == b.packedIndex &&
+           std::equal(a.textures.begin(), a.textures.end(), b.textures.begin(), b.textures.end(), sameView);
+}
+
+}  // namespace
+
+size_t TextureTable::bytes() const { return imageBytes(images); }
+
+size_t imageBytes(const std::vector<ImageSource>& images) {
+    std::set<const void*> counted;
+    size_t sum = 0;
+    for (const ImageSource& image : images) {
+        if (image.bytes && counted.insert(image.bytes.get()).second) {
+            sum += image.bytes->rgb.size();
+        } else if (image.floats && counted.insert(image.floats.get()).second) {
+            sum += image.floats->rgb.size() * sizeof(float);
+        }
+    }
+    return sum;
+}
+
+Result<std::shared_ptr<const TextureTable>> buildTextureTable(
+    const SceneDescription& scene, const std::shared_ptr<const TextureTable>& previous) {
+    auto table = std::make_shared<TextureTable>();
+    table->packedIndex.assign(scene.textures.size(), kNone);
+    const std::vector<bool> used = usedMaterials(scene);
+    for (size_t i = 0; i < scene.materials.size(); ++i) {
+        const int index = scene.materials[i].color.texture;
+        if (!used[i] || index < 0) { continue; }
+        if (static_cast<size_t>(index) >= scene.textures.size()) {
+            return Error{fmt::format("material '{}' refers to texture {}; the scene has {}",
+                                     scene.materials[i].name, index, scene.textures.size()),
+                         {}};
+        }
+        if (table->packedIndex[static_cast<size_t>(index)] != kNone) { continue; }
+        const Texture& texture = scene.textures[static_cast<size_t>(index)];
+        Result<TextureView> view = makeView(texture);
+        if (!view) { return view.error(); }
+        table->packedIndex[static_cast<size_t>(index)] = static_cast<uint32_t>(table->textures.size());
+        table->textures.push_back(*view);
+        table->images.push_back(texture.image);
+    }
+    if (previous && sameTable(*table, *previous)) { return previous; }
+    return std::shared_ptr<const TextureTable>(std::move(table));
+}
+
+}  // namespace glint

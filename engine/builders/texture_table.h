@@ -1,0 +1,34 @@
+// The textures that a scene's materials use, as kernels read them. Called by the scene builder.
+//
+// Pixels are not copied: the table shares the immutable images. Textures that nothing refers to are left out.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/kernels/geometry_view.h"
+#include "engine/kernels/shading_view.h"
+#include "engine/scene/scene.h"
+
+namespace glint {
+
+struct TextureTable {
+    std::vector<TextureView> textures;
+    /// for each texture of the description its index in `textures`, or kNone
+    std::vector<uint32_t> packedIndex;
+    std::vector<ImageSource> images;  ///< keep the pixels alive; same indices as `textures`
+
+    /// Memory of the pixels, an image that several textures share counted once.
+    size_t bytes() const;
+};
+
+/// Memory of the images' pixels; an image that stands there several times counts once.
+size_t imageBytes(const std::vector<ImageSource>& images);
+
+/// `previous` (may be null) is returned itself where nothing changed. Error: a used material refers to a
+/// texture that does not exist, or a used texture has no pixels or a scale that is not finite.
+Result<std::shared_ptr<const TextureTable>> buildTextureTable(
+    const SceneDescription& scene, const std::shared_ptr<const TextureTable>& previous);
+
+}  // namespace glint

@@ -1,0 +1,80 @@
+// The picture's size, and how it is sampled.
+#include <array>
+
+#include <imgui.h>
+
+#include "viewer/panels/panels.h"
+#include "viewer/window/widgets.h"
+
+namespace glint {
+namespace {
+
+void drawImage(RenderOptions* options, Resolution* resolution) {
+    static constexpr std::array<std::string_view, 3> kFilters{"Box", "Gaussian", "Blackman-Harris"};
+    static constexpr std::array<std::string_view, 2> kSamplers{"Sobol", "Independent"};
+    ui::integer("Width", &resolution->width,
+                {.format = "%d px",
+                 .speed = 4.0f,
+                 .min = 16.0f,
+                 .max = 16384.0f,
+                 .tooltip = "Of the picture that is rendered and saved"});
+    ui::integer("Height", &resolution->height,
+                {.format = "%d px",
+                 .speed = 4.0f,
+                 .min = 16.0f,
+                 .max = 16384.0f,
+                 .tooltip = "Of the picture that is rendered and saved"});
+    ui::integer("Max depth", &options->maxDepth,
+                {.format = "%d bounces",
+                 .speed = 0.1f,
+                 .max = 1024.0f,
+                 .tooltip = "Most scattering events of a path"});
+    ui::integer("Roulette from", &options->rouletteStartDepth,
+                {.format = "bounce %d",
+                 .speed = 0.1f,
+                 .max = 1024.0f,
+                 .tooltip = "Paths are ended at random from this bounce on; the mean stays the same"});
+    int filter = static_cast<int>(options->filter);
+    if (ui::choice("Filter", &filter, kFilters, "How a pixel weighs the light around it")) {
+        options->filter = static_cast<FilterKind>(filter);
+    }
+    ui::number(
+        "Filter radius", &options->filterRadius,
+        {.format = "%.2f px", .speed = 0.01f, .min = 0.1f, .max = 8.0f, .tooltip = "Larger is softer"});
+    int sampler = static_cast<int>(options->sampler);
+    if (ui::choice("Sampler", &sampler, kSamplers, "Sobol's points lie evenly and converge faster")) {
+        options->sampler = static_cast<SamplerKind>(sampler);
+    }
+    int seed = static_cast<int>(options->seed);
+    if (ui::integer("Seed", &seed,
+                    {.format = "%d",
+                     .speed = 0.1f,
+                     .max = 1e9f,
+                     .tooltip = "Another number gives another noise; the same one the same picture"})) {
+        options->seed = static_cast<uint32_t>(seed);
+    }
+    ui::number(
+        "Firefly clamp", &options->fireflyClamp,
+        {.format = "%.2f W/(sr m²)",
+         .speed = 0.05f,
+         .max = 1e9f,
+         .zeroText = "off",
+         .tooltip =
+             "The most radiance one sample may bring. Hides fireflies, and darkens the picture a little"});
+}
+
+}  // namespace
+
+void drawImagePanel(ViewerModel* model) {
+    if (!ui::section("Picture", false)) { return; }
+    ImGui::PushID("picture");
+    if (model->hasScene()) {
+        drawImage(&model->draft().options, &model->draft().resolution);
+    } else {
+        ui::hint("No scene is open.");
+    }
+    ImGui::PopID();
+    ui::gap();
+}
+
+}  // namespace glint

@@ -1,0 +1,133 @@
+#include "viewer/window/shown_image_source.h"
+
+#include <utility>
+
+#include "engine/base/thread_priority.h"
+
+namespace glint {
+namespace {
+
+// About 4 ms of colouring, and 50 ms of drawing where OpenGL runs on the processor.
+constexpr size_t kColoredAtOnce = size_t{1} << 17;
+constexpr size_t kDrawnAtOnce = size_t{1} << 20;
+
+size_t pixelsOf(const FilmSnapshot& snapshot) {
+    return static_cast<size_t>(snapshot.width) * static_cast<size_t>(snapshot.height);
+}
+
+/// The shader would take too long over this picture.
+bool isForProcessor(const FilmSnapshot& snapshot, const ImageDisplay& display) {
+    return display.isSoftware() && pixelsOf(snapshot) > kDrawnAtOnce;
+}
+
+bool isSame(const MapScale& a, const MapScale& b) {
+    return a.heat.smallest == b.heat.smallest && a.heat.largest == b.heat.largest && a.isSigned == b.isSigned;
+}
+
+}  // namespace
+
+ShownImageSource::Colors ShownImageSource::colored(Wanted of, ShownImage kind, MapScale scale) {
+    Colors colors{std::move(of), kind, scale, {}};
+    if (kind == ShownImage::Radiance) {
+        const ImageDisplay::Look& look = colors.of.look;
+        colors.rgba = toneMappedColors(*colors.of.snapshot, look.exposureStops, look.toneMap);
+    } else {
+        colors.rgba = falseColors(*colors.of.snapshot, kind, colors.of.reference.get(), &colors.scale);
+    }
+    return colors;
+}
+
+void ShownImageSource::start(const Wanted& wanted, ShownImage kind, const MapScale& scale) {
+    isColoring_ = true;
+    jobs_.start(
+        [this, wanted, kind, scale]() -> JobQueue::Completion {
+            lowerThreadPriority();
+            auto colors = std::make_shared<Colors>(colored(wanted, kind, scale));
+            return [this, colors] {
+                isColoring_ = false;
+                ready_ = std::move(*colors);
+            };
+        },
+        false);
+}
+
+bool ShownImageSource::isReady() {
+    jobs_.runCompletions();
+    return ready_.has_value();
+}
+
+void ShownImageSource::putRadiance(const Wanted& wanted, ImageDisplay* display) {
+    const FilmSnapshot& snapshot = *wanted.snapshot;
+    display->upload(snapshot.radiance.data(), snapshot.width, snapshot.height, snapshot.previewScale > 1);
+    shownKind_ = ShownImage::Radiance;
+    shownIntegrator_ = snapshot.integrator;
+    scale_ = {};
+    shown_ = wanted;
+}
+
+/// What has not been made yet leaves the picture before on the screen, but not another integrator's.
+void ShownImageSource::put(Colors colors, ImageDisplay* display) {
+    const FilmSnapshot& snapshot = *colors.of.snapshot;
+    if (colors.rgba.size() == pixelsOf(snapshot) * 4) {
+        display->uploadColors(colors.rgba.data(), snapshot.width, snapshot.height, snapshot.previewScale > 1);
+        shownKind_ = colors.kind;
+        shownIntegrator_ = snapshot.integrator;
+        scale_ = colors.kind == ShownImage::Radiance ? MapScale{} : colors.scale;
+    } else if (snapshot.integrator != shownIntegrator_) {
+        putRadiance(colors.of, display);
+    }
+    shown_ = std::move(colors.of);
+}
+
+bool ShownImageSource::isNew(const Wanted& wanted, ShownImage kind, const ShownImageSource* alongside,
+                             const ImageDisplay& display) const {
+    if (wanted.snapshot != shown_.snapshot || wanted.shown != shown_.shown ||
+        wanted.reference != shown_.reference) {
+        return true;
+    }
+    if (kind == ShownImage::Radiance) {
+        return isForProcessor(*wanted.snapshot, display) && !(wanted.look == shown_.look);
+    }
+    return alongside != nullptr && alongside->shownKind() == kind && shownKind_ == kind &&
+           alongside->scale().isThere() && !isSame(alongside->scale(), scale_);
+}
+
+void ShownImageSource::bringUp(const Wanted& wanted, ShownImage kind, const MapScale& scale,
+                               ImageDisplay* display) {
+    const bool isRadiance = kind == ShownImage::Radiance;
+    if (isRadiance && !isForProcessor(*wanted.snapshot, *display)) {
+        putRadiance(wanted, display);
+    } else if (!isRadiance && pixelsOf(*wanted.snapshot) <= kColoredAtOnce) {
+        put(colored(wanted, kind, scale), display);
+    } else {
+        isBehind_ = true;
+        if (!isColoring_) { start(wanted, kind, scale); }
+    }
+}
+
+void ShownImageSource::show(const Wanted& wanted, const ShownImageSource* alongside, ImageDisplay* display) {
+    isBehind_ = false;
+    if (isReady()) {
+        // Of an older generation or another choice: the picture on the display is newer.
+        const bool isWanted = wanted.snapshot && ready_->of.shown == wanted.shown &&
+                              ready_->of.reference == wanted.reference &&
+                              ready_->of.snapshot->generation == wanted.snapshot->generation &&
+                              ready_->of.snapshot->integrator == wanted.snapshot->integrator;
+        if (isWanted) { put(std::move(*ready_), display); }
+        ready_.reset();
+    }
+    if (wanted.snapshot && wanted.snapshot->width > 0) {
+        const ShownImage kind = imageOf(*wanted.snapshot, wanted.shown, wanted.reference.get());
+        if (isNew(wanted, kind, alongside, *display)) {
+            if (alongside != nullptr && alongside->isBehind()) {
+                isBehind_ = true;  // its scale is not known yet
+            } else {
+                const bool shares = alongside != nullptr && alongside->shownKind() == kind;
+                bringUp(wanted, kind, shares ? alongside->scale() : MapScale{}, display);
+            }
+        }
+    }
+    display->update(wanted.look);
+}
+
+}  // namespace glint
