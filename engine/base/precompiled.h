@@ -1,8 +1,7 @@
 // What most translation units read anyway, compiled once for each target: the standard library's large
 // headers, GLM and fmt. Only other people's headers belong here, so that no edit of ours rebuilds everything.
 //
-// Every file still includes what it uses: the release preset does without, since GCC 12 at -O3 takes
-// precompiled headers for our own code and reports overlapping copies in std::string that are none.
+// Targets name it in angle brackets: its text then holds no path, and a compiler cache serves every checkout.
 #pragma once
 
 #include <algorithm>
