@@ -18,7 +18,7 @@ namespace glint {
 namespace {
 
 FeatureMask featuresOfPass(const PassParams& params) {
-    return params.sampler == SamplerTag::Independent ? FeatureMask{kFeatureIndependentSampler} : 0;
+    return params.sampler == SamplerKind::Independent ? FeatureMask{kFeatureIndependentSampler} : 0;
 }
 
 class CudaBackend final : public Backend {

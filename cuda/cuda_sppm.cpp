@@ -32,7 +32,7 @@ std::string needsOf(const SppmParams& params) {
 }
 
 const CudaSppmVariant& variantOf(const SppmParams& params, FeatureMask features) {
-    const bool independent = params.pass.sampler == SamplerTag::Independent;
+    const bool independent = params.pass.sampler == SamplerKind::Independent;
     return chooseCudaSppmVariant(features | (independent ? FeatureMask{kFeatureIndependentSampler} : 0));
 }
 
@@ -53,7 +53,7 @@ struct CudaSppm::Job {
 Result<bool> CudaSppm::renderPass(const Scene& scene, const SppmParams& params, const std::atomic<bool>& stop,
                                   PixelSample* image, SppmState* state, std::vector<PixelSample>* direct) {
     GLINT_CHECK_OP(state->pixels.size(), ==, pixelCountOf(params));
-    if (params.lookup != PhotonLookup::Grid) {
+    if (params.lookup != PhotonLookupKind::Grid) {
         return Error{
             "CUDA finds photons by the grid only: choose \"grid\" as the photon look-up, or render on "
             "the CPU.",

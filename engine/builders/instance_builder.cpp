@@ -42,7 +42,7 @@ InstanceData makeInstance(const Object& object, uint32_t firstEmitter) {
     instance.mesh = object.shape == ShapeKind::Mesh ? static_cast<uint32_t>(object.mesh) : kNone;
     instance.material = static_cast<uint32_t>(object.material);
     instance.firstEmitter = firstEmitter;
-    instance.shape = static_cast<ShapeTag>(object.shape);
+    instance.shape = object.shape;
     if (object.frontOnly) { instance.flags |= kInstanceFrontOnly; }
     if (object.objectToWorld == Affine{}) { instance.flags |= kInstanceIdentity; }
     if (object.objectToWorld.determinant() < 0.0f) { instance.flags |= kInstanceMirrored; }

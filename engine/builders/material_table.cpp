@@ -70,7 +70,7 @@ Status setCoat(const Material& material, MaterialData* data, const MaterialData*
         return materialError(
             material, fmt::format("the coat's index of refraction is {}; expected 1 or more", material.ior));
     }
-    const bool known = previous != nullptr && previous->kind == MaterialTag::Plastic &&
+    const bool known = previous != nullptr && previous->kind == MaterialKind::Plastic &&
                        previous->ior == data->ior && previous->alpha == data->alpha;
     if (!known) {
         tabulateCoat(data);
@@ -93,7 +93,7 @@ uint8_t flagsOf(const Material& material) {
 Result<MaterialData> makeMaterial(const Material& material, uint32_t texture, const MaterialData* previous) {
     if (const Status status = checkMaterial(material); !status) { return status.error(); }
     MaterialData data;
-    data.kind = static_cast<MaterialTag>(material.kind);
+    data.kind = material.kind;
     data.flags = flagsOf(material);
     data.color = glm::clamp(material.color.value, Vec3(0.0f), Vec3(1.0f));
     data.colorTexture = texture;

@@ -34,14 +34,14 @@ Result<TextureView> makeView(const Texture& texture) {
     view.width = image.bytes ? image.bytes->width : image.floats->width;
     view.height = image.bytes ? image.bytes->height : image.floats->height;
     view.scale = texture.scale;
-    view.srgb = texture.encoding == ColorEncoding::Srgb && image.bytes != nullptr;
+    view.encoding = image.bytes != nullptr ? texture.encoding : ColorEncoding::Linear;
     view.flipV = texture.flipV;
     return view;
 }
 
 bool sameView(const TextureView& a, const TextureView& b) {
     return a.bytes == b.bytes && a.floats == b.floats && a.width == b.width && a.height == b.height &&
-           a.scale == b.scale && a.srgb == b.srgb && a.flipV == b.flipV;
+           a.scale == b.scale && a.encoding == b.encoding && a.flipV == b.flipV;
 }
 
 bool sameTable(const TextureTable& a, const TextureTable& b) {

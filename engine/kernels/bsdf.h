@@ -42,16 +42,16 @@ template <FeatureMask kMask>
 GLINT_HD bool isSpecularOnly(const Bsdf<kMask>& bsdf) {
     const MaterialData& material = *bsdf.material;
     switch (detail::kindOf<kMask>(material)) {
-        case MaterialTag::Diffuse:
-        case MaterialTag::Plastic:
+        case MaterialKind::Diffuse:
+        case MaterialKind::Plastic:
             return false;
-        case MaterialTag::Mirror:
+        case MaterialKind::Mirror:
             return true;
-        case MaterialTag::Conductor:
+        case MaterialKind::Conductor:
             return detail::isSmooth(material);
-        case MaterialTag::Dielectric:
+        case MaterialKind::Dielectric:
             return detail::isSmooth(material) || (material.flags & kMaterialThin) != 0;
-        case MaterialTag::Mixture:
+        case MaterialKind::Mixture:
             return material.mixtureProbability.x <= 0.0f;
     }
     return true;
@@ -61,7 +61,7 @@ GLINT_HD bool isSpecularOnly(const Bsdf<kMask>& bsdf) {
 /// metal: its reflectance at normal incidence).
 template <FeatureMask kMask>
 GLINT_HD Vec3 displayAlbedo(const Bsdf<kMask>& bsdf) {
-    if (detail::kindOf<kMask>(*bsdf.material) == MaterialTag::Conductor) {
+    if (detail::kindOf<kMask>(*bsdf.material) == MaterialKind::Conductor) {
         return bsdf.color * fresnelConductor(1.0f, bsdf.material->eta, bsdf.material->k);
     }
     return bsdf.color;

@@ -14,17 +14,17 @@ template <FeatureMask kMask>
 GLINT_HD LobeValue evaluateLocal(const Bsdf<kMask>& bsdf, const Vec3& wi, float ngWi) {
     const MaterialData& material = *bsdf.material;
     switch (kindOf<kMask>(material)) {
-        case MaterialTag::Diffuse:
+        case MaterialKind::Diffuse:
             return evaluateDiffuse(bsdf.color * terminator(bsdf, ngWi, wi.z), wi);
-        case MaterialTag::Mirror:
+        case MaterialKind::Mirror:
             break;
-        case MaterialTag::Conductor:
+        case MaterialKind::Conductor:
             if constexpr (hasFeature<kMask>(kFeatureGlossy)) {
                 return isSmooth(material) ? LobeValue{}
                                           : evaluateRoughConductor(material, bsdf.color, bsdf.woLocal, wi);
             }
             break;
-        case MaterialTag::Dielectric:
+        case MaterialKind::Dielectric:
             if constexpr (hasFeature<kMask>(kFeatureGlossy) && hasFeature<kMask>(kFeatureDielectric)) {
                 return !isSmooth(material) && (material.flags & kMaterialThin) == 0
                            ? evaluateRoughDielectric(bsdf.color, material.alpha, bsdf.eta, bsdf.woLocal, wi,
@@ -32,12 +32,12 @@ GLINT_HD LobeValue evaluateLocal(const Bsdf<kMask>& bsdf, const Vec3& wi, float 
                            : LobeValue{};
             }
             break;
-        case MaterialTag::Plastic:
+        case MaterialKind::Plastic:
             if constexpr (hasFeature<kMask>(kFeaturePlastic)) {
                 return evaluatePlastic(material, bsdf.color, bsdf.woLocal, wi, terminator(bsdf, ngWi, wi.z));
             }
             break;
-        case MaterialTag::Mixture:
+        case MaterialKind::Mixture:
             if constexpr (hasFeature<kMask>(kFeatureMixture)) {
                 const float diffuse = material.mixtureProbability.x;
                 const LobeValue lobe =

@@ -65,8 +65,8 @@ GLINT_HD inline Vec3 bendShadingNormal(const Vec3& wo, const Vec3& ng, const Vec
 GLINT_HD inline bool isSmooth(const MaterialData& material) { return material.alpha < kSmoothAlpha; }
 
 template <FeatureMask kMask>
-GLINT_HD MaterialTag kindOf(const MaterialData& material) {
-    return isDiffuseOnly<kMask>() ? MaterialTag::Diffuse : material.kind;
+GLINT_HD MaterialKind kindOf(const MaterialData& material) {
+    return isDiffuseOnly<kMask>() ? MaterialKind::Diffuse : material.kind;
 }
 
 /// Whether some lobe reflects or refracts in one direction only. Such materials keep ns as it is; sample()
@@ -74,15 +74,15 @@ GLINT_HD MaterialTag kindOf(const MaterialData& material) {
 template <FeatureMask kMask>
 GLINT_HD bool hasSpecularLobe(const MaterialData& material) {
     switch (kindOf<kMask>(material)) {
-        case MaterialTag::Diffuse:
+        case MaterialKind::Diffuse:
             return false;
-        case MaterialTag::Conductor:
-        case MaterialTag::Plastic:
+        case MaterialKind::Conductor:
+        case MaterialKind::Plastic:
             return isSmooth(material);
-        case MaterialTag::Dielectric:
+        case MaterialKind::Dielectric:
             return isSmooth(material) || (material.flags & kMaterialThin) != 0;
-        case MaterialTag::Mirror:
-        case MaterialTag::Mixture:
+        case MaterialKind::Mirror:
+        case MaterialKind::Mixture:
             return true;
     }
     return false;
@@ -95,7 +95,7 @@ GLINT_HD Vec3 usedShadingNormal(const MaterialData& material, const Vec3& wo, co
                                 TransportMode transport) {
     if (hasSpecularLobe<kMask>(material)) { return ns; }
     const bool anyDirection =
-        transport == TransportMode::Importance && kindOf<kMask>(material) == MaterialTag::Diffuse;
+        transport == TransportMode::Importance && kindOf<kMask>(material) == MaterialKind::Diffuse;
     return anyDirection ? ng : bendShadingNormal(wo, ng, ns);
 }
 

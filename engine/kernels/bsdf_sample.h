@@ -58,14 +58,14 @@ template <FeatureMask kMask>
 GLINT_HD LobeSample sampleLocal(const Bsdf<kMask>& bsdf, float uLobe, Vec2 u) {
     const MaterialData& material = *bsdf.material;
     switch (kindOf<kMask>(material)) {
-        case MaterialTag::Diffuse:
+        case MaterialKind::Diffuse:
             return sampleLambert(bsdf, u);
-        case MaterialTag::Mirror:
+        case MaterialKind::Mirror:
             if constexpr (hasFeature<kMask>(kFeatureSpecular)) {
                 return specularSample(mirrored(bsdf.woLocal), bsdf.color);
             }
             break;
-        case MaterialTag::Conductor:
+        case MaterialKind::Conductor:
             if constexpr (hasFeature<kMask>(kFeatureGlossy)) {
                 if (!isSmooth(material)) {
                     return sampleRoughConductor(material, bsdf.color, bsdf.woLocal, u);
@@ -75,16 +75,16 @@ GLINT_HD LobeSample sampleLocal(const Bsdf<kMask>& bsdf, float uLobe, Vec2 u) {
                 return sampleSmoothConductor(material, bsdf.color, bsdf.woLocal);
             }
             break;
-        case MaterialTag::Dielectric:
+        case MaterialKind::Dielectric:
             if constexpr (hasFeature<kMask>(kFeatureDielectric)) { return sampleGlass(bsdf, uLobe, u); }
             break;
-        case MaterialTag::Plastic:
+        case MaterialKind::Plastic:
             if constexpr (hasFeature<kMask>(kFeaturePlastic)) {
                 return samplePlastic(material, bsdf.color, bsdf.woLocal, uLobe, u,
                                      [&](const Vec3& wi) { return terminatorOf(bsdf, wi); });
             }
             break;
-        case MaterialTag::Mixture:
+        case MaterialKind::Mixture:
             if constexpr (hasFeature<kMask>(kFeatureMixture)) { return sampleMixture(bsdf, uLobe, u); }
             break;
     }

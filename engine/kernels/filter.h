@@ -84,13 +84,13 @@ GLINT_HD inline float sampleBlackmanHarris(float u) {
     return std::copysign(clampf(t - step, 0.0f, 1.0f), v);
 }
 
-GLINT_HD inline float sampleFilterAxis(FilterTag filter, float u) {
+GLINT_HD inline float sampleFilterAxis(FilterKind filter, float u) {
     switch (filter) {
-        case FilterTag::Box:
+        case FilterKind::Box:
             return 2.0f * u - 1.0f;
-        case FilterTag::Gaussian:
+        case FilterKind::Gaussian:
             return sampleGaussian(u);
-        case FilterTag::BlackmanHarris:
+        case FilterKind::BlackmanHarris:
             return sampleBlackmanHarris(u);
     }
     return 0.0f;
@@ -99,7 +99,7 @@ GLINT_HD inline float sampleFilterAxis(FilterTag filter, float u) {
 }  // namespace detail
 
 /// The offset from a pixel's centre, in pixels, distributed as the separable filter over [-radius, radius]^2.
-GLINT_HD inline Vec2 sampleFilter(FilterTag filter, float radius, Vec2 u) {
+GLINT_HD inline Vec2 sampleFilter(FilterKind filter, float radius, Vec2 u) {
     return radius * Vec2(detail::sampleFilterAxis(filter, u.x), detail::sampleFilterAxis(filter, u.y));
 }
 

@@ -3,6 +3,7 @@
 // Filled by engine/build, read by intersect.h and surface.h. Never points into a SceneDescription.
 #pragma once
 
+#include "engine/base/kinds.h"
 #include "engine/base/view.h"
 #include "engine/math/bounds.h"
 #include "engine/math/transform.h"
@@ -15,9 +16,6 @@ struct TriangleCluster;  // bvh_nodes.h
 
 constexpr uint32_t kNone = 0xffffffffu;
 
-/// Same order as scene.h's ShapeKind; kernels do not include the description.
-enum class ShapeTag : uint8_t { Sphere, Plane, Rectangle, Disc, Mesh };
-
 enum InstanceFlag : uint8_t {
     kInstanceFrontOnly = 1u << 0,
     kInstanceIdentity = 1u << 1,  ///< object space is world space: rays need no transform
@@ -27,11 +25,11 @@ enum InstanceFlag : uint8_t {
 struct InstanceData {
     Affine objectToWorld;
     Affine worldToObject;
-    uint32_t mesh = kNone;  ///< ShapeTag::Mesh: index into GeometryView::meshes
+    uint32_t mesh = kNone;  ///< ShapeKind::Mesh: index into GeometryView::meshes
     uint32_t material = 0;  ///< index into SceneView::materials
     /// emissive: index of this instance's first emitter (one per triangle, in order)
     uint32_t firstEmitter = kNone;
-    ShapeTag shape = ShapeTag::Sphere;
+    ShapeKind shape = ShapeKind::Sphere;
     uint8_t flags = 0;
 };
 

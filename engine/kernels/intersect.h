@@ -29,7 +29,7 @@ GLINT_HD inline bool isMesh(const InstanceData& instance) {
     constexpr FeatureMask kOthers = kFeatureSphere | kFeaturePlane | kFeatureFlat;
     if constexpr (!hasFeature<kMask>(kFeatureMesh)) { return false; }
     if constexpr ((kMask & kOthers) == 0) { return true; }
-    return instance.shape == ShapeTag::Mesh;
+    return instance.shape == ShapeKind::Mesh;
 }
 
 namespace detail {
@@ -64,17 +64,17 @@ GLINT_ONE_PIECE GLINT_HD inline bool intersectMesh(const MeshView& mesh, const R
 }
 
 template <FeatureMask kMask, bool kFrontOnly>
-GLINT_HD inline float intersectAnalytic(ShapeTag shape, const Ray& local) {
-    if (hasFeature<kMask>(kFeatureSphere) && shape == ShapeTag::Sphere) {
+GLINT_HD inline float intersectAnalytic(ShapeKind shape, const Ray& local) {
+    if (hasFeature<kMask>(kFeatureSphere) && shape == ShapeKind::Sphere) {
         return intersectUnitSphere<kFrontOnly>(local);
     }
-    if (hasFeature<kMask>(kFeaturePlane) && shape == ShapeTag::Plane) {
+    if (hasFeature<kMask>(kFeaturePlane) && shape == ShapeKind::Plane) {
         return intersectPlane<kFrontOnly>(local);
     }
-    if (hasFeature<kMask>(kFeatureFlat) && shape == ShapeTag::Rectangle) {
+    if (hasFeature<kMask>(kFeatureFlat) && shape == ShapeKind::Rectangle) {
         return intersectRectangle<kFrontOnly>(local);
     }
-    if (hasFeature<kMask>(kFeatureFlat) && shape == ShapeTag::Disc) {
+    if (hasFeature<kMask>(kFeatureFlat) && shape == ShapeKind::Disc) {
         return intersectDisc<kFrontOnly>(local);
     }
     return kNoHit;

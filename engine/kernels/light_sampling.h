@@ -177,7 +177,7 @@ GLINT_HD inline float pdfLightEnvironment(const SceneView& view, const LightCont
 GLINT_HD inline uint32_t emitterOf(const SceneView& view, uint32_t instance, uint32_t primitive) {
     const InstanceData& data = view.geometry.instances[instance];
     if (data.firstEmitter == kNone) { return kNone; }
-    if (data.shape != ShapeTag::Mesh) { return data.firstEmitter; }
+    if (data.shape != ShapeKind::Mesh) { return data.firstEmitter; }
     return view.lights.emitters[data.firstEmitter + primitive].original;
 }
 

@@ -1,12 +1,10 @@
 // What one pass over the picture is told, and what it brings back for each pixel. Plain data.
 #pragma once
 
+#include "engine/base/kinds.h"
 #include "engine/math/vec.h"
 
 namespace glint {
-
-enum class FilterTag : uint8_t { Box, Gaussian, BlackmanHarris };  ///< same order as FilterKind
-enum class SamplerTag : uint8_t { Sobol, Independent };            ///< same order as SamplerKind
 
 /// How direct light is found. All three have the same expectation; the last two are for tests and for
 /// showing why.
@@ -35,9 +33,9 @@ struct PassParams {
     uint32_t seed = 0;
     int maxDepth = 16;
     int rouletteStartDepth = 4;
-    FilterTag filter = FilterTag::BlackmanHarris;
+    FilterKind filter = FilterKind::BlackmanHarris;
     float filterRadius = 1.5f;
-    SamplerTag sampler = SamplerTag::Sobol;
+    SamplerKind sampler = SamplerKind::Sobol;
     float fireflyClamp = 0.0f;  ///< 0: off
     DirectLightTag directLight = DirectLightTag::Mis;
 };

@@ -241,7 +241,7 @@ GLINT_HD inline LightContext lightContextAt(const SceneView& view, const Surface
     context.n = glm::dot(surface.ng, wo) < 0.0f ? -surface.ng : surface.ng;
     // Of all materials that light sampling is asked about, only rough glass lets light through.
     context.bothSides = hasFeature<kMask>(kFeatureDielectric) &&
-                        view.materials[surface.material].kind == MaterialTag::Dielectric;
+                        view.materials[surface.material].kind == MaterialKind::Dielectric;
     return context;
 }
 

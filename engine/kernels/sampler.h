@@ -20,7 +20,7 @@ struct Sampler {
     uint64_t pixelKey = 0;
     uint32_t pass = 0;
     uint32_t reversedPass = 0;
-    SamplerTag tag = SamplerTag::Sobol;
+    SamplerKind tag = SamplerKind::Sobol;
 };
 
 /// The sampler of the path through pixel (x, y) in params.pass. The picture's size is no part of the key.
@@ -70,7 +70,7 @@ GLINT_HD inline uint32_t shuffledIndex(const Sampler& sampler, uint64_t key) {
 
 template <FeatureMask kMask>
 GLINT_HD bool isIndependent(const Sampler& sampler) {
-    return hasFeature<kMask>(kFeatureIndependentSampler) && sampler.tag == SamplerTag::Independent;
+    return hasFeature<kMask>(kFeatureIndependentSampler) && sampler.tag == SamplerKind::Independent;
 }
 
 }  // namespace detail

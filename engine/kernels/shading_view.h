@@ -1,14 +1,12 @@
 // Materials, textures, lights and the camera as kernels see them. Plain data, filled by engine/build.
 #pragma once
 
+#include "engine/base/kinds.h"
 #include "engine/base/view.h"
 #include "engine/math/frame.h"
 #include "engine/math/vec.h"
 
 namespace glint {
-
-/// Same order as scene/material.h's MaterialKind.
-enum class MaterialTag : uint8_t { Diffuse, Mirror, Conductor, Dielectric, Plastic, Mixture };
 
 enum MaterialFlag : uint8_t {
     kMaterialThin = 1u << 0,
@@ -34,7 +32,7 @@ struct MaterialData {
     Vec3 emission{0.0f};                  ///< radiance, strength included
     float coatInternalAlbedo = 0.0f;  ///< plastic: share of diffuse light that the coat's underside reflects
     float coatAverageAlbedo = 0.0f;   ///< plastic: cosine-weighted mean of the coat's albedo from outside
-    MaterialTag kind = MaterialTag::Diffuse;
+    MaterialKind kind = MaterialKind::Diffuse;
     uint8_t flags = 0;
     /// plastic, rough: albedo over Fresnel at cosine (i / (kCoatSamples - 1))^2
     float coatRatio[kCoatSamples] = {};
@@ -48,7 +46,7 @@ struct TextureView {
     int width = 0;
     int height = 0;
     Vec2 scale{1.0f};
-    bool srgb = false;
+    ColorEncoding encoding = ColorEncoding::Linear;  ///< of `bytes`
     bool flipV = false;
 };
 

@@ -10,9 +10,6 @@
 
 namespace glint {
 
-/// How gathering finds photons. Both find the same ones, in another order.
-enum class PhotonLookup : uint8_t { Grid, Tree };
-
 struct SppmParams {
     PassParams pass;
     uint32_t photonsPerPass = 262144;
@@ -22,7 +19,7 @@ struct SppmParams {
     float radiusFootprints = 4.0f;
     /// metal and glass of at least this GGX alpha store visible points; sharper ones reflect
     float storeAlpha = 0.1f;
-    PhotonLookup lookup = PhotonLookup::Grid;
+    PhotonLookupKind lookup = PhotonLookupKind::Grid;
     bool sampleDirectLight = true;  ///< photons then carry only light that was scattered at least once
 };
 

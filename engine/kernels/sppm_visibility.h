@@ -26,21 +26,21 @@ template <FeatureMask kMask>
 GLINT_HD LobeRange storedLobes(const Bsdf<kMask>& bsdf, float storeAlpha) {
     const MaterialData& material = *bsdf.material;
     switch (detail::kindOf<kMask>(material)) {
-        case MaterialTag::Diffuse:
+        case MaterialKind::Diffuse:
             return {0.0f, 1.0f};
-        case MaterialTag::Conductor:
-        case MaterialTag::Dielectric:
+        case MaterialKind::Conductor:
+        case MaterialKind::Dielectric:
             return isSpecularOnly(bsdf) || material.alpha < storeAlpha ? LobeRange{} : LobeRange{0.0f, 1.0f};
-        case MaterialTag::Plastic:
+        case MaterialKind::Plastic:
             if constexpr (hasFeature<kMask>(kFeaturePlastic)) {
                 if (detail::isSmooth(material)) {
                     return {detail::plasticChoice(material, bsdf.color, bsdf.woLocal).coatProbability, 1.0f};
                 }
             }
             return {0.0f, 1.0f};
-        case MaterialTag::Mixture:
+        case MaterialKind::Mixture:
             return {0.0f, material.mixtureProbability.x};
-        case MaterialTag::Mirror:
+        case MaterialKind::Mirror:
             break;
     }
     return {};

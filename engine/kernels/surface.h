@@ -113,11 +113,11 @@ GLINT_HD inline ObjectPoint sphereSurface(const Vec3& pRough) {
 }
 
 /// A point of z = 0: exactly on the surface whatever its x and y are.
-GLINT_HD inline ObjectPoint flatSurface(const Vec3& pRough, ShapeTag shape) {
+GLINT_HD inline ObjectPoint flatSurface(const Vec3& pRough, ShapeKind shape) {
     ObjectPoint local;
     local.p = Vec3(pRough.x, pRough.y, 0.0f);
     local.ng = Vec3(0.0f, 0.0f, 1.0f);
-    local.uv = shape == ShapeTag::Plane ? Vec2(local.p) : 0.5f * Vec2(local.p) + Vec2(0.5f);
+    local.uv = shape == ShapeKind::Plane ? Vec2(local.p) : 0.5f * Vec2(local.p) + Vec2(0.5f);
     return local;
 }
 
@@ -220,8 +220,8 @@ GLINT_HD SurfacePoint surfaceAt(const SceneView& view, const Ray& ray, const Hit
             detail::triangleSurface<kMask>(view.geometry.meshes[instance.mesh], hit, instance, ray, &point);
     } else {
         const Vec3 pRough = detail::toObjectSpace(instance, ray).at(hit.t);
-        local = instance.shape == ShapeTag::Sphere ? detail::sphereSurface<kMask>(pRough)
-                                                   : detail::flatSurface(pRough, instance.shape);
+        local = instance.shape == ShapeKind::Sphere ? detail::sphereSurface<kMask>(pRough)
+                                                    : detail::flatSurface(pRough, instance.shape);
     }
     detail::transformToWorld<kMask>(instance, local, &point);
     detail::normalsToWorld<kMask>(instance, local, ray, &point);

@@ -49,7 +49,7 @@ GLINT_HD inline Vec3 texel(const TextureView& texture, int x, int y) {
         return {rgb[0], rgb[1], rgb[2]};
     }
     const uint8_t* rgb = texture.bytes + index;
-    if (texture.srgb) {
+    if (texture.encoding == ColorEncoding::Srgb) {
         return {srgbByteToLinear(rgb[0]), srgbByteToLinear(rgb[1]), srgbByteToLinear(rgb[2])};
     }
     return Vec3(rgb[0], rgb[1], rgb[2]) * (1.0f / 255.0f);

@@ -81,7 +81,7 @@ class CpuBackend final : public Backend {
                 {}};
         }
         FeatureMask needed = features();
-        if (params.sampler == SamplerTag::Independent) { needed |= kFeatureIndependentSampler; }
+        if (params.sampler == SamplerKind::Independent) { needed |= kFeatureIndependentSampler; }
         runTiles(scene_->view(), params, stop, out->data(), chooseVariant(needed).*tileOf);
         return !stop.load();
     }

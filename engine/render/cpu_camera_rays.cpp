@@ -18,7 +18,7 @@ inline void store(int pixel, const Sampler& sampler, const Vec3& origin, const V
     tile->directionZ[pixel] = direction.z;
 }
 
-template <FilterTag kFilter>
+template <FilterKind kFilter>
 GLINT_FLATTEN void fillPinhole(const CameraData& sceneCamera, PassParams params, int x0, int y0,
                                CameraTile* tile) {
     params.filter = kFilter;
@@ -48,12 +48,12 @@ void fillLens(const CameraData& camera, const PassParams& params, int x0, int y0
 void fillCameraTile(const CameraData& camera, const PassParams& params, int x0, int y0, CameraTile* tile) {
     if (camera.lensRadius > 0.0f) { return fillLens(camera, params, x0, y0, tile); }
     switch (params.filter) {
-        case FilterTag::Box:
-            return fillPinhole<FilterTag::Box>(camera, params, x0, y0, tile);
-        case FilterTag::Gaussian:
-            return fillPinhole<FilterTag::Gaussian>(camera, params, x0, y0, tile);
-        case FilterTag::BlackmanHarris:
-            return fillPinhole<FilterTag::BlackmanHarris>(camera, params, x0, y0, tile);
+        case FilterKind::Box:
+            return fillPinhole<FilterKind::Box>(camera, params, x0, y0, tile);
+        case FilterKind::Gaussian:
+            return fillPinhole<FilterKind::Gaussian>(camera, params, x0, y0, tile);
+        case FilterKind::BlackmanHarris:
+            return fillPinhole<FilterKind::BlackmanHarris>(camera, params, x0, y0, tile);
     }
 }
 

@@ -35,7 +35,7 @@ struct CpuSppm::Job {
 
 const SppmVariant& CpuSppm::variant(const SppmParams& params, FeatureMask features) const {
     return chooseSppmVariant(
-        params.pass.sampler == SamplerTag::Independent ? features | kFeatureIndependentSampler : features);
+        params.pass.sampler == SamplerKind::Independent ? features | kFeatureIndependentSampler : features);
 }
 
 bool CpuSppm::traceCamera(const Job& job, std::vector<PixelSample>* direct) {
@@ -130,7 +130,7 @@ bool CpuSppm::gather(const Job& job) {
                            }
                        });
     };
-    if (job.params.lookup == PhotonLookup::Tree) {
+    if (job.params.lookup == PhotonLookupKind::Tree) {
         gatherWith(photons_.tree(), job.variant.gatherFromTree);
     } else {
         gatherWith(photons_.grid(), job.variant.gatherFromGrid);
@@ -168,7 +168,7 @@ Result<bool> CpuSppm::renderPass(const SceneView& view, FeatureMask features, co
         stats_.photonSeconds = secondsSince(start);
 
         start = Clock::now();
-        if (params.lookup == PhotonLookup::Tree) {
+        if (params.lookup == PhotonLookupKind::Tree) {
             photons_.buildTree(threads_);
         } else {
             photons_.buildGrid(space, levelsInUse, threads_);

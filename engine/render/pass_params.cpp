@@ -1,13 +1,8 @@
-// The tags are in the same order as the kinds, which kernels do not see.
 #include "engine/render/pass_params.h"
 
 #include "engine/render/sppm_state.h"
 
 namespace glint {
-
-static_assert(static_cast<int>(FilterTag::BlackmanHarris) == static_cast<int>(FilterKind::BlackmanHarris));
-static_assert(static_cast<int>(PhotonLookup::Tree) == static_cast<int>(PhotonLookupKind::Tree));
-static_assert(static_cast<int>(SamplerTag::Independent) == static_cast<int>(SamplerKind::Independent));
 
 PassParams passParamsOf(const SceneDescription& scene) {
     const RenderOptions& options = scene.options;
@@ -17,9 +12,9 @@ PassParams passParamsOf(const SceneDescription& scene) {
     params.seed = options.seed;
     params.maxDepth = options.maxDepth;
     params.rouletteStartDepth = options.rouletteStartDepth;
-    params.filter = static_cast<FilterTag>(options.filter);
+    params.filter = options.filter;
     params.filterRadius = options.filterRadius;
-    params.sampler = static_cast<SamplerTag>(options.sampler);
+    params.sampler = options.sampler;
     params.fireflyClamp = options.fireflyClamp;
     return params;
 }
@@ -34,7 +29,7 @@ SppmParams sppmParamsOf(const SceneDescription& scene) {
     params.radiusFootprints = options.radiusFootprints;
     params.storeAlpha = options.storeRoughness;
     params.sampleDirectLight = options.sampleDirectLight;
-    params.lookup = static_cast<PhotonLookup>(options.lookup);
+    params.lookup = options.lookup;
     return params;
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/kinds.h"
 #include "engine/scene/generated_sky.h"
 
 namespace glint {
@@ -26,8 +27,6 @@ struct ImageF {
     int height = 0;
     std::vector<float> rgb;
 };
-
-enum class ColorEncoding : uint8_t { Srgb, Linear };
 
 /// An image together with where it came from, so that a scene can be saved again. At most one of the two is
 /// set; neither while the image has not been read because nothing uses it (engine/io/used_assets.h).

@@ -4,12 +4,11 @@
 #include <cstdint>
 #include <string>
 
+#include "engine/base/kinds.h"
 #include "engine/math/vec.h"
 #include "engine/scene/image.h"
 
 namespace glint {
-
-enum class LightKind : uint8_t { Point, Spot, Directional };
 
 struct Light {
     std::string name;

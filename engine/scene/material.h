@@ -6,18 +6,10 @@
 #include <cstdint>
 #include <string>
 
+#include "engine/base/kinds.h"
 #include "engine/math/vec.h"
 
 namespace glint {
-
-enum class MaterialKind : uint8_t {
-    Diffuse,     ///< Lambert
-    Mirror,      ///< perfect reflection tinted by `color`
-    Conductor,   ///< Fresnel reflection of a metal, smooth or GGX
-    Dielectric,  ///< glass, smooth or GGX; `thin`: a sheet of no thickness, light passes straight
-    Plastic,     ///< diffuse base `color` under a dielectric coat, smooth or GGX
-    Mixture,     ///< stochastic choice of diffuse, mirror and smooth dielectric by `mixtureWeights`
-};
 
 /// A linear colour, or an image that replaces it.
 struct ColorInput {

@@ -3,11 +3,11 @@
 
 #include <cstdint>
 
+#include "engine/base/kinds.h"
+
 namespace glint {
 
 enum class IntegratorKind : uint8_t { PathTracing, Sppm };
-enum class FilterKind : uint8_t { Box, Gaussian, BlackmanHarris };
-enum class SamplerKind : uint8_t { Sobol, Independent };
 
 /// All of these but the integrator change the picture's expectation or its noise: an edit of any restarts the
 /// films. The integrator chooses between the films, which are kept side by side.
@@ -24,8 +24,6 @@ struct RenderOptions {
 
     bool operator==(const RenderOptions&) const = default;
 };
-
-enum class PhotonLookupKind : uint8_t { Grid, Tree };
 
 /// Stochastic progressive photon mapping (Hachisuka and Jensen 2009). An edit of any restarts its
 /// statistics only.

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/kinds.h"
 #include "engine/math/transform.h"
 #include "engine/scene/camera.h"
 #include "engine/scene/image.h"
@@ -17,15 +18,6 @@
 #include "engine/scene/render_options.h"
 
 namespace glint {
-
-/// Canonical shapes; everything else comes from the object's transform.
-enum class ShapeKind : uint8_t {
-    Sphere,     ///< radius 1 around the origin
-    Plane,      ///< z = 0, infinite, normal +z
-    Rectangle,  ///< z = 0, x and y in [-1, 1], normal +z
-    Disc,       ///< z = 0, radius 1, normal +z
-    Mesh,       ///< triangles of meshes[mesh]
-};
 
 /// A placed shape. Several objects may share one mesh (instances).
 struct Object {

@@ -59,7 +59,7 @@ TEST_P(CudaScenes, SamplesEqualTheCpusBitForBit) {
     description.resolution = {67, 45};  // no multiple of the launch's tiles
     const auto scene = build(description);
     PassParams params = passParamsOf(description);
-    const bool independent = params.sampler == SamplerTag::Independent;
+    const bool independent = params.sampler == SamplerKind::Independent;
     const FeatureMask mask =
         chooseCudaVariant(scene->features | (independent ? FeatureMask{kFeatureIndependentSampler} : 0)).mask;
     HostCuda cuda;
@@ -106,7 +106,7 @@ TEST(CudaBackend, TheSmallestVariantRuns) {
     EXPECT_EQ(cuda.backend->kernelName(), "diffuse shapes");
     // A setting of the pass can ask for more than the scene.
     PassParams independent = passParamsOf(cornell);
-    independent.sampler = SamplerTag::Independent;
+    independent.sampler = SamplerKind::Independent;
     ASSERT_TRUE(cuda.backend->renderPass(independent, stop, &out));
     EXPECT_EQ(cuda.control->lastVariant, "full");
 }

@@ -282,7 +282,7 @@ TEST(CudaSppm, TheSmallestVariantRuns) {
     };
     render(*cuda.backend, params, 1);
     EXPECT_EQ(variant, "smooth shapes");
-    params.pass.sampler = SamplerTag::Independent;
+    params.pass.sampler = SamplerKind::Independent;
     render(*cuda.backend, params, 1);
     EXPECT_EQ(variant, "full");
 }

@@ -15,8 +15,8 @@ SEES = {
     "engine/io": "base math scene",
     "engine/kernels": "base math",
     "engine/builders": "base math scene io kernels",
-    "engine/render": "base math scene io kernels build",
-    "engine/report": "base math scene io kernels build render",
+    "engine/render": "base math scene io kernels builders",
+    "engine/report": "base math scene io kernels builders render",
 }
 ENGINE = set(SEES)
 ALLOWED = {layer: {layer} | {f"engine/{name}" for name in names.split()} for layer, names in SEES.items()}

@@ -72,15 +72,15 @@ Reference bruteForce(const GeometryScene& scene, const Ray& ray) {
         const Mat3d inverse = glm::inverse(Mat3d(instance.objectToWorld.linear));
         const Vec3d o = inverse * (Vec3d(ray.origin) - Vec3d(instance.objectToWorld.translation));
         const Vec3d d = inverse * Vec3d(ray.direction);
-        if (instance.shape == ShapeTag::Mesh) {
+        if (instance.shape == ShapeKind::Mesh) {
             const MeshData& mesh = *scene.meshes[instance.mesh]->data;
             for (uint32_t i = 0; i < mesh.triangleCount(); ++i) {
                 consider(exactTriangle(mesh, i, o, d));
             }
-        } else if (instance.shape == ShapeTag::Sphere) {
+        } else if (instance.shape == ShapeKind::Sphere) {
             consider(exactSphere(o, d));
         } else {
-            consider(exactFlat(static_cast<ShapeKind>(instance.shape), o, d));
+            consider(exactFlat(instance.shape, o, d));
         }
     }
     return reference;

@@ -21,10 +21,10 @@ double errorOverBound(const GeometryScene& scene, const SurfacePoint& s) {
     const Vec3d local = inverse * (Vec3d(s.p) - Vec3d(instance.objectToWorld.translation));
     Vec3d normal(0.0, 0.0, 1.0);
     double off = local.z;
-    if (instance.shape == ShapeTag::Sphere) {
+    if (instance.shape == ShapeKind::Sphere) {
         normal = local / glm::length(local);
         off = glm::length(local) - 1.0;
-    } else if (instance.shape == ShapeTag::Mesh) {
+    } else if (instance.shape == ShapeKind::Mesh) {
         const MeshData& mesh = *scene.meshes[instance.mesh]->data;
         const Vec3d a = mesh.positions[mesh.indices[3 * s.primitive]];
         const Vec3d b = mesh.positions[mesh.indices[3 * s.primitive + 1]];

@@ -41,7 +41,7 @@ TEST(BsdfEnergy, NeverReflectsMoreThanArrives) {
         for (const float cosine : kCosines) {
             const Mean albedo = furnace(bsdfCase.material, cosine, 100000, seed++);
             // The coat's table is interpolated: up to 0.4 % too much near grazing, for alpha 1e-3.
-            const double slack = bsdfCase.material.kind == MaterialTag::Plastic ? 4e-3 : 2e-6;
+            const double slack = bsdfCase.material.kind == MaterialKind::Plastic ? 4e-3 : 2e-6;
             EXPECT_LE(albedo.mean(), 1.0 + slack + errors * albedo.standardError())
                 << bsdfCase.name << ", cosine " << cosine;
         }

@@ -17,7 +17,7 @@ constexpr Dimension kDirection = dimension(BounceDimension::Direction, 0);
 constexpr Dimension kLight = dimension(BounceDimension::LightPoint, 0);
 
 Sampler samplerAt(uint32_t pass, int x = 3, int y = 5, uint32_t seed = 0,
-                  SamplerTag tag = SamplerTag::Sobol) {
+                  SamplerKind tag = SamplerKind::Sobol) {
     PassParams params;
     params.pass = pass;
     params.seed = seed;
@@ -45,7 +45,7 @@ TEST(Dimensions, NoTwoAreTheSame) {
 TEST(Sampler, StaysBelowOne) {
     EXPECT_EQ(uniformFloat(0xffffffffu), kOneMinusEpsilon);
     EXPECT_EQ(uniformFloat(0u), 0.0f);
-    for (const SamplerTag tag : {SamplerTag::Sobol, SamplerTag::Independent}) {
+    for (const SamplerKind tag : {SamplerKind::Sobol, SamplerKind::Independent}) {
         for (uint32_t pass = 0; pass < 100000; ++pass) {
             const Sampler sampler = samplerAt(pass, 1, 2, 3, tag);
             const Vec2 u = draw2(sampler, kDirection);
@@ -103,7 +103,7 @@ double pairPValue(int samples, const std::function<Vec2(uint32_t)>& pair) {
 TEST(Sampler, PixelsSeedsAndDimensionsAreIndependent) {
     constexpr int kSamples = 1 << 16;
     const double level = sidakLevel(kFamilyLevel, 11);
-    for (const SamplerTag tag : {SamplerTag::Sobol, SamplerTag::Independent}) {
+    for (const SamplerKind tag : {SamplerKind::Sobol, SamplerKind::Independent}) {
         const auto at = [tag](uint32_t pass, int x, int y, uint32_t seed) {
             return samplerAt(pass, x, y, seed, tag);
         };
@@ -138,7 +138,7 @@ TEST(Sampler, PixelsSeedsAndDimensionsAreIndependent) {
         EXPECT_GE(
             pairPValue(kSamples, [&](uint32_t i) { return draw2(at(9, xOf(i), yOf(i), 0), kDirection); }),
             level);
-        if (tag == SamplerTag::Independent) {  // Sobol's passes of one pixel avoid each other on purpose
+        if (tag == SamplerKind::Independent) {  // Sobol's passes of one pixel avoid each other on purpose
             EXPECT_GE(pairPValue(kSamples,
                                  [&](uint32_t i) {
                                      return Vec2(draw1(at(0, xOf(i), yOf(i), 0), kLight),
@@ -165,7 +165,7 @@ TEST(Sampler, DimensionsOfOnePixelAreShuffled) {
     EXPECT_LE(uneven, 13);
 }
 
-double squaredError(SamplerTag tag, const std::function<double(Vec2)>& f, double truth, int passes) {
+double squaredError(SamplerKind tag, const std::function<double(Vec2)>& f, double truth, int passes) {
     Mean error;
     for (int pixel = 0; pixel < 500; ++pixel) {
         double sum = 0.0;
@@ -184,12 +184,12 @@ TEST(Sampler, SobolConvergesFaster) {
     for (int i = 0; i < 100000; ++i) {
         edgeTruth += std::fmin(std::fmax(0.9 - 0.7 * (i + 0.5) / 100000, 0.0), 1.0) / 100000;
     }
-    EXPECT_LT(squaredError(SamplerTag::Sobol, smooth, 1.0 / 6.0, 256),
-              squaredError(SamplerTag::Independent, smooth, 1.0 / 6.0, 256) / 500.0);
-    EXPECT_LT(squaredError(SamplerTag::Sobol, edge, edgeTruth, 256),
-              squaredError(SamplerTag::Independent, edge, edgeTruth, 256) / 8.0);
-    EXPECT_LT(squaredError(SamplerTag::Sobol, smooth, 1.0 / 6.0, 100),
-              squaredError(SamplerTag::Independent, smooth, 1.0 / 6.0, 100) / 10.0)
+    EXPECT_LT(squaredError(SamplerKind::Sobol, smooth, 1.0 / 6.0, 256),
+              squaredError(SamplerKind::Independent, smooth, 1.0 / 6.0, 256) / 500.0);
+    EXPECT_LT(squaredError(SamplerKind::Sobol, edge, edgeTruth, 256),
+              squaredError(SamplerKind::Independent, edge, edgeTruth, 256) / 8.0);
+    EXPECT_LT(squaredError(SamplerKind::Sobol, smooth, 1.0 / 6.0, 100),
+              squaredError(SamplerKind::Independent, smooth, 1.0 / 6.0, 100) / 10.0)
         << "not a power of two";
 }
 

@@ -93,7 +93,7 @@ TEST(Sppm, BitsDoNotDependOnThreads) {
 TEST(Sppm, TreeAndGridGiveTheSameSums) {
     SppmParams params = quickParams();
     const SppmRender grid = renderSppm(roughGlassBox(), params, 3);
-    params.lookup = PhotonLookup::Tree;
+    params.lookup = PhotonLookupKind::Tree;
     const SppmRender tree = renderSppm(roughGlassBox(), params, 3);
     size_t lit = 0;
     for (size_t i = 0; i < grid.state.pixels.size(); ++i) {

@@ -133,7 +133,7 @@ TEST(Lens, RoundAndPolygonal) {
 }
 
 /// The largest distance between the samples' and the given distribution function over [-1, 1].
-void expectDistribution(FilterTag filter, const std::function<double(double)>& cumulative) {
+void expectDistribution(FilterKind filter, const std::function<double(double)>& cumulative) {
     std::vector<double> offsets;
     for (int i = 0; i < kSamples; ++i) {
         const float u = (static_cast<float>(i) + 0.5f) / kSamples;
@@ -152,17 +152,17 @@ void expectDistribution(FilterTag filter, const std::function<double(double)>& c
 }
 
 TEST(Filter, BoxIsEven) {
-    expectDistribution(FilterTag::Box, [](double t) { return 0.5 + 0.5 * t; });
+    expectDistribution(FilterKind::Box, [](double t) { return 0.5 + 0.5 * t; });
 }
 
 TEST(Filter, GaussianIsExact) {
-    expectDistribution(FilterTag::Gaussian, [](double t) {
+    expectDistribution(FilterKind::Gaussian, [](double t) {
         return 0.5 + 0.5 * std::erf(3.0 * t / std::sqrt(2.0)) / std::erf(3.0 / std::sqrt(2.0));
     });
 }
 
 TEST(Filter, BlackmanHarrisIsExact) {
-    expectDistribution(FilterTag::BlackmanHarris, [](double t) {
+    expectDistribution(FilterKind::BlackmanHarris, [](double t) {
         const double sum = 0.35875 * t + 0.48829 / M_PI * std::sin(M_PI * t) +
                            0.14128 / (2.0 * M_PI) * std::sin(2.0 * M_PI * t) +
                            0.01168 / (3.0 * M_PI) * std::sin(3.0 * M_PI * t);
@@ -171,7 +171,7 @@ TEST(Filter, BlackmanHarrisIsExact) {
 }
 
 TEST(Filter, EndsAreFinite) {
-    for (const FilterTag filter : {FilterTag::Box, FilterTag::Gaussian, FilterTag::BlackmanHarris}) {
+    for (const FilterKind filter : {FilterKind::Box, FilterKind::Gaussian, FilterKind::BlackmanHarris}) {
         for (const float u : {0.0f, 0x1p-24f, 0.5f, kOneMinusEpsilon}) {
             const Vec2 offset = sampleFilter(filter, 2.0f, Vec2(u, 1.0f - u));
             EXPECT_LE(std::fabs(offset.x), 2.0f);

@@ -15,13 +15,13 @@ MaterialData diffuseMaterial(const Vec3& color) {
 
 MaterialData mirrorMaterial(const Vec3& color) {
     MaterialData data = diffuseMaterial(color);
-    data.kind = MaterialTag::Mirror;
+    data.kind = MaterialKind::Mirror;
     return data;
 }
 
 MaterialData conductorMaterial(const std::string& metal, float alpha) {
     MaterialData data = diffuseMaterial(Vec3(1.0f));
-    data.kind = MaterialTag::Conductor;
+    data.kind = MaterialKind::Conductor;
     data.eta = findMetal(metal)->eta;
     data.k = findMetal(metal)->k;
     data.alpha = alpha;
@@ -30,7 +30,7 @@ MaterialData conductorMaterial(const std::string& metal, float alpha) {
 
 MaterialData dielectricMaterial(float ior, float alpha, bool thin) {
     MaterialData data = diffuseMaterial(Vec3(1.0f));
-    data.kind = MaterialTag::Dielectric;
+    data.kind = MaterialKind::Dielectric;
     data.ior = ior;
     data.alpha = alpha;
     data.flags = thin ? kMaterialThin : 0;
@@ -39,7 +39,7 @@ MaterialData dielectricMaterial(float ior, float alpha, bool thin) {
 
 MaterialData plasticMaterial(const Vec3& color, float ior, float alpha) {
     MaterialData data = diffuseMaterial(color);
-    data.kind = MaterialTag::Plastic;
+    data.kind = MaterialKind::Plastic;
     data.ior = ior;
     data.alpha = alpha;
     tabulateCoat(&data);
@@ -48,7 +48,7 @@ MaterialData plasticMaterial(const Vec3& color, float ior, float alpha) {
 
 MaterialData mixtureMaterial(const Vec3& color, const Vec3& probability, float ior) {
     MaterialData data = diffuseMaterial(color);
-    data.kind = MaterialTag::Mixture;
+    data.kind = MaterialKind::Mixture;
     data.mixtureProbability = probability;
     data.ior = ior;
     return data;

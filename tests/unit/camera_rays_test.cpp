@@ -30,7 +30,7 @@ CameraData cameraWith(float lensRadius, int blades) {
     return camera;
 }
 
-PassParams paramsWith(FilterTag filter) {
+PassParams paramsWith(FilterKind filter) {
     PassParams params;
     params.width = kWidth;
     params.height = kHeight;
@@ -63,7 +63,7 @@ void expectTilesLikePixels(const CameraData& camera, const PassParams& params) {
 }
 
 TEST(CameraRays, TilesAreLikePixels) {
-    for (const FilterTag filter : {FilterTag::Box, FilterTag::Gaussian, FilterTag::BlackmanHarris}) {
+    for (const FilterKind filter : {FilterKind::Box, FilterKind::Gaussian, FilterKind::BlackmanHarris}) {
         for (const CameraData& camera : {cameraWith(0.0f, 0), cameraWith(0.2f, 0), cameraWith(0.2f, 6)}) {
             expectTilesLikePixels(camera, paramsWith(filter));
         }

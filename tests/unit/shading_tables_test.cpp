@@ -124,7 +124,7 @@ TEST(TextureTable, HoldsOnlyWhatIsUsed) {
     const auto table = *buildTextureTable(scene, nullptr);
     ASSERT_EQ(table->textures.size(), 1u);
     EXPECT_EQ(table->textures[0].bytes, scene.textures[1].image.bytes->rgb.data()) << "pixels are not copied";
-    EXPECT_TRUE(table->textures[0].srgb);
+    EXPECT_EQ(table->textures[0].encoding, ColorEncoding::Srgb);
     EXPECT_EQ(table->packedIndex, (std::vector<uint32_t>{kNone, 0u, kNone}));
     EXPECT_EQ(table->bytes(), 3u);
     const auto materials = *buildMaterialTable(scene, *table, nullptr);

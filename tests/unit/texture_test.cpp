@@ -87,11 +87,11 @@ TEST(Texture, BytesAreDecodedBeforeTheyAreMixed) {
     view.bytes = bytes.data();
     view.width = 2;
     view.height = 1;
-    view.srgb = true;
+    view.encoding = ColorEncoding::Srgb;
     const Vec3 middle = sampleTexture(view, Vec2(0.5f, 0.5f));
     EXPECT_NEAR(middle.x, 0.5f, 1e-6f);
     EXPECT_NEAR(middle.y, srgbToLinear(128.0f / 255.0f), 1e-6f);
-    view.srgb = false;
+    view.encoding = ColorEncoding::Linear;
     EXPECT_NEAR(sampleTexture(view, Vec2(0.5f, 0.5f)).y, 128.0f / 255.0f, 1e-6f);
 }
 

@@ -117,7 +117,7 @@ Result<PassesResult> measure(const BuiltScene& built, SppmParams params, const P
 
 Status report(const PassesOptions& options, const SppmParams& params, const PassesResult& r, int threads) {
     const double share = r.stages[3].median / r.stageSum();
-    const char* lookup = params.lookup == PhotonLookup::Tree ? "tree" : "grid";
+    const char* lookup = params.lookup == PhotonLookupKind::Tree ? "tree" : "grid";
     nlohmann::ordered_json stages = nlohmann::ordered_json::object();
     for (const Stage& stage : r.stages) {
         stages[stage.name] = stage.median * 1e3;

@@ -1,0 +1,44 @@
+// The kinds of things that a scene description names and kernels tell apart. Both sides see these
+// enumerations, so that a value passes from one to the other as it is.
+//
+// Names in files, on the command line and in panels belong to tables elsewhere.
+#pragma once
+
+#include <cstdint>
+
+namespace glint {
+
+/// Canonical shapes; everything else comes from the object's transform.
+enum class ShapeKind : uint8_t {
+    Sphere,     ///< radius 1 around the origin
+    Plane,      ///< z = 0, infinite, normal +z
+    Rectangle,  ///< z = 0, x and y in [-1, 1], normal +z
+    Disc,       ///< z = 0, radius 1, normal +z
+    Mesh,       ///< triangles
+};
+
+enum class MaterialKind : uint8_t {
+    Diffuse,     ///< Lambert
+    Mirror,      ///< perfect reflection tinted by the colour
+    Conductor,   ///< Fresnel reflection of a metal, smooth or GGX
+    Dielectric,  ///< glass, smooth or GGX; thin: a sheet of no thickness, light passes straight
+    Plastic,     ///< diffuse base under a dielectric coat, smooth or GGX
+    Mixture,     ///< stochastic choice of diffuse, mirror and smooth dielectric by weights
+};
+
+/// Lights without a shape. Shapes shine through their material.
+enum class LightKind : uint8_t { Point, Spot, Directional };
+
+/// How the bytes of an image are to be read.
+enum class ColorEncoding : uint8_t { Srgb, Linear };
+
+/// The weight of a sample by its distance from the pixel's centre.
+enum class FilterKind : uint8_t { Box, Gaussian, BlackmanHarris };
+
+/// Where random numbers come from.
+enum class SamplerKind : uint8_t { Sobol, Independent };
+
+/// How gathering finds photons. Both find the same ones, in another order.
+enum class PhotonLookupKind : uint8_t { Grid, Tree };
+
+}  // namespace glint
