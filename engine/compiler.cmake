@@ -3,8 +3,9 @@
 
 find_program(GLINT_CCACHE ccache)
 if(GLINT_CCACHE)
-    # With precompiled headers, ccache hits only if it may trust their content.
-    set(ccache_launcher ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${GLINT_CCACHE})
+    # With precompiled headers, ccache hits only if it may trust their content, which is never twice the same.
+    set(ccache_launcher ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_PCH_EXTSUM=1
+        ${GLINT_CCACHE})
     foreach(language CXX CUDA)
         if(NOT DEFINED CMAKE_${language}_COMPILER_LAUNCHER)
             set(CMAKE_${language}_COMPILER_LAUNCHER ${ccache_launcher})
@@ -72,3 +73,11 @@ add_library(glint_warnings INTERFACE)
 foreach(flag IN LISTS warning_flags)
     target_compile_options(glint_warnings INTERFACE $<$<COMPILE_LANGUAGE:CXX>:${flag}>)
 endforeach()
+
+# glint_precompile_headers(TARGET HEADER…): with a sum that ccache takes for the content of the compiled header.
+function(glint_precompile_headers target)
+    target_precompile_headers(${target} PRIVATE ${ARGN})
+    file(SHA256 ${PROJECT_SOURCE_DIR}/engine/base/precompiled.h ours)
+    file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/cmake_pch.hxx.gch.sum
+        CONTENT "${CMAKE_CXX_COMPILER_VERSION} ${ARGN} ${ours}\n")
+endfunction()
