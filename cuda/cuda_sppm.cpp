@@ -40,7 +40,7 @@ const CudaSppmVariant& variantOf(const SppmParams& params, FeatureMask features)
 
 struct CudaSppm::Job {
     const SceneView& view;
-    const EmissionView& emission;
+    const PowerDistributionView& power;
     const SppmParams& params;
     const CudaSppmVariant& variant;
     const std::atomic<bool>& stop;
@@ -63,9 +63,9 @@ Result<bool> CudaSppm::renderPass(const Scene& scene, const SppmParams& params, 
     const uint32_t room = std::max(photons_.room(), params.photonsPerPass);
     if (Status s = reserve(params, room); !s) { return s.error(); }
     if (Status s = uploadEmission(scene.host); !s) { return s.error(); }
-    EmissionView emission = emission_->view();
-    emission.cdf = emissionCdf_.as<float>();
-    const Job job{scene.device, emission, params, variantOf(params, scene.features), stop, image};
+    PowerDistributionView power = power_->view();
+    power.cdf = powerCdf_.as<float>();
+    const Job job{scene.device, power, params, variantOf(params, scene.features), stop, image};
     if (Status s =
             device_.upload(statistics_.data(), state->pixels.data(), job.pixelCount() * sizeof(SppmPixel));
         !s) {
@@ -97,7 +97,7 @@ Status CudaSppm::reserve(const SppmParams& params, uint32_t room) {
     if (!photonBytes) { return photonBytes.error(); }
     const size_t needed = std::max(statistics_.bytes(), pixels * sizeof(SppmPixel)) +
                           std::max(pixels_.bytes(), pixels * sizeof(PassPixel)) + kSlices * kSliceBytes +
-                          emissionCdf_.bytes() + *photonBytes;
+                          powerCdf_.bytes() + *photonBytes;
     if (needed > bytes()) {
         if (Status s = checkFits(device_, needsOf(params), needed, bytes()); !s) { return s; }
     }
@@ -126,14 +126,14 @@ Status CudaSppm::takeMemory(const SppmParams& params, uint32_t room) {
 }
 
 Status CudaSppm::uploadEmission(const SceneView& host) {
-    if (emission_) { return {}; }
-    EmissionTable table = buildEmissionTable(host);
+    if (power_) { return {}; }
+    PowerDistribution table = buildPowerDistribution(host);
     const size_t bytes = table.cdf.size() * sizeof(float);
     if (bytes > 0) {
-        if (Status s = emissionCdf_.reserve(device_, bytes); !s) { return s; }
-        if (Status s = device_.upload(emissionCdf_.data(), table.cdf.data(), bytes); !s) { return s; }
+        if (Status s = powerCdf_.reserve(device_, bytes); !s) { return s; }
+        if (Status s = device_.upload(powerCdf_.data(), table.cdf.data(), bytes); !s) { return s; }
     }
-    emission_ = std::move(table);
+    power_ = std::move(table);
     return {};
 }
 
@@ -181,7 +181,7 @@ Result<bool> CudaSppm::tracePhotons(const Job& job, const GridSpace& space, uint
     while (true) {
         const Result<PhotonSlots> slots = photons_.reset();
         if (!slots) { return slots.error(); }
-        const PhotonLaunch launch{job.view, job.emission, job.params, space, *slots};
+        const PhotonLaunch launch{job.view, job.power, job.params, space, *slots};
         const Result<bool> done = runPaced(device_, job.variant.photons, launch, job.params.photonsPerPass,
                                            job.stop, &photonPacer_);
         if (!done || !*done) { return done; }
@@ -229,7 +229,7 @@ Status CudaSppm::commit(const Job& job, SppmState* state, std::vector<PixelSampl
 }
 
 size_t CudaSppm::bytes() const {
-    return statistics_.bytes() + pixels_.bytes() + slices_.bytes() + emissionCdf_.bytes() + photons_.bytes();
+    return statistics_.bytes() + pixels_.bytes() + slices_.bytes() + powerCdf_.bytes() + photons_.bytes();
 }
 
 }  // namespace glint

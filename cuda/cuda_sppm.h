@@ -11,7 +11,7 @@
 
 #include "cuda/chunk_pacer.h"
 #include "cuda/device_photons.h"
-#include "engine/builders/emission_table.h"
+#include "engine/builders/power_distribution.h"
 #include "engine/render/sppm_state.h"
 
 namespace glint {
@@ -30,7 +30,7 @@ class CudaSppm {
         FeatureMask features;
     };
     /// Forgets what was made for the scene before.
-    void sceneChanged() { emission_.reset(); }
+    void sceneChanged() { power_.reset(); }
 
     /// As Backend::renderSppmPass(); `image` is device memory for one sample a pixel.
     Result<bool> renderPass(const Scene& scene, const SppmParams& params, const std::atomic<bool>& stop,
@@ -57,9 +57,9 @@ class CudaSppm {
     DeviceBuffer statistics_;
     DeviceBuffer pixels_;
     DeviceBuffer slices_;
-    DeviceBuffer emissionCdf_;
+    DeviceBuffer powerCdf_;
     DevicePhotons photons_;
-    std::optional<EmissionTable> emission_;
+    std::optional<PowerDistribution> power_;
     std::vector<SppmPixel> fetched_;  ///< becomes the state when all of it has arrived
     ChunkPacer cameraPacer_;
     ChunkPacer photonPacer_;

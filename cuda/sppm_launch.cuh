@@ -33,7 +33,7 @@ struct TracePhotons {
         const uint64_t number =
             uint64_t{launch.params.pass.pass} * launch.params.photonsPerPass + uint64_t{photon};
         uint32_t stored = 0;
-        tracePhoton<kMask>(launch.view, launch.emission, launch.params, number, [&](const Photon& found) {
+        tracePhoton<kMask>(launch.view, launch.power, launch.params, number, [&](const Photon& found) {
             uint32_t cell[3];
             if (!launch.space.locate(found.p, cell)) { return; }
             const uint64_t slot = takeNumber(slots.claimed);

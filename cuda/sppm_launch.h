@@ -5,7 +5,7 @@
 #pragma once
 
 #include "cuda/launch.h"
-#include "engine/kernels/light_emission.h"
+#include "engine/kernels/photon_emission.h"
 #include "engine/kernels/photon_grid.h"
 #include "engine/kernels/sppm_view.h"
 
@@ -49,7 +49,7 @@ struct PhotonSlots {
 /// Emitted photons, by their number in the pass.
 struct PhotonLaunch {
     SceneView view;
-    EmissionView emission;
+    PowerDistributionView power;
     SppmParams params;
     GridSpace space;
     PhotonSlots slots;

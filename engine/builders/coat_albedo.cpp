@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engine/kernels/bsdf_plastic.h"
+#include "engine/kernels/bsdf/plastic.h"
 
 namespace glint {
 namespace {
@@ -37,7 +37,7 @@ float roughCoatAlbedo(float ior, float alpha, float mu) {
         const Vec3 wi = reflect(wo, h);
         if (wi.z > 0.0f) {
             const float cosine = clampf(glm::dot(wo, h), 0.0f, 1.0f);
-            sum += fresnelAt(cosine, ior) * detail::ggxReflectionWeight(wo, wi, alpha);
+            sum += fresnelAt(cosine, ior) * ggxReflectionWeight(wo, wi, alpha);
         }
     }
     return std::fmin(sum / (kSteps * kSteps), 1.0f);

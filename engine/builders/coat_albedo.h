@@ -1,4 +1,4 @@
-// The albedo of a plastic's dielectric coat, integrated once when the material is built (bsdf_plastic.h says
+// The albedo of a plastic's dielectric coat, integrated once when the material is built (bsdf/plastic.h says
 // how it is used).
 #pragma once
 

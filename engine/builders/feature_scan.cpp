@@ -1,6 +1,7 @@
 #include "engine/builders/feature_scan.h"
 
 #include "engine/builders/material_table.h"
+#include "engine/kernels/bsdf/bsdf.h"
 #include "engine/scene/scene_use.h"
 
 namespace glint {
@@ -29,30 +30,9 @@ FeatureMask objectFeatures(const SceneDescription& scene, const Object& object) 
     return mask;
 }
 
-FeatureMask materialFeatures(const Material& material) {
-    FeatureMask mask = material.color.texture >= 0 ? kFeatureTextures : 0u;
-    const bool rough = isRough(material);
-    mask |= rough ? kFeatureGlossy : 0u;
-    switch (material.kind) {
-        case MaterialKind::Diffuse:
-            return mask | kFeatureDiffuse;
-        case MaterialKind::Mirror:
-            return mask | kFeatureSpecular;
-        case MaterialKind::Conductor:
-            return mask | (rough ? 0u : kFeatureSpecular);
-        case MaterialKind::Dielectric:
-            return mask | kFeatureDielectric;
-        case MaterialKind::Plastic:
-            return mask | kFeaturePlastic;
-        case MaterialKind::Mixture:
-            return mask | kFeatureMixture;
-    }
-    return mask;
-}
-
 }  // namespace
 
-FeatureMask scanFeatures(const SceneDescription& scene) {
+FeatureMask scanFeatures(const SceneDescription& scene, const MaterialTable& materials) {
     FeatureMask mask = scene.camera.apertureDiameter > 0.0f ? kFeatureDepthOfField : 0u;
     mask |= scene.options.sampler == SamplerKind::Independent ? kFeatureIndependentSampler : 0u;
     for (const Object& object : scene.objects) {
@@ -60,7 +40,7 @@ FeatureMask scanFeatures(const SceneDescription& scene) {
     }
     const std::vector<bool> used = usedMaterials(scene);
     for (size_t i = 0; i < used.size(); ++i) {
-        mask |= used[i] ? materialFeatures(scene.materials[i]) : 0u;
+        mask |= used[i] ? materialFeatures(materials.materials[i]) : 0u;
     }
     return mask;
 }

@@ -1,5 +1,4 @@
-// What a scene needs of the kernels, as a feature mask. Called by the scene builder when kinds, textures,
-// objects, transforms, the lens or the sampler change.
+// What a scene needs of the kernels, as a feature mask.
 #pragma once
 
 #include "engine/kernels/features.h"
@@ -7,9 +6,11 @@
 
 namespace glint {
 
+struct MaterialTable;
+
 /// The features of everything that objects use (unused materials and meshes count for nothing), of the lens
-/// and of the sampler. Without the light bits, which LightTable::features() adds. Indices that are out of
-/// range are passed over.
-FeatureMask scanFeatures(const SceneDescription& scene);
+/// and of the sampler. `materials` were made from the scene. Without the light bits, which
+/// LightTable::features() adds. Indices that are out of range are passed over.
+FeatureMask scanFeatures(const SceneDescription& scene, const MaterialTable& materials);
 
 }  // namespace glint

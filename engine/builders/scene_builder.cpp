@@ -16,6 +16,7 @@
 #include "engine/builders/recentring.h"
 #include "engine/builders/scene_validation.h"
 #include "engine/builders/texture_table.h"
+#include "engine/kernels/bsdf/bsdf.h"
 #include "engine/scene/scene_use.h"
 
 namespace glint {
@@ -176,7 +177,7 @@ class SceneBuild {
     Status features() {
         FeatureMask mask = concerns(EditKind::Everything) ? 0 : built_->features;
         if (concerns(EditKind::ObjectTransform) || materialFeaturesChanged_) {
-            mask |= scanFeatures(*scene_);
+            mask |= scanFeatures(*scene_, *built_->materials);
             report_.featuresScanned = true;
         }
         if (built_->camera.lensRadius > 0.0f) { mask |= kFeatureDepthOfField; }
@@ -201,13 +202,10 @@ class SceneBuild {
         return true;
     }
 
-    /// Whether all materials need the same of the kernels: kind, roughness or none, texture or none.
+    /// Whether all materials need the same of the kernels.
     static bool sameFeatures(const MaterialTable* before, const MaterialTable& after) {
-        const auto same = [](const MaterialData& a, const MaterialData& b) {
-            return a.kind == b.kind && (a.alpha > 0.0f) == (b.alpha > 0.0f) &&
-                   (a.colorTexture == kNone) == (b.colorTexture == kNone);
-        };
-        return before != nullptr && std::ranges::equal(before->materials, after.materials, same);
+        return before != nullptr &&
+               std::ranges::equal(before->materials, after.materials, {}, materialFeatures, materialFeatures);
     }
 
     const SceneDescription* scene_;

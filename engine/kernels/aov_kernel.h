@@ -2,7 +2,7 @@
 // request only.
 #pragma once
 
-#include "engine/kernels/bsdf.h"
+#include "engine/kernels/bsdf/bsdf.h"
 #include "engine/kernels/camera_path.h"
 #include "engine/kernels/intersect.h"
 #include "engine/kernels/surface.h"

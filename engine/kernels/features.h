@@ -38,6 +38,8 @@ enum Feature : FeatureMask {
 };
 
 constexpr FeatureMask kAllFeatures = (1u << 22) - 1;
+constexpr FeatureMask kMaterialFeatures = kFeatureDiffuse | kFeatureSpecular | kFeatureDielectric |
+                                          kFeatureGlossy | kFeaturePlastic | kFeatureMixture;
 
 template <FeatureMask kMask>
 GLINT_HD constexpr bool hasFeature(Feature feature) {

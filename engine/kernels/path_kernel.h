@@ -6,9 +6,9 @@
 // fireflyClamp asks for it.
 #pragma once
 
-#include "engine/kernels/bsdf.h"
+#include "engine/kernels/bsdf/bsdf.h"
 #include "engine/kernels/camera_path.h"
-#include "engine/kernels/emission.h"
+#include "engine/kernels/emitted_radiance.h"
 #include "engine/kernels/intersect.h"
 #include "engine/kernels/light_sampling.h"
 #include "engine/kernels/path_log.h"
@@ -186,7 +186,7 @@ GLINT_HD inline bool scatterBy(const PassParams& params, const Sampler& sampler,
         PathEvent event;
         event.kind = PathEventKind::Scatter;
         event.depth = path->depth;
-        event.direction = next.wiWorld;
+        event.direction = next.wi;
         event.value = next.valid ? next.weight : Vec3(0.0f);
         event.throughput = path->throughput;
         event.pdfBsdf = next.pdfSolidAngle;
@@ -198,7 +198,7 @@ GLINT_HD inline bool scatterBy(const PassParams& params, const Sampler& sampler,
     path->pdfBsdf = next.pdfSolidAngle;
     path->specularBounce = next.isSpecular;
     path->etaScale *= next.etaScale;
-    path->ray = spawnRay(surface, next.wiWorld);
+    path->ray = spawnRay(surface, next.wi);
     const bool goesOn = survivesRoulette<kMask>(params, sampler, path, log);
     ++path->depth;
     return goesOn;
@@ -232,16 +232,13 @@ GLINT_HD inline void logVertex(const PathState& path, const SurfacePoint& surfac
     }
 }
 
-/// What light sampling needs to know of a vertex that is seen from wo.
+/// What light sampling needs to know of a vertex.
 template <FeatureMask kMask>
-GLINT_HD inline LightContext lightContextAt(const SceneView& view, const SurfacePoint& surface,
-                                            const Vec3& wo) {
+GLINT_HD inline LightContext lightContextAt(const SurfacePoint& surface, const Bsdf<kMask>& bsdf) {
     LightContext context;
     context.p = surface.p;
-    context.n = glm::dot(surface.ng, wo) < 0.0f ? -surface.ng : surface.ng;
-    // Of all materials that light sampling is asked about, only rough glass lets light through.
-    context.bothSides = hasFeature<kMask>(kFeatureDielectric) &&
-                        view.materials[surface.material].kind == MaterialKind::Dielectric;
+    context.n = bsdf.ngWorld;
+    context.bothSides = transmitsSampledLight(bsdf);
     return context;
 }
 
@@ -263,7 +260,7 @@ GLINT_HD inline void followPath(const SceneView& view, const PassParams& params,
         if (path->depth >= params.maxDepth) { return; }
 
         const Bsdf<kMask> bsdf = makeBsdf<kMask>(view, surface, wo);
-        path->context = lightContextAt<kMask>(view, surface, wo);
+        path->context = lightContextAt(surface, bsdf);
         if (!isSpecularOnly(bsdf)) {
             addSampledLight<kMask>(view, params, sampler, surface, bsdf, path, log);
         }

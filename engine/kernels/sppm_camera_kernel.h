@@ -7,7 +7,7 @@
 #pragma once
 
 #include "engine/kernels/path_kernel.h"
-#include "engine/kernels/sppm_visibility.h"
+#include "engine/kernels/sppm_view.h"
 #include "engine/math/octahedral.h"
 
 namespace glint {
@@ -51,10 +51,10 @@ GLINT_HD bool followToVisiblePoint(const SceneView& view, const SppmParams& para
         distance += hit.t;
 
         const Bsdf<kMask> bsdf = makeBsdf<kMask>(view, surface, wo);
-        const LobeRange stored = storedLobes(bsdf, params.storeAlpha);
+        const LobeRange stored = visiblePointLobes(bsdf, params.storeAlpha);
         const bool sampleLight =
             stored.probability() > 0.0f ? params.sampleDirectLight : !isSpecularOnly(bsdf);
-        path->context = lightContextAt<kMask>(view, surface, wo);
+        path->context = lightContextAt(surface, bsdf);
         if (sampleLight) { addSampledLight<kMask>(view, pass, sampler, surface, bsdf, path, &log); }
 
         const float uLobe = get1D<kMask>(sampler, dimension(BounceDimension::Lobe, path->depth));

@@ -10,7 +10,7 @@
 // disc, a polynomial: see biasWeight().
 #pragma once
 
-#include "engine/kernels/bsdf.h"
+#include "engine/kernels/bsdf/bsdf.h"
 #include "engine/kernels/scene_view.h"
 #include "engine/kernels/sppm_view.h"
 #include "engine/math/color.h"

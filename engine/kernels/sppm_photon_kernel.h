@@ -2,14 +2,14 @@
 // the backends.
 //
 // A photon is stored at every surface that can hold a visible point, before it is scattered there. Flux, not
-// radiance, is transported: bsdf_importance.h.
+// radiance, is transported: bsdf/importance.h.
 #pragma once
 
-#include "engine/kernels/bsdf_importance.h"
+#include "engine/kernels/bsdf/importance.h"
 #include "engine/kernels/intersect.h"
-#include "engine/kernels/light_emission.h"
+#include "engine/kernels/photon_emission.h"
 #include "engine/kernels/sampler.h"
-#include "engine/kernels/sppm_visibility.h"
+#include "engine/kernels/sppm_view.h"
 #include "engine/math/color.h"
 #include "engine/math/octahedral.h"
 
@@ -56,7 +56,7 @@ GLINT_HD bool scatterPhoton(const SceneView& view, const Sampler& sampler, const
         return false;
     }
     *flux = scattered * (1.0f / chance);
-    *ray = spawnRay(surface, next.wiWorld);
+    *ray = spawnRay(surface, next.wi);
     return true;
 }
 
@@ -71,11 +71,11 @@ GLINT_HD bool hitsHiddenBack(const SceneView& view, const SurfacePoint& surface,
 
 /// Traces photon `photonNumber` and calls store(photon) for each place where it counts.
 template <FeatureMask kMask, class Store>
-GLINT_HD PhotonTally tracePhoton(const SceneView& view, const EmissionView& emission,
+GLINT_HD PhotonTally tracePhoton(const SceneView& view, const PowerDistributionView& power,
                                  const SppmParams& params, uint64_t photonNumber, Store&& store) {
     const Sampler sampler = makePhotonSampler(params.pass, photonNumber);
     const EmittedPhoton emitted =
-        emitPhoton<kMask>(view, emission, get1D<kMask>(sampler, dimension(EmissionDimension::Light)),
+        emitPhoton<kMask>(view, power, get1D<kMask>(sampler, dimension(EmissionDimension::Light)),
                           get2D<kMask>(sampler, dimension(EmissionDimension::Point)),
                           get2D<kMask>(sampler, dimension(EmissionDimension::Direction)));
     PhotonTally tally;
@@ -100,7 +100,7 @@ GLINT_HD PhotonTally tracePhoton(const SceneView& view, const EmissionView& emis
         const Vec3 wo = -ray.direction;
         if (hitsHiddenBack<kMask>(view, surface, wo)) { return tally; }
         const Bsdf<kMask> bsdf = makeBsdf<kMask>(view, surface, wo, TransportMode::Importance);
-        if (depth >= firstStored && storedLobes(bsdf, params.storeAlpha).probability() > 0.0f) {
+        if (depth >= firstStored && visiblePointLobes(bsdf, params.storeAlpha).probability() > 0.0f) {
             store(makePhoton(surface, wo, flux, depth));
         }
         if (!scatterPhoton<kMask>(view, sampler, surface, bsdf, wo, depth, &ray, &flux)) { return tally; }

@@ -10,7 +10,7 @@
 #include <fmt/core.h>
 
 #include "engine/base/parallel.h"
-#include "engine/builders/emission_table.h"
+#include "engine/builders/power_distribution.h"
 #include "engine/render/backend.h"
 #include "engine/render/cpu_sppm.h"
 #include "engine/render/cpu_variants.h"
@@ -32,7 +32,7 @@ class CpuBackend final : public Backend {
 
     Status setScene(std::shared_ptr<const BuiltScene> scene) override {
         scene_ = std::move(scene);
-        emission_.reset();
+        power_.reset();
         return {};
     }
 
@@ -40,7 +40,7 @@ class CpuBackend final : public Backend {
 
     MemoryUse memory() const override {
         MemoryUse use;
-        use[MemoryPart::Emission] = emission_ ? emission_->bytes() : 0;
+        use[MemoryPart::Emission] = power_ ? power_->bytes() : 0;
         use[MemoryPart::SppmVisiblePoints] = sppm_ ? sppm_->visiblePointBytes() : 0;
         use[MemoryPart::Photons] = sppm_ ? sppm_->photonBytes() : 0;
         return use;
@@ -60,9 +60,9 @@ class CpuBackend final : public Backend {
                                 std::vector<PixelSample>* direct) override {
         if (!scene_) { return Error{"there is no scene to render", {}}; }
         const SceneView view = scene_->view();
-        if (!emission_) { emission_ = buildEmissionTable(view); }
+        if (!power_) { power_ = buildPowerDistribution(view); }
         if (!sppm_) { sppm_.emplace(threads_); }
-        return sppm_->renderPass(view, features(), emission_->view(), params, stop, state, direct);
+        return sppm_->renderPass(view, features(), power_->view(), params, stop, state, direct);
     }
 
   private:
@@ -105,8 +105,8 @@ class CpuBackend final : public Backend {
     int threads_;
     KernelChoice choice_;
     std::shared_ptr<const BuiltScene> scene_;
-    std::optional<EmissionTable> emission_;  ///< made by the first SPPM pass of a scene
-    std::optional<CpuSppm> sppm_;            ///< made by the first SPPM pass
+    std::optional<PowerDistribution> power_;  ///< made by the first SPPM pass of a scene
+    std::optional<CpuSppm> sppm_;             ///< made by the first SPPM pass
 };
 
 }  // namespace

@@ -23,7 +23,7 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
 
 struct CpuSppm::Job {
     const SceneView& view;
-    const EmissionView& emission;
+    const PowerDistributionView& power;
     const SppmParams& params;
     const SppmVariant& variant;
     const std::atomic<bool>& stop;
@@ -106,7 +106,7 @@ Result<bool> CpuSppm::tracePhotons(const Job& job, const GridSpace& space) {
             const uint64_t begin = first + static_cast<uint64_t>(chunk) * kPhotonsPerChunk;
             const uint64_t end = std::min(begin + kPhotonsPerChunk, first + job.params.photonsPerPass);
             const auto index = static_cast<size_t>(chunk);
-            totals[index] = job.variant.tracePhotons(job.view, job.emission, job.params, {begin, end}, space,
+            totals[index] = job.variant.tracePhotons(job.view, job.power, job.params, {begin, end}, space,
                                                      &photons_.writer(index));
         });
     } while (photons_.overflowed() && !job.stop.load());
@@ -148,10 +148,11 @@ void CpuSppm::update(const Job& job) {
     job.state->emittedPhotons += job.params.photonsPerPass;
 }
 
-Result<bool> CpuSppm::renderPass(const SceneView& view, FeatureMask features, const EmissionView& emission,
-                                 const SppmParams& params, const std::atomic<bool>& stop, SppmState* state,
+Result<bool> CpuSppm::renderPass(const SceneView& view, FeatureMask features,
+                                 const PowerDistributionView& power, const SppmParams& params,
+                                 const std::atomic<bool>& stop, SppmState* state,
                                  std::vector<PixelSample>* direct) {
-    const Job job{view, emission, params, variant(params, features), stop, state};
+    const Job job{view, power, params, variant(params, features), stop, state};
     using Clock = std::chrono::steady_clock;
     try {
         direct->resize(job.pixelCount());

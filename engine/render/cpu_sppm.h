@@ -32,7 +32,7 @@ class CpuSppm {
     /// Renders params.pass.pass. `direct` gets what camera paths found by themselves, one sample a pixel;
     /// `state` must have the pass's resolution and params.pass.pass passes. False: stopped, and nothing but
     /// `direct` has changed. Error: not enough memory, or more photons than a store holds.
-    Result<bool> renderPass(const SceneView& view, FeatureMask features, const EmissionView& emission,
+    Result<bool> renderPass(const SceneView& view, FeatureMask features, const PowerDistributionView& power,
                             const SppmParams& params, const std::atomic<bool>& stop, SppmState* state,
                             std::vector<PixelSample>* direct);
 

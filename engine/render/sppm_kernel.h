@@ -5,7 +5,7 @@
 #pragma once
 
 #include "engine/kernels/features.h"
-#include "engine/kernels/light_emission.h"
+#include "engine/kernels/photon_emission.h"
 #include "engine/kernels/photon_grid.h"
 #include "engine/kernels/photon_tree.h"
 #include "engine/kernels/sppm_view.h"
@@ -32,7 +32,7 @@ struct PhotonRange {
 using TraceVisiblePoints = void (*)(const SceneView&, const SppmParams&, const PixelRect&, PixelSample* image,
                                     PassPixel* pixels);
 /// Photons of one range: those inside `space` go to the writer.
-using TracePhotons = PhotonTotals (*)(const SceneView&, const EmissionView&, const SppmParams&,
+using TracePhotons = PhotonTotals (*)(const SceneView&, const PowerDistributionView&, const SppmParams&,
                                       const PhotonRange&, const GridSpace& space,
                                       PhotonStore::Writer* writer);
 /// Gathers for pixels [begin, end): replaces each visible point by what was found around it.

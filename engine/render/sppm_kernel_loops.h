@@ -30,15 +30,14 @@ void traceVisiblePoints(const SceneView& view, const SppmParams& params, const P
 }
 
 template <FeatureMask kMask>
-PhotonTotals tracePhotons(const SceneView& view, const EmissionView& emission, const SppmParams& params,
+PhotonTotals tracePhotons(const SceneView& view, const PowerDistributionView& power, const SppmParams& params,
                           const PhotonRange& range, const GridSpace& space, PhotonStore::Writer* writer) {
     PhotonTotals totals;
     for (uint64_t number = range.first; number < range.end; ++number) {
-        const PhotonTally tally =
-            tracePhoton<kMask>(view, emission, params, number, [&](const Photon& photon) {
-                uint32_t cell[3];
-                if (space.locate(photon.p, cell)) { writer->add(photon); }
-            });
+        const PhotonTally tally = tracePhoton<kMask>(view, power, params, number, [&](const Photon& photon) {
+            uint32_t cell[3];
+            if (space.locate(photon.p, cell)) { writer->add(photon); }
+        });
         totals.emitted += static_cast<double>(tally.emitted);
         totals.escaped += static_cast<double>(tally.escaped);
         totals.rays += tally.rays;

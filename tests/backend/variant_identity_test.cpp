@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/builders/emission_table.h"
+#include "engine/builders/power_distribution.h"
 #include "engine/io/scene_loader.h"
 #include "engine/render/cpu_sppm.h"
 #include "engine/render/pass_params.h"
@@ -128,12 +128,12 @@ struct SppmImages {
 SppmImages renderSppm(const VariantScene& scene, FeatureMask features) {
     SppmImages out;
     const SceneView view = scene.built->view();
-    const EmissionTable emission = buildEmissionTable(view);
+    const PowerDistribution power = buildPowerDistribution(view);
     SppmParams params = sppmParamsOf(scene.description);
     CpuSppm sppm(2);
     std::vector<PixelSample> pass;
     for (params.pass.pass = 0; params.pass.pass < kPasses; ++params.pass.pass) {
-        const auto done = sppm.renderPass(view, features, emission.view(), params, kNever, &out.state, &pass);
+        const auto done = sppm.renderPass(view, features, power.view(), params, kNever, &out.state, &pass);
         EXPECT_TRUE(done.ok() && *done);
         out.direct.insert(out.direct.end(), pass.begin(), pass.end());
     }

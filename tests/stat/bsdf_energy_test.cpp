@@ -100,17 +100,17 @@ TEST(BsdfReciprocity, HoldsForEveryMaterial) {
             const float uLobe = random.uniform();
             const BsdfSample s = sample(forward, uLobe, random.uniform2());
             const float cosO = std::fabs(wo.z);
-            const float cosI = std::fabs(s.wiWorld.z);
+            const float cosI = std::fabs(s.wi.z);
             if (!s.valid || s.isSpecular || cosO < 1e-3f || cosI < 1e-3f) { continue; }
-            const Bsdf<kAllFeatures> backward = testBsdf(bsdfCase.material, s.wiWorld);
-            const Vec3 there = evaluate(forward, s.wiWorld) / cosI;
+            const Bsdf<kAllFeatures> backward = testBsdf(bsdfCase.material, s.wi);
+            const Vec3 there = evaluate(forward, s.wi) / cosI;
             const Vec3 back = evaluate(backward, wo) / cosO;
             const float scale = !s.isTransmission ? 1.0f : (wo.z > 0.0f ? square(eta) : 1.0f / square(eta));
             // Half vectors carry rounding errors of 1e-7 in units of alpha, or of the difference of indices.
             const float digits = std::fmax(bsdfCase.material.alpha, 1e-3f);
             for (int c = 0; c < 3; ++c) {
                 EXPECT_NEAR(there[c] * scale, back[c], (1e-5f + 3e-6f / digits) * 20.0f * (back[c] + 1e-3f))
-                    << bsdfCase.name << " " << wo.z << " " << s.wiWorld.z;
+                    << bsdfCase.name << " " << wo.z << " " << s.wi.z;
             }
         }
     }
@@ -125,10 +125,10 @@ TEST(BsdfConsistency, SampleWeightIsEvaluateOverPdf) {
                 const Bsdf<kAllFeatures> bsdf = testBsdf(bsdfCase.material, wo, {}, transport);
                 const float uLobe = random.uniform();
                 const BsdfSample s = sample(bsdf, uLobe, random.uniform2());
-                if (!s.valid || s.isSpecular || std::fabs(wo.z) < 1e-3f || std::fabs(s.wiWorld.z) < 1e-3f) {
+                if (!s.valid || s.isSpecular || std::fabs(wo.z) < 1e-3f || std::fabs(s.wi.z) < 1e-3f) {
                     continue;
                 }
-                const BsdfValue value = evaluateWithPdf(bsdf, s.wiWorld);
+                const BsdfValue value = evaluateWithPdf(bsdf, s.wi);
                 const float tolerance = 1e-4f + 1e-4f / std::fmax(bsdfCase.material.alpha, 1e-3f) * 0.2f;
                 EXPECT_NEAR(value.pdfSolidAngle / s.pdfSolidAngle, 1.0f, tolerance) << bsdfCase.name << wo.z;
                 for (int c = 0; c < 3; ++c) {

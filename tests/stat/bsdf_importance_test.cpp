@@ -1,18 +1,17 @@
 // Photons scatter as the adjoint of camera paths, whatever the shading normal: for any function h of the two
 // directions, the sum over camera paths of |cos wo| h(wo, wi) f |cos wi| is that over photons of
-// |cos wi| h(wo, wi) times what they go on with (bsdf_importance.h).
+// |cos wi| h(wo, wi) times what they go on with (bsdf/importance.h).
 //
 // Lobes with a density, but for the diffuse one, are sampled about the photon's own bent normal, which leaves
-// out directions that only lean more than the test's 12 degrees make count: bsdf_importance.h.
+// out directions that only lean more than the test's 12 degrees make count: bsdf/importance.h.
 //
 // Every comparison at a significance of 1e-6, 432 of them: 4e-4 for the whole file. Fixed seeds.
-#include "engine/kernels/bsdf_importance.h"
-
 #include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "engine/kernels/bsdf/importance.h"
 #include "engine/math/warp.h"
 #include "tests/support/bsdf_cases.h"
 #include "tests/support/statistics.h"
@@ -60,7 +59,7 @@ Sums cameraPaths(const SceneView& view, const SurfacePoint& surface, uint32_t se
         const Vec3 wo = cosineDirection(&random);
         const float uLobe = random.next();
         const BsdfSample s = sample(makeBsdf<kAllFeatures>(view, surface, wo), uLobe, random.next2());
-        addTo(&sums, wo, s.wiWorld, s.valid ? static_cast<double>(s.weight.y) : 0.0);
+        addTo(&sums, wo, s.wi, s.valid ? static_cast<double>(s.weight.y) : 0.0);
     }
     return sums;
 }
@@ -73,7 +72,7 @@ Sums photons(const SceneView& view, const SurfacePoint& surface, uint32_t seed) 
         const float uLobe = random.next();
         const Bsdf<kAllFeatures> bsdf = makeBsdf<kAllFeatures>(view, surface, wi, TransportMode::Importance);
         const BsdfSample s = sampleImportance<kAllFeatures>(view, surface, bsdf, wi, uLobe, random.next2());
-        addTo(&sums, s.wiWorld, wi, s.valid ? static_cast<double>(s.weight.y) : 0.0);
+        addTo(&sums, s.wi, wi, s.valid ? static_cast<double>(s.weight.y) : 0.0);
     }
     return sums;
 }

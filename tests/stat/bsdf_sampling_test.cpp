@@ -59,9 +59,9 @@ Histogram histogram(const Bsdf<kAllFeatures>& bsdf, uint64_t seed) {
         const BsdfSample s = sample(bsdf, uLobe, random.uniform2());
         size_t bin = result.observed.size() - 1;
         if (s.valid && !s.isSpecular) {
-            const bool front = sideOf(s.wiWorld);
-            bin = static_cast<size_t>(front ? reflected.cellOf(s.wiWorld)
-                                            : reflected.cells() + transmitted.cellOf(s.wiWorld));
+            const bool front = sideOf(s.wi);
+            bin = static_cast<size_t>(front ? reflected.cellOf(s.wi)
+                                            : reflected.cells() + transmitted.cellOf(s.wi));
         }
         result.observed[bin] += 1.0;
     }

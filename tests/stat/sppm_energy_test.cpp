@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/builders/emission_table.h"
+#include "engine/builders/power_distribution.h"
 #include "engine/builders/scene_builder.h"
 #include "engine/kernels/sppm_photon_kernel.h"
 #include "engine/math/color.h"
@@ -195,7 +195,7 @@ TEST_P(PhotonBalance, EmittedPowerIsAbsorbedOrEscapes) {
     const auto built = buildScene(edit, nullptr, 0, nullptr, &report);
     ASSERT_TRUE(built) << built.error().format();
     const SceneView view = (*built)->view();
-    const EmissionTable emission = buildEmissionTable(view);
+    const PowerDistribution power = buildPowerDistribution(view);
     SppmParams params;
     params.pass = passParamsOf(GetParam().scene);
     params.sampleDirectLight = false;
@@ -203,7 +203,7 @@ TEST_P(PhotonBalance, EmittedPowerIsAbsorbedOrEscapes) {
     for (uint64_t number = 0; number < 40000; ++number) {
         double reached = 0.0;
         const PhotonTally tally = tracePhoton<kAllFeatures>(
-            view, emission.view(), params, number,
+            view, power.view(), params, number,
             [&](const Photon& photon) { reached += static_cast<double>(luminance(photon.flux)); });
         ASSERT_FALSE(tally.faulty);
         const double absorbed = reached * (1.0 - static_cast<double>(kAlbedo));

@@ -89,8 +89,7 @@ Vec3 directionAt(float cosine, float phiRad) {
 
 Bsdf<kAllFeatures> testBsdf(const MaterialData& material, const Vec3& wo, const TestSurface& surface,
                             TransportMode transport) {
-    return makeBsdf<kAllFeatures>(View<MaterialData>{&material, 1}, View<TextureView>{}, surface, wo,
-                                  transport);
+    return makeBsdf<kAllFeatures>(MaterialScene(material), surface, wo, transport);
 }
 
 }  // namespace glint::test

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/kernels/bsdf.h"
+#include "engine/kernels/bsdf/bsdf.h"
 
 namespace glint::test {
 
@@ -16,6 +16,14 @@ struct TestSurface {
     Vec2 uv{0.0f};
     Vec3 vertexColor{1.0f};
     uint32_t material = 0;
+};
+
+/// What makeBsdf() needs of a scene: one material.
+struct MaterialScene {
+    explicit MaterialScene(const MaterialData& material) : materials{&material, 1} {}
+
+    View<MaterialData> materials;
+    View<TextureView> textures;
 };
 
 struct BsdfCase {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "engine/builders/emission_table.h"
+#include "engine/builders/power_distribution.h"
 #include "engine/render/backend.h"
 #include "engine/render/cpu_sppm.h"
 #include "engine/render/film.h"

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "engine/builders/emission_table.h"
+#include "engine/builders/power_distribution.h"
 #include "engine/builders/scene_builder.h"
 #include "engine/math/color.h"
 #include "engine/render/backend.h"
@@ -34,7 +34,7 @@ std::vector<Vec3> imageOf(const Film& film) {
 SppmRender renderSppm(const SceneDescription& scene, SppmParams params, uint32_t passes, int threads) {
     const auto built = build(scene);
     const SceneView view = built->view();
-    const EmissionTable emission = buildEmissionTable(view);
+    const PowerDistribution power = buildPowerDistribution(view);
     const uint32_t seed = params.pass.seed;
     params.pass = passParamsOf(scene);
     params.pass.seed = seed;
@@ -47,7 +47,7 @@ SppmRender renderSppm(const SceneDescription& scene, SppmParams params, uint32_t
     for (uint32_t pass = 0; pass < passes; ++pass) {
         params.pass.pass = pass;
         const auto done =
-            sppm.renderPass(view, built->features, emission.view(), params, stop, &result.state, &direct);
+            sppm.renderPass(view, built->features, power.view(), params, stop, &result.state, &direct);
         if (!done || !*done) { throw std::runtime_error("an SPPM pass failed"); }
         film.commit(direct, pass, 1);
     }

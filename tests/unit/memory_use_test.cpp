@@ -15,12 +15,12 @@ TEST(MemoryUse, NotCounted) { GTEST_SKIP() << "the thread sanitizer brings its o
 #include <filesystem>
 #include <new>
 
-#include "engine/builders/feature_scan.h"
 #include "engine/builders/scene_builder.h"
 #include "engine/io/scene_loader.h"
 #include "engine/render/checkpoint.h"
 #include "engine/render/memory_use.h"
 #include "engine/render/render_session.h"
+#include "tests/support/render_scene.h"
 #include "tests/support/temp_folder.h"
 #include "tests/support/test_scenes.h"
 
@@ -265,7 +265,7 @@ TEST(MemoryUse, AHugeUnusedFileTakesNoMemory) {
     ASSERT_TRUE(scene.ok()) << scene.error().format();
     EXPECT_LE(largePeak - before, 1024 * 1024u);
     EXPECT_EQ(counts, LoadCounts());
-    EXPECT_EQ(unusedMemory(*scene, scanFeatures(*scene)).total(), 0u);
+    EXPECT_EQ(unusedMemory(*scene, test::buildAll(*scene)->features).total(), 0u);
 }
 
 /// The file in memory has the size that `glint info --memory` names, and is not copied while it grows.

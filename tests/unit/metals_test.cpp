@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/kernels/fresnel.h"
+#include "engine/kernels/bsdf/fresnel.h"
 
 namespace glint {
 namespace {

@@ -47,6 +47,8 @@ Result<std::shared_ptr<const MaterialTable>> build(const SceneDescription& scene
     return buildMaterialTable(scene, **textures, previous);
 }
 
+FeatureMask featuresOf(const SceneDescription& scene) { return scanFeatures(scene, **build(scene)); }
+
 std::string errorOf(const Material& material) {
     const auto table = build(sceneOf({material}));
     return table ? "" : table.error().message;
@@ -150,22 +152,22 @@ TEST(TextureTable, RefusesTexturesWithoutPixels) {
 
 TEST(FeatureScan, NamesExactlyWhatIsNeeded) {
     SceneDescription scene = sceneOf({materialOf(MaterialKind::Diffuse)});
-    EXPECT_EQ(scanFeatures(scene), FeatureMask{kFeatureSphere | kFeatureDiffuse});
+    EXPECT_EQ(featuresOf(scene), FeatureMask{kFeatureSphere | kFeatureDiffuse});
 
     Material rough = materialOf(MaterialKind::Conductor);
     rough.roughness = 0.3f;
     scene.materials.push_back(rough);
-    EXPECT_EQ(scanFeatures(scene), FeatureMask{kFeatureSphere | kFeatureDiffuse}) << "an unused material";
+    EXPECT_EQ(featuresOf(scene), FeatureMask{kFeatureSphere | kFeatureDiffuse}) << "an unused material";
     scene.objects[0].material = 1;
-    EXPECT_EQ(scanFeatures(scene), FeatureMask{kFeatureSphere | kFeatureGlossy});
+    EXPECT_EQ(featuresOf(scene), FeatureMask{kFeatureSphere | kFeatureGlossy});
     scene.materials[1].roughness = 0.5f * kSmoothAlpha;
-    EXPECT_EQ(scanFeatures(scene), FeatureMask{kFeatureSphere | kFeatureSpecular});
+    EXPECT_EQ(featuresOf(scene), FeatureMask{kFeatureSphere | kFeatureSpecular});
 
     scene.camera.apertureDiameter = 0.1f;
     scene.options.sampler = SamplerKind::Independent;
     scene.objects[0].frontOnly = true;
-    EXPECT_EQ(scanFeatures(scene), FeatureMask{kFeatureSphere | kFeatureSpecular | kFeatureDepthOfField |
-                                               kFeatureIndependentSampler | kFeatureFrontOnly});
+    EXPECT_EQ(featuresOf(scene), FeatureMask{kFeatureSphere | kFeatureSpecular | kFeatureDepthOfField |
+                                             kFeatureIndependentSampler | kFeatureFrontOnly});
 }
 
 TEST(FeatureScan, Meshes) {
@@ -175,12 +177,12 @@ TEST(FeatureScan, Meshes) {
     scene.meshes[0].data = data;
     scene.objects[0].shape = ShapeKind::Mesh;
     scene.objects[0].mesh = 0;
-    EXPECT_EQ(scanFeatures(scene), FeatureMask{kFeatureMesh | kFeaturePlastic});
+    EXPECT_EQ(featuresOf(scene), FeatureMask{kFeatureMesh | kFeaturePlastic});
     data->normals.resize(3);
     data->colors.resize(3);
     scene.objects[0].objectToWorld = translate(Vec3(1.0f, 0.0f, 0.0f));
-    EXPECT_EQ(scanFeatures(scene), FeatureMask{kFeatureMesh | kFeaturePlastic | kFeatureMeshNormals |
-                                               kFeatureMeshColors | kFeatureTransforms});
+    EXPECT_EQ(featuresOf(scene), FeatureMask{kFeatureMesh | kFeaturePlastic | kFeatureMeshNormals |
+                                             kFeatureMeshColors | kFeatureTransforms});
 }
 
 TEST(CameraBuilder, LooksWhereItShould) {

@@ -9,13 +9,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "engine/builders/feature_scan.h"
 #include "engine/io/image_io.h"
 #include "engine/io/scene_json.h"
 #include "engine/io/scene_loader.h"
 #include "engine/render/memory_use.h"
 #include "engine/render/render_session.h"
 #include "engine/scene/scene_hash.h"
+#include "tests/support/render_scene.h"
 #include "tests/support/temp_folder.h"
 
 namespace glint {
@@ -114,7 +114,7 @@ constexpr uint64_t kWallBytes = 64 * 32 * 3;
 
 /// Nothing is held that a render would not read.
 void expectNothingUnused(const SceneDescription& scene) {
-    EXPECT_EQ(unusedMemory(scene, scanFeatures(scene)).total(), 0u);
+    EXPECT_EQ(unusedMemory(scene, test::buildAll(scene)->features).total(), 0u);
     EXPECT_THAT(lackingAssets(scene), IsEmpty());
 }
 

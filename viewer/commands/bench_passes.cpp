@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/parallel.h"
-#include "engine/builders/emission_table.h"
+#include "engine/builders/power_distribution.h"
 #include "engine/builders/scene_builder.h"
 #include "engine/io/scene_loader.h"
 #include "engine/render/cpu_sppm.h"
@@ -81,7 +81,7 @@ Result<PassesResult> measure(const BuiltScene& built, SppmParams params, const P
     };
     const std::atomic<bool> never{false};
     const SceneView view = built.view();
-    const EmissionTable emission = buildEmissionTable(view);
+    const PowerDistribution power = buildPowerDistribution(view);
     CpuSppm sppm(threads);
     SppmState state(params.pass.width, params.pass.height);
     Film film(params.pass.width, params.pass.height);
@@ -91,8 +91,7 @@ Result<PassesResult> measure(const BuiltScene& built, SppmParams params, const P
     for (int pass = 0; pass < options.passes + kWarmUpPasses; ++pass) {
         params.pass.pass = static_cast<uint32_t>(pass);
         const auto began = Clock::now();
-        const auto done =
-            sppm.renderPass(view, built.features, emission.view(), params, never, &state, &direct);
+        const auto done = sppm.renderPass(view, built.features, power.view(), params, never, &state, &direct);
         if (!done) { return done.error(); }
         const auto rendered = Clock::now();
         film.commit(direct, params.pass.pass, threads);

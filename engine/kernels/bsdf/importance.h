@@ -1,5 +1,4 @@
-// How a photon scatters: the adjoint of what paths from the camera meet. Host and device. Called by the
-// photon kernel.
+// How a photon scatters: the adjoint of what paths from the camera meet. Host and device.
 //
 // A surface that shows a camera path the radiance L(wo) = f |cos wi| L(wi) sends on, of the power that comes
 // from wi, f |cos wi| |ng.wo| / |ng.wi| per solid angle. With interpolated normals f is not symmetric (Veach
@@ -10,7 +9,7 @@
 // `wo` is where the photon comes from.
 #pragma once
 
-#include "engine/kernels/bsdf.h"
+#include "engine/kernels/bsdf/bsdf.h"
 #include "engine/kernels/surface.h"
 
 namespace glint {
@@ -34,14 +33,14 @@ GLINT_HD inline Unfolded unfold(const Vec3& w, const Vec3& mirror, const Vec3& s
 
 template <FeatureMask kMask>
 GLINT_HD BsdfSample specularImportance(const Bsdf<kMask>& bsdf, const Unfolded& from, const Vec3& wo,
-                                       const LobeSample& lobe, float u) {
+                                       const BsdfSample& lobe, float u) {
     const Vec3 side = bsdf.frame.toLocal(lobe.isTransmission ? -bsdf.ngWorld : bsdf.ngWorld);
-    const Unfolded to = unfold(lobe.wiLocal, Vec3(0.0f, 0.0f, 1.0f), side, u);
+    const Unfolded to = unfold(lobe.wi, Vec3(0.0f, 0.0f, 1.0f), side, u);
     const float below = absDot(bsdf.ngWorld, wo) * std::fabs(to.direction.z);
     if (!(from.ways * to.ways > 0.0f) || !(below > 0.0f)) { return {}; }
     BsdfSample result;
-    result.wiWorld = bsdf.frame.toWorld(to.direction);
-    const float above = std::fabs(from.direction.z) * absDot(bsdf.ngWorld, result.wiWorld);
+    result.wi = bsdf.frame.toWorld(to.direction);
+    const float above = std::fabs(from.direction.z) * absDot(bsdf.ngWorld, result.wi);
     result.weight = lobe.weight * (from.ways * to.ways * above / below);
     result.isSpecular = true;
     result.isTransmission = lobe.isTransmission;
@@ -51,14 +50,14 @@ GLINT_HD BsdfSample specularImportance(const Bsdf<kMask>& bsdf, const Unfolded& 
 
 template <FeatureMask kMask>
 GLINT_HD BsdfSample nonDeltaAdjoint(const SceneView& view, const SurfacePoint& surface,
-                                    const Bsdf<kMask>& bsdf, const Vec3& wo, const LobeSample& lobe) {
+                                    const Bsdf<kMask>& bsdf, const Vec3& wo, const BsdfSample& lobe) {
     BsdfSample result;
-    result.wiWorld = frameOf(bsdf).toWorld(lobe.wiLocal);
-    if (!(geometricCosine(bsdf, result.wiWorld, lobe.wiLocal.z) * lobe.wiLocal.z > 0.0f)) { return {}; }
+    result.wi = frameOf(bsdf).toWorld(lobe.wi);
+    if (!(geometricCosine(bsdf, result.wi, lobe.wi.z) * lobe.wi.z > 0.0f)) { return {}; }
     const float below = absDot(surface.ng, wo) * lobe.pdfSolidAngle;
     if (!(below > 0.0f)) { return {}; }
-    const Bsdf<kMask> seen = makeBsdf<kMask>(view, surface, result.wiWorld);
-    result.weight = evaluate(seen, wo) * (absDot(surface.ng, result.wiWorld) / below);
+    const Bsdf<kMask> seen = makeBsdf<kMask>(view, surface, result.wi);
+    result.weight = evaluate(seen, wo) * (absDot(surface.ng, result.wi) / below);
     result.pdfSolidAngle = lobe.pdfSolidAngle;
     result.isTransmission = lobe.isTransmission;
     result.valid = true;
@@ -78,7 +77,7 @@ GLINT_HD BsdfSample sampleImportance(const SceneView& view, const SurfacePoint& 
             detail::Unfolded from;
             if constexpr (!isDiffuseOnly<kMask>()) {
                 const Vec3 up(0.0f, 0.0f, 1.0f);
-                if (detail::hasSpecularLobe<kMask>(*bsdf.material)) {
+                if (detail::hasSpecularLobe(bsdf)) {
                     from = detail::unfold(bsdf.woLocal, bsdf.frame.toLocal(bsdf.ngWorld), up, u.x);
                     unfolded.woLocal = from.direction;
                     if (from.ways > 1.0f) { u.x = 2.0f * (u.x < 0.5f ? u.x : u.x - 0.5f); }
@@ -86,7 +85,7 @@ GLINT_HD BsdfSample sampleImportance(const SceneView& view, const SurfacePoint& 
                 // Only lobes with a density are left where no camera path leads to wo.
                 unfolded.woLocal.z = std::fabs(unfolded.woLocal.z);
             }
-            const LobeSample lobe = detail::sampleLocal(unfolded, uLobe, u);
+            const BsdfSample lobe = detail::sampleLocal(unfolded, uLobe, u);
             if (!lobe.valid) { return {}; }
             if constexpr (!isDiffuseOnly<kMask>()) {
                 if (lobe.isSpecular) { return detail::specularImportance(bsdf, from, wo, lobe, u.y); }

@@ -1,5 +1,5 @@
 // Powers of all emitter kinds and their cumulative distribution.
-#include "engine/builders/emission_table.h"
+#include "engine/builders/power_distribution.h"
 
 #include <cmath>
 
@@ -44,16 +44,16 @@ float emitterPower(const SceneView& scene, const EmitterData& e) {
 
 }  // namespace
 
-EmissionView EmissionTable::view() const {
-    EmissionView out;
+PowerDistributionView PowerDistribution::view() const {
+    PowerDistributionView out;
     out.cdf = cdf.data();
     out.emitterCount = cdf.empty() ? 0 : static_cast<uint32_t>(cdf.size() - 1);
     out.totalPower = totalPower;
     return out;
 }
 
-EmissionTable buildEmissionTable(const SceneView& scene) {
-    EmissionTable table;
+PowerDistribution buildPowerDistribution(const SceneView& scene) {
+    PowerDistribution table;
     std::vector<double> sums{0.0};
     for (uint32_t i = 0; i < scene.lights.emitters.count; ++i) {
         const float power = emitterPower(scene, scene.lights.emitters[i]);

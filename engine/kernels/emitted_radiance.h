@@ -1,4 +1,4 @@
-// Light that a surface sends out itself. Called by the path kernel and light_sampling.h.
+// Light that a surface sends out itself.
 #pragma once
 
 #include "engine/kernels/scene_view.h"

@@ -4,22 +4,22 @@
 #include <memory>
 #include <vector>
 
-#include "engine/kernels/light_emission.h"
+#include "engine/kernels/photon_emission.h"
 
 namespace glint {
 
-struct EmissionTable {
+struct PowerDistribution {
     std::vector<float> cdf;
     float totalPower = 0.0f;
 
     /// Host pointers into this object.
-    EmissionView view() const;
+    PowerDistributionView view() const;
     size_t bytes() const { return cdf.size() * sizeof(float); }
 };
 
 /// Lights by their power (luminance): flat and round area lights pi times area times radiance, on both
 /// sides where they emit on both; the infinitely far ones over the scene's bounding disc. Empty when
 /// nothing emits photons.
-EmissionTable buildEmissionTable(const SceneView& scene);
+PowerDistribution buildPowerDistribution(const SceneView& scene);
 
 }  // namespace glint

@@ -1,5 +1,4 @@
-// Plastic: a diffuse base under a clear dielectric coat, smooth or GGX. Host and device. Called by
-// bsdf.h only.
+// Plastic: a diffuse base under a clear dielectric coat, smooth or GGX. Host and device.
 //
 // What the coat does not reflect, 1 - E(wo), enters; inside, it goes back and forth between the diffuse base
 // and the coat's underside, which reflects the share Fi of diffuse light; what leaves is shaped by 1 - E(wi):
@@ -11,7 +10,9 @@
 // through a rough coat.
 #pragma once
 
-#include "engine/kernels/bsdf_lobes.h"
+#include "engine/kernels/bsdf/diffuse.h"
+#include "engine/kernels/bsdf/fresnel.h"
+#include "engine/kernels/bsdf/microfacet.h"
 
 namespace glint {
 namespace detail {
@@ -22,7 +23,7 @@ GLINT_HD inline float coatAlbedo(const MaterialData& material, float mu) {
     const float cosine = clampf(mu, 0.0f, 1.0f);
     float cosT = 0.0f;
     const float fresnel = fresnelDielectric(cosine, material.ior, &cosT);
-    if (material.alpha < kSmoothAlpha) { return fresnel; }
+    if (isSmooth(material)) { return fresnel; }
     const float position = std::sqrt(cosine) * static_cast<float>(kCoatSamples - 1);
     const int index =
         position < static_cast<float>(kCoatSamples - 2) ? static_cast<int>(position) : kCoatSamples - 2;
@@ -55,12 +56,13 @@ GLINT_HD inline PlasticChoice plasticChoice(const MaterialData& material, const 
     return choice;
 }
 
-GLINT_HD inline LobeValue evaluatePlasticWith(const MaterialData& material, const PlasticChoice& choice,
-                                              const Vec3& wo, const Vec3& wi, float baseScale) {
+/// baseScale multiplies the base: how much of it the shadow terminator leaves.
+GLINT_HD inline BsdfValue evaluatePlastic(const MaterialData& material, const PlasticChoice& choice,
+                                          const Vec3& wo, const Vec3& wi, float baseScale) {
     const float leaves = (1.0f - coatAlbedo(material, wi.z)) / maxf(1.0f - material.coatAverageAlbedo, 1e-6f);
-    LobeValue result = evaluateDiffuse(choice.base * (choice.enters * leaves * baseScale), wi);
+    BsdfValue result = evaluateLambert(choice.base * (choice.enters * leaves * baseScale), wi);
     result.pdfSolidAngle *= 1.0f - choice.coatProbability;
-    if (material.alpha >= kSmoothAlpha) {
+    if (!isSmooth(material)) {
         const Vec3 h = glm::normalize(wo + wi);
         float cosT = 0.0f;
         const float fresnel = fresnelDielectric(clampf(glm::dot(wo, h), 0.0f, 1.0f), material.ior, &cosT);
@@ -72,34 +74,64 @@ GLINT_HD inline LobeValue evaluatePlasticWith(const MaterialData& material, cons
 
 }  // namespace detail
 
-/// baseScale multiplies the base: how much of it the shadow terminator leaves.
-GLINT_HD inline LobeValue evaluatePlastic(const MaterialData& material, const Vec3& color, const Vec3& wo,
-                                          const Vec3& wi, float baseScale) {
-    if (!(wi.z > 0.0f)) { return {}; }
-    return detail::evaluatePlasticWith(material, detail::plasticChoice(material, color, wo), wo, wi,
-                                       baseScale);
-}
+struct PlasticModel : BsdfModelDefaults {
+    static constexpr FeatureMask kFeatures = kFeaturePlastic;
 
-/// baseScale(wiLocal): likewise, of the direction that is found.
-template <class BaseScale>
-GLINT_HD LobeSample samplePlastic(const MaterialData& material, const Vec3& color, const Vec3& wo,
-                                  float uLobe, Vec2 u, BaseScale&& baseScale) {
-    const detail::PlasticChoice choice = detail::plasticChoice(material, color, wo);
-    Vec3 wi;
-    if (uLobe < choice.coatProbability) {
-        if (material.alpha < kSmoothAlpha) {
-            // E(wo) / coatProbability, which is 0 / 0 where the coat reflects nothing.
-            const float weight = (1.0f - choice.enters) / choice.coatProbability;
-            return detail::specularSample(detail::mirrored(wo), Vec3(weight));
-        }
-        wi = reflect(wo, sampleVisibleNormal(wo, material.alpha, u));
-    } else {
-        wi = sampleCosineHemisphere(u);
+    static GLINT_HD FeatureMask featuresOf(const MaterialData& material) {
+        return kFeaturePlastic | (detail::isSmooth(material) ? 0u : kFeatureGlossy);
     }
-    if (!(wi.z > 0.0f)) { return {}; }
-    const LobeValue value = detail::evaluatePlasticWith(material, choice, wo, wi, baseScale(wi));
-    if (!(value.pdfSolidAngle > 0.0f)) { return {}; }
-    return detail::glossySample(wi, value.value / value.pdfSolidAngle, value.pdfSolidAngle);
-}
+
+    template <FeatureMask kMask>
+    static GLINT_HD bool isSpecularOnly(const Bsdf<kMask>&) {
+        return false;
+    }
+
+    template <FeatureMask kMask>
+    static GLINT_HD bool hasSpecularLobe(const Bsdf<kMask>& bsdf) {
+        return detail::isSmooth(*bsdf.material);
+    }
+
+    template <FeatureMask kMask>
+    static GLINT_HD LobeRange visiblePointLobes(const Bsdf<kMask>& bsdf, float) {
+        if (!detail::isSmooth(*bsdf.material)) { return {0.0f, 1.0f}; }
+        return {choice(bsdf).coatProbability, 1.0f};
+    }
+
+    template <FeatureMask kMask>
+    static GLINT_HD BsdfValue evaluate(const Bsdf<kMask>& bsdf, const Vec3& wi, float ngWi) {
+        const float baseScale = detail::terminator(bsdf, ngWi, wi.z);
+        if (!(wi.z > 0.0f)) { return {}; }
+        return detail::evaluatePlastic(*bsdf.material, choice(bsdf), bsdf.woLocal, wi, baseScale);
+    }
+
+    template <FeatureMask kMask>
+    static GLINT_HD BsdfSample sample(const Bsdf<kMask>& bsdf, float uLobe, Vec2 u) {
+        const MaterialData& material = *bsdf.material;
+        const Vec3& wo = bsdf.woLocal;
+        const detail::PlasticChoice chosen = choice(bsdf);
+        Vec3 wi;
+        if (uLobe < chosen.coatProbability) {
+            if (detail::isSmooth(material)) {
+                // E(wo) / coatProbability, which is 0 / 0 where the coat reflects nothing.
+                const float weight = (1.0f - chosen.enters) / chosen.coatProbability;
+                return detail::specularSample(detail::mirrored(wo), Vec3(weight));
+            }
+            wi = reflect(wo, sampleVisibleNormal(wo, material.alpha, u));
+        } else {
+            wi = sampleCosineHemisphere(u);
+        }
+        if (!(wi.z > 0.0f)) { return {}; }
+        const BsdfValue value =
+            detail::evaluatePlastic(material, chosen, wo, wi, detail::terminatorOf(bsdf, wi));
+        if (!(value.pdfSolidAngle > 0.0f)) { return {}; }
+        return detail::nonDeltaSample(wi, value.value / value.pdfSolidAngle, value.pdfSolidAngle);
+    }
+
+  private:
+    template <FeatureMask kMask>
+    static GLINT_HD detail::PlasticChoice choice(const Bsdf<kMask>& bsdf) {
+        return detail::plasticChoice(*bsdf.material, bsdf.color, bsdf.woLocal);
+    }
+};
 
 }  // namespace glint

@@ -1,5 +1,5 @@
 // The isotropic GGX microfacet distribution with Smith shadowing, in the local frame whose z is the normal.
-// Host and device. Called by the BSDFs only.
+// Host and device.
 //
 // Trowbridge and Reitz 1975; Walter et al. 2007; Heitz 2014 and 2018; Dupuy and Benyoub 2023. Every
 // expression is arranged so that it stays finite at grazing directions. Left out: anisotropy, light that
@@ -57,6 +57,13 @@ GLINT_HD inline float ggxReflection(const Vec3& wo, const Vec3& wi, const Vec3& 
 /// Its density under sampleVisibleNormal(wo) and reflection: G1(wo) D / (4 wo.z).
 GLINT_HD inline float ggxReflectionPdf(const Vec3& wo, const Vec3& h, float alpha) {
     return 0.5f * ggxDistribution(h, alpha) / maxf(wo.z + ggxRoot(wo, alpha), 1e-20f);
+}
+
+/// G2 / G1(wo): the weight, without Fresnel, of a reflection on a sampled visible normal.
+GLINT_HD inline float ggxReflectionWeight(const Vec3& wo, const Vec3& wi, float alpha) {
+    const float rootO = ggxRoot(wo, alpha);
+    const float rootI = ggxRoot(wi, alpha);
+    return wi.z * (wo.z + rootO) / maxf(wo.z * rootI + wi.z * rootO, 1e-20f);
 }
 
 }  // namespace glint

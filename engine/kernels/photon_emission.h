@@ -1,5 +1,4 @@
-// Photons leaving lights: one light by its power, one point on it, one direction. Called by the
-// photon kernel.
+// Photons leaving lights: one light by its power, one point on it, one direction.
 //
 // Every light kind emits: area lights by area and cosine, spheres over their whole surface, point and spot
 // lights from their place, directional lights and the environment from a disc that covers the scene. Infinite
@@ -15,8 +14,8 @@
 
 namespace glint {
 
-/// How photons are shared out among the lights. Built by build/emission_table.
-struct EmissionView {
+/// How photons are shared out among the lights: builders/power_distribution.h.
+struct PowerDistributionView {
     /// emitterCount + 1 entries from 0 to 1, in the order of LightView::emitters
     const float* cdf = nullptr;
     uint32_t emitterCount = 0;  ///< 0: nothing emits photons
@@ -137,11 +136,11 @@ GLINT_HD inline EmittedPhoton emitFromEnvironment(const SceneView& view, const V
 /// One photon from the whole scene: its expected flux is the power of all lights. uChoice, uPoint, uDirection
 /// in [0, 1).
 template <FeatureMask kMask>
-GLINT_HD inline EmittedPhoton emitPhoton(const SceneView& view, const EmissionView& emission, float uChoice,
-                                         const Vec2& uPoint, const Vec2& uDirection) {
-    if (emission.emitterCount == 0) { return {}; }
-    const int chosen = findInterval(emission.cdf, static_cast<int>(emission.emitterCount), uChoice);
-    const float probability = emission.cdf[chosen + 1] - emission.cdf[chosen];
+GLINT_HD inline EmittedPhoton emitPhoton(const SceneView& view, const PowerDistributionView& power,
+                                         float uChoice, const Vec2& uPoint, const Vec2& uDirection) {
+    if (power.emitterCount == 0) { return {}; }
+    const int chosen = findInterval(power.cdf, static_cast<int>(power.emitterCount), uChoice);
+    const float probability = power.cdf[chosen + 1] - power.cdf[chosen];
     if (!(probability > 0.0f)) { return {}; }
     const EmitterData& e = view.lights.emitters[static_cast<uint32_t>(chosen)];
     EmittedPhoton photon;
