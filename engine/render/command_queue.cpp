@@ -12,33 +12,26 @@ namespace {
 constexpr double kAlmostDoneSeconds = 0.008;
 
 bool asksForMore(const RenderRequest& before, const RenderRequest& now) {
-    return (now.standardError && !before.standardError) ||
-           (now.photonStatistics && !before.photonStatistics) || (now.errorMaps && !before.errorMaps) ||
-           (now.aovs & ~before.aovs) != 0;
+    return (now.standardError && !before.standardError) || (now.integratorMaps && !before.integratorMaps) ||
+           (now.errorMaps && !before.errorMaps) || (now.aovs & ~before.aovs) != 0;
 }
 
 }  // namespace
 
-void CommandQueue::post(SceneEdit edit, std::optional<ResumePoint> resume) {
+EditTicket CommandQueue::post(SceneEdit edit, std::optional<ResumePoint> resume) {
     const std::lock_guard lock(mutex_);
-    const auto now = SessionClock::now();
     const EditKind waiting = commands_.edit ? commands_.edit->kinds : EditKind::None;
     edit.kinds |= waiting;
     if (has(edit.kinds, EditKind::Everything)) { abandonBuild_ = true; }
     commands_.edit = std::move(edit);
     commands_.resume = std::move(resume);
-    commands_.firstPosted = commands_.firstPosted.value_or(now);
-    raiseStopFor(now);
-    asked();
+    return postEdit(SessionClock::now());
 }
 
-void CommandQueue::postRestart() {
+EditTicket CommandQueue::postRestart() {
     const std::lock_guard lock(mutex_);
-    const auto now = SessionClock::now();
     commands_.restart = true;
-    commands_.firstPosted = commands_.firstPosted.value_or(now);
-    raiseStopFor(now);
-    asked();
+    return postEdit(SessionClock::now());
 }
 
 void CommandQueue::postQuit() {
@@ -55,10 +48,10 @@ void CommandQueue::postCapture(CapturePromise capture) {
     asked();
 }
 
-void CommandQueue::change(const std::function<void(RenderRequest&)>& how) {
+void CommandQueue::request(const RenderRequest& request) {
     const std::lock_guard lock(mutex_);
-    const RenderRequest before = request_;
-    how(request_);
+    if (request == request_) { return; }
+    const RenderRequest before = std::exchange(request_, request);
     if (pass_ && pass_->mayWait && (request_.paused || asksForMore(before, request_))) {
         stop_ = true;
         stopRaised_ = SessionClock::now();
@@ -69,12 +62,13 @@ void CommandQueue::change(const std::function<void(RenderRequest&)>& how) {
 Commands CommandQueue::take(const std::function<bool(const RenderRequest&)>& hasWork,
                             RenderRequest* request) {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return commands_.ticket != taken_ || hasWork(request_); });
-    taken_ = commands_.ticket;
+    changed_.wait(lock, [&] { return commands_.messages != taken_ || hasWork(request_); });
+    taken_ = commands_.messages;
     *request = request_;
     abandonBuild_ = commands_.quit;
     Commands taken = std::exchange(commands_, {});
-    commands_.ticket = taken_;
+    commands_.ticket = taken.ticket;
+    commands_.messages = taken_;
     return taken;
 }
 
@@ -98,9 +92,16 @@ SessionClock::time_point CommandQueue::stopRaised() const {
     return stopRaised_;
 }
 
-uint64_t CommandQueue::ticket() const {
+uint64_t CommandQueue::messages() const {
     const std::lock_guard lock(mutex_);
-    return commands_.ticket;
+    return commands_.messages;
+}
+
+EditTicket CommandQueue::postEdit(SessionClock::time_point now) {
+    commands_.firstPosted = commands_.firstPosted.value_or(now);
+    raiseStopFor(now);
+    asked();
+    return ++commands_.ticket;
 }
 
 bool CommandQueue::worthStopping(SessionClock::time_point now) const {
@@ -114,7 +115,7 @@ bool CommandQueue::worthStopping(SessionClock::time_point now) const {
 }
 
 void CommandQueue::asked() {
-    ++commands_.ticket;
+    ++commands_.messages;
     changed_.notify_one();
 }
 

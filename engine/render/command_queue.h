@@ -1,5 +1,5 @@
-// What the controlling thread wants of the render thread: edits joined to one, requests, and the
-// present wishes.
+// What the controlling thread wants of the render thread: edits joined to one, captures, and the present
+// request.
 //
 // It also owns the stop flag, since whether a pass in flight is worth stopping has to be decided together
 // with taking the message. Knows nothing of films or passes. Thread-safe.
@@ -37,21 +37,10 @@ struct Commands {
     bool quit = false;
     std::vector<CapturePromise> captures;
     std::optional<SessionClock::time_point> firstPosted;  ///< of the edits and restarts
-    uint64_t ticket = 0;  ///< counts everything asked for up to now, wishes included
+    EditTicket ticket = 0;                                ///< of the newest edit or restart
+    uint64_t messages = 0;  ///< counts everything asked for up to now, requests included
 
     bool invalidatesImage() const { return edit.has_value() || restart; }
-};
-
-/// What holds until it is changed.
-struct RenderRequest {
-    StopLimits limits;
-    bool paused = false;
-    bool interacting = false;
-    uint32_t aovs = 0;
-    bool standardError = false;
-    bool photonStatistics = false;
-    bool errorMaps = false;
-    bool compare = false;
 };
 
 /// What runs now, as far as it matters to whether an edit or a pause should stop it.
@@ -60,24 +49,26 @@ struct PassInFlight {
     bool mustBeShown = false;
     /// a preview that should take so long: one that is almost done is let through
     double previewSeconds = 0.0;
-    /// A film pass while there is a picture to look at: a pause stops it, and so does a wish for something
+    /// A film pass while there is a picture to look at: a pause stops it, and so does a request for something
     /// that the picture does not show, which then comes at once instead of after the pass.
     bool mayWait = false;
 };
 
 class CommandQueue {
   public:
-    void post(SceneEdit edit, std::optional<ResumePoint> resume);
-    void postRestart();
+    EditTicket post(SceneEdit edit, std::optional<ResumePoint> resume);
+    EditTicket postRestart();
     void postQuit();
     void postCapture(CapturePromise capture);
-    void change(const std::function<void(RenderRequest&)>& how);
+    /// Nothing is posted when it equals the present one.
+    void request(const RenderRequest& request);
 
-    /// Blocks until anything was asked for or hasWork(wishes), which must not touch the queue. Hands over
-    /// the mail, and the wishes of that moment.
+    /// Blocks until anything was asked for or hasWork(request), which must not touch the queue. Hands over
+    /// the commands, and the request of that moment.
     Commands take(const std::function<bool(const RenderRequest&)>& hasWork, RenderRequest* request);
 
-    /// Declares that a pass begins, and clears the stop flag unless mail already waits that should stop it.
+    /// Declares that a pass begins, and clears the stop flag unless a command already waits that should stop
+    /// it.
     void beginPass(const PassInFlight& pass);
     void endPass();
     /// Raised by edits, restarts and pauses that are worth it, and by quitting.
@@ -87,9 +78,11 @@ class CommandQueue {
 
     /// Raised while a build under way is for nothing: another scene waits, or the session ends.
     const std::atomic<bool>& abandonBuild() const { return abandonBuild_; }
-    uint64_t ticket() const;
+    /// Counts everything asked for.
+    uint64_t messages() const;
 
   private:
+    EditTicket postEdit(SessionClock::time_point now);
     bool worthStopping(SessionClock::time_point now) const;
     void asked();
     void raiseStopFor(SessionClock::time_point posted);

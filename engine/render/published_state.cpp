@@ -17,8 +17,7 @@ void PublishedState::show(std::shared_ptr<const FilmSnapshot> snapshot) {
     const std::lock_guard lock(mutex_);
     // The old picture's memory is freed after the lock.
     snapshot_.swap(snapshot);
-    if (other_ &&
-        (other_->generation != snapshot_->generation || other_->integrator == snapshot_->integrator)) {
+    if (other_ && (other_->ticket != snapshot_->ticket || other_->integrator == snapshot_->integrator)) {
         other_.reset();
     }
 }
@@ -28,9 +27,10 @@ void PublishedState::showOther(std::shared_ptr<const FilmSnapshot> snapshot) {
     other_.swap(snapshot);
 }
 
-std::shared_ptr<const FilmSnapshot> PublishedState::otherSnapshot() const {
+std::shared_ptr<const FilmSnapshot> PublishedState::snapshot(IntegratorKind integrator) const {
     const std::lock_guard lock(mutex_);
-    return other_;
+    if (snapshot_ && snapshot_->integrator == integrator) { return snapshot_; }
+    return other_ && other_->integrator == integrator ? other_ : nullptr;
 }
 
 void PublishedState::setCurve(IntegratorKind integrator, std::shared_ptr<const ConvergenceCurve> curve) {
@@ -44,10 +44,10 @@ std::shared_ptr<const ConvergenceCurve> PublishedState::curve(IntegratorKind int
     return curves_[static_cast<size_t>(integrator)];
 }
 
-void PublishedState::set(const SessionStatus& status, uint64_t ticket) {
+void PublishedState::set(const SessionStatus& status, uint64_t messages) {
     const std::lock_guard lock(mutex_);
     status_ = status;
-    ticket_ = ticket;
+    messages_ = messages;
     changed_.notify_all();
 }
 
@@ -61,10 +61,10 @@ SessionStatus PublishedState::status() const {
     return status_;
 }
 
-SessionState PublishedState::wait(uint64_t ticket, double seconds) const {
+SessionState PublishedState::wait(uint64_t messages, double seconds) const {
     std::unique_lock lock(mutex_);
     changed_.wait_for(lock, std::chrono::duration<double>(seconds),
-                      [&] { return ticket_ >= ticket && rests(status_.state); });
+                      [&] { return messages_ >= messages && rests(status_.state); });
     return status_.state;
 }
 

@@ -13,22 +13,22 @@ namespace glint {
 class PublishedState {
   public:
     void show(std::shared_ptr<const FilmSnapshot> snapshot);
-    /// `ticket`: everything asked for up to Mail::ticket has been taken into account.
-    void set(const SessionStatus& status, uint64_t ticket);
+    /// `messages`: everything asked for up to Commands::messages has been taken into account.
+    void set(const SessionStatus& status, uint64_t messages);
 
-    /// The picture of the integrator that is not shown; dropped with the first picture of another generation.
+    /// The picture of the integrator that is not shown; dropped with the first picture of another edit.
     void showOther(std::shared_ptr<const FilmSnapshot> snapshot);
-    std::shared_ptr<const FilmSnapshot> otherSnapshot() const;
 
     void setCurve(IntegratorKind integrator, std::shared_ptr<const ConvergenceCurve> curve);
     /// Never null.
     std::shared_ptr<const ConvergenceCurve> curve(IntegratorKind integrator) const;
 
     std::shared_ptr<const FilmSnapshot> snapshot() const;
+    std::shared_ptr<const FilmSnapshot> snapshot(IntegratorKind integrator) const;
     SessionStatus status() const;
-    /// Blocks until the state is a resting one with at least `ticket` taken into account, or `seconds`
+    /// Blocks until the state is a resting one with at least `messages` taken into account, or `seconds`
     /// have passed.
-    SessionState wait(uint64_t ticket, double seconds) const;
+    SessionState wait(uint64_t messages, double seconds) const;
 
   private:
     mutable std::mutex mutex_;
@@ -38,7 +38,7 @@ class PublishedState {
     std::array<std::shared_ptr<const ConvergenceCurve>, 2> curves_{
         std::make_shared<const ConvergenceCurve>(), std::make_shared<const ConvergenceCurve>()};
     SessionStatus status_;
-    uint64_t ticket_ = 0;
+    uint64_t messages_ = 0;
 };
 
 }  // namespace glint

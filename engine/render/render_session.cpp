@@ -35,50 +35,23 @@ RenderSession::RenderSession(std::unique_ptr<Backend> backend, SessionOptions op
 
 RenderSession::~RenderSession() = default;
 
-void RenderSession::post(SceneEdit edit) { impl_->commandQueue.post(std::move(edit), std::nullopt); }
-
-void RenderSession::resume(std::shared_ptr<const SceneDescription> scene, ResumePoint from) {
-    impl_->commandQueue.post({std::move(scene), EditKind::Everything}, std::move(from));
+EditTicket RenderSession::post(SceneEdit edit) {
+    return impl_->commandQueue.post(std::move(edit), std::nullopt);
 }
 
-void RenderSession::setLimits(const StopLimits& limits) {
-    impl_->commandQueue.change([&](RenderRequest& request) { request.limits = limits; });
+EditTicket RenderSession::resume(std::shared_ptr<const SceneDescription> scene, ResumePoint from) {
+    return impl_->commandQueue.post({std::move(scene), EditKind::Everything}, std::move(from));
 }
 
-void RenderSession::setPaused(bool paused) {
-    impl_->commandQueue.change([&](RenderRequest& request) { request.paused = paused; });
-}
+EditTicket RenderSession::restart() { return impl_->commandQueue.postRestart(); }
 
-void RenderSession::restart() { impl_->commandQueue.postRestart(); }
-
-void RenderSession::setInteracting(bool interacting) {
-    impl_->commandQueue.change([&](RenderRequest& request) { request.interacting = interacting; });
-}
-
-void RenderSession::request(uint32_t aovs, bool standardError) {
-    impl_->commandQueue.change([&](RenderRequest& request) {
-        request.aovs = aovs;
-        request.standardError = standardError;
-    });
-}
-
-void RenderSession::requestErrorMaps(bool wanted) {
-    impl_->commandQueue.change([&](RenderRequest& request) { request.errorMaps = wanted; });
-}
-
-void RenderSession::requestPhotonStatistics(bool wanted) {
-    impl_->commandQueue.change([&](RenderRequest& request) { request.photonStatistics = wanted; });
-}
-
-void RenderSession::setComparing(bool comparing) {
-    impl_->commandQueue.change([&](RenderRequest& request) { request.compare = comparing; });
-}
-
-std::shared_ptr<const FilmSnapshot> RenderSession::otherSnapshot() const {
-    return impl_->published.otherSnapshot();
-}
+void RenderSession::request(const RenderRequest& request) { impl_->commandQueue.request(request); }
 
 std::shared_ptr<const FilmSnapshot> RenderSession::snapshot() const { return impl_->published.snapshot(); }
+
+std::shared_ptr<const FilmSnapshot> RenderSession::snapshot(IntegratorKind integrator) const {
+    return impl_->published.snapshot(integrator);
+}
 
 SessionStatus RenderSession::status() const { return impl_->published.status(); }
 
@@ -87,7 +60,7 @@ std::shared_ptr<const ConvergenceCurve> RenderSession::convergenceCurve(Integrat
 }
 
 SessionState RenderSession::wait(double seconds) {
-    return impl_->published.wait(impl_->commandQueue.ticket(), seconds);
+    return impl_->published.wait(impl_->commandQueue.messages(), seconds);
 }
 
 std::future<std::optional<SessionCapture>> RenderSession::captureLater() {

@@ -7,107 +7,20 @@
 // errors end up in SessionStatus.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <functional>
 #include <future>
 #include <memory>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "engine/builders/scene_builder.h"
 #include "engine/render/backend.h"
 #include "engine/render/convergence_curve.h"
-#include "engine/render/film.h"
+#include "engine/render/film_snapshot.h"
+#include "engine/render/render_request.h"
+#include "engine/render/session_status.h"
 #include "engine/scene/scene_edit.h"
 
 namespace glint {
-
-/// When to stop by itself; 0: no such limit. Changing one never restarts anything.
-struct StopLimits {
-    uint32_t passes = 0;
-    double renderSeconds = 0.0;
-    double relativeError = 0.0;
-};
-
-/// A picture at one moment. Immutable and shared.
-struct FilmSnapshot {
-    uint64_t generation = 0;  ///< counts the edits that had been taken when it was made
-    int width = 0;            ///< smaller than the film's while something moves
-    int height = 0;
-    int previewScale = 1;  ///< film pixels per snapshot pixel in each direction; 1: full resolution
-    IntegratorKind integrator = IntegratorKind::PathTracing;
-    uint32_t passes = 0;
-    double renderSeconds = 0.0;     ///< time spent in passes since the last restart, resumed time included
-    double relativeError = 0.0;     ///< of the whole picture, noise and bias (error_estimate.h)
-    double relativeErrorLow = 0.0;  ///< 90 % band of relativeError
-    double relativeErrorHigh = 0.0;
-    std::vector<float> radiance;       ///< linear RGB, 3 per pixel
-    std::vector<float> standardError;  ///< of the mean luminance, 1 per pixel; empty unless asked for
-    /// SPPM: present radius; 0: no visible point yet. Empty unless asked for
-    std::vector<float> radiusWorld;
-    std::vector<float> photonCount;  ///< SPPM: photons kept so far (N). Empty unless asked for
-    std::vector<float> bias;  ///< SPPM: estimate of the luminance's bias, signed. Empty unless asked for
-    /// with 90 %, the true luminance is within +- this. Empty unless asked for
-    std::vector<float> errorBound;
-    /// of the snapshot's size; null unless asked for, and until the first is made
-    std::shared_ptr<const AovFilm> aovs;
-};
-
-enum class SessionState {
-    Empty,     ///< no scene yet
-    Building,  ///< an edit is being built
-    Rendering,
-    Paused,    ///< by setPaused; after an edit only when every picture that is shown has a full pass
-    Finished,  ///< a limit is reached, and the AOVs that were asked for are done
-    Failed,    ///< no picture can be made: status.error says why. An edit or a restart tries again
-};
-
-struct SessionStatus {
-    SessionState state = SessionState::Empty;
-    IntegratorKind integrator = IntegratorKind::PathTracing;  ///< that is shown; all figures are its own
-    uint32_t photonsPerPass = 0;  ///< SPPM: what the memory budget allows of what the scene asks for
-    uint64_t generation = 0;
-    uint32_t passes = 0;
-    double renderSeconds = 0.0;
-    double passesPerSecond = 0.0;
-    double pathsPerSecond = 0.0;
-    double raysPerSecond = 0.0;
-    double relativeError = 0.0;     ///< of the newest snapshot or point of the convergence curve
-    double relativeErrorLow = 0.0;  ///< 90 % band of relativeError
-    double relativeErrorHigh = 0.0;
-    std::array<uint64_t, kSampleFaultCount> faultCounts{};
-    std::string backend;
-    /// why the last edit was refused (the scene before it goes on), or why the state is Failed
-    std::string error;
-    int previewScale = 1;    ///< of the newest snapshot
-    uint32_t aovPasses = 0;  ///< of kAovPasses, where AOVs were asked for
-    size_t filmBytes = 0;
-    MemoryUse memory;               ///< all that is allocated: scene, films, SPPM, the back end's own
-    std::string kernel;             ///< the kernel variant in use
-    double lastBuildSeconds = 0.0;  ///< of the last edit
-    /// edits that have been answered by a picture: a new latency figure each time
-    uint64_t imagesAfterEdits = 0;
-    /// How often each part was rebuilt or cleared since the session began: what tests and the log read.
-    struct Counters {
-        uint64_t meshBuilds = 0;
-        uint64_t topLevelBuilds = 0;
-        uint64_t materialTables = 0;
-        uint64_t textureTables = 0;
-        uint64_t lightTables = 0;
-        uint64_t featureScans = 0;
-        uint64_t filmRestarts = 0;
-        uint64_t filmAllocations = 0;
-        uint64_t passesDiscarded = 0;
-        uint64_t editsRefused = 0;
-        uint64_t previewPasses = 0;
-    } counters;
-    /// Latency of the last edit, seconds: from post() to the stop of the pass in flight, and to the first
-    /// new snapshot.
-    double lastCancelSeconds = 0.0;
-    double lastEditToImageSeconds = 0.0;
-};
 
 /// What is needed to go on exactly where a render stopped (io/checkpoint.h saves and loads it).
 struct ResumePoint {
@@ -146,34 +59,22 @@ class RenderSession {
     RenderSession(const RenderSession&) = delete;
     RenderSession& operator=(const RenderSession&) = delete;
 
-    /// Takes the scene after an edit. The first edit must be EditKind::Everything.
-    void post(SceneEdit edit);
+    /// Takes the scene after an edit. The first edit must be EditKind::Everything. Edits that wait are
+    /// joined: the answer of one is the first status, or the first snapshot, with its ticket or a later one.
+    EditTicket post(SceneEdit edit);
     /// Like post() with EditKind::Everything, going on from a checkpoint instead of an empty film.
-    void resume(std::shared_ptr<const SceneDescription> scene, ResumePoint from);
+    EditTicket resume(std::shared_ptr<const SceneDescription> scene, ResumePoint from);
+    /// Empties the films.
+    EditTicket restart();
+    /// What holds from now on. Costs nothing when it is the same as before.
+    void request(const RenderRequest& request);
 
-    void setLimits(const StopLimits& limits);
-    void setPaused(bool paused);
-    void restart();
-    /// While true (a drag, a flight), passes after an edit run at low resolution so that the picture
-    /// stays fluid. Full resolution follows at once when it turns false. Without an edit the picture
-    /// keeps its resolution.
-    void setInteracting(bool interacting);
-    /// Bits of Aov, plus whether snapshots carry standard errors. Never restarts the film.
-    void request(uint32_t aovs, bool standardError);
-
-    /// Whether snapshots carry `bias` (SPPM only) and `errorBound`. Never restarts anything.
-    void requestErrorMaps(bool wanted);
-    /// Whether SPPM's snapshots carry radii and photon counts. Never restarts anything.
-    void requestPhotonStatistics(bool wanted);
-    /// While true both integrators render in turn, so that each had the same time. Never restarts anything.
-    void setComparing(bool comparing);
-    /// While comparing: the newest picture of the integrator that snapshot() does not show; null before the
-    /// first of the present generation.
-    std::shared_ptr<const FilmSnapshot> otherSnapshot() const;
-
-    /// The newest picture of the current generation, or of the one before while there is none; null before
-    /// the first.
+    /// The newest picture by the scene's own integrator, of the newest edit or of the one before while there
+    /// is none; null before the first.
     std::shared_ptr<const FilmSnapshot> snapshot() const;
+    /// The newest picture by this integrator: of the scene's own as above, of one that is compared with it
+    /// null before the first of the newest edit, of any other null.
+    std::shared_ptr<const FilmSnapshot> snapshot(IntegratorKind integrator) const;
     SessionStatus status() const;
     /// The error so far of the film that the integrator has, shown or not. Never null; empty until its second
     /// pass and after whatever restarts that film. Immutable: a longer one replaces it.

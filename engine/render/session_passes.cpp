@@ -40,13 +40,15 @@ bool SessionWorker::previewsOnly(const RenderRequest& request) const {
 
 /// One at least, and then in turn with the other preview while something moves.
 bool SessionWorker::otherPreviewIsDue(const RenderRequest& request) const {
-    if (!request.compare || !otherPreviewing_ || stateOf(otherIntegrator()).passes() > 0) { return false; }
+    if (!isComparing(request) || !otherPreviewing_ || stateOf(otherIntegrator()).passes() > 0) {
+        return false;
+    }
     const bool isBehind = previewing_ && request.interacting && otherPreview_.passes() < preview_.passes();
     return otherPreview_.passes() == 0 || isBehind;
 }
 
 bool SessionWorker::wantsFilmPass(const RenderRequest& request) const {
-    const bool otherIsMissing = request.compare && stateOf(otherIntegrator()).passes() == 0;
+    const bool otherIsMissing = isComparing(request) && stateOf(otherIntegrator()).passes() == 0;
     return filmPasses() == 0 || otherIsMissing || (!request.paused && !limitReached(request));
 }
 
@@ -56,7 +58,8 @@ bool SessionWorker::limitReached(const RenderRequest& request) const {
     const bool reached = (limits.passes > 0 && filmPasses() >= limits.passes) ||
                          (limits.renderSeconds > 0.0 && shown.renderSeconds >= limits.renderSeconds) ||
                          (limits.relativeError > 0.0 && hasReached(shown.curve, limits.relativeError));
-    return reached && (!request.compare || stateOf(otherIntegrator()).renderSeconds >= shown.renderSeconds);
+    return reached &&
+           (!isComparing(request) || stateOf(otherIntegrator()).renderSeconds >= shown.renderSeconds);
 }
 
 PassParams SessionWorker::passParams(NextPass kind) const {
@@ -99,7 +102,7 @@ SppmParams SessionWorker::sppmParams(NextPass kind) const {
 }
 
 IntegratorKind SessionWorker::nextIntegrator(const RenderRequest& request) const {
-    if (!request.compare || filmPasses() == 0) { return integrator(); }
+    if (!isComparing(request) || filmPasses() == 0) { return integrator(); }
     return integratorStates_[0].renderSeconds <= integratorStates_[1].renderSeconds
                ? IntegratorKind::PathTracing
                : IntegratorKind::Sppm;
@@ -129,10 +132,10 @@ Result<bool> SessionWorker::renderInto(NextPass kind) {
 PassInFlight SessionWorker::passInFlight(NextPass kind) const {
     PassInFlight pass;
     if (kind == NextPass::Preview) {
-        pass.mustBeShown = shownGeneration_ + 1 < status_.generation;
+        pass.mustBeShown = shownTicket_ < previousTicket_;
         pass.previewSeconds = pace().expectedSeconds(pixelCount(preview_.width(), preview_.height()));
     } else if (kind == NextPass::OtherPreview) {
-        pass.mustBeShown = shownOther_.generation + 1 < status_.generation;
+        pass.mustBeShown = shownOther_.ticket < previousTicket_;
         pass.previewSeconds = paceOf(otherIntegrator())
                                   .expectedSeconds(pixelCount(otherPreview_.width(), otherPreview_.height()));
     }

@@ -16,10 +16,10 @@ void SessionWorker::showIfDue() {
         showOtherIfDue();
         return;
     }
-    const bool firstOfGeneration = shownGeneration_ != status_.generation || shownIntegrator_ != integrator();
+    const bool firstOfEdit = shownTicket_ != status_.ticket || shownIntegrator_ != integrator();
     const bool resting = nextPass(request_) == NextPass::None;
     const bool sharper = shownPreview_ && !previewing_;
-    if (firstOfGeneration || resting || sharper || shownLacksRequest() ||
+    if (firstOfEdit || resting || sharper || shownLacksRequest() ||
         secondsSince(shownAt_) >= kSnapshotInterval) {
         show(previewing_);
     }
@@ -32,11 +32,11 @@ void SessionWorker::show(bool preview) {
     if (!options_.snapshots) { return; }
     if (!preview) { shown.error = errorEstimate(shown); }
     published_->show(snapshotOf(integrator(), preview));
-    shownGeneration_ = status_.generation;
+    shownTicket_ = status_.ticket;
     shownIntegrator_ = integrator();
     shownPreview_ = preview;
     shownStandardError_ = request_.standardError;
-    shownPhotonStatistics_ = request_.photonStatistics;
+    shownIntegratorMaps_ = request_.integratorMaps;
     shownErrorMaps_ = request_.errorMaps;
     shownAt_ = SessionClock::now();
     status_.previewScale = preview ? previewScale_ : 1;
@@ -53,10 +53,10 @@ std::shared_ptr<FilmSnapshot> SessionWorker::snapshotOf(IntegratorKind kind, boo
     const Film& film = !preview ? of.film : isOther ? otherPreview_ : preview_;
     const SppmState& sppm = preview ? previewSppm_ : of.sppm;
     const bool hasPhotons = kind == IntegratorKind::Sppm && sppm.passes > 0;
-    auto snapshot = makeSnapshot(film, hasPhotons ? &sppm : nullptr,
-                                 {request_.standardError, request_.photonStatistics, request_.errorMaps},
-                                 options_.threads);
-    snapshot->generation = status_.generation;
+    auto snapshot =
+        makeSnapshot(film, hasPhotons ? &sppm : nullptr,
+                     {request_.standardError, request_.integratorMaps, request_.errorMaps}, options_.threads);
+    snapshot->ticket = status_.ticket;
     snapshot->integrator = kind;
     snapshot->previewScale = !preview ? 1 : isOther ? otherPreviewScale_ : previewScale_;
     snapshot->renderSeconds = of.renderSeconds;
@@ -78,17 +78,17 @@ void SessionWorker::showOtherIfDue() {
     IntegratorState& other = stateOf(otherIntegrator());
     const bool preview = other.passes() == 0;
     const uint32_t passes = !preview ? other.passes() : otherPreviewing_ ? otherPreview_.passes() : 0;
-    if (!options_.snapshots || !request_.compare || passes == 0 || shownGeneration_ != status_.generation) {
+    if (!options_.snapshots || !isComparing(request_) || passes == 0 || shownTicket_ != status_.ticket) {
         return;
     }
-    const ShownOther now{status_.generation,
+    const ShownOther now{status_.ticket,
                          otherIntegrator(),
                          preview,
                          other.restarts,
                          passes,
                          aovFilm_.passes(),
                          request_.standardError,
-                         request_.photonStatistics,
+                         request_.integratorMaps,
                          request_.errorMaps};
     ShownOther before = shownOther_;
     if (now == before) { return; }
@@ -97,12 +97,12 @@ void SessionWorker::showOtherIfDue() {
     const bool onlyMorePasses = now == before && nextPass(request_) != NextPass::None;
     if (onlyMorePasses && secondsSince(shownOtherAt_) < kSnapshotInterval) { return; }
     before = shownOther_;
-    before.generation = now.generation;
+    before.ticket = now.ticket;
     std::shared_ptr<FilmSnapshot> image;
     if (now == before && shownOtherImage_) {
         // The same film: an edit of the photons alone must not cost a picture of the other one each time.
         image = std::make_shared<FilmSnapshot>(*shownOtherImage_);
-        image->generation = now.generation;
+        image->ticket = now.ticket;
     } else {
         if (!preview) { other.error = errorEstimate(other); }
         image = snapshotOf(otherIntegrator(), preview);

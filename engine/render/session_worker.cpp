@@ -14,7 +14,7 @@
 namespace glint {
 namespace {
 
-void count(const BuildReport& report, SessionStatus::Counters* counters) {
+void count(const BuildReport& report, SessionCounters* counters) {
     counters->meshBuilds += static_cast<uint64_t>(report.meshesBuilt);
     counters->topLevelBuilds += report.topLevelBuilt;
     counters->materialTables += report.materialsBuilt;
@@ -54,9 +54,13 @@ void SessionWorker::run() {
 }
 
 void SessionWorker::runOnce(Commands commands) {
-    ticket_ = commands.ticket;
+    messages_ = commands.messages;
     std::ranges::move(commands.captures, std::back_inserter(captures_));
     if (commands.firstPosted && !unansweredEdit_) { unansweredEdit_ = commands.firstPosted; }
+    if (commands.invalidatesImage()) {
+        previousTicket_ = status_.ticket;
+        status_.ticket = commands.ticket;
+    }
     if (commands.edit) {
         if (commands.restart) {
             commands.edit->kinds |= EditKind::Camera;  // empties the films of both integrators
@@ -64,7 +68,6 @@ void SessionWorker::runOnce(Commands commands) {
         takeEdit(std::move(*commands.edit), std::move(commands.resume));
     } else if (commands.restart && built_) {
         failed_ = false;
-        ++status_.generation;
         restartImage(EditKind::Everything);
     }
     takeRequests();
@@ -85,15 +88,15 @@ void SessionWorker::takeRequests() {
         previewAovs_ = AovFilm();
         shownAovs_.reset();
     }
-    if (built_ && request_.compare && !otherPreviewing_ && !comparing_) { startOtherPreview(); }
-    comparing_ = request_.compare;
+    if (built_ && isComparing(request_) && !otherPreviewing_ && !comparing_) { startOtherPreview(); }
+    comparing_ = isComparing(request_);
     // A picture at rest has to be shown again with what it lacked.
     if (shownLacksRequest() && filmPasses() > 0) { shownIsOld_ = true; }
 }
 
 bool SessionWorker::shownLacksRequest() const {
     return (request_.standardError && !shownStandardError_) ||
-           (request_.photonStatistics && !shownPhotonStatistics_) || (request_.errorMaps && !shownErrorMaps_);
+           (request_.integratorMaps && !shownIntegratorMaps_) || (request_.errorMaps && !shownErrorMaps_);
 }
 
 void SessionWorker::fail(const std::string& why) {
@@ -106,11 +109,10 @@ void SessionWorker::fail(const std::string& why) {
 }
 
 void SessionWorker::takeEdit(SceneEdit edit, std::optional<ResumePoint> resume) {
-    ++status_.generation;
     edit.kinds |= refusedKinds_;
     if (!built_) { edit.kinds |= EditKind::Everything; }
     status_.state = SessionState::Building;
-    published_->set(status_, ticket_);
+    published_->set(status_, messages_);
     if (!rebuild(edit)) { return; }
     scene_ = std::move(edit.scene);
     refusedKinds_ = EditKind::None;
@@ -153,6 +155,7 @@ void SessionWorker::refuse(EditKind kinds, const std::string& why) {
     }
     unansweredEdit_.reset();
     ++status_.counters.editsRefused;
+    status_.refusedTicket = status_.ticket;
     status_.error = why;
     failed_ = failed_ || built_ == nullptr;
     logError("{}", why);
@@ -160,6 +163,10 @@ void SessionWorker::refuse(EditKind kinds, const std::string& why) {
 
 IntegratorKind SessionWorker::integrator() const {
     return scene_ ? scene_->options.integrator : IntegratorKind::PathTracing;
+}
+
+bool SessionWorker::isComparing(const RenderRequest& request) const {
+    return std::ranges::find(request.compare, otherIntegrator()) != request.compare.end();
 }
 
 IntegratorKind SessionWorker::otherIntegrator() const {
@@ -240,14 +247,14 @@ void SessionWorker::startPreview(int scale) {
 int SessionWorker::previewScaleNow(int present) const {
     if (!options_.previews) { return 1; }
     const Resolution& size = scene_->resolution;
-    if (!request_.compare) { return pace().choose(size.width, size.height, present); }
+    if (!isComparing(request_)) { return pace().choose(size.width, size.height, present); }
     constexpr double kSeconds = 0.6 * PreviewScale::kTargetSeconds;
     return std::max(pace().choose(size.width, size.height, present, kSeconds),
                     paceOf(otherIntegrator()).choose(size.width, size.height, present, kSeconds));
 }
 
 void SessionWorker::startOtherPreview() {
-    if (!request_.compare || stateOf(otherIntegrator()).passes() > 0) { return; }
+    if (!isComparing(request_) || stateOf(otherIntegrator()).passes() > 0) { return; }
     const int scale = previewing_ ? previewScale_ : previewScaleNow(otherPreviewScale_);
     otherPreviewing_ = scale > 1;
     if (!otherPreviewing_) { return; }
@@ -324,7 +331,7 @@ void SessionWorker::setStatus() {
     status_.faultCounts =
         shown.isStale ? std::array<uint64_t, kSampleFaultCount>{} : shown.film.faultCounts();
     status_.photonsPerPass = scene_ ? planSppmMemory(*scene_).photonsPerPass : 0;
-    published_->set(status_, ticket_);
+    published_->set(status_, messages_);
 }
 
 }  // namespace glint

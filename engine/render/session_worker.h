@@ -1,4 +1,4 @@
-// The render thread's own state and its loop: take mail, rebuild what an edit names, run the next pass,
+// The render thread's own state and its loop: take commands, rebuild what an edit names, run the next pass,
 // show it.
 //
 // Used by render_session.cpp alone. Everything here belongs to the render thread; the command queue and the
@@ -21,7 +21,7 @@ class SessionWorker {
   public:
     SessionWorker(std::unique_ptr<Backend> backend, SessionOptions options, CommandQueue* commandQueue,
                   PublishedState* published);
-    /// Until Mail::quit. Never throws: what goes wrong becomes SessionState::Failed.
+    /// Until Commands::quit. Never throws: what goes wrong becomes SessionState::Failed.
     void run();
 
   private:
@@ -71,6 +71,7 @@ class SessionWorker {
     IntegratorKind integrator() const;
     IntegratorKind nextIntegrator(const RenderRequest& request) const;
     IntegratorKind otherIntegrator() const;
+    bool isComparing(const RenderRequest& request) const;
     IntegratorState& stateOf(IntegratorKind kind) { return integratorStates_[static_cast<size_t>(kind)]; }
     const IntegratorState& stateOf(IntegratorKind kind) const {
         return integratorStates_[static_cast<size_t>(kind)];
@@ -114,7 +115,8 @@ class SessionWorker {
     PublishedState* published_;
 
     RenderRequest request_;
-    uint64_t ticket_ = 0;
+    uint64_t messages_ = 0;
+    EditTicket previousTicket_ = 0;  ///< of the edit that was taken before the newest one
     std::vector<CapturePromise> captures_;
     std::shared_ptr<const SceneDescription> scene_;
     std::shared_ptr<const BuiltScene> built_;
@@ -134,7 +136,7 @@ class SessionWorker {
     Film preview_;
     SppmState previewSppm_;  ///< of the one of the two previews that is SPPM's
     AovFilm previewAovs_;
-    bool comparing_ = false;  ///< as the wishes were before
+    bool comparing_ = false;  ///< as the request was before
     bool otherPreviewing_ = false;
     int otherPreviewScale_ = 1;
     Film otherPreview_;
@@ -143,9 +145,9 @@ class SessionWorker {
     bool shownIsOld_ = false;  ///< something was committed since the last snapshot
     bool shownPreview_ = false;
     bool shownStandardError_ = false;
-    bool shownPhotonStatistics_ = false;
+    bool shownIntegratorMaps_ = false;
     bool shownErrorMaps_ = false;
-    uint64_t shownGeneration_ = 0;
+    uint64_t shownTicket_ = 0;
     IntegratorKind shownIntegrator_ = IntegratorKind::PathTracing;
     SessionClock::time_point shownAt_;
     std::shared_ptr<const AovFilm> shownAovs_;  ///< shared between snapshots until another AOV pass is made
@@ -153,14 +155,14 @@ class SessionWorker {
 
     /// What the newest picture of the other integrator is of: a new one is due when any of it changed.
     struct ShownOther {
-        uint64_t generation = 0;
+        uint64_t ticket = 0;
         IntegratorKind integrator = IntegratorKind::PathTracing;
         bool preview = false;
         uint64_t restarts = 0;
         uint32_t passes = 0;
         uint32_t aovPasses = 0;
         bool standardError = false;
-        bool photonStatistics = false;
+        bool integratorMaps = false;
         bool errorMaps = false;
         bool operator==(const ShownOther&) const = default;
     };

@@ -19,9 +19,9 @@ void copyPixel(const Film& film, const SppmState* sppm, size_t i, FilmSnapshot* 
         snapshot->standardError[i] = static_cast<float>(std::sqrt(pixelError(film, sppm, i).variance));
     }
     if (!snapshot->bias.empty()) { snapshot->bias[i] = sppm->pixels[i].bias; }
-    if (!snapshot->radiusWorld.empty()) {
-        snapshot->radiusWorld[i] = static_cast<float>(std::sqrt(sppm->pixels[i].radiusSquared));
-        snapshot->photonCount[i] = static_cast<float>(sppm->pixels[i].photonCount);
+    if (!snapshot->maps.empty()) {
+        snapshot->maps[0].values[i] = static_cast<float>(std::sqrt(sppm->pixels[i].radiusSquared));
+        snapshot->maps[1].values[i] = static_cast<float>(sppm->pixels[i].photonCount);
     }
 }
 
@@ -37,9 +37,9 @@ std::shared_ptr<FilmSnapshot> makeSnapshot(const Film& film, const SppmState* sp
     const size_t count = film.pixels().size();
     snapshot->radiance.resize(count * 3);
     if (request.standardError) { snapshot->standardError.resize(count); }
-    if (sppm && request.photonStatistics) {
-        snapshot->radiusWorld.resize(count);
-        snapshot->photonCount.resize(count);
+    if (sppm && request.integratorMaps) {
+        snapshot->maps = {{kRadiusMap, std::vector<float>(count)},
+                          {kPhotonCountMap, std::vector<float>(count)}};
     }
     if (request.errorMaps) {
         snapshot->errorBound = errorBounds(film, sppm, threads);

@@ -10,12 +10,12 @@ namespace glint {
 
 struct SnapshotRequest {
     bool standardError = false;
-    bool photonStatistics = false;  ///< radii and photon counts of SPPM
-    bool errorMaps = false;         ///< the bound of 90 %, and the bias of SPPM
+    bool integratorMaps = false;
+    bool errorMaps = false;  ///< the bound of 90 %, and the bias of SPPM
 };
 
 /// Everything of `film`, and of SPPM's statistics where there are any (may be null), with extras where asked
-/// for; generation, scale, seconds and AOVs are the caller's. A pixel without samples is black; a standard
+/// for; ticket, scale, seconds and AOVs are the caller's. A pixel without samples is black; a standard
 /// error that is not known yet is infinite.
 std::shared_ptr<FilmSnapshot> makeSnapshot(const Film& film, const SppmState* sppm,
                                            const SnapshotRequest& request, int threads);

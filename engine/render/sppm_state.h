@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "engine/kernels/sppm_view.h"
@@ -13,6 +14,10 @@
 #include "engine/scene/scene.h"
 
 namespace glint {
+
+/// Its maps in snapshots: the present radius, 0 for no visible point yet, and the photons kept so far (N).
+inline constexpr std::string_view kRadiusMap = "radius";
+inline constexpr std::string_view kPhotonCountMap = "photon count";
 
 struct SppmState {
     int width = 0;

@@ -90,7 +90,7 @@ Json variantJson(const ConvergenceReport& report, size_t index) {
     }
     return {{"name", measured.variant.name},
             {"text", measured.variant.text},
-            {"integrator", measured.variant.integrator == IntegratorKind::Sppm ? "sppm" : "pt"},
+            {"integrator", integratorInfo(measured.variant.integrator).shortName},
             {"backend", measured.backend},
             {"kernel", measured.kernel},
             {"settings", settingsJson(report, measured.settings)},

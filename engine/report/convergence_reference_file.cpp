@@ -42,7 +42,8 @@ void takeNoiseSettings(const Attributes& a, SceneDescription* scene) {
     };
     RenderOptions& options = scene->options;
     SppmOptions& sppm = scene->sppm;
-    options.integrator = is("integrator", "sppm") ? IntegratorKind::Sppm : IntegratorKind::PathTracing;
+    options.integrator =
+        integratorByName(attribute(a, "setting.integrator")).value_or(IntegratorKind::PathTracing);
     options.sampler = is("sampler", "independent") ? SamplerKind::Independent : SamplerKind::Sobol;
     take("rouletteStartDepth", &options.rouletteStartDepth);
     take("seed", &options.seed);
@@ -105,11 +106,8 @@ std::vector<uint32_t> seedsOf(const Attributes& attributes) {
 }
 
 void readMetadata(const Attributes& a, ReferenceImage* out) {
-    const std::string integrator = attribute(a, "setting.integrator");
-    if (!integrator.empty()) {
-        out->integrator = integrator == "sppm" ? IntegratorKind::Sppm : IntegratorKind::PathTracing;
-        out->method = integrator == "sppm" ? "sppm" : "pt";
-    }
+    out->integrator = integratorByName(attribute(a, "setting.integrator"));
+    if (out->integrator) { out->method = integratorInfo(*out->integrator).shortName; }
     const std::string method = attribute(a, "referenceMethod");
     out->method = method.empty() ? out->method : method;
     out->seeds = seedsOf(a);

@@ -50,18 +50,14 @@ Result<std::unique_ptr<MeasuredSession>> MeasuredSession::start(const SceneDescr
 MeasuredSession::Outcome MeasuredSession::runTo(const StopLimits& limits, const std::string& progressPrefix) {
     // Also here: work may come in pieces so small that none of them is waited for below.
     if (host_.mustStop()) { return Outcome::Interrupted; }
-    session_->setLimits(limits);
-    if (!posted_) {
-        session_->post({scene_, EditKind::Everything});
-        posted_ = true;
-    }
+    session_->request({.limits = limits});
+    if (posted_ == 0) { posted_ = session_->post({scene_, EditKind::Everything}); }
     for (;;) {
         const SessionState state = session_->wait(kPollSeconds);
         const SessionStatus status = session_->status();
         if (state == SessionState::Failed) { return Outcome::Failed; }
         // On a busy machine the wait may end before the session has even looked at the new limits.
-        if (state == SessionState::Finished && status.generation > generationBefore_ &&
-            isReached(status, limits)) {
+        if (state == SessionState::Finished && status.ticket == posted_ && isReached(status, limits)) {
             return Outcome::Reached;
         }
         if (host_.mustStop()) { return Outcome::Interrupted; }
@@ -73,9 +69,8 @@ void MeasuredSession::restartWithSeed(uint32_t seed) {
     auto next = std::make_shared<SceneDescription>(*scene_);
     next->options.seed = seed;
     scene_ = std::move(next);
-    generationBefore_ = session_->status().generation;
-    session_->setLimits({.passes = 1});
-    session_->post({scene_, EditKind::Options});
+    session_->request({.limits = {.passes = 1}});
+    posted_ = session_->post({scene_, EditKind::Options});
 }
 
 }  // namespace glint

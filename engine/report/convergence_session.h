@@ -54,8 +54,7 @@ class MeasuredSession {
     std::shared_ptr<const SceneDescription> scene_;
     const ConvergenceHost& host_;
     std::unique_ptr<RenderSession> session_;
-    bool posted_ = false;
-    uint64_t generationBefore_ = 0;  ///< of the film before the restart
+    EditTicket posted_ = 0;  ///< of the newest edit
 };
 
 }  // namespace glint

@@ -17,8 +17,7 @@ namespace {
 
 struct VariantKey {
     std::string_view name;
-    bool paths;
-    bool photons;
+    std::optional<IntegratorKind> only;  ///< the integrator whose setting it is; nothing: of all
     std::string_view expected;
     bool (*set)(std::string_view value, VariantSettings* settings);
 };
@@ -87,22 +86,19 @@ bool setDirect(std::string_view value, VariantSettings* s) {
 }
 
 constexpr std::array kKeys = {
-    VariantKey{"sampler", true, true, "sobol or independent", setSampler},
-    VariantKey{"roulette", true, true, "the scattering event Russian roulette starts at, such as 4",
-               setRoulette},
-    VariantKey{"clamp", true, true, "the most radiance a sample may bring, such as 10; 0: off", setClamp},
-    VariantKey{"threads", true, true, "a whole number from 1 to 1024", setThreads},
-    VariantKey{"backend", true, true, "cpu or cuda", setBackend},
-    VariantKey{"kernel", true, true, "specialised or full", setKernel},
-    VariantKey{"radius", false, true, "metres such as 0.05, auto, or auto:K such as auto:2 pixel footprints",
-               setRadius},
-    VariantKey{"alpha", false, true, "a number between 0 and 1, such as 0.67", setAlpha},
-    VariantKey{"photons", false, true, "photons in a pass, such as 100000", setPhotons},
-    VariantKey{"lookup", false, true, "grid or tree", setLookup},
-    VariantKey{"direct", false, true, "sampled or photons", setDirect},
+    VariantKey{"sampler", {}, "sobol or independent", setSampler},
+    VariantKey{"roulette", {}, "the scattering event Russian roulette starts at, such as 4", setRoulette},
+    VariantKey{"clamp", {}, "the most radiance a sample may bring, such as 10; 0: off", setClamp},
+    VariantKey{"threads", {}, "a whole number from 1 to 1024", setThreads},
+    VariantKey{"backend", {}, "cpu or cuda", setBackend},
+    VariantKey{"kernel", {}, "specialised or full", setKernel},
+    VariantKey{"radius", IntegratorKind::Sppm,
+               "metres such as 0.05, auto, or auto:K such as auto:2 pixel footprints", setRadius},
+    VariantKey{"alpha", IntegratorKind::Sppm, "a number between 0 and 1, such as 0.67", setAlpha},
+    VariantKey{"photons", IntegratorKind::Sppm, "photons in a pass, such as 100000", setPhotons},
+    VariantKey{"lookup", IntegratorKind::Sppm, "grid or tree", setLookup},
+    VariantKey{"direct", IntegratorKind::Sppm, "sampled or photons", setDirect},
 };
-
-constexpr std::array<std::string_view, 3> kIntegrators{"pt", "sppm", "path"};
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
     std::vector<std::string_view> parts;
@@ -128,7 +124,7 @@ std::vector<std::string> pieces(std::string_view text) {
 }
 
 bool belongs(const VariantKey& key, IntegratorKind integrator) {
-    return integrator == IntegratorKind::Sppm ? key.photons : key.paths;
+    return !key.only || *key.only == integrator;
 }
 
 const VariantKey* findKey(std::string_view name) {
@@ -158,8 +154,9 @@ Status addAssignment(std::string_view text, const std::string& piece, Convergenc
     const VariantKey* key = findKey(name);
     if (key == nullptr) { return unknownKey(text, name, variant->integrator); }
     if (!belongs(*key, variant->integrator)) {
-        return inVariant(text,
-                         fmt::format("'{}' is a setting of photon mapping; expected sppm:{}", name, piece));
+        const IntegratorInfo& owner = integratorInfo(*key->only);
+        return inVariant(text, fmt::format("'{}' is a setting of {}; expected {}:{}", name, owner.displayName,
+                                           owner.shortName, piece));
     }
     if (std::ranges::find(variant->assignments, name, [](const auto& a) { return a.first; }) !=
         variant->assignments.end()) {
@@ -185,13 +182,15 @@ VariantSettings ConvergenceVariant::applyTo(VariantSettings settings) const {
 
 Result<ConvergenceVariant> parseVariant(std::string_view text) {
     const std::vector<std::string> parts = pieces(text);
-    if (std::ranges::find(kIntegrators, parts[0]) == kIntegrators.end()) {
-        return inVariant(text, fmt::format("there is no integrator '{}'{}; expected pt or sppm", parts[0],
-                                           didYouMean(parts[0], kIntegrators)));
+    const std::optional<IntegratorKind> integrator = integratorByName(parts[0]);
+    if (!integrator) {
+        const std::vector<std::string_view> known = integratorNames();
+        return inVariant(text, fmt::format("there is no integrator '{}'{}; expected one of {}", parts[0],
+                                           didYouMean(parts[0], known), fmt::join(known, ", ")));
     }
     ConvergenceVariant variant;
-    variant.integrator = parts[0] == "sppm" ? IntegratorKind::Sppm : IntegratorKind::PathTracing;
-    variant.name = variant.text = parts[0] == "sppm" ? "sppm" : "pt";
+    variant.integrator = *integrator;
+    variant.name = variant.text = integratorInfo(*integrator).shortName;
     for (size_t i = 1; i < parts.size(); ++i) {
         if (const Status added = addAssignment(text, parts[i], &variant); !added) { return added.error(); }
         variant.name += " " + parts[i];
@@ -219,7 +218,8 @@ Result<std::vector<ConvergenceVariant>> parseVariants(std::string_view list) {
 std::string variantHelp() {
     std::string help;
     for (const VariantKey& key : kKeys) {
-        help += fmt::format("  {:<9} {:<5} {}\n", key.name, key.paths ? "" : "sppm", key.expected);
+        help += fmt::format("  {:<9} {:<5} {}\n", key.name,
+                            key.only ? integratorInfo(*key.only).shortName : "", key.expected);
     }
     return help;
 }

@@ -33,9 +33,10 @@ struct ConvergenceVariant {
     VariantSettings applyTo(VariantSettings settings) const;
 };
 
-/// "pt" or "sppm" (or "path"), then any number of ":key=value". A piece without "=" goes on with the value
-/// before it, so that "radius=auto:2" needs no quotes. Error: an unknown name or key, naming the nearest; a
-/// key that the integrator does not have or that stands twice; a value that is not what the key expects.
+/// An integrator's name (integrator_kind.h) such as "pt", then any number of ":key=value". A piece without
+/// "=" goes on with the value before it, so that "radius=auto:2" needs no quotes. Error: an unknown name or
+/// key, naming the nearest; a key that the integrator does not have or that stands twice; a value that is not
+/// what the key expects.
 Result<ConvergenceVariant> parseVariant(std::string_view text);
 
 /// A comma-separated list. Error also: it is empty, or two of them are the same.

@@ -4,10 +4,9 @@
 #include <cstdint>
 
 #include "engine/base/kinds.h"
+#include "engine/scene/integrator_kind.h"
 
 namespace glint {
-
-enum class IntegratorKind : uint8_t { PathTracing, Sppm };
 
 /// All of these but the integrator change the picture's expectation or its noise: an edit of any restarts the
 /// films. The integrator chooses between the films, which are kept side by side.

@@ -258,7 +258,7 @@ TEST(CudaSppm, ASwitchOfIntegratorsAndBackLosesNothing) {
     RenderSession session(std::move(cuda.backend), {.previews = false, .snapshots = false, .threads = 2});
     const auto renderTo = [&](IntegratorKind integrator, uint32_t passes, EditKind kinds) {
         scene.options.integrator = integrator;
-        session.setLimits({.passes = passes});
+        session.request({.limits = {.passes = passes}});
         session.post({std::make_shared<SceneDescription>(scene), kinds});
         ASSERT_EQ(session.wait(300.0), SessionState::Finished) << session.status().error;
     };

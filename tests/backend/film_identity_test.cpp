@@ -65,15 +65,14 @@ TEST(FilmIdentity, TheSessionAddsNothingAndResumesExactly) {
     const Film direct = render(*scene, 2);
 
     RenderSession first(makeCpuBackend(2));
-    first.setLimits({.passes = 1});
-    first.request(kAovAlbedo, true);
+    first.request({.limits = {.passes = 1}, .aovs = kAovAlbedo, .standardError = true});
     first.post({scene, EditKind::Everything});
     ASSERT_EQ(first.wait(300.0), SessionState::Finished);
     auto half = first.capture();
     ASSERT_TRUE(half.has_value());
 
     RenderSession second(makeCpuBackend(3));
-    second.setLimits({.passes = kPasses});
+    second.request({.limits = {.passes = kPasses}});
     second.resume(scene, {.film = std::move(half->film), .renderSeconds = half->renderSeconds});
     ASSERT_EQ(second.wait(300.0), SessionState::Finished);
     const auto whole = second.capture();

@@ -7,7 +7,7 @@ namespace glint::test {
 SessionCapture renderSession(std::unique_ptr<Backend> backend, const SceneDescription& scene, uint32_t passes,
                              int threads, std::optional<ResumePoint> from) {
     RenderSession session(std::move(backend), {.previews = false, .snapshots = false, .threads = threads});
-    session.setLimits({.passes = passes});
+    session.request({.limits = {.passes = passes}});
     const auto shared = std::make_shared<SceneDescription>(scene);
     if (from) {
         session.resume(shared, std::move(*from));

@@ -87,7 +87,7 @@ TEST(CommandQueue, APreviewThatIsAlmostDoneIsLetThrough) {
 TEST(CommandQueue, PausingStopsOnlyPassesThatAgree) {
     CommandQueue commandQueue;
     commandQueue.beginPass({});
-    commandQueue.change([](RenderRequest& request) { request.paused = true; });
+    commandQueue.request({.paused = true});
     EXPECT_FALSE(commandQueue.stopFlag());
     commandQueue.endPass();
     commandQueue.beginPass({.mayWait = true});
@@ -97,7 +97,7 @@ TEST(CommandQueue, PausingStopsOnlyPassesThatAgree) {
 TEST(CommandQueue, LimitsAndCapturesStopNothing) {
     CommandQueue commandQueue;
     commandQueue.beginPass({.mayWait = true});
-    commandQueue.change([](RenderRequest& request) { request.limits.passes = 3; });
+    commandQueue.request({.limits = {.passes = 3}});
     commandQueue.postCapture({});
     EXPECT_FALSE(commandQueue.stopFlag());
 }

@@ -14,16 +14,40 @@ using namespace test;
 
 constexpr double kPatience = 60.0;
 
-struct Bench {
+struct AskingBench {
     std::shared_ptr<FakeControl> control = std::make_shared<FakeControl>();
-    std::shared_ptr<SceneDescription> scene = fakeScene(8, 8);
-    RenderSession session{makeFakeBackend(control), withoutPreviews(fakeOptions(control))};
+    std::shared_ptr<SceneDescription> scene;
+    RenderSession session;
+    RenderRequest request;
 
-    static SessionOptions withoutPreviews(SessionOptions options) {
-        options.previews = false;
+    AskingBench(int side, bool previews)
+        : scene(fakeScene(side, side)),
+          session(makeFakeBackend(control), withPreviews(fakeOptions(control), previews)) {}
+
+    static SessionOptions withPreviews(SessionOptions options, bool previews) {
+        options.previews = previews;
         return options;
     }
     void post(EditKind kinds) { session.post({std::make_shared<SceneDescription>(*scene), kinds}); }
+    /// Changes one thing of what is asked for.
+    template <class Value>
+    void ask(Value RenderRequest::*what, Value value) {
+        request.*what = std::move(value);
+        session.request(request);
+    }
+    void compare() { ask(&RenderRequest::compare, {IntegratorKind::PathTracing, IntegratorKind::Sppm}); }
+    /// The newest picture of the integrator that is not shown.
+    std::shared_ptr<const FilmSnapshot> otherSnapshot() const {
+        const auto main = session.snapshot();
+        if (!main) { return nullptr; }
+        return session.snapshot(main->integrator == IntegratorKind::Sppm ? IntegratorKind::PathTracing
+                                                                         : IntegratorKind::Sppm);
+    }
+};
+
+struct Bench : AskingBench {
+    Bench() : AskingBench(8, false) {}
+
     void choose(IntegratorKind kind) {
         scene->options.integrator = kind;
         post(EditKind::Integrator);
@@ -38,9 +62,9 @@ struct Bench {
     }
     /// Both have pictures, and a pass is in flight that never ends by itself.
     bool reachEndlessPass() {
-        session.setComparing(true);
+        compare();
         post(EditKind::Everything);
-        if (!waitFor([&] { return session.otherSnapshot() != nullptr; })) { return false; }
+        if (!waitFor([&] { return otherSnapshot() != nullptr; })) { return false; }
         control->secondsPerPass = 1e6;
         return waitFor([&] {
             const int passes = control->passes;
@@ -58,9 +82,9 @@ TEST(ComparingSession, ASwitchShowsBothKeptImagesBeforeAnyFurtherPass) {
     bench.choose(IntegratorKind::Sppm);
     EXPECT_TRUE(Bench::waitFor([&] {
         const auto main = bench.session.snapshot();
-        const auto other = bench.session.otherSnapshot();
+        const auto other = bench.otherSnapshot();
         return main && other && main->integrator == IntegratorKind::Sppm &&
-               other->integrator == IntegratorKind::PathTracing && other->generation == main->generation;
+               other->integrator == IntegratorKind::PathTracing && other->ticket == main->ticket;
     }));
     EXPECT_TRUE(Bench::waitFor([&] {
         const SessionStatus status = bench.session.status();
@@ -71,51 +95,52 @@ TEST(ComparingSession, ASwitchShowsBothKeptImagesBeforeAnyFurtherPass) {
 
 TEST(ComparingSession, TheOtherImageCarriesWhatIsAskedForToo) {
     Bench bench;
-    bench.session.setComparing(true);
-    bench.session.setLimits({.passes = 3});
+    bench.compare();
+    bench.ask(&RenderRequest::limits, StopLimits{.passes = 3});
     bench.post(EditKind::Everything);
     ASSERT_EQ(bench.session.wait(kPatience), SessionState::Finished);
-    ASSERT_NE(bench.session.otherSnapshot(), nullptr);
-    EXPECT_TRUE(bench.session.otherSnapshot()->radiusWorld.empty());
-    bench.session.requestPhotonStatistics(true);
-    bench.session.request(kAovDepth, true);
+    ASSERT_NE(bench.otherSnapshot(), nullptr);
+    EXPECT_TRUE(bench.otherSnapshot()->maps.empty());
+    bench.ask(&RenderRequest::integratorMaps, true);
+    bench.ask(&RenderRequest::aovs, uint32_t{kAovDepth});
+    bench.ask(&RenderRequest::standardError, true);
     ASSERT_EQ(bench.session.wait(kPatience), SessionState::Finished);
-    const auto other = bench.session.otherSnapshot();
+    const auto other = bench.otherSnapshot();
     ASSERT_NE(other, nullptr);
     EXPECT_EQ(other->integrator, IntegratorKind::Sppm);
-    EXPECT_EQ(other->radiusWorld, std::vector<float>(64, 1.0f));
-    EXPECT_EQ(other->photonCount.size(), 64u);
+    EXPECT_EQ(other->map(kRadiusMap), std::vector<float>(64, 1.0f));
+    EXPECT_EQ(other->map(kPhotonCountMap).size(), 64u);
     EXPECT_EQ(other->standardError.size(), 64u);
     ASSERT_NE(other->aovs, nullptr);
     EXPECT_EQ(other->aovs->passes(), RenderSession::kAovPasses);
-    EXPECT_TRUE(bench.session.snapshot()->radiusWorld.empty()) << "path tracing has no photons";
+    EXPECT_TRUE(bench.session.snapshot()->maps.empty()) << "path tracing has no photons";
 }
 
 TEST(ComparingSession, WhatTheImageLacksComesBeforeAnyFurtherPass) {
     Bench bench;
     ASSERT_TRUE(bench.reachEndlessPass());
     const int passes = bench.control->passes;
-    bench.session.requestPhotonStatistics(true);
+    bench.ask(&RenderRequest::integratorMaps, true);
     EXPECT_TRUE(Bench::waitFor([&] {
-        const auto other = bench.session.otherSnapshot();
-        return other && !other->radiusWorld.empty();
+        const auto other = bench.otherSnapshot();
+        return other && !other->maps.empty();
     }));
-    bench.session.request(0, true);
+    bench.ask(&RenderRequest::standardError, true);
     EXPECT_TRUE(Bench::waitFor([&] { return !bench.session.snapshot()->standardError.empty(); }));
     EXPECT_EQ(bench.control->passes, passes);
 }
 
 TEST(ComparingSession, AFinishedImageIsComparedWithOneOfAsMuchTime) {
     Bench bench;
-    bench.session.setLimits({.passes = 4});
+    bench.ask(&RenderRequest::limits, StopLimits{.passes = 4});
     bench.control->secondsPerPass = 0.002;
     bench.post(EditKind::Everything);
     ASSERT_EQ(bench.session.wait(kPatience), SessionState::Finished);
-    EXPECT_EQ(bench.session.otherSnapshot(), nullptr);
-    bench.session.setComparing(true);
+    EXPECT_EQ(bench.otherSnapshot(), nullptr);
+    bench.compare();
     ASSERT_EQ(bench.session.wait(kPatience), SessionState::Finished);
     const auto main = bench.session.snapshot();
-    const auto other = bench.session.otherSnapshot();
+    const auto other = bench.otherSnapshot();
     ASSERT_NE(other, nullptr);
     EXPECT_EQ(main->passes, 4u) << "the limit holds for the one that is shown";
     EXPECT_GE(other->renderSeconds, main->renderSeconds);
@@ -123,51 +148,46 @@ TEST(ComparingSession, AFinishedImageIsComparedWithOneOfAsMuchTime) {
 
 TEST(ComparingSession, PausedBothShowOnePassAfterAnEdit) {
     Bench bench;
-    bench.session.setComparing(true);
-    bench.session.setPaused(true);
+    bench.compare();
+    bench.ask(&RenderRequest::paused, true);
     for (int edit = 0; edit < 2; ++edit) {
         bench.post(edit == 0 ? EditKind::Everything : EditKind::Camera);
         ASSERT_EQ(bench.session.wait(kPatience), SessionState::Paused);
-        ASSERT_NE(bench.session.otherSnapshot(), nullptr);
-        EXPECT_EQ(bench.session.otherSnapshot()->passes, 1u);
+        ASSERT_NE(bench.otherSnapshot(), nullptr);
+        EXPECT_EQ(bench.otherSnapshot()->passes, 1u);
         EXPECT_EQ(bench.session.snapshot()->passes, 1u);
     }
 }
 
 /// With previews: a whole pass takes a fifth of a second.
-struct PreviewBench {
-    std::shared_ptr<FakeControl> control = std::make_shared<FakeControl>();
-    std::shared_ptr<SceneDescription> scene = fakeScene(256, 256);
-    RenderSession session{makeFakeBackend(control), fakeOptions(control)};
-
-    PreviewBench() { control->secondsPerPath = 3e-6; }
-    void post(EditKind kinds) { session.post({std::make_shared<SceneDescription>(*scene), kinds}); }
+struct PreviewBench : AskingBench {
+    PreviewBench() : AskingBench(256, true) { control->secondsPerPath = 3e-6; }
     bool waitForOther(const std::function<bool(const FilmSnapshot&, const FilmSnapshot&)>& condition) {
         return Bench::waitFor([&] {
             const auto main = session.snapshot();
-            const auto other = session.otherSnapshot();
-            return main && other && main->generation == session.status().generation &&
-                   other->generation == main->generation && condition(*main, *other);
+            const auto other = otherSnapshot();
+            return main && other && main->ticket == session.status().ticket &&
+                   other->ticket == main->ticket && condition(*main, *other);
         });
     }
 };
 
 TEST(ComparingSession, WhileTheCameraMovesBothSidesArePreviewed) {
     PreviewBench bench;
-    bench.session.setComparing(true);
+    bench.compare();
     bench.post(EditKind::Everything);
     EXPECT_TRUE(bench.waitForOther([](const FilmSnapshot& main, const FilmSnapshot& other) {
         return main.previewScale == 1 && other.previewScale == 1;
     }));
     for (int edit = 0; edit < 3; ++edit) {
-        bench.session.setInteracting(true);
+        bench.ask(&RenderRequest::interacting, true);
         bench.post(EditKind::Camera);
         EXPECT_TRUE(bench.waitForOther([](const FilmSnapshot& main, const FilmSnapshot& other) {
             return other.previewScale > 1 && other.previewScale == main.previewScale &&
                    other.width == main.width && other.integrator != main.integrator;
         })) << edit;
     }
-    bench.session.setInteracting(false);
+    bench.ask(&RenderRequest::interacting, false);
     EXPECT_TRUE(bench.waitForOther([](const FilmSnapshot& main, const FilmSnapshot& other) {
         return main.previewScale == 1 && other.previewScale == 1;
     }));
@@ -177,12 +197,12 @@ TEST(ComparingSession, AnEditOfThePhotonsKeepsThePathTracedImage) {
     for (const IntegratorKind shown : {IntegratorKind::PathTracing, IntegratorKind::Sppm}) {
         PreviewBench bench;
         bench.scene->options.integrator = shown;
-        bench.session.setComparing(true);
+        bench.compare();
         bench.post(EditKind::Everything);
         ASSERT_TRUE(bench.waitForOther([](const FilmSnapshot& main, const FilmSnapshot& other) {
             return main.previewScale == 1 && other.previewScale == 1;
         }));
-        bench.session.setInteracting(true);
+        bench.ask(&RenderRequest::interacting, true);
         bench.scene->sppm.alpha = 0.6f;
         bench.post(EditKind::SppmParameters);
         EXPECT_TRUE(bench.waitForOther([&](const FilmSnapshot& main, const FilmSnapshot& other) {
@@ -196,8 +216,8 @@ TEST(ComparingSession, AnEditOfThePhotonsKeepsThePathTracedImage) {
 
 TEST(ComparingSession, SpeedIsThatOfTheIntegratorThatIsShown) {
     Bench bench;
-    bench.session.setComparing(true);
-    bench.session.setLimits({.passes = 3});
+    bench.compare();
+    bench.ask(&RenderRequest::limits, StopLimits{.passes = 3});
     bench.post(EditKind::Everything);
     ASSERT_EQ(bench.session.wait(kPatience), SessionState::Finished);
     const double path = bench.session.status().passesPerSecond;

@@ -103,10 +103,7 @@ Measured render(const SceneDescription& description, IntegratorKind integrator, 
     const size_t before = largeBytes;
     largePeak = before;
     RenderSession session(makeCpuBackend(2), batchOptions());
-    StopLimits limits;
-    limits.passes = 2;
-    session.setLimits(limits);
-    session.request(aovs, false);
+    session.request({.limits = {.passes = 2}, .aovs = aovs});
     session.post({scene, EditKind::Everything});
     EXPECT_EQ(session.wait(120.0), SessionState::Finished) << session.status().error;
     return {session.status().memory, largeBytes - before, largePeak - before};

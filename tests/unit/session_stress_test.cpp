@@ -16,23 +16,29 @@ using test::fakeScene;
 using test::makeFakeBackend;
 
 /// One random act of a restless user. `size` follows the resolution of the last good scene.
-void act(RenderSession& session, FakeControl& control, std::mt19937& random, int* size) {
+void act(RenderSession& session, FakeControl& control, std::mt19937& random, RenderRequest* request,
+         int* size) {
     const auto pick = [&](int count) { return static_cast<int>(random() % static_cast<uint32_t>(count)); };
     switch (pick(14)) {
         case 0:
-            session.setPaused(pick(2) == 0);
+            request->paused = pick(2) == 0;
+            session.request(*request);
             break;
         case 1:
             session.restart();
             break;
         case 2:
-            session.setInteracting(pick(2) == 0);
+            request->interacting = pick(2) == 0;
+            session.request(*request);
             break;
         case 3:
-            session.request(pick(2) == 0 ? uint32_t{kAovAlbedo} : 0u, pick(2) == 0);
+            request->aovs = pick(2) == 0 ? uint32_t{kAovAlbedo} : 0u;
+            request->standardError = pick(2) == 0;
+            session.request(*request);
             break;
         case 4:
-            session.setLimits({.passes = static_cast<uint32_t>(pick(4))});
+            request->limits = {.passes = static_cast<uint32_t>(pick(4))};
+            session.request(*request);
             break;
         case 5:
             *size = 1 + pick(20);
@@ -65,15 +71,16 @@ TEST(SessionStress, ThousandsOfRandomActsLeaveASessionThatWorks) {
     std::mt19937 random(1234);
     const auto control = std::make_shared<FakeControl>();
     RenderSession session(makeFakeBackend(control), fakeOptions(control));
+    RenderRequest request;
     int size = 8;
     session.post({fakeScene(size, size), EditKind::Everything});
     std::vector<std::future<std::optional<SessionCapture>>> captures;
-    uint64_t generation = 0;
+    EditTicket ticket = 0;
     for (int i = 0; i < 6000; ++i) {
-        act(session, *control, random, &size);
+        act(session, *control, random, &request, &size);
         if (const auto snapshot = session.snapshot()) {
-            ASSERT_GE(snapshot->generation, generation) << "pictures of an older scene must not come back";
-            generation = snapshot->generation;
+            ASSERT_GE(snapshot->ticket, ticket) << "pictures of an older scene must not come back";
+            ticket = snapshot->ticket;
             ASSERT_EQ(snapshot->radiance.size(), static_cast<size_t>(snapshot->width) * snapshot->height * 3);
         }
         if (i % 50 == 0) { captures.push_back(session.captureLater()); }
@@ -82,10 +89,7 @@ TEST(SessionStress, ThousandsOfRandomActsLeaveASessionThatWorks) {
     control->buildsFailing = 0;
     control->failPasses = false;
     control->secondsPerPass = 0.0;
-    session.setPaused(false);
-    session.setInteracting(false);
-    session.request(0, false);
-    session.setLimits({.passes = 3});
+    session.request({.limits = {.passes = 3}});
     session.post({fakeScene(5, 5), EditKind::Everything});
     ASSERT_EQ(session.wait(60.0), SessionState::Finished);
     for (auto& capture : captures) {
@@ -94,7 +98,7 @@ TEST(SessionStress, ThousandsOfRandomActsLeaveASessionThatWorks) {
     const auto snapshot = session.snapshot();
     EXPECT_EQ(snapshot->width, 5);
     EXPECT_EQ(snapshot->passes, 3u);
-    EXPECT_EQ(snapshot->generation, session.status().generation);
+    EXPECT_EQ(snapshot->ticket, session.status().ticket);
 }
 
 TEST(SessionStress, ClosesAtAnyMomentAndAnswersWaitingCaptures) {
@@ -105,11 +109,12 @@ TEST(SessionStress, ClosesAtAnyMomentAndAnswersWaitingCaptures) {
         std::future<std::optional<SessionCapture>> capture;
         {
             RenderSession session(makeFakeBackend(control), fakeOptions(control));
+            RenderRequest request;
             int size = 6;
             session.post({fakeScene(size, size), EditKind::Everything});
             const int acts = static_cast<int>(random() % 12);
             for (int i = 0; i < acts; ++i) {
-                act(session, *control, random, &size);
+                act(session, *control, random, &request, &size);
             }
             capture = session.captureLater();
             std::this_thread::sleep_for(std::chrono::microseconds(random() % 2000));

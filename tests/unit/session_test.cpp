@@ -22,11 +22,19 @@ struct Bench {
     std::shared_ptr<FakeControl> control = std::make_shared<FakeControl>();
     SessionOptions options = fakeOptions(control);
     std::unique_ptr<RenderSession> session;
+    RenderRequest request;
 
     explicit Bench(bool previews = true) {
         options.previews = previews;
         session = std::make_unique<RenderSession>(makeFakeBackend(control), options);
     }
+    /// Changes one thing of what is asked for.
+    template <class Value>
+    void ask(Value RenderRequest::*what, Value value) {
+        request.*what = std::move(value);
+        session->request(request);
+    }
+    void limit(const StopLimits& limits) { ask(&RenderRequest::limits, limits); }
     void open(int width, int height) { session->post({fakeScene(width, height), EditKind::Everything}); }
     bool waitFor(const std::function<bool()>& condition) const {
         const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(kPatience);
@@ -49,7 +57,7 @@ TEST(Session, IsEmptyWithoutAScene) {
 
 TEST(Session, RendersToThePassLimitAndShowsTheMean) {
     Bench bench;
-    bench.session->setLimits({.passes = 7});
+    bench.limit({.passes = 7});
     bench.open(13, 9);
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
     const auto snapshot = bench.session->snapshot();
@@ -67,10 +75,10 @@ TEST(Session, RendersToThePassLimitAndShowsTheMean) {
 
 TEST(Session, RaisingALimitGoesOnWithoutRestarting) {
     Bench bench;
-    bench.session->setLimits({.passes = 3});
+    bench.limit({.passes = 3});
     bench.open(8, 8);
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
-    bench.session->setLimits({.passes = 5});
+    bench.limit({.passes = 5});
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
     const SessionStatus status = bench.session->status();
     EXPECT_EQ(status.passes, 5u);
@@ -80,14 +88,14 @@ TEST(Session, RaisingALimitGoesOnWithoutRestarting) {
 
 TEST(Session, StopsAtTheErrorLimitAndAtTheTimeLimit) {
     Bench bench;
-    bench.session->setLimits({.relativeError = 0.05});
+    bench.limit({.relativeError = 0.05});
     bench.open(8, 8);
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
     EXPECT_LE(bench.session->status().relativeErrorHigh, 0.05) << "the band's upper end counts";
     const uint32_t passes = bench.session->status().passes;
     EXPECT_GT(passes, 2u);
     bench.control->secondsPerPass = 0.002;
-    bench.session->setLimits({.renderSeconds = 0.05});
+    bench.limit({.renderSeconds = 0.05});
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
     EXPECT_GE(bench.session->status().renderSeconds, 0.05);
 }
@@ -95,7 +103,7 @@ TEST(Session, StopsAtTheErrorLimitAndAtTheTimeLimit) {
 TEST(Session, TheConvergenceCurveGrowsWithTheFilmAndRestartsWithIt) {
     Bench bench;
     EXPECT_TRUE(bench.session->convergenceCurve(IntegratorKind::PathTracing)->empty());
-    bench.session->setLimits({.passes = 100});
+    bench.limit({.passes = 100});
     bench.open(8, 8);
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
     const auto curve = bench.session->convergenceCurve(IntegratorKind::PathTracing);
@@ -114,7 +122,7 @@ TEST(Session, TheConvergenceCurveGrowsWithTheFilmAndRestartsWithIt) {
     ASSERT_TRUE(capture.has_value());
     EXPECT_EQ(capture->curve.points().size(), curve->points().size());
 
-    bench.session->setLimits({.passes = 3});
+    bench.limit({.passes = 3});
     bench.session->restart();
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
     EXPECT_EQ(bench.session->convergenceCurve(IntegratorKind::PathTracing)->points().size(), 2u);
@@ -123,11 +131,11 @@ TEST(Session, TheConvergenceCurveGrowsWithTheFilmAndRestartsWithIt) {
 
 TEST(Session, ErrorMapsComeOnRequest) {
     Bench bench;
-    bench.session->setLimits({.passes = 4});
+    bench.limit({.passes = 4});
     bench.open(8, 8);
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
     EXPECT_TRUE(bench.session->snapshot()->errorBound.empty());
-    bench.session->requestErrorMaps(true);
+    bench.ask(&RenderRequest::errorMaps, true);
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
     const auto snapshot = bench.session->snapshot();
     EXPECT_EQ(snapshot->errorBound.size(), 64u);
@@ -137,34 +145,37 @@ TEST(Session, ErrorMapsComeOnRequest) {
 
 TEST(Session, RequestsNeverRestartTheFilm) {
     Bench bench;
-    bench.session->setLimits({.passes = 4});
+    bench.limit({.passes = 4});
     bench.open(8, 8);
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
-    bench.session->setInteracting(true);
-    bench.session->request(kAovAlbedo, true);
-    bench.session->setInteracting(false);
+    bench.ask(&RenderRequest::interacting, true);
+    bench.ask(&RenderRequest::aovs, uint32_t{kAovAlbedo});
+    bench.ask(&RenderRequest::standardError, true);
+    bench.ask(&RenderRequest::interacting, false);
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
-    bench.session->setPaused(true);
-    bench.session->setPaused(false);
-    bench.session->request(0, false);
+    bench.ask(&RenderRequest::paused, true);
+    bench.ask(&RenderRequest::paused, false);
+    bench.ask(&RenderRequest::aovs, uint32_t{0});
+    bench.ask(&RenderRequest::standardError, false);
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
     const SessionStatus status = bench.session->status();
     EXPECT_EQ(status.counters.filmRestarts, 1u);
     EXPECT_EQ(status.passes, 4u);
     EXPECT_EQ(bench.control->scenes, 1);
-    EXPECT_EQ(status.generation, 1u);
+    EXPECT_EQ(status.ticket, 1u);
 }
 
 TEST(Session, AovsAndStandardErrorsComeOnRequestAlsoWhenFinished) {
     Bench bench;
-    bench.session->setLimits({.passes = 4});
+    bench.limit({.passes = 4});
     bench.open(8, 8);
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
     EXPECT_EQ(bench.session->snapshot()->aovs, nullptr);
     EXPECT_TRUE(bench.session->snapshot()->standardError.empty());
     EXPECT_EQ(bench.control->aovPasses, 0);
 
-    bench.session->request(kAovDepth, true);
+    bench.ask(&RenderRequest::aovs, uint32_t{kAovDepth});
+    bench.ask(&RenderRequest::standardError, true);
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
     const auto snapshot = bench.session->snapshot();
     ASSERT_NE(snapshot->aovs, nullptr);
@@ -177,8 +188,9 @@ TEST(Session, LayersThatAnEditKeepsHaveTheImagesSizeAfterPreviews) {
     Bench bench;
     const auto scene = fakeScene(64, 64);
     scene->options.integrator = IntegratorKind::Sppm;
-    bench.session->setLimits({.passes = 2});
-    bench.session->request(kAovDepth, false);
+    bench.limit({.passes = 2});
+    bench.ask(&RenderRequest::aovs, uint32_t{kAovDepth});
+    bench.ask(&RenderRequest::standardError, false);
     bench.control->secondsPerPath = 1e-5;
     bench.session->post({scene, EditKind::Everything});
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
@@ -186,14 +198,14 @@ TEST(Session, LayersThatAnEditKeepsHaveTheImagesSizeAfterPreviews) {
     for (int edit = 0; edit < 6; ++edit) {
         const auto edited = std::make_shared<SceneDescription>(*scene);
         edited->sppm.alpha = 0.6f + 0.01f * static_cast<float>(edit);
-        bench.session->setInteracting(true);
+        bench.ask(&RenderRequest::interacting, true);
         bench.session->post({edited, EditKind::SppmParameters});
         ASSERT_TRUE(bench.waitFor([&] {
             const auto shown = bench.session->snapshot();
             return shown->previewScale > 1 && shown->aovs != nullptr;
         }));
         std::this_thread::sleep_for(std::chrono::milliseconds(7 * edit));
-        bench.session->setInteracting(false);
+        bench.ask(&RenderRequest::interacting, false);
         ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
         const auto snapshot = bench.session->snapshot();
         ASSERT_NE(snapshot->aovs, nullptr);
@@ -204,16 +216,16 @@ TEST(Session, LayersThatAnEditKeepsHaveTheImagesSizeAfterPreviews) {
 
 TEST(Session, EachEditRebuildsWhatItNamesOnly) {
     Bench bench;
-    bench.session->setLimits({.passes = 2});
+    bench.limit({.passes = 2});
     bench.open(8, 8);
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
-    SessionStatus::Counters expected = bench.session->status().counters;
+    SessionCounters expected = bench.session->status().counters;
     const auto after = [&](EditKind kinds, int width) {
         bench.session->post({fakeScene(width, 8), kinds});
         EXPECT_EQ(bench.session->wait(kPatience), SessionState::Finished);
         return bench.session->status().counters;
     };
-    auto expectSame = [&](const SessionStatus::Counters& now) {
+    auto expectSame = [&](const SessionCounters& now) {
         EXPECT_EQ(now.materialTables, expected.materialTables);
         EXPECT_EQ(now.lightTables, expected.lightTables);
         EXPECT_EQ(now.topLevelBuilds, expected.topLevelBuilds);
@@ -240,16 +252,16 @@ TEST(Session, EachEditRebuildsWhatItNamesOnly) {
 
 TEST(Session, PausedShowsOnePassAfterAnEditAndRestsThen) {
     Bench bench;
-    bench.session->setPaused(true);
+    bench.ask(&RenderRequest::paused, true);
     bench.open(8, 8);
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Paused);
     EXPECT_EQ(bench.session->status().passes, 1u);
     bench.session->post({fakeScene(8, 8), EditKind::Camera});
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Paused);
     EXPECT_EQ(bench.session->status().passes, 1u);
-    EXPECT_EQ(bench.session->snapshot()->generation, 2u);
-    bench.session->setLimits({.passes = 3});
-    bench.session->setPaused(false);
+    EXPECT_EQ(bench.session->snapshot()->ticket, 2u);
+    bench.limit({.passes = 3});
+    bench.ask(&RenderRequest::paused, false);
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
 }
 
@@ -262,7 +274,7 @@ TEST(Session, PauseStopsALongPassAtOnce) {
         const size_t begun = bench.control->begunPasses().size();
         return begun > 0 && static_cast<int>(begun) > bench.control->passes + bench.control->stopped;
     }));
-    bench.session->setPaused(true);
+    bench.ask(&RenderRequest::paused, true);
     EXPECT_EQ(bench.session->wait(kPatience), SessionState::Paused);
 }
 
@@ -283,12 +295,12 @@ TEST(Session, ClosingStopsALongPassAndALongBuild) {
 
 TEST(Session, ANewSceneAbandonsTheBuildOfTheOneBefore) {
     Bench bench;
-    bench.session->setLimits({.passes = 1});
+    bench.limit({.passes = 1});
     bench.control->buildSeconds = 1e6;
     bench.open(8, 8);
     ASSERT_TRUE(bench.waitFor([&] { return bench.session->status().state == SessionState::Building; }));
     bench.open(4, 4);
-    ASSERT_TRUE(bench.waitFor([&] { return bench.session->status().generation == 2; }));
+    ASSERT_TRUE(bench.waitFor([&] { return bench.session->status().ticket == 2; }));
     bench.control->buildSeconds = 0.0;
     bench.open(6, 6);
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
@@ -298,7 +310,7 @@ TEST(Session, ANewSceneAbandonsTheBuildOfTheOneBefore) {
 
 TEST(Session, ABadSceneLeavesTheOldOneRunning) {
     Bench bench;
-    bench.session->setLimits({.passes = 5});
+    bench.limit({.passes = 5});
     bench.open(8, 8);
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
     const auto before = bench.session->snapshot();
@@ -310,7 +322,7 @@ TEST(Session, ABadSceneLeavesTheOldOneRunning) {
     EXPECT_EQ(status.passes, 5u);
     EXPECT_EQ(bench.session->snapshot()->width, 8);
     EXPECT_EQ(status.counters.filmRestarts, 1u);
-    bench.session->setLimits({.passes = 6});
+    bench.limit({.passes = 6});
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
     EXPECT_EQ(bench.session->status().passes, 6u);
 
@@ -325,7 +337,7 @@ TEST(Session, ABadSceneLeavesTheOldOneRunning) {
 
 TEST(Session, ABadFirstSceneFailsAndAGoodOneRecovers) {
     Bench bench;
-    bench.session->setLimits({.passes = 2});
+    bench.limit({.passes = 2});
     bench.control->buildsFailing = 1;
     bench.open(8, 8);
     EXPECT_EQ(bench.session->wait(kPatience), SessionState::Failed);
@@ -336,7 +348,7 @@ TEST(Session, ABadFirstSceneFailsAndAGoodOneRecovers) {
 
 TEST(Session, BackendErrorsAndExceptionsFailWithAMessageAndARestartTriesAgain) {
     Bench bench;
-    bench.session->setLimits({.passes = 2});
+    bench.limit({.passes = 2});
     bench.control->failPasses = true;
     bench.open(8, 8);
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Failed);
@@ -364,7 +376,7 @@ TEST(Session, ALastGoodImageOutlivesAFailure) {
 
 TEST(Session, AHeavySceneShowsAPreviewFirstAndThenTheWholeImage) {
     Bench bench;
-    bench.session->setLimits({.passes = 1});
+    bench.limit({.passes = 1});
     bench.control->secondsPerPath = 2e-5;  // 0.33 s for 128x128
     bench.open(128, 128);
     ASSERT_TRUE(bench.waitFor([&] { return bench.session->snapshot() != nullptr; }));
@@ -378,19 +390,19 @@ TEST(Session, AHeavySceneShowsAPreviewFirstAndThenTheWholeImage) {
 
 TEST(Session, InteractingKeepsToPreviewsUntilItEnds) {
     Bench bench;
-    bench.session->setLimits({.passes = 1});
+    bench.limit({.passes = 1});
     bench.control->secondsPerPath = 1e-5;
-    bench.session->setInteracting(true);
+    bench.ask(&RenderRequest::interacting, true);
     bench.open(128, 128);
     ASSERT_TRUE(bench.waitFor([&] { return bench.session->status().counters.previewPasses > 5; }));
     EXPECT_EQ(bench.session->status().passes, 0u);
     EXPECT_GT(bench.session->snapshot()->previewScale, 1);
-    bench.session->setInteracting(false);
+    bench.ask(&RenderRequest::interacting, false);
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
     EXPECT_EQ(bench.session->snapshot()->previewScale, 1);
 
     // Without an edit, interacting changes nothing.
-    bench.session->setInteracting(true);
+    bench.ask(&RenderRequest::interacting, true);
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
     EXPECT_EQ(bench.session->snapshot()->previewScale, 1);
 }
@@ -398,7 +410,7 @@ TEST(Session, InteractingKeepsToPreviewsUntilItEnds) {
 TEST(Session, CaptureWhileInteractingComesAtFullResolution) {
     Bench bench;
     bench.control->secondsPerPath = 1e-5;
-    bench.session->setInteracting(true);
+    bench.ask(&RenderRequest::interacting, true);
     bench.open(96, 96);
     const auto capture = bench.session->capture();
     ASSERT_TRUE(capture.has_value());
@@ -409,13 +421,13 @@ TEST(Session, CaptureWhileInteractingComesAtFullResolution) {
 TEST(Session, CaptureAndResumeGoOnBitForBit) {
     const auto scene = fakeScene(16, 12);
     Bench straight;
-    straight.session->setLimits({.passes = 9});
+    straight.limit({.passes = 9});
     straight.session->post({scene, EditKind::Everything});
     ASSERT_EQ(straight.session->wait(kPatience), SessionState::Finished);
     const auto whole = straight.session->capture();
 
     Bench first;
-    first.session->setLimits({.passes = 4});
+    first.limit({.passes = 4});
     first.session->post({scene, EditKind::Everything});
     ASSERT_EQ(first.session->wait(kPatience), SessionState::Finished);
     auto half = first.session->capture();
@@ -424,7 +436,7 @@ TEST(Session, CaptureAndResumeGoOnBitForBit) {
     const double secondsBefore = half->renderSeconds;
 
     Bench second;
-    second.session->setLimits({.passes = 9});
+    second.limit({.passes = 9});
     second.session->resume(half->scene, {.film = std::move(half->film), .renderSeconds = secondsBefore});
     ASSERT_EQ(second.session->wait(kPatience), SessionState::Finished);
     const auto resumed = second.session->capture();
@@ -450,7 +462,7 @@ TEST(Session, AContinuousDragStillShowsImages) {
     bench.control->secondsPerPath = 3e-6;
     bench.open(128, 128);
     ASSERT_TRUE(bench.waitFor([&] { return bench.session->status().passes > 0; }));
-    bench.session->setInteracting(true);
+    bench.ask(&RenderRequest::interacting, true);
     const uint64_t before = bench.session->status().imagesAfterEdits;
     for (int i = 0; i < 100; ++i) {
         bench.session->post({fakeScene(128, 128), EditKind::Camera});

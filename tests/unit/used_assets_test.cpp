@@ -333,25 +333,25 @@ TEST_F(UsedAssets, AssignedWhileRenderingTheImageIsTheSame) {
     RenderSession session(makeCpuBackend(2), options);
     StopLimits limits;
     limits.passes = 3;
-    session.setLimits(limits);
+    session.request({.limits = limits});
     session.post({std::make_shared<SceneDescription>(scene), EditKind::Everything});
     const std::vector<FilmPixel> untextured = pixelsAfter(session);
     limits.passes = 1'000'000;
-    session.setLimits(limits);
+    session.request({.limits = limits});
     for (const int texture : {0, 1, -1, 0}) {
         scene.materials[0].color.texture = texture;
         std::thread([&scene] { takeAssets(completeScene(scene).scene, &scene); }).join();
         session.post({std::make_shared<SceneDescription>(scene), EditKind::Everything});
     }
     limits.passes = 3;
-    session.setLimits(limits);
+    session.request({.limits = limits});
     session.restart();
     const std::vector<FilmPixel> edited = pixelsAfter(session);
     EXPECT_EQ(session.status().counters.meshBuilds, 1u);
 
     ASSERT_TRUE(saveSceneJson(scene, folder.path("fresh.json")).ok());
     RenderSession fresh(makeCpuBackend(1), options);
-    fresh.setLimits(limits);
+    fresh.request({.limits = limits});
     fresh.post({std::make_shared<SceneDescription>(load(folder.path("fresh.json"))), EditKind::Everything});
     EXPECT_TRUE(samePixels(edited, pixelsAfter(fresh)));
     EXPECT_FALSE(samePixels(edited, untextured));

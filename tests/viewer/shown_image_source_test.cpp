@@ -20,7 +20,7 @@ constexpr int kLarge = 512;  // a square of it is not coloured at once
 
 Snapshot snapshotOf(int size, float noise, uint64_t generation = 1) {
     auto snapshot = std::make_shared<FilmSnapshot>();
-    snapshot->generation = generation;
+    snapshot->ticket = generation;
     snapshot->width = snapshot->height = size;
     const size_t pixels = static_cast<size_t>(size) * static_cast<size_t>(size);
     snapshot->radiance.assign(3 * pixels, 1.0f);

@@ -86,7 +86,7 @@ class Measurement {
     LatencyRow drag(const std::string& name, int edits) {
         cancels_.clear();
         images_.clear();
-        session_.setInteracting(true);
+        session_.request({.interacting = true});
         SessionStatus before = session_.status();
         for (int step = 0; step < edits; ++step) {
             session_.post(nextEdit(scene_, 0 + 5 * step));
@@ -100,7 +100,7 @@ class Measurement {
             }
             before = now;
         }
-        session_.setInteracting(false);
+        session_.request({});
         return {name + ", drag at 60 Hz", percentilesOf(cancels_), percentilesOf(images_)};
     }
 

@@ -38,7 +38,7 @@ Result<std::unique_ptr<Backend>> exactBackend(const VariantSettings& settings) {
 
 ConvergeReference::Found ConvergeReference::find() {
     if (!options_.reference.empty()) { return takeGiven(); }
-    const char* own = scene_.options.integrator == IntegratorKind::Sppm ? "sppm" : "pt";
+    const char* own = integratorInfo(scene_.options.integrator).shortName;
     const auto variant = parseVariant(options_.referenceVariant.empty() ? own : options_.referenceVariant);
     if (!variant) { return variant.error(); }
     ReferencePlan wanted{*variant, plan_.defaults, options_.makeReference};

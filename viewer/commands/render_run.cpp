@@ -95,8 +95,10 @@ class BatchRender {
         session.lowPriority = false;
         session.threads = options_.threads;
         session_ = std::make_unique<RenderSession>(std::move(*backend), session);
-        session_->setLimits(limitsUntilNextImage(startPasses_));
-        session_->request(aovs_.aovs, aovs_.standardError);
+        request_ = {.limits = limitsUntilNextImage(startPasses_),
+                    .aovs = aovs_.aovs,
+                    .standardError = aovs_.standardError};
+        session_->request(request_);
         if (from) {
             session_->resume(scene_, std::move(*from));
         } else {
@@ -150,7 +152,8 @@ class BatchRender {
             }
             saveOnTheWay(*capture);
         }
-        session_->setLimits(limitsUntilNextImage(passes));
+        request_.limits = limitsUntilNextImage(passes);
+        session_->request(request_);
         return true;
     }
 
@@ -193,6 +196,7 @@ class BatchRender {
     uint32_t photonsPerPass_ = 0;  ///< SPPM: what the budget allows
     uint32_t startPasses_ = 0;     ///< that the checkpoint brought
     uint32_t nextImage_ = 0;       ///< pass count of the next numbered picture; 0: none before the end
+    RenderRequest request_;
     std::unique_ptr<RenderSession> session_;
 };
 

@@ -180,13 +180,13 @@ std::vector<uint8_t> falseColors(const FilmSnapshot& snapshot, ShownImage shown,
     if (shown == ShownImage::StandardError) { return mapColors(snapshot.standardError, shown, scale); }
     if (shown == ShownImage::Bias) { return mapColors(snapshot.bias, shown, scale); }
     if (shown == ShownImage::ErrorBound) { return mapColors(snapshot.errorBound, shown, scale); }
-    if (shown == ShownImage::Radius) { return mapColors(snapshot.radiusWorld, shown, scale); }
-    if (shown == ShownImage::PhotonCount) { return mapColors(snapshot.photonCount, shown, scale); }
+    if (shown == ShownImage::Radius) { return mapColors(snapshot.map(kRadiusMap), shown, scale); }
+    if (shown == ShownImage::PhotonCount) { return mapColors(snapshot.map(kPhotonCountMap), shown, scale); }
     if (shown == ShownImage::ReferenceError) {
         return mapColors(errorsAgainst(*reference, snapshot), shown, scale);
     }
     *scale = {};
-    if (shown == ShownImage::VisiblePoints) { return visiblePointColors(snapshot.radiusWorld); }
+    if (shown == ShownImage::VisiblePoints) { return visiblePointColors(snapshot.map(kRadiusMap)); }
     if (!snapshot.aovs || snapshot.aovs->passes() == 0) { return {}; }
     const std::vector<AovSample>& samples = snapshot.aovs->pixels();
     const DepthRange range = shown == ShownImage::Depth ? rangeOf(samples) : DepthRange{};

@@ -51,7 +51,7 @@ std::string aovText(const AovSample& sample, ShownImage shown) {
 
 std::string photonText(const FilmSnapshot& snapshot, size_t index, ShownImage shown) {
     const bool counts = shown == ShownImage::PhotonCount;
-    const std::vector<float>& values = counts ? snapshot.photonCount : snapshot.radiusWorld;
+    const std::vector<float>& values = snapshot.map(counts ? kPhotonCountMap : kRadiusMap);
     if (index >= values.size()) { return ""; }
     const float value = values[index];
     if (counts) { return fmt::format("{:.1f} photons", value); }

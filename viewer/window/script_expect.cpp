@@ -11,22 +11,20 @@
 namespace glint {
 namespace {
 
-using Counters = SessionStatus::Counters;
-
 struct NamedCounter {
     std::string_view name;
-    uint64_t Counters::*member;
+    uint64_t SessionCounters::*member;
 };
 
 constexpr std::array<NamedCounter, 8> kCounters{{
-    {"restarts", &Counters::filmRestarts},
-    {"allocations", &Counters::filmAllocations},
-    {"material-tables", &Counters::materialTables},
-    {"texture-tables", &Counters::textureTables},
-    {"light-tables", &Counters::lightTables},
-    {"feature-scans", &Counters::featureScans},
-    {"mesh-builds", &Counters::meshBuilds},
-    {"top-level-builds", &Counters::topLevelBuilds},
+    {"restarts", &SessionCounters::filmRestarts},
+    {"allocations", &SessionCounters::filmAllocations},
+    {"material-tables", &SessionCounters::materialTables},
+    {"texture-tables", &SessionCounters::textureTables},
+    {"light-tables", &SessionCounters::lightTables},
+    {"feature-scans", &SessionCounters::featureScans},
+    {"mesh-builds", &SessionCounters::meshBuilds},
+    {"top-level-builds", &SessionCounters::topLevelBuilds},
 }};
 
 bool contains(const std::string& text, const std::string& part) {

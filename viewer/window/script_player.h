@@ -62,7 +62,7 @@ class ScriptPlayer {
     double began_ = 0.0;      // when it began, seconds
     bool finishing_ = false;  // the last action's frame has not been drawn
     std::deque<Action> actions_;
-    SessionStatus::Counters mark_{};
+    SessionCounters mark_{};
 
     Vec2 mouse_{-1.0f, -1.0f};
     bool buttons_[3] = {};

@@ -108,10 +108,10 @@ void ShownImageSource::bringUp(const Wanted& wanted, ShownImage kind, const MapS
 void ShownImageSource::show(const Wanted& wanted, const ShownImageSource* alongside, ImageDisplay* display) {
     isBehind_ = false;
     if (isReady()) {
-        // Of an older generation or another choice: the picture on the display is newer.
+        // Of an older edit or another choice: the picture on the display is newer.
         const bool isWanted = wanted.snapshot && ready_->of.shown == wanted.shown &&
                               ready_->of.reference == wanted.reference &&
-                              ready_->of.snapshot->generation == wanted.snapshot->generation &&
+                              ready_->of.snapshot->ticket == wanted.snapshot->ticket &&
                               ready_->of.snapshot->integrator == wanted.snapshot->integrator;
         if (isWanted) { put(std::move(*ready_), display); }
         ready_.reset();

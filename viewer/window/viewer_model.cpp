@@ -50,12 +50,8 @@ bool carries(const FilmSnapshot& snapshot, ShownImage shown) {
     if (shown == ShownImage::ErrorBound) { return !snapshot.errorBound.empty(); }
     if (isOfSppm(shown) && snapshot.integrator != IntegratorKind::Sppm) { return true; }
     if (shown == ShownImage::Bias) { return !snapshot.bias.empty(); }
-    if (isOfPhotons(shown)) { return !snapshot.radiusWorld.empty(); }
+    if (isOfPhotons(shown)) { return !snapshot.maps.empty(); }
     return snapshot.aovs && snapshot.aovs->passes() > 0;
-}
-
-bool sameLimits(const StopLimits& a, const StopLimits& b) {
-    return a.passes == b.passes && a.renderSeconds == b.renderSeconds && a.relativeError == b.relativeError;
 }
 
 }  // namespace
@@ -90,8 +86,7 @@ void ViewerModel::adopt(SceneDescription scene) {
     focusFollowsTarget = draft_.camera.apertureDiameter <= 0.0f ||
                          std::fabs(distance - draft_.camera.focalDistance) <= 1e-3f * distance;
     postRequest();  // first, so that not a pass too many is made
-    expectImage();
-    session_.post({posted_, EditKind::Everything});
+    awaitedEdit_ = session_.post({posted_, EditKind::Everything});
 }
 
 void ViewerModel::open(const std::string& path) {
@@ -120,15 +115,8 @@ void ViewerModel::open(const std::string& path) {
 }
 
 void ViewerModel::restart() {
-    expectImage();
-    session_.restart();
+    awaitedEdit_ = session_.restart();
     logInfo("Restarted by hand");
-}
-
-void ViewerModel::setInteracting(bool interacting) {
-    if (interacting == postedInteracting_) { return; }
-    postedInteracting_ = interacting;
-    session_.setInteracting(interacting);
 }
 
 void ViewerModel::refresh() {
@@ -136,14 +124,13 @@ void ViewerModel::refresh() {
     status_ = session_.status();
     snapshot_ = session_.snapshot();
     refreshOther();
-    if (awaitsEdit_ && status_.generation > generationBeforeEdit_ && imageIsCurrent()) {
-        awaitsEdit_ = false;
+    const bool isShown = status_.ticket >= awaitedEdit_ && imageIsCurrent();
+    if (isShown || status_.refusedTicket >= awaitedEdit_ || status_.state == SessionState::Failed) {
+        awaitedEdit_ = 0;
     }
-    const bool refused = status_.counters.editsRefused > refusedBeforeEdit_;
-    if (status_.state == SessionState::Failed || refused) { awaitsEdit_ = false; }
     if (pendingExr_ && status_.aovPasses > 0) { startExr(); }
     refreshConvergence();
-    isAnotherScene_ = isAnotherScene_ && awaitsEdit_;
+    isAnotherScene_ = isAnotherScene_ && awaitedEdit_ != 0;
     autosave();
 }
 
@@ -161,7 +148,12 @@ void ViewerModel::takeCurve(IntegratorKind kind) {
 
 /// While the picture moves, an other one that is an edit old is better than none: it would flicker.
 void ViewerModel::refreshOther() {
-    auto other = display.split ? session_.otherSnapshot() : nullptr;
+    std::shared_ptr<const FilmSnapshot> other;
+    if (display.split && snapshot_) {
+        for (const IntegratorKind kind : request_.compare) {
+            if (kind != snapshot_->integrator) { other = session_.snapshot(kind); }
+        }
+    }
     const bool mayStay = display.split && otherSnapshot_ && snapshot_ && snapshot_->previewScale > 1 &&
                          otherSnapshot_->integrator != snapshot_->integrator;
     if (other || !mayStay) { otherSnapshot_ = std::move(other); }
@@ -175,8 +167,8 @@ void ViewerModel::refreshConvergence() {
         takeCurve(kind);
         reference.follow(kind, *curve(kind));
     }
-    referenceFit.check(reference.image(), posted_, !postedInteracting_);
-    if (awaitsEdit_ || !usableReference()) {
+    referenceFit.check(reference.image(), posted_, !request_.interacting);
+    if (awaitedEdit_ != 0 || !usableReference()) {
         return;  // what is shown may be of the scene before an edit
     }
     const bool resting = status_.state == SessionState::Finished || status_.state == SessionState::Paused;
@@ -193,13 +185,9 @@ std::shared_ptr<const LoadedReference> ViewerModel::usableReference() const {
     return isUsable ? image : nullptr;
 }
 
-void ViewerModel::finishMotion() { setInteracting(false); }
-
-void ViewerModel::expectImage() {
-    awaitsEdit_ = true;
-    const SessionStatus before = session_.status();
-    generationBeforeEdit_ = before.generation;
-    refusedBeforeEdit_ = before.counters.editsRefused;
+void ViewerModel::finishMotion() {
+    request_.interacting = false;
+    session_.request(request_);
 }
 
 EditKind ViewerModel::commitEdits(bool held) {
@@ -218,9 +206,11 @@ EditKind ViewerModel::commitEdits(bool held) {
     }
     if (kinds != EditKind::None) {
         posted_ = ready ? ready : std::make_shared<const SceneDescription>(draft_);
-        if (held) { setInteracting(true); }
-        expectImage();
-        session_.post({posted_, kinds});
+        if (held) {
+            request_.interacting = true;
+            session_.request(request_);
+        }
+        awaitedEdit_ = session_.post({posted_, kinds});
         replayCommand_.clear();
     }
     postRequest();
@@ -263,27 +253,15 @@ void ViewerModel::takeReadAssets(const SceneDescription& asked, const CompletedS
 }
 
 void ViewerModel::postRequest() {
-    if (!sameLimits(limits, postedLimits_)) {
-        postedLimits_ = limits;
-        session_.setLimits(limits);
-    }
-    if (paused != postedPaused_) {
-        postedPaused_ = paused;
-        session_.setPaused(paused);
-    }
-    const uint32_t aovs = files.exrLayers || pendingExr_ ? kAllAovs : aovOf(display.shown);
-    const bool error = display.shown == ShownImage::StandardError;
-    if (aovs != requestedAovs_ || error != requestedError_) {
-        requestedAovs_ = aovs;
-        requestedError_ = error;
-        session_.request(aovs, error);
-    }
-    const bool maps = display.shown == ShownImage::Bias || display.shown == ShownImage::ErrorBound;
-    if (maps != requestedErrorMaps_) { session_.requestErrorMaps(requestedErrorMaps_ = maps); }
-    if (const bool photons = isOfPhotons(display.shown); photons != requestedPhotons_) {
-        session_.requestPhotonStatistics(requestedPhotons_ = photons);
-    }
-    if (display.split != comparing_) { session_.setComparing(comparing_ = display.split); }
+    request_.limits = limits;
+    request_.paused = paused;
+    request_.aovs = files.exrLayers || pendingExr_ ? kAllAovs : aovOf(display.shown);
+    request_.standardError = display.shown == ShownImage::StandardError;
+    request_.errorMaps = display.shown == ShownImage::Bias || display.shown == ShownImage::ErrorBound;
+    request_.integratorMaps = isOfPhotons(display.shown);
+    request_.compare.clear();
+    if (display.split) { request_.compare = {IntegratorKind::PathTracing, IntegratorKind::Sppm}; }
+    session_.request(request_);
 }
 
 bool ViewerModel::carriesShownImage() const {
@@ -293,7 +271,7 @@ bool ViewerModel::carriesShownImage() const {
 }
 
 bool ViewerModel::imageIsCurrent() const {
-    return snapshot_ && snapshot_->previewScale == 1 && snapshot_->generation == status_.generation;
+    return snapshot_ && snapshot_->previewScale == 1 && snapshot_->ticket == status_.ticket;
 }
 
 }  // namespace glint

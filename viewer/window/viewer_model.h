@@ -148,7 +148,7 @@ class ViewerModel {
     /// The snapshots carry what DisplaySettings::shown asks for.
     bool carriesShownImage() const;
     /// An edit was posted, or waits for a file, and no picture of it has come back.
-    bool awaitsEdit() const { return awaitsEdit_ || readingAssets_; }
+    bool awaitsEdit() const { return awaitedEdit_ != 0 || readingAssets_; }
 
     /// The estimate of the error so far, whether this integrator is shown or not. Never null.
     const std::shared_ptr<const ConvergenceCurve>& curve(IntegratorKind kind) const {
@@ -176,15 +176,13 @@ class ViewerModel {
 
   private:
     using Capture = RenderSession::Capture;
-    void setInteracting(bool interacting);
     void readAssets();
     void takeReadAssets(const SceneDescription& asked, const CompletedScene& read);
-    void expectImage();
     /// What is shown of the curves, and the snapshots' errors against the reference.
     void refreshConvergence();
     void refreshOther();
     void takeCurve(IntegratorKind kind);
-    /// Limits, pause and extra pictures, where they changed.
+    /// Limits, pause and extra pictures.
     void postRequest();
     /// Takes the film when the pass in flight is done, then runs `save` on it, both in the background.
     void saveCaptured(const std::string& path, std::function<Status(const Capture&)> save);
@@ -212,17 +210,8 @@ class ViewerModel {
     std::array<std::shared_ptr<const ConvergenceCurve>, 2> curves_;
     std::array<std::shared_ptr<const ConvergenceCurve>, 2> curvesBefore_;
     bool isAnotherScene_ = false;  ///< the curves may still be of the one before
-    StopLimits postedLimits_;
-    bool postedPaused_ = false;
-    bool postedInteracting_ = false;
-    uint32_t requestedAovs_ = 0;
-    bool requestedError_ = false;
-    bool requestedPhotons_ = false;
-    bool requestedErrorMaps_ = false;
-    bool comparing_ = false;
-    bool awaitsEdit_ = false;
-    uint64_t generationBeforeEdit_ = 0;
-    uint64_t refusedBeforeEdit_ = 0;
+    RenderRequest request_;
+    EditTicket awaitedEdit_ = 0;  ///< 0: every edit has been answered
 
     bool pendingExr_ = false;
     std::string fileMessage_;

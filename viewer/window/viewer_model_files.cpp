@@ -139,8 +139,7 @@ void ViewerModel::resumeCheckpoint() {
                         Error{"the scene was edited meanwhile; nothing was resumed", {path, 0, 0, ""}}, "");
                 } else {
                     const uint32_t passes = loaded->value().film.passes();
-                    expectImage();
-                    session_.resume(scene, std::move(loaded->value()));
+                    awaitedEdit_ = session_.resume(scene, std::move(loaded->value()));
                     finishFileJob({}, fmt::format("Resumed {} at {} passes", path, passes));
                 }
             };

@@ -1,0 +1,63 @@
+// The integrators that there are: one line each, and everything that names, lists or makes them follows.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace glint {
+
+/// X(enumerator, key, short name, display name). The key is the name in scene files, reports and on the
+/// command line; the short name is understood wherever a key is, and stands in convergence runs. The display
+/// name is for people..
+#define GLINT_INTEGRATORS(X)                     \
+    X(PathTracing, "path", "pt", "Path tracing") \
+    X(Sppm, "sppm", "sppm", "SPPM")
+
+enum class IntegratorKind : uint8_t {
+#define GLINT_ENUMERATOR(kind, key, shortName, displayName) kind,
+    GLINT_INTEGRATORS(GLINT_ENUMERATOR)
+#undef GLINT_ENUMERATOR
+};
+
+struct IntegratorInfo {
+    IntegratorKind kind;
+    const char* key;
+    const char* shortName;
+    const char* displayName;
+};
+
+/// In the order of IntegratorKind.
+inline constexpr auto kIntegratorTable = std::to_array<IntegratorInfo>({
+#define GLINT_INTEGRATOR_INFO(kind, key, shortName, displayName) \
+    {IntegratorKind::kind, key, shortName, displayName},
+    GLINT_INTEGRATORS(GLINT_INTEGRATOR_INFO)
+#undef GLINT_INTEGRATOR_INFO
+});
+
+constexpr const IntegratorInfo& integratorInfo(IntegratorKind kind) {
+    return kIntegratorTable[static_cast<size_t>(kind)];
+}
+
+/// Every key and short name, each once.
+inline std::vector<std::string_view> integratorNames() {
+    std::vector<std::string_view> names;
+    for (const IntegratorInfo& info : kIntegratorTable) {
+        names.emplace_back(info.shortName);
+        if (names.back() != info.key) { names.emplace_back(info.key); }
+    }
+    return names;
+}
+
+/// By key or short name; nothing for any other text.
+constexpr std::optional<IntegratorKind> integratorByName(std::string_view name) {
+    for (const IntegratorInfo& info : kIntegratorTable) {
+        if (name == info.key || name == info.shortName) { return info.kind; }
+    }
+    return std::nullopt;
+}
+
+}  // namespace glint
