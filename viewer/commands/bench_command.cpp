@@ -1,22 +1,101 @@
-// `glint bench`: one subcommand per figure. A new benchmark adds its line here.
+// `glint bench`: one subcommand per figure. A new benchmark adds its line to kBenchmarks.
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
-#include "viewer/commands/commands.h"
+#include "engine/base/parallel.h"
+#include "engine/builders/scene_builder.h"
+#include "viewer/commands/bench.h"
+#include "viewer/commands/json_output.h"
 
 namespace glint {
+namespace {
+
+constexpr Benchmark (*kBenchmarks[])() = {
+    raysBenchmark, pathsBenchmark,   passesBenchmark,   latencyBenchmark,
+    loadBenchmark, threadsBenchmark, variantsBenchmark,
+};
+
+/// The options of a run, and where its report goes.
+struct BenchRun {
+    Benchmark benchmark;
+    BenchOptions options;
+    std::string json;
+};
+
+CLI::Option* declare(CLI::App* command, const BenchOption& option, BenchOptions* values) {
+    return std::visit(
+        [&](auto member) {
+            auto& value = values->*member;
+            CLI::Option* declared = command->add_option(option.name, value, option.help);
+            if (value != std::decay_t<decltype(value)>()) { declared->capture_default_str(); }
+            return declared;
+        },
+        option.member);
+}
+
+/// Null without a scene.
+Result<std::shared_ptr<SceneDescription>> sceneOf(const BenchRun& run) {
+    if (run.benchmark.scene == nullptr) { return std::shared_ptr<SceneDescription>(); }
+    return run.benchmark.scene(run.options);
+}
+
+int runBenchmark(BenchRun run) {
+    if (run.options.threads == 0) { run.options.threads = defaultThreadCount(); }
+    BenchSubject subject{run.options, nullptr, nullptr};
+    const auto scene = sceneOf(run);
+    if (!scene) { return reportError(scene.error(), kExitBadInput); }
+    if (*scene) {
+        subject.scene = *scene;
+        const auto built =
+            buildScene({subject.scene, EditKind::Everything}, nullptr, run.options.threads, nullptr, nullptr);
+        if (!built) { return reportError(built.error(), kExitBadInput); }
+        subject.built = *built;
+    }
+    const auto report = run.benchmark.measure(subject);
+    if (!report) { return reportError(report.error(), run.benchmark.onError); }
+    if (!jsonTakesOutput(run.json)) { fmt::print("{}", report->text); }
+    const Status written = writeJson(run.json, report->json);
+    if (!written) { return reportError(written.error(), kExitFailed); }
+    return report->isWrong ? kExitFailed : kExitDone;
+}
+
+void addBenchmark(CLI::App* bench, Benchmark benchmark, int* exitCode) {
+    const auto run = std::make_shared<BenchRun>(BenchRun{std::move(benchmark), {}, ""});
+    run->options = run->benchmark.defaults;
+    CLI::App* command = bench->add_subcommand(run->benchmark.name, run->benchmark.about);
+    for (const BenchOption& option : run->benchmark.options) {
+        CLI::Option* declared = declare(command, option, &run->options);
+        if (option.least < option.most) { declared->check(CLI::Range(option.least, option.most)); }
+        if (!option.choices.empty()) { declared->check(CLI::IsMember(option.choices)); }
+    }
+    addJsonOption(*command, &run->json);
+    command->callback([run, exitCode] { *exitCode = runBenchmark(*run); });
+}
+
+}  // namespace
+
+BenchOption threadsOption(const char* help, int least) {
+    return {"--threads", &BenchOptions::threads, help, least, 1024};
+}
+
+BenchOption sizeOption(const char* help) { return {"--size", &BenchOptions::size, help, 16, 8192}; }
+
+BenchOption passesOption() { return {"--passes", &BenchOptions::passes, "Measured passes", 1, 100000}; }
+
+BenchOption turnsOption(const char* help) { return {"--turns", &BenchOptions::turns, help, 1, 1000}; }
+
+BenchOption trianglesOption() {
+    return {"--triangles", &BenchOptions::triangles, "Of the mesh", 100, 50'000'000};
+}
 
 void addBenchCommand(CLI::App& app, int* exitCode) {
     CLI::App* bench = app.add_subcommand(
         "bench", "Measures speed: rays, paths, photon passes, latency, loading, threads, kernels");
     bench->require_subcommand(1);
     bench->footer("Figures are only worth something on a machine that does nothing else.");
-    addBenchRays(*bench, exitCode);
-    addBenchPaths(*bench, exitCode);
-    addBenchPasses(*bench, exitCode);
-    addBenchLatency(*bench, exitCode);
-    addBenchLoad(*bench, exitCode);
-    addBenchThreads(*bench, exitCode);
-    addBenchVariants(*bench, exitCode);
+    for (const auto& benchmark : kBenchmarks) {
+        addBenchmark(bench, benchmark(), exitCode);
+    }
 }
 
 }  // namespace glint

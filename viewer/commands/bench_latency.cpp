@@ -6,15 +6,12 @@
 #include <chrono>
 #include <thread>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "engine/render/render_session.h"
+#include "viewer/commands/bench.h"
 #include "viewer/commands/bench_scenes.h"
 #include "viewer/commands/bench_statistics.h"
-#include "viewer/commands/commands.h"
-#include "viewer/commands/json_output.h"
 
 namespace glint {
 namespace {
@@ -23,14 +20,6 @@ using Clock = std::chrono::steady_clock;
 using Scene = std::shared_ptr<const SceneDescription>;
 
 constexpr double kPatience = 60.0;
-
-struct LatencyOptions {
-    int edits = 60;
-    int threads = 0;
-    int size = 512;
-    uint32_t triangles = 500'000;
-    std::string json;
-};
 
 struct LatencyRow {
     std::string name;
@@ -134,12 +123,10 @@ class Measurement {
     std::vector<double> cancels_, images_;
 };
 
-int runLatency(const LatencyOptions& options) {
+Result<BenchReport> measureLatency(const BenchSubject& subject) {
+    const BenchOptions& options = subject.options;
     const auto mesh = benchMesh(options.triangles, options.size, options.size);
-    if (!mesh) {
-        fmt::print(stderr, "error: {}\n", mesh.error().format());
-        return kExitBadInput;
-    }
+    if (!mesh) { return mesh.error(); }
     std::vector<LatencyRow> rows;
     const auto measure = [&](const std::string& name, const Scene& scene) {
         Measurement measurement(scene, options.threads);
@@ -149,43 +136,31 @@ int runLatency(const LatencyOptions& options) {
     measure("Cornell box", benchCornell(options.size, options.size));
     measure(fmt::format("mesh of {} triangles", (*mesh)->meshes[0].data->triangleCount()), *mesh);
 
-    nlohmann::ordered_json report = {{"size", options.size}, {"rows", nlohmann::ordered_json::array()}};
+    BenchReport report;
+    report.json = {{"size", options.size}, {"rows", nlohmann::ordered_json::array()}};
     for (const LatencyRow& row : rows) {
-        report["rows"].push_back({{"name", row.name},
-                                  {"cancel", percentilesJson(row.cancel)},
-                                  {"edit_to_picture", percentilesJson(row.toImage)}});
-        if (!jsonTakesOutput(options.json)) {
-            fmt::print("{}\n  cancel           {}\n  edit to picture  {}\n", row.name,
-                       percentilesText(row.cancel), percentilesText(row.toImage));
-        }
+        report.json["rows"].push_back({{"name", row.name},
+                                       {"cancel", percentilesJson(row.cancel)},
+                                       {"edit_to_picture", percentilesJson(row.toImage)}});
+        report.text += fmt::format("{}\n  cancel           {}\n  edit to picture  {}\n", row.name,
+                                   percentilesText(row.cancel), percentilesText(row.toImage));
     }
-    const Status written = writeJson(options.json, report);
-    if (!written) {
-        fmt::print(stderr, "error: {}\n", written.error().format());
-        return kExitFailed;
-    }
-    return kExitDone;
+    return report;
 }
 
 }  // namespace
 
-void addBenchLatency(CLI::App& bench, int* exitCode) {
-    CLI::App* command =
-        bench.add_subcommand("latency", "Edit to stop and edit to picture, by a scripted session");
-    const auto options = std::make_shared<LatencyOptions>();
-    command->add_option("--edits", options->edits, "Edits of each kind of use")
-        ->check(CLI::Range(1, 100000))
-        ->capture_default_str();
-    command->add_option("--size", options->size, "Picture width and height")
-        ->check(CLI::Range(16, 8192))
-        ->capture_default_str();
-    command->add_option("--triangles", options->triangles, "Of the mesh")
-        ->check(CLI::Range(100, 50'000'000))
-        ->capture_default_str();
-    command->add_option("--threads", options->threads, "Render threads; all by default")
-        ->check(CLI::Range(1, 1024));
-    addJsonOption(*command, &options->json);
-    command->callback([options, exitCode] { *exitCode = runLatency(*options); });
+Benchmark latencyBenchmark() {
+    return {.name = "latency",
+            .about = "Edit to stop and edit to picture, by a scripted session",
+            .defaults = {.size = 512, .edits = 60, .triangles = 500'000},
+            .options = {{"--edits", &BenchOptions::edits, "Edits of each kind of use", 1, 100000},
+                        sizeOption("Picture width and height"),
+                        trianglesOption(),
+                        threadsOption("Render threads; all by default")},
+            .scene = nullptr,
+            .measure = measureLatency,
+            .onError = kExitBadInput};
 }
 
 }  // namespace glint

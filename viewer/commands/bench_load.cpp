@@ -1,32 +1,19 @@
 // `glint bench load`: from an OBJ file to the first picture, stage by stage. The file is written first, and
 // read back while it is still in the system's cache: the disk is not what is measured.
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include "engine/io/scene_loader.h"
 #include "engine/render/render_session.h"
 #include "engine/scene/generated_mesh.h"
-#include "viewer/commands/commands.h"
-#include "viewer/commands/json_output.h"
+#include "viewer/commands/bench.h"
+#include "viewer/commands/bench_statistics.h"
 
 namespace glint {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double since(Clock::time_point began) { return std::chrono::duration<double>(Clock::now() - began).count(); }
-
-struct LoadBenchOptions {
-    uint32_t triangles = 500'000;
-    int threads = 0;
-    std::string json;
-};
 
 struct LoadFigures {
     uint32_t triangles = 0;
@@ -53,13 +40,13 @@ bool writeObj(const MeshData& mesh, const std::string& path) {
     return std::fclose(file) == 0;
 }
 
-Result<LoadFigures> measure(const std::string& path, int threads) {
+Result<LoadFigures> measureFile(const std::string& path, int threads) {
     LoadFigures figures;
     figures.bytes = std::filesystem::file_size(path);
-    const auto began = Clock::now();
+    const Stopwatch stopwatch;
     auto scene = loadScene(path);
     if (!scene) { return scene.error(); }
-    figures.load = since(began);
+    figures.load = stopwatch.seconds();
     for (const Mesh& mesh : scene->meshes) {
         figures.triangles += mesh.data->triangleCount();
     }
@@ -70,7 +57,7 @@ Result<LoadFigures> measure(const std::string& path, int threads) {
     while (!session.snapshot() && session.status().state != SessionState::Failed) {
         usleep(500);
     }
-    figures.total = since(began);
+    figures.total = stopwatch.seconds();
     const SessionStatus status = session.status();
     if (status.state == SessionState::Failed) { return Error{status.error, {}}; }
     figures.build = status.lastBuildSeconds;
@@ -78,7 +65,7 @@ Result<LoadFigures> measure(const std::string& path, int threads) {
     return figures;
 }
 
-Result<LoadFigures> writeAndMeasure(const LoadBenchOptions& options) {
+Result<LoadFigures> writeAndMeasure(const BenchOptions& options) {
     MeshSource source;
     source.generator = "blob";
     source.triangles = options.triangles;
@@ -90,50 +77,38 @@ Result<LoadFigures> writeAndMeasure(const LoadBenchOptions& options) {
     std::filesystem::create_directories(folder, problem);
     const std::string path = (folder / "mesh.obj").string();
     const bool written = writeObj(**mesh, path);
-    auto figures = written ? measure(path, options.threads)
+    auto figures = written ? measureFile(path, options.threads)
                            : Result<LoadFigures>(Error{fmt::format("cannot write '{}'", path), {}});
     std::filesystem::remove_all(folder, problem);
     return figures;
 }
 
-int runLoad(const LoadBenchOptions& options) {
-    const auto figures = writeAndMeasure(options);
-    if (!figures) {
-        fmt::print(stderr, "error: {}\n", figures.error().format());
-        return kExitFailed;
-    }
-    if (!jsonTakesOutput(options.json)) {
-        fmt::print("OBJ of {} triangles, {:.1f} MB\n", figures->triangles,
-                   static_cast<double>(figures->bytes) * 1e-6);
-        fmt::print(
-            "  read           {:7.3f} s\n  build          {:7.3f} s\n  first picture  {:7.3f} s\n  in all    "
-            "     {:7.3f} s\n",
-            figures->load, figures->build, figures->image, figures->total);
-    }
-    const Status written = writeJson(options.json, {{"triangles", figures->triangles},
-                                                    {"file_bytes", figures->bytes},
-                                                    {"read_seconds", figures->load},
-                                                    {"build_seconds", figures->build},
-                                                    {"first_picture_seconds", figures->image},
-                                                    {"total_seconds", figures->total}});
-    if (!written) {
-        fmt::print(stderr, "error: {}\n", written.error().format());
-        return kExitFailed;
-    }
-    return kExitDone;
+Result<BenchReport> measureLoad(const BenchSubject& subject) {
+    const auto figures = writeAndMeasure(subject.options);
+    if (!figures) { return figures.error(); }
+    return BenchReport{fmt::format("OBJ of {} triangles, {:.1f} MB\n", figures->triangles,
+                                   static_cast<double>(figures->bytes) * 1e-6) +
+                           fmt::format("  read           {:7.3f} s\n  build          {:7.3f} s\n",
+                                       figures->load, figures->build) +
+                           fmt::format("  first picture  {:7.3f} s\n  in all         {:7.3f} s\n",
+                                       figures->image, figures->total),
+                       {{"triangles", figures->triangles},
+                        {"file_bytes", figures->bytes},
+                        {"read_seconds", figures->load},
+                        {"build_seconds", figures->build},
+                        {"first_picture_seconds", figures->image},
+                        {"total_seconds", figures->total}}};
 }
 
 }  // namespace
 
-void addBenchLoad(CLI::App& bench, int* exitCode) {
-    CLI::App* command = bench.add_subcommand("load", "An OBJ file to its first picture, by stages");
-    const auto options = std::make_shared<LoadBenchOptions>();
-    command->add_option("--triangles", options->triangles, "Of the mesh")
-        ->check(CLI::Range(100, 50'000'000))
-        ->capture_default_str();
-    command->add_option("--threads", options->threads, "Threads; all by default")->check(CLI::Range(1, 1024));
-    addJsonOption(*command, &options->json);
-    command->callback([options, exitCode] { *exitCode = runLoad(*options); });
+Benchmark loadBenchmark() {
+    return {.name = "load",
+            .about = "An OBJ file to its first picture, by stages",
+            .defaults = {.triangles = 500'000},
+            .options = {trianglesOption(), threadsOption("Threads; all by default")},
+            .scene = nullptr,
+            .measure = measureLoad};
 }
 
 }  // namespace glint

@@ -2,13 +2,13 @@
 #include "viewer/commands/bench_rays.h"
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 
 #include "engine/base/parallel.h"
 #include "engine/builders/instance_builder.h"
 #include "engine/kernels/surface.h"
 #include "engine/scene/generated_mesh.h"
+#include "viewer/commands/bench_statistics.h"
 #include "viewer/commands/embree_oracle.h"
 #include "viewer/commands/ray_comparison.h"
 
@@ -19,15 +19,12 @@ constexpr FeatureMask kBenchMask = kFeatureMesh;
 constexpr int64_t kChunk = 4096;
 
 double secondsOf(const auto& work) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch stopwatch;
     work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return stopwatch.seconds();
 }
 
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
+double median(std::vector<double> values) { return percentilesOf(std::move(values)).median; }
 
 /// Uniform numbers in [0, 1) from counters (a finaliser of Steele, Lea and Flood's splitmix64, 2014).
 float uniform(uint64_t ray, uint32_t dimension, uint32_t seed) {

@@ -1,6 +1,7 @@
 // Boxes of rectangles: the canonical rectangle faces +z, so each wall is turned to face inwards.
 #include "viewer/commands/bench_scenes.h"
 
+#include "engine/io/scene_loader.h"
 #include "engine/scene/generated_mesh.h"
 
 namespace glint {
@@ -112,6 +113,12 @@ Result<std::shared_ptr<SceneDescription>> benchMesh(uint32_t triangles, int widt
     addObject(scene.get(), "floor", ShapeKind::Rectangle, white, facingUp({0, -1.3f, 0}, 4.0f));
     addObject(scene.get(), "lamp", ShapeKind::Rectangle, emitter, facingDown({1, 4, 1}, 1.0f));
     return scene;
+}
+
+Result<std::shared_ptr<SceneDescription>> benchFile(const std::string& path) {
+    Result<SceneDescription> loaded = loadScene(path, {});
+    if (!loaded) { return loaded.error(); }
+    return std::make_shared<SceneDescription>(std::move(*loaded));
 }
 
 }  // namespace glint

@@ -1,4 +1,5 @@
-// The scenes that `glint bench` measures on, made in code so that figures do not depend on files.
+// The scenes that `glint bench` measures on: made in code, so that figures do not depend on files, or a
+// file that was asked for.
 #pragma once
 
 #include <memory>
@@ -16,5 +17,8 @@ std::shared_ptr<SceneDescription> benchGlassAndMirror(int width, int height);
 
 /// A generated mesh of about so many triangles on a floor, under a lamp and a dim sky.
 Result<std::shared_ptr<SceneDescription>> benchMesh(uint32_t triangles, int width, int height);
+
+/// A scene file at its own size. Error: it cannot be read.
+Result<std::shared_ptr<SceneDescription>> benchFile(const std::string& path);
 
 }  // namespace glint

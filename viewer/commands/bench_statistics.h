@@ -1,12 +1,23 @@
-// Median, 95th percentile and maximum of measured seconds.
+// Seconds that are measured: a stopwatch; median, 95th percentile and maximum.
 #pragma once
 
+#include <chrono>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
 namespace glint {
+
+class Stopwatch {
+  public:
+    /// Since it was made.
+    double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point start_ = Clock::now();
+};
 
 struct Percentiles {
     size_t count = 0;

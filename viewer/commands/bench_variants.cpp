@@ -3,25 +3,18 @@
 //
 // The ratio is of processor time: kernels never wait, and what else the machine does hardly counts.
 #include <atomic>
-#include <chrono>
 #include <ctime>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include "engine/base/parallel.h"
-#include "engine/builders/scene_builder.h"
-#include "engine/io/scene_loader.h"
 #include "engine/render/backend.h"
 #include "engine/render/cpu_variants.h"
 #include "engine/render/pass_params.h"
 #include "engine/render/sppm_kernel.h"
+#include "viewer/commands/bench.h"
 #include "viewer/commands/bench_pairs.h"
 #include "viewer/commands/bench_scenes.h"
 #include "viewer/commands/bench_statistics.h"
-#include "viewer/commands/commands.h"
-#include "viewer/commands/json_output.h"
 
 namespace glint {
 namespace {
@@ -29,31 +22,21 @@ namespace {
 constexpr uint32_t kMeshTriangles = 100'000;
 constexpr int kDefaultSize = 512;
 
-struct VariantsOptions {
-    std::string scene;
-    std::string integrator;
-    int threads = 0;
-    int turns = 15;
-    int size = 0;
-    std::string json;
-};
-
 /// Processor time of all threads of this process.
 double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// One backend with a picture of its own.
 class KernelRun {
   public:
-    KernelRun(const SceneDescription& scene, std::shared_ptr<const BuiltScene> built,
-              IntegratorKind integrator, int threads, KernelChoice choice)
-        : backend_(makeCpuBackend(threads, choice)),
-          params_(sppmParamsOf(scene)),
+    KernelRun(const BenchSubject& subject, IntegratorKind integrator, KernelChoice choice)
+        : backend_(makeCpuBackend(subject.options.threads, choice)),
+          params_(sppmParamsOf(*subject.scene)),
           integrator_(integrator),
-          threads_(threads),
-          film_(scene.resolution.width, scene.resolution.height) {
-        (void)backend_->setScene(std::move(built));
+          threads_(subject.options.threads),
+          film_(params_.pass.width, params_.pass.height) {
+        (void)backend_->setScene(subject.built);
         if (integrator == IntegratorKind::Sppm) {
-            sppm_ = SppmState(scene.resolution.width, scene.resolution.height);
+            sppm_ = SppmState(params_.pass.width, params_.pass.height);
         }
     }
 
@@ -61,14 +44,14 @@ class KernelRun {
     double renderPass(uint32_t pass) {
         static const std::atomic<bool> never{false};
         params_.pass.pass = pass;
-        const auto began = std::chrono::steady_clock::now();
+        const Stopwatch stopwatch;
         const double processorBefore = processorSeconds();
         const auto done = integrator_ == IntegratorKind::Sppm
                               ? backend_->renderSppmPass(params_, never, &sppm_, &samples_)
                               : backend_->renderPass(params_.pass, never, &samples_);
         const double processor = processorSeconds() - processorBefore;
-        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-        if (pass > 0) { wallSeconds_.push_back(took.count()); }
+        const double wall = stopwatch.seconds();
+        if (pass > 0) { wallSeconds_.push_back(wall); }
         if (!done && status_) { status_ = done.error(); }
         if (done) { film_.commit(samples_, pass, threads_); }
         return processor;
@@ -104,36 +87,33 @@ struct VariantsRow {
 };
 
 /// The scene at the asked-for width, in its own shape.
-Result<std::shared_ptr<SceneDescription>> sceneOf(const VariantsOptions& options) {
+Result<std::shared_ptr<SceneDescription>> sceneOf(const BenchOptions& options) {
     if (options.scene.empty()) {
         const int size = options.size > 0 ? options.size : kDefaultSize;
         return benchMesh(kMeshTriangles, size, size);
     }
-    Result<SceneDescription> loaded = loadScene(options.scene, {});
-    if (!loaded) { return loaded.error(); }
-    auto scene = std::make_shared<SceneDescription>(std::move(*loaded));
-    if (options.size > 0) {
-        Resolution& image = scene->resolution;
+    auto scene = benchFile(options.scene);
+    if (scene && options.size > 0) {
+        Resolution& image = (*scene)->resolution;
         image.height = std::max(1, image.height * options.size / image.width);
         image.width = options.size;
     }
     return scene;
 }
 
-Result<VariantsRow> measure(const SceneDescription& scene, const std::shared_ptr<const BuiltScene>& built,
-                            IntegratorKind integrator, int threads, int turns) {
-    KernelRun specialised(scene, built, integrator, threads, KernelChoice::Specialised);
-    KernelRun full(scene, built, integrator, threads, KernelChoice::Full);
+Result<VariantsRow> measureRow(const BenchSubject& subject, IntegratorKind integrator) {
+    KernelRun specialised(subject, integrator, KernelChoice::Specialised);
+    KernelRun full(subject, integrator, KernelChoice::Full);
     const PairTimes times = measureByTurns(
-        turns, [&](uint32_t pass) { return specialised.renderPass(pass); },
+        subject.options.turns, [&](uint32_t pass) { return specialised.renderPass(pass); },
         [&](uint32_t pass) { return full.renderPass(pass); });
     for (const KernelRun* run : {&specialised, &full}) {
         if (!run->status()) { return run->status().error(); }
     }
     VariantsRow row;
     row.integrator = integrator;
-    row.kernel = integrator == IntegratorKind::Sppm ? chooseSppmVariant(built->features).name
-                                                    : chooseVariant(built->features).name;
+    row.kernel = integrator == IntegratorKind::Sppm ? chooseSppmVariant(subject.built->features).name
+                                                    : chooseVariant(subject.built->features).name;
     row.specialisedSeconds = percentilesOf(specialised.wallSeconds()).median;
     row.fullSeconds = percentilesOf(full.wallSeconds()).median;
     row.ratio = ratioOf(times.second, times.first);
@@ -142,13 +122,10 @@ Result<VariantsRow> measure(const SceneDescription& scene, const std::shared_ptr
     return row;
 }
 
-void print(const std::vector<VariantsRow>& rows) {
-    fmt::print("{:<6}{:<24}{:>12}{:>12}   {:<24}{}\n", "", "kernel", "passes/s", "full", "ratio", "pictures");
-    for (const VariantsRow& row : rows) {
-        fmt::print("{:<6}{:<24}{:>12.2f}{:>12.2f}   {:<24}{}\n", row.name(), row.kernel,
-                   1.0 / row.specialisedSeconds, 1.0 / row.fullSeconds, ratioText(row.ratio),
-                   differenceText(row.difference));
-    }
+std::string textOf(const VariantsRow& row) {
+    return fmt::format("{:<6}{:<24}{:>12.2f}{:>12.2f}   {:<24}{}\n", row.name(), row.kernel,
+                       1.0 / row.specialisedSeconds, 1.0 / row.fullSeconds, ratioText(row.ratio),
+                       differenceText(row.difference));
 }
 
 nlohmann::ordered_json jsonOf(const VariantsRow& row) {
@@ -164,52 +141,46 @@ nlohmann::ordered_json jsonOf(const VariantsRow& row) {
             {"identical", row.difference.identical()}};
 }
 
-int runVariants(const VariantsOptions& options) {
-    const auto scene = sceneOf(options);
-    if (!scene) { return reportError(scene.error(), kExitBadInput); }
-    const int threads = options.threads > 0 ? options.threads : defaultThreadCount();
-    const auto built = buildScene({*scene, EditKind::Everything}, nullptr, threads, nullptr, nullptr);
-    if (!built) { return reportError(built.error(), kExitBadInput); }
-    std::vector<VariantsRow> rows;
+Result<BenchReport> measure(const BenchSubject& subject) {
+    const BenchOptions& options = subject.options;
+    BenchReport report;
+    report.text = fmt::format("{:<6}{:<24}{:>12}{:>12}   {:<24}{}\n", "", "kernel", "passes/s", "full",
+                              "ratio", "pictures");
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     for (const IntegratorKind integrator : {IntegratorKind::PathTracing, IntegratorKind::Sppm}) {
         const char* name = integrator == IntegratorKind::Sppm ? "sppm" : "path";
         if (!options.integrator.empty() && options.integrator != name) { continue; }
-        const auto row = measure(**scene, *built, integrator, threads, options.turns);
-        if (!row) { return reportError(row.error(), kExitFailed); }
-        rows.push_back(*row);
+        const auto row = measureRow(subject, integrator);
+        if (!row) { return row.error(); }
+        report.text += textOf(*row);
+        rows.push_back(jsonOf(*row));
     }
-    if (!jsonTakesOutput(options.json)) { print(rows); }
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const VariantsRow& row : rows) {
-        list.push_back(jsonOf(row));
-    }
-    const Status written = writeJson(options.json, {{"scene", options.scene.empty() ? "mesh" : options.scene},
-                                                    {"width", (*scene)->resolution.width},
-                                                    {"height", (*scene)->resolution.height},
-                                                    {"threads", threads},
-                                                    {"turns", options.turns},
-                                                    {"rows", list}});
-    return written ? kExitDone : reportError(written.error(), kExitFailed);
+    report.json = {{"scene", options.scene.empty() ? "mesh" : options.scene},
+                   {"width", subject.scene->resolution.width},
+                   {"height", subject.scene->resolution.height},
+                   {"threads", options.threads},
+                   {"turns", options.turns},
+                   {"rows", rows}};
+    return report;
 }
 
 }  // namespace
 
-void addBenchVariants(CLI::App& bench, int* exitCode) {
-    CLI::App* command = bench.add_subcommand(
-        "variants", "The kernels compiled for what a scene needs beside the ones that do everything");
-    const auto options = std::make_shared<VariantsOptions>();
-    command->add_option("scene", options->scene,
-                        "A scene file; a diffuse mesh of 100,000 triangles by default");
-    command->add_option("--integrator", options->integrator, "One of the two; both by default")
-        ->check(CLI::IsMember({"path", "sppm"}));
-    command->add_option("--threads", options->threads, "All by default")->check(CLI::Range(1, 1024));
-    command->add_option("--turns", options->turns, "Passes of each")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    command->add_option("--size", options->size, "Width of the picture; the scene's own by default")
-        ->check(CLI::Range(16, 8192));
-    addJsonOption(*command, &options->json);
-    command->callback([options, exitCode] { *exitCode = runVariants(*options); });
+Benchmark variantsBenchmark() {
+    return {.name = "variants",
+            .about = "The kernels compiled for what a scene needs beside the ones that do everything",
+            .defaults = {.turns = 15},
+            .options = {{"scene", &BenchOptions::scene,
+                         "A scene file; a diffuse mesh of 100,000 triangles by default"},
+                        {.name = "--integrator",
+                         .member = &BenchOptions::integrator,
+                         .help = "One of the two; both by default",
+                         .choices = {"path", "sppm"}},
+                        threadsOption(),
+                        turnsOption("Passes of each"),
+                        sizeOption("Width of the picture; the scene's own by default")},
+            .scene = sceneOf,
+            .measure = measure};
 }
 
 }  // namespace glint

@@ -34,13 +34,4 @@ void addDiffCommand(CLI::App& app, int* exitCode);
 void addStressCommand(CLI::App& app, int* exitCode);
 void addBenchCommand(CLI::App& app, int* exitCode);
 
-/// Of `glint bench`.
-void addBenchLatency(CLI::App& bench, int* exitCode);
-void addBenchLoad(CLI::App& bench, int* exitCode);
-void addBenchThreads(CLI::App& bench, int* exitCode);
-void addBenchRays(CLI::App& bench, int* exitCode);
-void addBenchPaths(CLI::App& bench, int* exitCode);
-void addBenchPasses(CLI::App& bench, int* exitCode);
-void addBenchVariants(CLI::App& bench, int* exitCode);
-
 }  // namespace glint

@@ -1,0 +1,25 @@
+#include "viewer/commands/bench_path_passes.h"
+
+#include <atomic>
+
+#include "viewer/commands/bench_statistics.h"
+
+namespace glint {
+
+PathPasses::PathPasses(const BenchSubject& subject, int threads)
+    : threads_(threads),
+      backend_(makeCpuBackend(threads)),
+      params_(passParamsOf(*subject.scene)),
+      film_(params_.width, params_.height),
+      status_(backend_->setScene(subject.built)) {}
+
+double PathPasses::render(uint32_t pass) {
+    static const std::atomic<bool> never{false};
+    params_.pass = pass;
+    const Stopwatch stopwatch;
+    (void)backend_->renderPass(params_, never, &samples_);
+    film_.commit(samples_, pass, threads_);
+    return stopwatch.seconds();
+}
+
+}  // namespace glint
