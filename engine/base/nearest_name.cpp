@@ -57,4 +57,13 @@ std::string didYouMean(std::string_view unknown, std::span<const std::string_vie
     return nearest.empty() ? std::string() : fmt::format(" (did you mean '{}'?)", nearest);
 }
 
+std::string joinNames(std::span<const std::string_view> names) {
+    std::string out;
+    for (size_t i = 0; i < names.size(); ++i) {
+        out += i == 0 ? "" : (i + 1 == names.size() ? " or " : ", ");
+        out += names[i];
+    }
+    return out;
+}
+
 }  // namespace glint

@@ -19,4 +19,7 @@ std::string nearestName(std::string_view unknown, std::span<const std::string_vi
 /// " (did you mean 'color'?)" with the nearest name, or an empty string: to append to an error message.
 std::string didYouMean(std::string_view unknown, std::span<const std::string_view> known);
 
+/// "a, b or c".
+std::string joinNames(std::span<const std::string_view> names);
+
 }  // namespace glint

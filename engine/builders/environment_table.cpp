@@ -10,7 +10,7 @@
 namespace glint {
 namespace {
 
-std::shared_ptr<const ImageF> linearImage(const ImageSource& source, int threads) {
+std::shared_ptr<const ImageF> linearImage(const SceneImage& source, int threads) {
     if (source.floats) { return source.floats; }
     if (!source.bytes) { return nullptr; }
     auto image = std::make_shared<ImageF>();
@@ -84,7 +84,7 @@ size_t EnvironmentTable::bytes() const {
     return image->rgb.size() * sizeof(float) + (rowCdf.size() + columnCdf.size()) * sizeof(float);
 }
 
-std::shared_ptr<const EnvironmentTable> buildEnvironmentTable(const ImageSource& source, int threads) {
+std::shared_ptr<const EnvironmentTable> buildEnvironmentTable(const SceneImage& source, int threads) {
     auto table = std::make_shared<EnvironmentTable>();
     table->source = source;
     table->image = linearImage(source, threads);

@@ -10,7 +10,7 @@
 namespace glint {
 
 struct EnvironmentTable {
-    ImageSource source;                   ///< what it was made from: compared to share it between builds
+    SceneImage source;                   ///< what it was made from: compared to share it between builds
     std::shared_ptr<const ImageF> image;  ///< the source's own floats, or its bytes made linear
     std::vector<float> rowCdf;            ///< see EnvironmentView
     std::vector<float> columnCdf;
@@ -24,6 +24,6 @@ struct EnvironmentTable {
 /// Builds the distribution: each texel's cell weighs the integral of the bilinearly interpolated luminance
 /// over it, so that light that a lookup can find is never without probability. An image that is black
 /// everywhere gets a uniform distribution. Null for an empty image.
-std::shared_ptr<const EnvironmentTable> buildEnvironmentTable(const ImageSource& source, int threads);
+std::shared_ptr<const EnvironmentTable> buildEnvironmentTable(const SceneImage& source, int threads);
 
 }  // namespace glint

@@ -240,7 +240,7 @@ void addEnvironment(const SceneDescription& scene, const LightTable* previous, i
     table->environmentRadiance = environment.color * environment.strength;
     float mean = 1.0f;
     if (environment.image >= 0) {
-        const ImageSource& source = scene.environmentImages[static_cast<size_t>(environment.image)];
+        const SceneImage& source = scene.environmentImages[static_cast<size_t>(environment.image)];
         const bool same = previous != nullptr && previous->environment != nullptr &&
                           previous->environment->source.bytes == source.bytes &&
                           previous->environment->source.floats == source.floats;

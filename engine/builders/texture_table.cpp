@@ -17,7 +17,7 @@ bool hasAllPixels(const Image& image) {
 }
 
 Result<TextureView> makeView(const Texture& texture) {
-    const ImageSource& image = texture.image;
+    const SceneImage& image = texture.image;
     const bool complete =
         image.bytes ? hasAllPixels(*image.bytes) : image.floats && hasAllPixels(*image.floats);
     if (!complete) {
@@ -53,10 +53,10 @@ bool sameTable(const TextureTable& a, const TextureTable& b) {
 
 size_t TextureTable::bytes() const { return imageBytes(images); }
 
-size_t imageBytes(const std::vector<ImageSource>& images) {
+size_t imageBytes(const std::vector<SceneImage>& images) {
     std::set<const void*> counted;
     size_t sum = 0;
-    for (const ImageSource& image : images) {
+    for (const SceneImage& image : images) {
         if (image.bytes && counted.insert(image.bytes.get()).second) {
             sum += image.bytes->rgb.size();
         } else if (image.floats && counted.insert(image.floats.get()).second) {

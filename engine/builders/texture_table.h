@@ -17,14 +17,14 @@ struct TextureTable {
     std::vector<TextureView> textures;
     /// for each texture of the description its index in `textures`, or kNone
     std::vector<uint32_t> packedIndex;
-    std::vector<ImageSource> images;  ///< keep the pixels alive; same indices as `textures`
+    std::vector<SceneImage> images;  ///< keep the pixels alive; same indices as `textures`
 
     /// Memory of the pixels, an image that several textures share counted once.
     size_t bytes() const;
 };
 
 /// Memory of the images' pixels; an image that stands there several times counts once.
-size_t imageBytes(const std::vector<ImageSource>& images);
+size_t imageBytes(const std::vector<SceneImage>& images);
 
 /// `previous` (may be null) is returned itself where nothing changed. Error: a used material refers to a
 /// texture that does not exist, or a used texture has no pixels or a scale that is not finite.

@@ -1,5 +1,5 @@
-// The files a scene names, each read once: meshes and images by their path, with paths resolved from the
-// scene's folder.
+// The files that a scene names and those that it holds in memory, each read once, with paths resolved from
+// the scene's folder.
 //
 // Made by a scene reader for the time it reads one scene, and when an edit needs what was left out
 // (used_assets.h, which decides what is read). Decides nothing about missing files: it reports them.
@@ -7,30 +7,17 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <variant>
 
 #include "engine/base/result.h"
+#include "engine/io/file_path.h"
 #include "engine/io/load_options.h"
-#include "engine/io/obj_loader.h"
+#include "engine/io/mesh_file.h"
 #include "engine/scene/scene.h"
 
 namespace glint {
-
-/// `path` as seen from the folder of the file `from`; absolute paths stay.
-std::string resolvePath(const std::string& path, const std::string& from);
-
-/// `path`, which is relative to the folder of `from`, made relative to the folder of `to`. Absolute paths
-/// stay, and so does a path that has no relative form.
-std::string rebasePath(const std::string& path, const std::string& from, const std::string& to);
-
-/// True when the resolved path names an existing file that is not a folder.
-bool fileExists(const std::string& resolvedPath);
-
-/// Appends all parts of an OBJ file as objects like `prototype`, with the file's own materials and
-/// textures, which are not read. `path` is as written in the scene; the textures' paths become relative to
-/// the scene's folder.
-void appendObj(const ObjScene& obj, const std::string& path, const Object& prototype,
-               SceneDescription* scene);
 
 class AssetCache {
   public:
@@ -42,40 +29,48 @@ class AssetCache {
 
     const std::string& scenePath() const { return scenePath_; }
 
-    /// The mesh that `source` names by file or generator. Error: as the loader's; a part the file does
-    /// not have.
+    /// The mesh of a file or a generator. Error: as the reader's; a part the file does not have; a source
+    /// that is the scene itself.
     Result<std::shared_ptr<const MeshData>> mesh(const MeshSource& source);
 
-    /// The parts of an OBJ file, without or with its materials. Valid as long as the cache.
-    Result<const ObjScene*> objGeometry(const std::string& path);
-    Result<const ObjScene*> objWithMaterials(const std::string& path);
+    /// The parts of a mesh file, without or with its materials. Valid as long as the cache.
+    Result<const MeshFile*> meshFile(const std::string& path);
+    Result<const MeshFile*> meshFileWithMaterials(const std::string& path);
 
-    /// The image that `wanted` names, as a texture or an environment, with its name.
-    Result<ImageSource> texture(const ImageSource& wanted);
-    Result<ImageSource> environment(const ImageSource& wanted);
+    /// The image of `source`, as a texture or as an environment (linear colours), with its source.
+    Result<SceneImage> texture(const ImageSource& source);
+    Result<SceneImage> environment(const ImageSource& source);
     /// A texture that was read before, so that it is not read again.
-    void remember(const ImageSource& texture);
+    void remember(const SceneImage& texture);
 
     /// Frees the texture coordinates of meshes read here that no texture of `scene` needs. Nobody else may
     /// have the scene yet.
     void dropUnusedUvs(const SceneDescription& scene);
 
   private:
-    struct Obj {
-        ObjScene scene;
+    using StoredFile = std::variant<FileSource, EmbeddedFile>;
+    struct LoadedMesh {
+        MeshFile file;
+        std::shared_ptr<MeshData> whole = {};  ///< its parts joined, once asked for
         bool hasMaterials = false;
     };
-    std::string keyOf(const std::string& path) const;
-    Result<Obj*> obj(const std::string& path);
-    Result<std::shared_ptr<MeshData>> meshFile(const MeshSource& source);
-    void countImage(const ImageSource& image, const std::string& path);
+
+    template <class Generator>
+    static std::optional<StoredFile> storedFile(const AssetSource<Generator>& source);
+    /// One file that is written in two ways is one file.
+    StoredFile keyOf(StoredFile file) const;
+    /// The file's bytes; `name` becomes what messages call it.
+    Result<std::shared_ptr<const std::string>> open(const StoredFile& file, std::string* name) const;
+    Result<LoadedMesh*> loadMesh(const StoredFile& file);
+    Result<SceneImage> loadImage(const StoredFile& file);
+    void countPixels(const SceneImage& image);
 
     std::string scenePath_;
     LoadCounts ownCounts_;
     LoadCounts* counts_;
-    std::map<std::string, std::unique_ptr<Obj>> objs_;
-    std::map<std::string, std::shared_ptr<MeshData>> meshes_;
-    std::map<std::string, ImageSource> textures_;
+    std::map<StoredFile, LoadedMesh> meshes_;
+    std::map<MeshGenerator, std::shared_ptr<MeshData>> generated_;
+    std::map<StoredFile, SceneImage> textures_;
 };
 
 }  // namespace glint

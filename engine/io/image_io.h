@@ -1,12 +1,10 @@
-// Pictures from and to files: PNG, JPEG, BMP, TGA and Radiance HDR through stb_image, OpenEXR through exr_io.
+// Pictures from and to files, whatever their format (image_formats.h).
 //
-// Formats are told by content, not by name. Grey images become RGB, alpha is dropped. Used by the scene
-// loaders, `glint diff`, and everything that saves a picture. Nothing here knows of exposure or tone
-// mapping (render/tonemap.h).
+// Grey images become RGB, alpha is dropped. Nothing here knows of exposure or tone mapping
+// (render/tonemap.h).
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "engine/base/result.h"
@@ -26,15 +24,14 @@ Result<std::shared_ptr<const Image8>> loadImage8(const std::string& path);
 Result<std::shared_ptr<const ImageF>> loadImageF(const std::string& path);
 
 /// What loadImageF() makes of an image that loadImage() has read.
-std::shared_ptr<const ImageF> linearColors(const ImageSource& image);
+std::shared_ptr<const ImageF> linearColors(const SceneImage& image);
 
-/// Either of the two, as the file's content asks for; `path` is set to the given path, which the caller
-/// may replace.
-Result<ImageSource> loadImage(const std::string& path);
+/// Either of the two, as the file's content asks for; the source is the given path, which the caller may
+/// replace.
+Result<SceneImage> loadImage(const std::string& path);
 
-/// Memory that the pixels would take, as the first 64 KiB of the file say; nothing where they do not (EXR,
-/// broken or missing files).
-std::optional<uint64_t> statedPixelBytes(const std::string& path);
+/// The same from memory, without a source; `path` is used in messages.
+Result<SceneImage> decodeImage(const std::string& bytes, const std::string& path);
 
 /// Saves atomically (atomic_file.h). Error: the picture is empty, or the file cannot be written.
 Status savePng(const std::string& path, const Image8& image);

@@ -118,15 +118,6 @@ bool readString(JsonErrors& errors, const JsonValue& value, std::string_view wha
            errors.add(value, fmt::format("\"{}\" holds a zero byte", what));
 }
 
-std::string joinNames(std::span<const std::string_view> names) {
-    std::string out;
-    for (size_t i = 0; i < names.size(); ++i) {
-        out += i == 0 ? "" : (i + 1 == names.size() ? " or " : ", ");
-        out += names[i];
-    }
-    return out;
-}
-
 JsonFields::JsonFields(JsonErrors& errors, const JsonValue& object, std::string_view what,
                        std::span<const std::string_view> keys)
     : errors_(errors), what_(what), keys_(keys) {

@@ -117,7 +117,4 @@ class JsonFields {
     std::span<const std::string_view> keys_;
 };
 
-/// "a, b or c".
-std::string joinNames(std::span<const std::string_view> names);
-
 }  // namespace glint

@@ -40,7 +40,7 @@ class ObjParser {
 
     Status run();
 
-    ObjScene scene;  ///< all but materials and textures
+    MeshFile file;  ///< all but materials and textures
 
   private:
     bool parseLine();
@@ -71,7 +71,7 @@ Status ObjParser::run() {
         if (!cursor_.atLineEnd() && !parseLine()) { return cursor_.error(); }
     }
     finishPart();
-    if (scene.parts.empty()) {
+    if (file.parts.empty()) {
         const char* last = cursor_.end();
         const SourcePlace place = cursor_.placeOf(last);
         return Error{
@@ -93,8 +93,8 @@ bool ObjParser::parseLine() {
         return true;
     }
     if (keyword == "mtllib") {
-        scene.libraries.emplace_back(cursor_.restOfLine());
-        return !scene.libraries.back().empty() ||
+        file.libraries.emplace_back(cursor_.restOfLine());
+        return !file.libraries.back().empty() ||
                cursor_.fail(cursor_.position(), "expected a file name after mtllib");
     }
     if (keyword == "g" || keyword == "o") {
@@ -115,7 +115,7 @@ bool ObjParser::parseUnknown(std::string_view keyword, const char* where) {
     if (reported_.emplace(keyword).second) {
         const char* why =
             isOneOf(keyword, kReported) ? "is not supported" : "is not a statement of the OBJ format";
-        scene.warnings.push_back(
+        file.warnings.push_back(
             cursor_.warning(where, fmt::format("\"{}\" {}; such lines are left out", keyword, why)));
     }
     return true;
@@ -247,62 +247,37 @@ void ObjParser::useMaterial(const char* where) {
 void ObjParser::finishPart() {
     if (builder_.empty()) { return; }
     const std::string& named = !partGroup_.empty() ? partGroup_ : materialName_;
-    scene.parts.push_back({.name = !named.empty() ? named : fmt::format("part {}", scene.parts.size()),
-                           .materialName = materialName_,
-                           .materialPlace = materialPlace_,
-                           .mesh = builder_.finish()});
+    file.parts.push_back({.name = !named.empty() ? named : fmt::format("part {}", file.parts.size()),
+                          .materialName = materialName_,
+                          .materialPlace = materialPlace_,
+                          .mesh = builder_.finish()});
 }
 
 }  // namespace
 
-Result<ObjScene> loadObjGeometry(const std::string& path) {
-    const Result<std::string> text = readFile(path);
-    if (!text) { return text.error(); }
-    ObjParser parser(*text, path);
+Result<MeshFile> parseObj(const std::string& text, const std::string& path) {
+    ObjParser parser(text, path);
     if (Status parsed = parser.run(); !parsed) { return parsed.error(); }
-    return std::move(parser.scene);
+    return std::move(parser.file);
 }
 
-Status readObjMaterials(const std::string& path, ObjScene* scene) {
-    MaterialResolver resolver(path, scene);
-    if (Status read = resolver.readLibraries(scene->libraries); !read) { return read; }
-    for (ObjPart& part : scene->parts) {
+Status readObjMaterials(const std::string& path, MeshFile* file) {
+    MaterialResolver resolver(path, file);
+    if (Status read = resolver.readLibraries(file->libraries); !read) { return read; }
+    for (MeshPart& part : file->parts) {
         part.material = resolver.indexOf(part.materialName, part.materialPlace);
     }
     return {};
 }
 
-Result<ObjScene> loadObj(const std::string& path) {
-    Result<ObjScene> scene = loadObjGeometry(path);
-    if (scene) {
-        if (Status read = readObjMaterials(path, &*scene); !read) { return read.error(); }
+Result<MeshFile> loadObj(const std::string& path) {
+    const Result<std::string> text = readFile(path);
+    if (!text) { return text.error(); }
+    Result<MeshFile> file = parseObj(*text, path);
+    if (file) {
+        if (Status read = readObjMaterials(path, &*file); !read) { return read.error(); }
     }
-    return scene;
-}
-
-std::shared_ptr<MeshData> joinParts(const std::vector<ObjPart>& parts) {
-    if (parts.size() == 1) { return parts[0].mesh; }
-    auto out = std::make_shared<MeshData>();
-    const auto append = [&](auto& values, const auto& added, auto missing, size_t before, size_t count) {
-        if (!values.empty() || !added.empty()) {
-            values.resize(before, missing);
-            values.insert(values.end(), added.begin(), added.end());
-            values.resize(before + count, missing);
-        }
-    };
-    for (const ObjPart& part : parts) {
-        const MeshData& mesh = *part.mesh;
-        const size_t before = out->positions.size();
-        const size_t count = mesh.positions.size();
-        append(out->normals, mesh.normals, Vec3(0.0f), before, count);
-        append(out->uvs, mesh.uvs, Vec2(0.0f), before, count);
-        append(out->colors, mesh.colors, Vec3(1.0f), before, count);
-        out->positions.insert(out->positions.end(), mesh.positions.begin(), mesh.positions.end());
-        for (const uint32_t index : mesh.indices) {
-            out->indices.push_back(index + static_cast<uint32_t>(before));
-        }
-    }
-    return out;
+    return file;
 }
 
 }  // namespace glint

@@ -7,48 +7,25 @@
 // curves and surfaces.
 #pragma once
 
-#include <memory>
 #include <string>
-#include <vector>
 
 #include "engine/base/result.h"
-#include "engine/scene/scene.h"
+#include "engine/io/mesh_file.h"
 
 namespace glint {
 
-/// Faces that follow each other and have one material.
-struct ObjPart {
-    /// group or object name in force at the first face, else its material's, else "part N"
-    std::string name;
-    std::string materialName;             ///< as usemtl says; empty: none in force
-    std::string materialPlace;            ///< `file:line` of that usemtl
-    int material = -1;                    ///< index into ObjScene::materials; -1: not resolved
-    std::shared_ptr<MeshData> mesh = {};  ///< never null; the reader's own until the scene is handed out
-};
-
-struct ObjScene {
-    std::vector<ObjPart> parts;          ///< in file order; never empty, each with at least one triangle
-    std::vector<std::string> libraries;  ///< what mtllib lines name, whole lines
-    std::vector<Material> materials;     ///< those that parts use, in order of first use
-    std::vector<Texture> textures;  ///< what these materials use, not read; paths include the MTL's folder
-    /// `file:line: …`: missing MTL files, materials and images, statements left out
-    std::vector<std::string> warnings;
-};
-
-/// Reads the OBJ file alone; parts have no materials yet. Polygons are triangulated (polygon.h); vertices
-/// with the same position, uv and normal become one; normals and uvs are kept only where the file has them; a
-/// sixth number after `v` makes vertex colours. Error: it cannot be read or is malformed, with line and
+/// The OBJ file alone; its parts have no materials yet. A part's name is the group or object in force at its
+/// first face, else its material's, else "part N". Polygons are triangulated (polygon.h); vertices with the
+/// same position, uv and normal become one; normals and uvs are kept only where the file has them; a sixth
+/// number after `v` makes vertex colours. `path` is used in messages. Error: it is malformed, with line and
 /// column; no faces.
-Result<ObjScene> loadObjGeometry(const std::string& path);
+Result<MeshFile> parseObj(const std::string& text, const std::string& path);
 
-/// Reads its MTL files and gives parts their materials. Error: an existing MTL file cannot be read or is
-/// malformed, with line and column.
-Status readObjMaterials(const std::string& path, ObjScene* scene);
+/// Reads the MTL files of the OBJ file at `path` and gives parts their materials. Error: an existing MTL file
+/// cannot be read or is malformed, with line and column.
+Status readObjMaterials(const std::string& path, MeshFile* file);
 
-/// Both.
-Result<ObjScene> loadObj(const std::string& path);
-
-/// All parts as one mesh, in file order. Where only some parts have normals or uvs, the others get zeros.
-std::shared_ptr<MeshData> joinParts(const std::vector<ObjPart>& parts);
+/// Both, for a file on the disk.
+Result<MeshFile> loadObj(const std::string& path);
 
 }  // namespace glint

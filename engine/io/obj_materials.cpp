@@ -53,10 +53,10 @@ Status MaterialResolver::readLibrary(const std::string& name) {
     const std::string path = besideFile(objPath_, name);
     std::error_code ignored;
     if (!fs::exists(path, ignored)) {
-        scene_.warnings.push_back(fmt::format("{}: the material file \"{}\" is missing", objPath_, path));
+        file_.warnings.push_back(fmt::format("{}: the material file \"{}\" is missing", objPath_, path));
         return {};
     }
-    Result<std::vector<MtlMaterial>> materials = loadMtl(path, &scene_.warnings);
+    Result<std::vector<MtlMaterial>> materials = loadMtl(path, &file_.warnings);
     if (!materials) { return materials.error(); }
     for (MtlMaterial& mtl : *materials) {
         std::string key = mtl.material.name;
@@ -76,8 +76,8 @@ int MaterialResolver::indexOf(const std::string& name, const std::string& place)
         material.name = name.empty() ? "default" : name;
         material.color.value = Vec3(0.7f);
     }
-    scene_.materials.push_back(std::move(material));
-    return taken_[name] = static_cast<int>(scene_.materials.size()) - 1;
+    file_.materials.push_back(std::move(material));
+    return taken_[name] = static_cast<int>(file_.materials.size()) - 1;
 }
 
 void MaterialResolver::warnMissing(const std::string& name, const std::string& place) {
@@ -88,8 +88,8 @@ void MaterialResolver::warnMissing(const std::string& name, const std::string& p
     for (const auto& [candidate, found] : found_) {
         known.push_back(candidate);
     }
-    scene_.warnings.push_back(fmt::format("{}: material \"{}\" is not defined{}; a grey one takes its place",
-                                          place, name, didYouMean(name, known)));
+    file_.warnings.push_back(fmt::format("{}: material \"{}\" is not defined{}; a grey one takes its place",
+                                         place, name, didYouMean(name, known)));
 }
 
 void MaterialResolver::takeTexture(const Found& found, Material* material) {
@@ -103,17 +103,17 @@ void MaterialResolver::takeTexture(const Found& found, Material* material) {
     }
     std::error_code ignored;
     if (!fs::exists(path, ignored)) {
-        scene_.warnings.push_back(
+        file_.warnings.push_back(
             fmt::format("{}: the image \"{}\" of material \"{}\" is missing; its Kd is used",
                         mtl.colorMapWarningPlace, path, material->name));
         return;
     }
     Texture texture;
     texture.name = mtl.colorMap;
-    texture.image.path = path;
+    texture.image.source = FileSource{path};
     texture.scale = mtl.colorMapScale;
-    scene_.textures.push_back(std::move(texture));
-    material->color.texture = textures_[key] = static_cast<int>(scene_.textures.size()) - 1;
+    file_.textures.push_back(std::move(texture));
+    material->color.texture = textures_[key] = static_cast<int>(file_.textures.size()) - 1;
 }
 
 }  // namespace glint

@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "engine/base/result.h"
+#include "engine/io/mesh_file.h"
 #include "engine/io/mtl_loader.h"
-#include "engine/io/obj_loader.h"
 
 namespace glint {
 
 /// Gives parts their materials: reads the libraries, then takes over what parts use.
 class MaterialResolver {
   public:
-    MaterialResolver(const std::string& objPath, ObjScene* scene) : objPath_(objPath), scene_(*scene) {}
+    MaterialResolver(const std::string& objPath, MeshFile* file) : objPath_(objPath), file_(*file) {}
 
     /// `lines` are what mtllib lines name. A missing file is a warning, a malformed one an error.
     Status readLibraries(const std::vector<std::string>& lines);
@@ -32,7 +32,7 @@ class MaterialResolver {
     void warnMissing(const std::string& name, const std::string& place);
 
     const std::string& objPath_;
-    ObjScene& scene_;
+    MeshFile& file_;
     std::map<std::string, Found, std::less<>> found_;
     std::map<std::string, int, std::less<>> taken_;
     std::map<std::string, int, std::less<>> textures_;  ///< by path and scale

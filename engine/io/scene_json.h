@@ -21,7 +21,8 @@ Result<SceneDescription> readSceneJson(TextSource source, const LoadOptions& opt
 /// Error: an image that is neither from a file nor generated, or a number that is not finite.
 Result<std::string> writeSceneJson(const SceneDescription& scene, const std::string& path);
 
-/// Writes the scene to `path` atomically. Error: as writeSceneJson, or the file cannot be written.
+/// Writes the scene to `path` atomically, and beside it the image and mesh files that the scene holds in
+/// memory (embedded_files.h). Error: as writeSceneJson, or a file cannot be written.
 Status saveSceneJson(const SceneDescription& scene, const std::string& path);
 
 }  // namespace glint

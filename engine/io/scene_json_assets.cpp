@@ -10,7 +10,7 @@ void SceneJsonReader::readAssets() {
     if (errors_.failed()) { return; }
     checkIdleAssets();
     readUsedAssets(&assets_, &scene_, [this](const Asset& asset, const Error& error) {
-        const std::string& file = assetFile(scene_, asset);
+        const std::string file = assetFile(scene_, asset);
         if (file.empty()) {
             errors_.add(placeOf(asset), error.message);
         } else {
@@ -22,7 +22,7 @@ void SceneJsonReader::readAssets() {
 
 void SceneJsonReader::checkIdleAssets() {
     for (const Asset& asset : idleAssets(scene_)) {
-        const std::string& file = assetFile(scene_, asset);
+        const std::string file = assetFile(scene_, asset);
         if (!file.empty() && !fileExists(resolvePath(file, assets_.scenePath()))) {
             const SourcePlace place = placeOf(asset).error("").place;
             scene_.warnings.push_back(

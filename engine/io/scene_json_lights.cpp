@@ -70,20 +70,22 @@ void SceneJsonReader::readEnvironmentImage(const JsonValue& value) {
     bool isSky = false;
     forEachMember(errors_, value,
                   [&](const std::string& key, const JsonValue&) { isSky |= key == "generator"; });
-    ImageSource source;
+    SceneImage image;
     if (isSky) {
-        source.sky = readSky(fieldsOf(value, "sky", "sky"));
+        image.source = readSky(fieldsOf(value, "sky", "sky"));
         if (errors_.failed()) { return; }
         environmentPlace_ = value;
     } else {
         const JsonFields fields = fieldsOf(value, "image", "environmentFile");
         const JsonValue file = fields.require("file");
-        fields.string("file", &source.path);
+        FileSource named;
+        fields.string("file", &named.path);
+        image.source = named;
         if (errors_.failed()) { return; }
         environmentPlace_ = file;
     }
     scene_.environment.image = static_cast<int>(scene_.environmentImages.size());
-    scene_.environmentImages.push_back(std::move(source));
+    scene_.environmentImages.push_back(std::move(image));
 }
 
 SkySource SceneJsonReader::readSky(const JsonFields& fields) {

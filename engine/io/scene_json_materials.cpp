@@ -31,7 +31,9 @@ int SceneJsonReader::addTexture(const JsonValue& value, const std::string& name)
     Texture texture;
     texture.name = name;
     const JsonValue file = fields.require("file");
-    fields.string("file", &texture.image.path);
+    FileSource named;
+    fields.string("file", &named.path);
+    texture.image.source = named;
     constexpr std::pair<std::string_view, ColorEncoding> kEncodings[] = {{"srgb", ColorEncoding::Srgb},
                                                                          {"linear", ColorEncoding::Linear}};
     fields.choice("encoding", kEncodings, &texture.encoding);

@@ -1,9 +1,9 @@
 // Glint JSON: meshes and objects.
 #include <algorithm>
-#include <filesystem>
 
 #include <fmt/format.h>
 
+#include "engine/io/importer.h"
 #include "engine/io/scene_json_keys.h"
 #include "engine/io/scene_json_reader.h"
 #include "engine/scene/generated_mesh.h"
@@ -59,11 +59,6 @@ void checkCount(JsonErrors& errors, const JsonValue& value, std::string_view wha
     }
 }
 
-bool isObjFile(const std::string& path) {
-    const std::string ending = std::filesystem::path(path).extension().string();
-    return ending == ".obj" || ending == ".OBJ";
-}
-
 }  // namespace
 
 void SceneJsonReader::readMeshes(const JsonValue& value) {
@@ -81,18 +76,21 @@ int SceneJsonReader::addMesh(const JsonValue& value, const std::string& name) {
         mesh.data = readInlineMesh(value);
     } else if (hasMember(errors_, value, "generator")) {
         const JsonFields fields = fieldsOf(value, "mesh", "meshGenerator");
-        mesh.source.triangles = 10000;
-        fields.string("generator", &mesh.source.generator);
-        fields.integer("triangleCount", 1, kMaxTriangles, &mesh.source.triangles);
-        fields.integer("seed", 0, 0xFFFFFFFFll, &mesh.source.seed);
-        if (Status known = checkMeshGenerator(mesh.source); !known && !errors_.failed()) {
+        MeshGenerator generator{.name = {}, .triangles = 10000};
+        fields.string("generator", &generator.name);
+        fields.integer("triangleCount", 1, kMaxTriangles, &generator.triangles);
+        fields.integer("seed", 0, 0xFFFFFFFFll, &generator.seed);
+        if (Status known = checkMeshGenerator(generator); !known && !errors_.failed()) {
             errors_.add(value, known.error().message);
         }
+        mesh.source = generator;
     } else {
         const JsonFields fields = fieldsOf(value, "mesh", "meshFile");
         fields.require("file");
-        fields.string("file", &mesh.source.path);
-        fields.integer("part", 0, kMaxTriangles, &mesh.source.part);
+        FileSource file;
+        fields.string("file", &file.path);
+        fields.integer("part", 0, kMaxTriangles, &file.part);
+        mesh.source = file;
     }
     if (errors_.failed()) { return -1; }
     meshPlaces_.push_back(value);
@@ -161,8 +159,8 @@ void SceneJsonReader::readMeshObject(const JsonFields& fields, Object object) {
             file = key == "file" && member.is(JsonType::String) ? member.string() : file;
         });
     }
-    if (isObjFile(file) && mesh.size() == 1) {
-        addWholeObj(file, mesh, object);
+    if (bringsMaterials(file) && mesh.size() == 1) {
+        addWholeFile(file, mesh, object);
         return;
     }
     if (!hasMaterial) {
@@ -174,13 +172,13 @@ void SceneJsonReader::readMeshObject(const JsonFields& fields, Object object) {
     if (object.mesh >= 0) { scene_.objects.push_back(std::move(object)); }
 }
 
-void SceneJsonReader::addWholeObj(const std::string& path, const JsonValue& at, const Object& prototype) {
-    const auto obj = assets_.objWithMaterials(path);
-    if (!obj) {
-        reportFile(at, path, obj.error());
+void SceneJsonReader::addWholeFile(const std::string& path, const JsonValue& at, const Object& prototype) {
+    const auto file = assets_.meshFileWithMaterials(path);
+    if (!file) {
+        reportFile(at, path, file.error());
         return;
     }
-    appendObj(**obj, path, prototype, &scene_);
+    appendMeshFile(**file, path, prototype, &scene_);
     meshPlaces_.resize(scene_.meshes.size(), at);
     texturePlaces_.resize(scene_.textures.size(), at);
 }

@@ -54,7 +54,7 @@ class SceneJsonReader {
     void readObjects(const JsonValue& value);
     void readObject(const JsonValue& value, size_t number);
     void readMeshObject(const JsonFields& fields, Object object);
-    void addWholeObj(const std::string& path, const JsonValue& at, const Object& prototype);
+    void addWholeFile(const std::string& path, const JsonValue& at, const Object& prototype);
     int meshIndex(const JsonValue& value, const std::string& ownerName);
     int addMesh(const JsonValue& value, const std::string& name);
     std::shared_ptr<const MeshData> readInlineMesh(const JsonValue& value);

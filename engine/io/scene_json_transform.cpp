@@ -1,6 +1,7 @@
 // Glint JSON: where a shape stands. Center, radius, edges and normals first, then the "transform" steps.
 #include <fmt/format.h>
 
+#include "engine/base/nearest_name.h"
 #include "engine/io/scene_json_keys.h"
 #include "engine/io/scene_json_reader.h"
 #include "engine/math/frame.h"

@@ -7,8 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "engine/io/asset_cache.h"
 #include "engine/io/atomic_file.h"
+#include "engine/io/embedded_files.h"
+#include "engine/io/file_path.h"
 #include "engine/io/json_writer.h"
 #include "engine/io/scene_json.h"
 
@@ -139,10 +140,11 @@ class SceneJsonWriter {
     }
 
     void writeTexture(const Texture& texture) {
-        if (texture.image.path.empty()) {
+        const std::string path = pathOf(texture.image.source);
+        if (path.empty()) {
             fail(fmt::format("the texture \"{}\" is not from a file, so it cannot be saved", texture.name));
         }
-        json_.field("file", rebased(texture.image.path));
+        json_.field("file", rebased(path));
         json_.field("encoding", texture.encoding == ColorEncoding::Srgb ? "srgb" : "linear");
         json_.field("flipV", texture.flipV);
         json_.field("scale", texture.scale);
@@ -190,14 +192,15 @@ class SceneJsonWriter {
     }
 
     void writeMesh(const Mesh& mesh) {
-        const MeshSource& source = mesh.source;
-        if (!source.path.empty()) {
-            json_.field("file", rebased(source.path));
-            if (source.part >= 0) { json_.field("part", source.part); }
-        } else if (!source.generator.empty()) {
-            json_.field("generator", source.generator);
-            json_.field("triangleCount", static_cast<int64_t>(source.triangles));
-            json_.field("seed", static_cast<int64_t>(source.seed));
+        if (const auto* file = std::get_if<FileSource>(&mesh.source)) {
+            json_.field("file", rebased(file->path));
+            if (file->part >= 0) { json_.field("part", file->part); }
+        } else if (const auto* generator = std::get_if<MeshGenerator>(&mesh.source)) {
+            json_.field("generator", generator->name);
+            json_.field("triangleCount", static_cast<int64_t>(generator->triangles));
+            json_.field("seed", static_cast<int64_t>(generator->seed));
+        } else if (!mesh.data) {
+            fail(fmt::format("the mesh \"{}\" is not from a file, so it cannot be saved", mesh.name));
         } else {
             writeInlineMesh(*mesh.data);
         }
@@ -292,13 +295,13 @@ class SceneJsonWriter {
         json_.field("strength", environment.strength);
         json_.field("rotationDeg", environment.rotationDeg);
         if (environment.image >= 0) {
-            const ImageSource& image = scene_.environmentImages[static_cast<size_t>(environment.image)];
+            const SceneImage& image = scene_.environmentImages[static_cast<size_t>(environment.image)];
             json_.key("image");
             json_.beginObject();
-            if (image.sky) {
-                writeSky(*image.sky);
-            } else if (!image.path.empty()) {
-                json_.field("file", rebased(image.path));
+            if (const auto* sky = std::get_if<SkySource>(&image.source)) {
+                writeSky(*sky);
+            } else if (const std::string path = pathOf(image.source); !path.empty()) {
+                json_.field("file", rebased(path));
             } else {
                 fail("the environment's image is not from a file, so it cannot be saved");
             }
@@ -335,7 +338,9 @@ Result<std::string> writeSceneJson(const SceneDescription& scene, const std::str
 }
 
 Status saveSceneJson(const SceneDescription& scene, const std::string& path) {
-    const auto text = writeSceneJson(scene, path);
+    SceneDescription named = scene;
+    if (Status written = writeEmbeddedFiles(&named, path); !written) { return written; }
+    const auto text = writeSceneJson(named, path);
     return text ? writeFileAtomically(path, *text) : Status(text.error());
 }
 

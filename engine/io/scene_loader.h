@@ -9,9 +9,9 @@
 
 namespace glint {
 
-/// Reads Glint JSON (.json), a 6.837-style text scene (.txt), OBJ or PLY; other extensions are told by their
-/// content. Scenes without a camera get the default view. Never throws or crashes on any content. Error: one
-/// clear message, with line and column where the file is text.
+/// Reads any kind of file that an importer (importer.h) knows, told by its extension and its first bytes.
+/// Scenes without a camera get the default view. Never throws or crashes on any content. Error: one clear
+/// message, with line and column where the file is text.
 Result<SceneDescription> loadScene(const std::string& path, const LoadOptions& options = {});
 
 }  // namespace glint

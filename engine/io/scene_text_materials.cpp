@@ -85,7 +85,7 @@ int SceneTextReader::addTexture(const TextToken& at, const std::string& path) {
     if (isNew) {
         Texture texture;
         texture.name = path;
-        texture.image.path = locate(path);
+        texture.image.source = FileSource{locate(path)};
         texture.encoding = ColorEncoding::Linear;  // The original's pictures are linear from end to end.
         scene_.textures.push_back(std::move(texture));
         texturePlaces_.push_back(at);

@@ -216,14 +216,14 @@ void SceneTextReader::readMesh(const Affine& toWorld) {
         missing(at, fmt::format("the mesh \"{}\" is missing", path));
         return;
     }
-    const auto obj = assets_.objGeometry(located);
-    if (!obj) {
-        tokens_.fail(at, fmt::format("the mesh cannot be read: {}", obj.error().format()));
+    const auto file = assets_.meshFile(located);
+    if (!file) {
+        tokens_.fail(at, fmt::format("the mesh cannot be read: {}", file.error().format()));
         return;
     }
-    for (size_t part = 0; part < (*obj)->parts.size(); ++part) {
+    for (size_t part = 0; part < (*file)->parts.size(); ++part) {
         const auto number = static_cast<int>(part);
-        addObject(at, ShapeKind::Mesh, toWorld, addMesh(located, number, (*obj)->parts[part].mesh), false);
+        addObject(at, ShapeKind::Mesh, toWorld, addMesh(located, number, (*file)->parts[part].mesh), false);
     }
 }
 
@@ -289,8 +289,7 @@ int SceneTextReader::addMesh(const std::string& path, int part, std::shared_ptr<
     Mesh& mesh = scene_.meshes.emplace_back();
     mesh.name =
         path.empty() ? fmt::format("triangle {}", index + 1) : path.substr(path.find_last_of('/') + 1);
-    mesh.source.path = path;
-    mesh.source.part = part;
+    if (!path.empty()) { mesh.source = FileSource{path, part}; }
     mesh.data = std::move(data);
     if (!path.empty()) { meshes_[key] = index; }
     return index;

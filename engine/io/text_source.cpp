@@ -12,6 +12,11 @@
 #include "engine/io/atomic_file.h"
 
 namespace glint {
+namespace {
+
+constexpr size_t kMaxSceneBytes = size_t{256} << 20;
+
+}  // namespace
 
 SourcePlace TextSource::place(size_t offset) const {
     offset = std::min(offset, text.size());
@@ -25,7 +30,7 @@ SourcePlace TextSource::place(size_t offset) const {
             text.substr(lineStart, lineEnd - lineStart)};
 }
 
-Result<TextSource> readTextFile(const std::string& path, size_t maxBytes) {
+Result<TextSource> readSceneFile(const std::string& path) {
     const SourcePlace place{path, 0, 0, ""};
     if (Status regular = checkRegularFile(path, "a file"); !regular) { return regular.error(); }
     std::ifstream file(path, std::ios::binary);
@@ -34,10 +39,14 @@ Result<TextSource> readTextFile(const std::string& path, size_t maxBytes) {
     char block[1 << 16];
     while (file.read(block, sizeof block), file.gcount() > 0) {
         source.text.append(block, static_cast<size_t>(file.gcount()));
-        if (source.text.size() > maxBytes) {
-            return Error{fmt::format("is larger than {} MiB, the most a scene file may be", maxBytes >> 20),
-                         place};
+        if (source.text.size() > kMaxSceneBytes) {
+            return Error{
+                fmt::format("is larger than {} MiB, the most a scene file may be", kMaxSceneBytes >> 20),
+                place};
         }
+    }
+    if (source.text.find_first_not_of(" \t\r\n") == std::string::npos) {
+        return Error{"is empty; expected a scene", place};
     }
     return source;
 }

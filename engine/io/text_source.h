@@ -20,9 +20,9 @@ struct TextSource {
     Error error(size_t offset, std::string message) const { return {std::move(message), place(offset)}; }
 };
 
-/// Reads a whole file. Error: missing, a folder, unreadable, or larger than `maxBytes` (found before it
+/// Reads a scene file. Error: missing, a folder, unreadable, empty, or larger than 256 MiB (found before it
 /// is read).
-Result<TextSource> readTextFile(const std::string& path, size_t maxBytes);
+Result<TextSource> readSceneFile(const std::string& path);
 
 /// What became of a decimal number's text.
 enum class NumberParse { Ok, NotANumber, NotFinite };

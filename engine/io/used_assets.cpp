@@ -30,13 +30,13 @@ Status readMesh(Mesh* mesh, AssetCache* assets) {
     if (!data) { return data.error(); }
     if (mesh->data && !sameTriangles(*mesh->data, **data)) {
         return Error{"has changed since the scene was opened; open the scene again",
-                     {resolvePath(mesh->source.path, assets->scenePath()), 0, 0, ""}};
+                     {resolvePath(pathOf(mesh->source), assets->scenePath()), 0, 0, ""}};
     }
     mesh->data = std::move(*data);
     return {};
 }
 
-Status readImage(Result<ImageSource> read, ImageSource* image) {
+Status readImage(Result<SceneImage> read, SceneImage* image) {
     if (!read) { return read.error(); }
     *image = std::move(*read);
     return {};
@@ -79,16 +79,16 @@ std::vector<Asset> idleAssets(const SceneDescription& scene) {
     return idle;
 }
 
-const std::string& assetFile(const SceneDescription& scene, const Asset& asset) {
+std::string assetFile(const SceneDescription& scene, const Asset& asset) {
     switch (asset.kind) {
         case AssetKind::Mesh:
-            return scene.meshes[asset.index].source.path;
+            return pathOf(scene.meshes[asset.index].source);
         case AssetKind::Texture:
-            return scene.textures[asset.index].image.path;
+            return pathOf(scene.textures[asset.index].image.source);
         case AssetKind::Environment:
             break;
     }
-    return scene.environmentImages[asset.index].path;
+    return pathOf(scene.environmentImages[asset.index].source);
 }
 
 Status readAsset(const Asset& asset, AssetCache* assets, SceneDescription* scene) {
@@ -96,14 +96,14 @@ Status readAsset(const Asset& asset, AssetCache* assets, SceneDescription* scene
         case AssetKind::Mesh:
             return readMesh(&scene->meshes[asset.index], assets);
         case AssetKind::Texture: {
-            ImageSource& image = scene->textures[asset.index].image;
-            return readImage(assets->texture(image), &image);
+            SceneImage& image = scene->textures[asset.index].image;
+            return readImage(assets->texture(image.source), &image);
         }
         case AssetKind::Environment:
             break;
     }
-    ImageSource& image = scene->environmentImages[asset.index];
-    return readImage(assets->environment(image), &image);
+    SceneImage& image = scene->environmentImages[asset.index];
+    return readImage(assets->environment(image.source), &image);
 }
 
 void goWithout(const Asset& asset, SceneDescription* scene) {

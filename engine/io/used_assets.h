@@ -30,8 +30,8 @@ std::vector<Asset> lackingAssets(const SceneDescription& scene);
 /// What it names, has not read and does not use.
 std::vector<Asset> idleAssets(const SceneDescription& scene);
 
-/// The asset's file as written in the scene; empty where it is generated.
-const std::string& assetFile(const SceneDescription& scene, const Asset& asset);
+/// The asset's file on the disk as written in the scene; empty where it has none.
+std::string assetFile(const SceneDescription& scene, const Asset& asset);
 
 /// Error: the file cannot be read or is malformed; it holds other triangles than those it has given before.
 Status readAsset(const Asset& asset, AssetCache* assets, SceneDescription* scene);

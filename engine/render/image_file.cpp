@@ -1,13 +1,10 @@
-// Chooses the format, and gathers the channels that go into an EXR file.
+// Gathers the channels that go into an EXR file.
 #include "engine/render/image_file.h"
-
-#include <algorithm>
-#include <cctype>
-#include <filesystem>
 
 #include <fmt/format.h>
 
-#include "engine/io/image_io.h"
+#include "engine/io/file_path.h"
+#include "engine/io/image_formats.h"
 #include "engine/kernels/pass.h"
 #include "engine/scene/scene_hash.h"
 
@@ -16,13 +13,6 @@ namespace {
 
 Error errorOfImage(const std::string& path, std::string message) {
     return {std::move(message), {.file = path}};
-}
-
-std::string lowerExtension(const std::string& path) {
-    std::string extension = std::filesystem::path(path).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
 }
 
 class ExrBuilder {
@@ -104,8 +94,8 @@ std::map<std::string, std::string> metadata(const FilmSnapshot& snapshot, const 
     return out;
 }
 
-Status saveImageAsExr(const std::string& path, const FilmSnapshot& snapshot, const SceneDescription& scene,
-                      const ImageOptions& options) {
+Result<ExrImage> layersOf(const std::string& path, const FilmSnapshot& snapshot, const SceneDescription& scene,
+                          const ImageOptions& options) {
     const size_t pixels = static_cast<size_t>(snapshot.width) * static_cast<size_t>(snapshot.height);
     if (options.aovs != 0 && (!snapshot.aovs || snapshot.aovs->pixels().size() != pixels)) {
         return errorOfImage(path, "the layers asked for were not rendered; expected them in the picture");
@@ -127,7 +117,7 @@ Status saveImageAsExr(const std::string& path, const FilmSnapshot& snapshot, con
                           [&](size_t i) { return snapshot.errorBound[i]; });
     }
     builder.image.attributes = metadata(snapshot, scene);
-    return saveExr(path, builder.image);
+    return std::move(builder.image);
 }
 
 }  // namespace
@@ -138,17 +128,22 @@ Status saveImage(const std::string& path, const FilmSnapshot& snapshot, const Sc
     if (pixels == 0 || snapshot.radiance.size() != 3 * pixels || snapshot.previewScale != 1) {
         return errorOfImage(path, "there is no picture at full resolution to save yet");
     }
-    const std::string extension = lowerExtension(path);
-    if (extension == ".png") {
-        return savePng(path, toneMapImage(snapshot.radiance.data(), snapshot.width, snapshot.height,
-                                          options.exposureStops, options.toneMap, options.threads));
+    const ImageFormat* format = savedFormatOf(path);
+    if (format == nullptr) {
+        return errorOfImage(path, fmt::format("cannot tell the format from \"{}\"; expected {}",
+                                              extensionOf(path), listSavedExtensions()));
     }
-    if (extension == ".hdr") {
-        return saveHdr(path, {.width = snapshot.width, .height = snapshot.height, .rgb = snapshot.radiance});
-    }
-    if (extension == ".exr") { return saveImageAsExr(path, snapshot, scene, options); }
-    return errorOfImage(
-        path, fmt::format("cannot tell the format from \"{}\"; expected .png, .exr or .hdr", extension));
+    return format->save(
+        path, {.display =
+                   [&] {
+                       return toneMapImage(snapshot.radiance.data(), snapshot.width, snapshot.height,
+                                           options.exposureStops, options.toneMap, options.threads);
+                   },
+               .radiance =
+                   [&] {
+                       return ImageF{snapshot.width, snapshot.height, snapshot.radiance};
+                   },
+               .layers = [&] { return layersOf(path, snapshot, scene, options); }});
 }
 
 }  // namespace glint

@@ -109,7 +109,7 @@ MemoryUse unusedMemory(const SceneDescription& scene, FeatureMask features) {
         if (mesh.data && meshes.insert(mesh.data.get()).second) { addVertices(*mesh.data, true, &use); }
     }
     const std::vector<bool> usedTexture = usedTextures(scene);
-    std::vector<ImageSource> all, used;
+    std::vector<SceneImage> all, used;
     for (size_t i = 0; i < scene.textures.size(); ++i) {
         all.push_back(scene.textures[i].image);
         if (usedTexture[i]) { used.push_back(scene.textures[i].image); }

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "engine/io/atomic_file.h"
+#include "engine/io/file_path.h"
 #include "engine/io/image_io.h"
 #include "engine/report/chart_layout.h"
 
@@ -278,8 +279,8 @@ std::string chartSvg(const LogLogChart& chart) { return drawingSvg(layOutChart(c
 Image8 chartImage(const LogLogChart& chart, double scale) { return drawingImage(layOutChart(chart), scale); }
 
 Status saveChart(const std::string& path, const LogLogChart& chart) {
-    if (path.ends_with(".svg")) { return writeFileAtomically(path, chartSvg(chart)); }
-    if (path.ends_with(".png")) { return savePng(path, chartImage(chart)); }
+    if (hasExtension(path, ".svg")) { return writeFileAtomically(path, chartSvg(chart)); }
+    if (hasExtension(path, ".png")) { return savePng(path, chartImage(chart)); }
     return Error{
         fmt::format("cannot save the chart as '{}': expected a name that ends in .svg or .png", path), {}};
 }

@@ -1,5 +1,3 @@
-// Grids bent into shapes. Closed ones are watertight: vertices where a grid meets itself are exact copies,
-// kept apart only for their texture coordinates.
 #include "engine/scene/generated_mesh.h"
 
 #include <algorithm>
@@ -9,11 +7,10 @@
 #include <fmt/format.h>
 
 #include "engine/base/nearest_name.h"
+#include "engine/scene/mesh_grid.h"
 
 namespace glint {
 namespace {
-
-using Vec3d = glm::dvec3;
 
 constexpr uint32_t kMinTriangles = 12;
 constexpr uint32_t kMaxTriangles = 100'000'000;
@@ -65,90 +62,6 @@ class Waves {
     std::array<Wave, 32> waves_;
 };
 
-/// A grid of `columns` x `rows` cells. Wrapped sides and the ends of a sphere meet themselves.
-struct Grid {
-    uint32_t columns;
-    uint32_t rows;
-    bool wrapColumns;
-    bool wrapRows;
-    bool poles;  ///< the first and the last row shrink to a point each
-
-    uint32_t stride() const { return columns + 1; }
-    uint32_t vertex(uint32_t column, uint32_t row) const { return row * stride() + column; }
-    /// The vertex whose position this one shares.
-    uint32_t original(uint32_t column, uint32_t row) const {
-        if (poles && (row == 0 || row == rows)) { return vertex(0, row); }
-        return vertex(wrapColumns ? column % columns : column, wrapRows ? row % rows : row);
-    }
-};
-
-void addGridTriangles(const Grid& grid, uint32_t firstVertex, MeshData* mesh) {
-    for (uint32_t row = 0; row < grid.rows; ++row) {
-        for (uint32_t column = 0; column < grid.columns; ++column) {
-            const uint32_t a = firstVertex + grid.vertex(column, row);
-            const uint32_t b = a + 1;
-            const uint32_t c = a + grid.stride();
-            const uint32_t d = c + 1;
-            const bool atStart = grid.poles && row == 0;
-            const bool atEnd = grid.poles && row + 1 == grid.rows;
-            if (!atStart) { mesh->indices.insert(mesh->indices.end(), {a, b, d}); }
-            if (!atEnd) { mesh->indices.insert(mesh->indices.end(), {a, d, c}); }
-        }
-    }
-}
-
-/// Normals of all faces around each position, weighted by area; seams get one normal.
-void addGridNormals(const Grid& grid, MeshData* mesh) {
-    std::vector<uint32_t> original(mesh->positions.size());
-    for (uint32_t row = 0; row <= grid.rows; ++row) {
-        for (uint32_t column = 0; column <= grid.columns; ++column) {
-            original[grid.vertex(column, row)] = grid.original(column, row);
-        }
-    }
-    std::vector<Vec3d> sums(mesh->positions.size(), Vec3d(0.0));
-    for (size_t i = 0; i < mesh->indices.size(); i += 3) {
-        const uint32_t* corner = &mesh->indices[i];
-        const Vec3d p0 = mesh->positions[corner[0]];
-        const Vec3d n =
-            glm::cross(Vec3d(mesh->positions[corner[1]]) - p0, Vec3d(mesh->positions[corner[2]]) - p0);
-        for (int k = 0; k < 3; ++k) {
-            sums[original[corner[k]]] += n;
-        }
-    }
-    mesh->normals.resize(mesh->positions.size());
-    for (size_t v = 0; v < sums.size(); ++v) {
-        const Vec3d& n = sums[original[v]];
-        const double length = glm::length(n);
-        mesh->normals[v] = length > 0.0 ? Vec3(n / length) : Vec3(0.0f);
-    }
-}
-
-/// Bends a grid: `position(u, v)` with u and v in [0, 1], evaluated once for each place.
-template <class Position>
-MeshData bendGrid(const Grid& grid, const Position& position) {
-    MeshData mesh;
-    const size_t vertices = static_cast<size_t>(grid.stride()) * (grid.rows + 1);
-    mesh.positions.resize(vertices);
-    mesh.uvs.resize(vertices);
-    for (uint32_t row = 0; row <= grid.rows; ++row) {
-        for (uint32_t column = 0; column <= grid.columns; ++column) {
-            const uint32_t vertex = grid.vertex(column, row);
-            const double u = static_cast<double>(column) / grid.columns;
-            const double v = static_cast<double>(row) / grid.rows;
-            mesh.uvs[vertex] = Vec2(u, v);
-            if (grid.original(column, row) == vertex) { mesh.positions[vertex] = Vec3(position(u, v)); }
-        }
-    }
-    for (uint32_t row = 0; row <= grid.rows; ++row) {
-        for (uint32_t column = 0; column <= grid.columns; ++column) {
-            mesh.positions[grid.vertex(column, row)] = mesh.positions[grid.original(column, row)];
-        }
-    }
-    addGridTriangles(grid, 0, &mesh);
-    addGridNormals(grid, &mesh);
-    return mesh;
-}
-
 uint32_t atLeast(uint32_t least, double x) { return std::max(least, static_cast<uint32_t>(std::lround(x))); }
 
 /// Unit direction of u (around +y, from -z over -x) and v (from the south pole up): the uvs of the
@@ -162,29 +75,29 @@ Vec3d sphereDirection(double u, double v) {
             r * std::cos(longitude)};
 }
 
-Grid sphereGrid(uint32_t triangles) {
+MeshGrid sphereGrid(uint32_t triangles) {
     const uint32_t rows = atLeast(3, 0.5 + std::sqrt(0.25 * triangles + 0.25));
     return {atLeast(3, triangles / (2.0 * (rows - 1))), rows, true, false, true};
 }
 
-MeshData makeSphere(const MeshSource& source) {
-    return bendGrid(sphereGrid(source.triangles), sphereDirection);
+MeshData makeSphere(const MeshGenerator& generator) {
+    return bendGrid(sphereGrid(generator.triangles), sphereDirection);
 }
 
 /// A closed, smoothly dented body around the origin, which it surrounds: radius 0.6 to 1.4.
-MeshData makeBlob(const MeshSource& source) {
-    const Waves waves(source.seed);
-    return bendGrid(sphereGrid(source.triangles), [&](double u, double v) {
+MeshData makeBlob(const MeshGenerator& generator) {
+    const Waves waves(generator.seed);
+    return bendGrid(sphereGrid(generator.triangles), [&](double u, double v) {
         const Vec3d direction = sphereDirection(u, v);
         return direction * (1.0 + 0.4 * waves.at(direction, 4.0, 4));
     });
 }
 
 /// A height field over x and z in [-1, 1], facing +y. Open.
-MeshData makeTerrain(const MeshSource& source) {
-    const Waves waves(source.seed);
-    const uint32_t cells = atLeast(3, std::sqrt(source.triangles / 2.0));
-    const Grid grid{cells, atLeast(2, source.triangles / (2.0 * cells)), false, false, false};
+MeshData makeTerrain(const MeshGenerator& generator) {
+    const Waves waves(generator.seed);
+    const uint32_t cells = atLeast(3, std::sqrt(generator.triangles / 2.0));
+    const MeshGrid grid{cells, atLeast(2, generator.triangles / (2.0 * cells)), false, false, false};
     return bendGrid(grid, [&](double u, double v) {
         const Vec3d ground(2.0 * u - 1.0, 0.0, 1.0 - 2.0 * v);
         const double ridge = waves.at(ground, 5.0, 6);
@@ -193,14 +106,14 @@ MeshData makeTerrain(const MeshSource& source) {
 }
 
 /// A tube along a (2, 3) torus knot, about 2 across. Closed.
-MeshData makeTorusKnot(const MeshSource& source) {
+MeshData makeTorusKnot(const MeshGenerator& generator) {
     constexpr double kTubeRadius = 0.13;
     const auto knot = [](double t) {
         const double r = 0.62 + 0.25 * std::cos(3.0 * t);
         return Vec3d(r * std::cos(2.0 * t), 0.25 * std::sin(3.0 * t), r * std::sin(2.0 * t));
     };
-    const uint32_t rows = atLeast(3, std::sqrt(source.triangles / 2.0 / 12.0));
-    const Grid grid{atLeast(12, source.triangles / (2.0 * rows)), rows, true, true, false};
+    const uint32_t rows = atLeast(3, std::sqrt(generator.triangles / 2.0 / 12.0));
+    const MeshGrid grid{atLeast(12, generator.triangles / (2.0 * rows)), rows, true, true, false};
     return bendGrid(grid, [&](double u, double v) {
         const double t = 2.0 * kPiD * u;
         const Vec3d tangent = glm::normalize(knot(t + 1e-4) - knot(t - 1e-4));
@@ -215,10 +128,10 @@ MeshData makeTorusKnot(const MeshSource& source) {
 }
 
 /// A still pond over x and z in [-1, 1], facing +y: gentle waves, 0.1 high at the most. Open.
-MeshData makeWater(const MeshSource& source) {
-    const Waves waves(source.seed);
-    const uint32_t cells = atLeast(3, std::sqrt(source.triangles / 2.0));
-    const Grid grid{cells, atLeast(2, source.triangles / (2.0 * cells)), false, false, false};
+MeshData makeWater(const MeshGenerator& generator) {
+    const Waves waves(generator.seed);
+    const uint32_t cells = atLeast(3, std::sqrt(generator.triangles / 2.0));
+    const MeshGrid grid{cells, atLeast(2, generator.triangles / (2.0 * cells)), false, false, false};
     return bendGrid(grid, [&](double u, double v) {
         const Vec3d ground(2.0 * u - 1.0, 0.0, 1.0 - 2.0 * v);
         return ground + Vec3d(0.0, 0.1 * waves.at(ground, 9.0, 2), 0.0);
@@ -227,11 +140,11 @@ MeshData makeWater(const MeshSource& source) {
 
 /// A band around the y axis: upright walls, outer radius 1, 0.08 thick and 0.5 high, with rounded
 /// rims. Closed.
-MeshData makeRing(const MeshSource& source) {
+MeshData makeRing(const MeshGenerator& generator) {
     constexpr double kRim = 0.04;
     constexpr double kHalfWall = 0.21;
-    const uint32_t rows = 4 * atLeast(1, std::sqrt(source.triangles / 16.0) / 4.0);
-    const Grid grid{atLeast(3, source.triangles / (2.0 * rows)), rows, true, true, false};
+    const uint32_t rows = 4 * atLeast(1, std::sqrt(generator.triangles / 16.0) / 4.0);
+    const MeshGrid grid{atLeast(3, generator.triangles / (2.0 * rows)), rows, true, true, false};
     return bendGrid(grid, [&](double u, double v) {
         const double part = 4.0 * v;  // outer wall up, upper rim, inner wall down, lower rim
         const double angle =
@@ -245,9 +158,9 @@ MeshData makeRing(const MeshSource& source) {
 }
 
 /// The cube [-1, 1]^3 with flat normals; every side has the whole texture. Closed.
-MeshData makeCube(const MeshSource& source) {
-    const uint32_t cells = atLeast(1, std::sqrt(source.triangles / 12.0));
-    const Grid grid{cells, cells, false, false, false};
+MeshData makeCube(const MeshGenerator& generator) {
+    const uint32_t cells = atLeast(1, std::sqrt(generator.triangles / 12.0));
+    const MeshGrid grid{cells, cells, false, false, false};
     MeshData mesh;
     for (int side = 0; side < 6; ++side) {
         const int axis = side / 2;
@@ -274,50 +187,50 @@ MeshData makeCube(const MeshSource& source) {
     return mesh;
 }
 
-struct Generator {
+struct MeshMaker {
     std::string_view name;
-    MeshData (*make)(const MeshSource&);
+    MeshData (*make)(const MeshGenerator&);
 };
-constexpr std::array<Generator, 7> kGenerators = {{{"blob", makeBlob},
-                                                   {"cube", makeCube},
-                                                   {"ring", makeRing},
-                                                   {"sphere", makeSphere},
-                                                   {"terrain", makeTerrain},
-                                                   {"torus-knot", makeTorusKnot},
-                                                   {"water", makeWater}}};
+constexpr std::array<MeshMaker, 7> kMakers = {{{"blob", makeBlob},
+                                               {"cube", makeCube},
+                                               {"ring", makeRing},
+                                               {"sphere", makeSphere},
+                                               {"terrain", makeTerrain},
+                                               {"torus-knot", makeTorusKnot},
+                                               {"water", makeWater}}};
 
-const Generator* findGenerator(std::string_view name) {
-    const auto* found = std::find_if(kGenerators.begin(), kGenerators.end(),
-                                     [name](const Generator& g) { return g.name == name; });
-    return found == kGenerators.end() ? nullptr : found;
+const MeshMaker* findMaker(std::string_view name) {
+    const auto* found =
+        std::find_if(kMakers.begin(), kMakers.end(), [name](const MeshMaker& g) { return g.name == name; });
+    return found == kMakers.end() ? nullptr : found;
 }
 
 }  // namespace
 
-Status checkMeshGenerator(const MeshSource& source) {
-    if (findGenerator(source.generator) == nullptr) {
-        return Error{fmt::format("unknown mesh generator \"{}\"{}", source.generator,
-                                 didYouMean(source.generator, meshGeneratorNames())),
+Status checkMeshGenerator(const MeshGenerator& generator) {
+    if (findMaker(generator.name) == nullptr) {
+        return Error{fmt::format("unknown mesh generator \"{}\"{}", generator.name,
+                                 didYouMean(generator.name, meshGeneratorNames())),
                      {}};
     }
-    if (source.triangles < kMinTriangles || source.triangles > kMaxTriangles) {
+    if (generator.triangles < kMinTriangles || generator.triangles > kMaxTriangles) {
         return Error{fmt::format("{} triangles for the mesh generator \"{}\"; expected {} to {}",
-                                 source.triangles, source.generator, kMinTriangles, kMaxTriangles),
+                                 generator.triangles, generator.name, kMinTriangles, kMaxTriangles),
                      {}};
     }
     return {};
 }
 
-Result<std::shared_ptr<MeshData>> generateMesh(const MeshSource& source) {
-    if (Status known = checkMeshGenerator(source); !known) { return known.error(); }
-    return std::make_shared<MeshData>(findGenerator(source.generator)->make(source));
+Result<std::shared_ptr<MeshData>> generateMesh(const MeshGenerator& generator) {
+    if (Status known = checkMeshGenerator(generator); !known) { return known.error(); }
+    return std::make_shared<MeshData>(findMaker(generator.name)->make(generator));
 }
 
 std::vector<std::string_view> meshGeneratorNames() {
     std::vector<std::string_view> names;
-    names.reserve(std::size(kGenerators));
-    for (const Generator& generator : kGenerators) {
-        names.push_back(generator.name);
+    names.reserve(std::size(kMakers));
+    for (const MeshMaker& maker : kMakers) {
+        names.push_back(maker.name);
     }
     return names;
 }

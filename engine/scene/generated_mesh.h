@@ -10,11 +10,11 @@
 namespace glint {
 
 /// Error: unknown generator (naming the nearest) or a count out of range.
-Status checkMeshGenerator(const MeshSource& source);
+Status checkMeshGenerator(const MeshGenerator& generator);
 
-/// Builds the mesh a MeshSource with a generator names. Deterministic in (generator, triangles, seed); the
-/// count is met within a few percent. All have normals and uvs. Error: as checkMeshGenerator().
-Result<std::shared_ptr<MeshData>> generateMesh(const MeshSource& source);
+/// Builds the mesh. Deterministic in (name, triangles, seed); the count is met within a few percent. All have
+/// normals and uvs. Error: as checkMeshGenerator().
+Result<std::shared_ptr<MeshData>> generateMesh(const MeshGenerator& generator);
 
 /// Known generators in alphabetical order.
 std::vector<std::string_view> meshGeneratorNames();

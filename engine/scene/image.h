@@ -5,11 +5,10 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "engine/base/kinds.h"
+#include "engine/scene/asset_source.h"
 #include "engine/scene/generated_sky.h"
 
 namespace glint {
@@ -28,13 +27,14 @@ struct ImageF {
     std::vector<float> rgb;
 };
 
-/// An image together with where it came from, so that a scene can be saved again. At most one of the two is
-/// set; neither while the image has not been read because nothing uses it (engine/io/used_assets.h).
-struct ImageSource {
-    std::string path;  ///< as written in the scene file, for saving; empty for generated images
-    std::shared_ptr<const Image8> bytes;
-    std::shared_ptr<const ImageF> floats;
-    std::optional<SkySource> sky = {};  ///< how `floats` is generated, where it is
+using ImageSource = AssetSource<SkySource>;
+
+/// An image together with where it comes from. At most one of the two is set; neither while the image has not
+/// been read because nothing uses it (engine/io/used_assets.h).
+struct SceneImage {
+    ImageSource source = {};
+    std::shared_ptr<const Image8> bytes = {};
+    std::shared_ptr<const ImageF> floats = {};
 
     bool isRead() const { return bytes != nullptr || floats != nullptr; }
 };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/math/vec.h"
+#include "engine/scene/asset_source.h"
 
 namespace glint {
 
@@ -29,14 +30,16 @@ inline bool sameTriangles(const MeshData& a, const MeshData& b) {
     return a.positions == b.positions && a.indices == b.indices;
 }
 
-/// Where a mesh comes from, so that a scene can be saved without its triangles.
-struct MeshSource {
-    std::string path;       ///< as written in the scene file; empty for generated and inline meshes
-    int part = -1;          ///< OBJ: the n-th part (a run of one material), in file order; -1: the whole file
-    std::string generator;  ///< name of a procedural mesh (generated_mesh.h); empty otherwise
-    uint32_t triangles = 0;  ///< generator: about how many triangles
+/// A procedural mesh (generated_mesh.h).
+struct MeshGenerator {
+    std::string name;
+    uint32_t triangles = 0;  ///< about how many
     uint32_t seed = 0;
+
+    auto operator<=>(const MeshGenerator&) const = default;
 };
+
+using MeshSource = AssetSource<MeshGenerator>;
 
 struct Mesh {
     std::string name;

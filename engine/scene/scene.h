@@ -32,7 +32,7 @@ struct Object {
 /// An image used as a colour.
 struct Texture {
     std::string name;
-    ImageSource image;
+    SceneImage image;
     ColorEncoding encoding = ColorEncoding::Srgb;
     bool flipV = false;  ///< v counted from the image's top row
     Vec2 scale{1.0f};    ///< uv is multiplied by this, then repeats
@@ -47,7 +47,7 @@ struct SceneDescription {
     RenderOptions options;
     SppmOptions sppm;
     std::vector<Texture> textures;
-    std::vector<ImageSource> environmentImages;
+    std::vector<SceneImage> environmentImages;
     std::vector<Material> materials;  ///< never empty when there are objects
     std::vector<Mesh> meshes;
     std::vector<Object> objects;

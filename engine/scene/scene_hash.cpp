@@ -73,7 +73,7 @@ void add(ContentHash& hash, const Material& material) {
     hash.add(material.emitsBothSides);
 }
 
-void add(ContentHash& hash, const ImageSource& image) {
+void add(ContentHash& hash, const SceneImage& image) {
     if (image.bytes) {
         hash.add(image.bytes->width);
         hash.add(image.bytes->height);

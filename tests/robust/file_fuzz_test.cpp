@@ -80,10 +80,10 @@ int fuzz(const char* name, const std::string& good, uint32_t seed,
 }
 
 std::optional<Error> loadSoundObj(const std::string& path) {
-    const Result<ObjScene> scene = loadObj(path);
+    const Result<MeshFile> scene = loadObj(path);
     if (!scene) { return scene.error(); }
     EXPECT_FALSE(scene->parts.empty());
-    for (const ObjPart& part : scene->parts) {
+    for (const MeshPart& part : scene->parts) {
         expectSoundMesh(*part.mesh);
         EXPECT_LT(static_cast<size_t>(part.material), scene->materials.size());
     }
@@ -157,7 +157,7 @@ TEST(Fuzz, PlyBinary) {
 }
 
 std::optional<Error> loadSoundImage(const std::string& path) {
-    const Result<ImageSource> image = loadImage(path);
+    const Result<SceneImage> image = loadImage(path);
     if (!image) { return image.error(); }
     EXPECT_NE(image->bytes != nullptr, image->floats != nullptr);
     if (image->bytes) {

@@ -207,7 +207,7 @@ INSTANTIATE_TEST_SUITE_P(Light, EmitterShape, testing::ValuesIn(cases()), [](con
 });
 
 /// A dark image with a bright texel, a bright corner at the seam and some texture.
-ImageSource spottedImage() {
+SceneImage spottedImage() {
     auto image = std::make_shared<ImageF>();
     image->width = 16;
     image->height = 8;

@@ -86,7 +86,7 @@ SceneDescription glossyUnderSky() {
         const float value = i % 16 > 5 && i % 16 < 9 && i / 16 < 4 ? 2.0f : 0.3f;
         image->rgb.insert(image->rgb.end(), {value, value, 0.5f * value});
     }
-    scene.environmentImages.push_back({"", nullptr, image});
+    scene.environmentImages.push_back({.floats = image});
     scene.environment.image = 0;
     scene.environment.color = Vec3(1.0f);
     scene.environment.rotationDeg = 160.0f;

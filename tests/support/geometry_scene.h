@@ -41,11 +41,7 @@ inline GeometryScene makeScene(const std::vector<Object>& objects,
 
 inline std::shared_ptr<const MeshData> generated(const char* generator, uint32_t triangles,
                                                  uint32_t seed = 1) {
-    MeshSource source;
-    source.generator = generator;
-    source.triangles = triangles;
-    source.seed = seed;
-    return generateMesh(source).value();
+    return generateMesh({generator, triangles, seed}).value();
 }
 
 /// The standard library's distributions differ between versions; this does not.

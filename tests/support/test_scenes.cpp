@@ -271,7 +271,7 @@ std::shared_ptr<const MeshData> bumpySphere(int rings, int segments, bool withCo
     return mesh;
 }
 
-ImageSource checkerImage(int width, int height, bool floats) {
+SceneImage checkerImage(int width, int height, bool floats) {
     auto bytes = std::make_shared<Image8>();
     auto linear = std::make_shared<ImageF>();
     bytes->width = linear->width = width;
@@ -286,7 +286,7 @@ ImageSource checkerImage(int width, int height, bool floats) {
             }
         }
     }
-    ImageSource source;
+    SceneImage source;
     if (floats) {
         source.floats = linear;
     } else {

@@ -47,6 +47,6 @@ std::vector<NamedScene> allTestScenes();
 std::shared_ptr<const MeshData> bumpySphere(int rings, int segments, bool withColors);
 
 /// A small image with distinct texels; `floats` picks ImageF instead of Image8.
-ImageSource checkerImage(int width, int height, bool floats);
+SceneImage checkerImage(int width, int height, bool floats);
 
 }  // namespace glint::test

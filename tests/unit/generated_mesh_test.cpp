@@ -15,11 +15,7 @@ using Key = std::array<float, 3>;
 Key key(const Vec3& p) { return {p.x + 0.0f, p.y + 0.0f, p.z + 0.0f}; }
 
 std::shared_ptr<const MeshData> make(std::string_view generator, uint32_t triangles, uint32_t seed = 0) {
-    MeshSource source;
-    source.generator = generator;
-    source.triangles = triangles;
-    source.seed = seed;
-    auto mesh = generateMesh(source);
+    auto mesh = generateMesh({std::string(generator), triangles, seed});
     EXPECT_TRUE(mesh.ok());
     return mesh.value();
 }
@@ -114,17 +110,11 @@ TEST(GeneratedMesh, DependsOnNothingButItsSource) {
 }
 
 TEST(GeneratedMesh, RefusesUnknownGeneratorsAndCountsOutOfRange) {
-    MeshSource source;
-    source.generator = "torus-knto";
-    source.triangles = 1000;
-    auto mesh = generateMesh(source);
+    auto mesh = generateMesh({"torus-knto", 1000});
     ASSERT_FALSE(mesh.ok());
     EXPECT_THAT(mesh.error().message, testing::HasSubstr("torus-knot"));
-    source.generator = "cube";
-    source.triangles = 3;
-    EXPECT_FALSE(generateMesh(source).ok());
-    source.triangles = 4'000'000'000u;
-    EXPECT_FALSE(generateMesh(source).ok());
+    EXPECT_FALSE(generateMesh({"cube", 3}).ok());
+    EXPECT_FALSE(generateMesh({"cube", 4'000'000'000u}).ok());
 }
 
 }  // namespace

@@ -19,10 +19,10 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-ObjScene load(const TempFolder& folder, const std::string& text) {
-    Result<ObjScene> scene = loadObj(folder.write("in.obj", text));
+MeshFile load(const TempFolder& folder, const std::string& text) {
+    Result<MeshFile> scene = loadObj(folder.write("in.obj", text));
     EXPECT_TRUE(scene) << scene.error().format();
-    return scene ? std::move(scene).value() : ObjScene{};
+    return scene ? std::move(scene).value() : MeshFile{};
 }
 
 float area(const MeshData& mesh) {
@@ -39,7 +39,7 @@ constexpr const char* kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 TEST(ObjLoader, PlainTriangleHasOnlyPositions) {
     const TempFolder folder;
-    const ObjScene scene = load(folder, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const MeshFile scene = load(folder, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     ASSERT_EQ(scene.parts.size(), 1u);
     const MeshData& mesh = *scene.parts[0].mesh;
     EXPECT_THAT(mesh.positions, ElementsAre(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)));
@@ -64,7 +64,7 @@ TEST(ObjLoader, OddButValidText) {
         "v 0 0 1e-50\nv 1 0 0 1\nv 0 1 0 1.0\ns off\ng\nf 1 2 3\n",             // underflow, w, smoothing
     };
     for (const char* text : forms) {
-        const ObjScene scene = load(folder, text);
+        const MeshFile scene = load(folder, text);
         ASSERT_EQ(scene.parts.size(), 1u) << text;
         EXPECT_THAT(scene.parts[0].mesh->positions, ElementsAre(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)))
             << text;
@@ -74,7 +74,7 @@ TEST(ObjLoader, OddButValidText) {
 
 TEST(ObjLoader, CornersOfAllFormsAreJoinedByAllThreeNumbers) {
     const TempFolder folder;
-    const ObjScene scene =
+    const MeshFile scene =
         load(folder, std::string(kSquare) +
                          "vt 0.25 0.75\nvt 1 1 0\nvn 0 0 2\nvn 1 0 0\n"
                          "f 1/1/1 2/1/1 3/1/1\nf 1/1/1 3/1/1 4/2/1\nf 1 2/1 3//2\nf 1/-2/-2 2/1/1 4/2/1\n");
@@ -92,16 +92,16 @@ TEST(ObjLoader, CornersOfAllFormsAreJoinedByAllThreeNumbers) {
 
 TEST(ObjLoader, VertexColors) {
     const TempFolder folder;
-    const ObjScene scene = load(folder, "v 0 0 0\nv 1 0 0 1 0.5 0\nv 0 1 0\nf 1 2 3\n");
+    const MeshFile scene = load(folder, "v 0 0 0\nv 1 0 0 1 0.5 0\nv 0 1 0\nf 1 2 3\n");
     EXPECT_THAT(scene.parts[0].mesh->colors, ElementsAre(Vec3(1), Vec3(1, 0.5f, 0), Vec3(1)));
 }
 
 TEST(ObjLoader, PolygonsKeepTheirArea) {
     const TempFolder folder;
-    const ObjScene quad = load(folder, std::string(kSquare) + "f 1 2 3 4\n");
+    const MeshFile quad = load(folder, std::string(kSquare) + "f 1 2 3 4\n");
     EXPECT_EQ(quad.parts[0].mesh->triangleCount(), 2u);
     EXPECT_FLOAT_EQ(area(*quad.parts[0].mesh), 1.0f);
-    const ObjScene concave =
+    const MeshFile concave =
         load(folder,
              "v 0 0 0\nv 0 0 6\nv 0 4 6\nv 0 4 4\nv 0 2 4\nv 0 2 2\nv 0 4 2\nv 0 4 0\nf 1 2 3 4 5 6 7 8\n");
     EXPECT_EQ(concave.parts[0].mesh->triangleCount(), 6u);
@@ -113,7 +113,7 @@ TEST(ObjLoader, PartsAreRunsOfOneMaterial) {
     folder.write(
         "m.mtl",
         "newmtl red\nKd 1 0 0\nnewmtl unused\nKd 0 0 1\nmap_Kd no_such.png\nnewmtl two words\nKd 0 1 0\n");
-    const ObjScene scene =
+    const MeshFile scene =
         load(folder, std::string("mtllib m.mtl\n") + kSquare +
                          "g first\nusemtl red\nf 1 2 3\ng second\nf 1 3 4\nusemtl two words\no third\n"
                          "f 1 2 4\nusemtl unused\nusemtl red\nf 2 3 4\n");
@@ -134,7 +134,7 @@ TEST(ObjLoader, PartsAreRunsOfOneMaterial) {
 
 TEST(ObjLoader, JoinedPartsFillWhatSomeLack) {
     const TempFolder folder;
-    const ObjScene scene =
+    const MeshFile scene =
         load(folder, std::string(kSquare) + "vn 0 0 1\nf 1 2 3\nusemtl a\nf 1//1 3//1 4//1\n");
     ASSERT_EQ(scene.parts.size(), 2u);
     EXPECT_TRUE(scene.parts[0].mesh->normals.empty());
@@ -147,7 +147,7 @@ TEST(ObjLoader, JoinedPartsFillWhatSomeLack) {
 TEST(ObjLoader, WhatIsMissingIsReportedAndReplaced) {
     const TempFolder folder;
     folder.write("m.mtl", "newmtl wood\nKd 0.1 0.2 0.3\nmap_Kd planks.png\nmap_Bump bumps.png\n");
-    const ObjScene scene =
+    const MeshFile scene =
         load(folder, std::string("mtllib m.mtl\nmtllib none.mtl\n") + kSquare +
                          "usemtl wood\nf 1 2 3\nusemtl wod\nf 1 3 4\nl 1 2\nl 2 3\nwhatever 1\n");
     EXPECT_THAT(scene.warnings, Contains(HasSubstr("none.mtl\" is missing")));
@@ -168,13 +168,13 @@ TEST(ObjLoader, TexturesAreNamedOnceWithTheirScaleAndNotRead) {
     folder.write(
         "m.mtl",
         "newmtl a\nmap_Kd a b.png\nnewmtl b\nmap_Kd .\\a b.png\nnewmtl c\nmap_Kd -s 2 3 1 a b.png\n");
-    const ObjScene scene =
+    const MeshFile scene =
         load(folder, std::string("mtllib m.mtl\n") + kSquare +
                          "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl c\nf 1 2 3\nusemtl a\nf 1 2 3\n");
     ASSERT_EQ(scene.materials.size(), 3u);
     EXPECT_EQ(scene.materials[0].color.texture, 0);
     EXPECT_EQ(scene.textures[0].encoding, ColorEncoding::Srgb);
-    EXPECT_EQ(scene.textures[0].image.path, folder.path("a b.png"));
+    EXPECT_EQ(pathOf(scene.textures[0].image.source), folder.path("a b.png"));
     EXPECT_FALSE(scene.textures[0].image.isRead());
     EXPECT_EQ(scene.textures.back().scale, Vec2(2, 3));
     EXPECT_THAT(scene.warnings, IsEmpty());
@@ -184,7 +184,7 @@ TEST(ObjLoader, TexturesAreNamedOnceWithTheirScaleAndNotRead) {
 Material materialOf(const std::string& lines) {
     const TempFolder folder;
     folder.write("m.mtl", "newmtl it\n" + lines);
-    const ObjScene scene = load(folder, std::string("mtllib m.mtl\n") + kSquare + "usemtl it\nf 1 2 3\n");
+    const MeshFile scene = load(folder, std::string("mtllib m.mtl\n") + kSquare + "usemtl it\nf 1 2 3\n");
     return scene.materials.empty() ? Material{} : scene.materials[0];
 }
 
@@ -232,9 +232,9 @@ size_t trianglesIn(const std::filesystem::path& folder) {
     size_t sum = 0;
     const auto begin = std::chrono::steady_clock::now();
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        const Result<ObjScene> scene = loadObj(entry.path().string());
+        const Result<MeshFile> scene = loadObj(entry.path().string());
         EXPECT_TRUE(scene) << scene.error().format();
-        for (const ObjPart& part : scene ? scene->parts : std::vector<ObjPart>{}) {
+        for (const MeshPart& part : scene ? scene->parts : std::vector<MeshPart>{}) {
             sum += part.mesh->triangleCount();
         }
     }
@@ -269,7 +269,7 @@ TEST(ObjLoader, HalfAMillionTrianglesAreTimed) {
     const TempFolder folder;
     const std::string path = folder.write("large.obj", text);
     const auto begin = std::chrono::steady_clock::now();
-    const Result<ObjScene> scene = loadObj(path);
+    const Result<MeshFile> scene = loadObj(path);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
     ASSERT_TRUE(scene) << scene.error().format();
     EXPECT_EQ(scene->parts[0].mesh->triangleCount(), 500000u);

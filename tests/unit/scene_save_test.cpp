@@ -32,7 +32,7 @@ void expectSame(const MeshData& a, const MeshData& b) {
     EXPECT_TRUE(sameArray(a.indices, b.indices));
 }
 
-void expectSame(const ImageSource& a, const ImageSource& b) {
+void expectSame(const SceneImage& a, const SceneImage& b) {
     ASSERT_EQ(a.bytes != nullptr, b.bytes != nullptr);
     ASSERT_EQ(a.floats != nullptr, b.floats != nullptr);
     if (a.bytes) { EXPECT_TRUE(sameArray(a.bytes->rgb, b.bytes->rgb)); }
@@ -215,8 +215,8 @@ SceneDescription sceneWithEverything() {
     scene.lights[1].coneAngleDeg = 33.3f;
     scene.environment = {.color = {0.3f, 0.2f, 0.1f}, .strength = 0.7f, .image = 0, .rotationDeg = 12.3f};
     scene.environmentImages.resize(1);
-    scene.environmentImages[0].sky = SkySource{.sunElevationDeg = 12.5f, .width = 32};
-    scene.environmentImages[0].floats = generateSky(*scene.environmentImages[0].sky);
+    const SkySource sky{.sunElevationDeg = 12.5f, .width = 32};
+    scene.environmentImages[0] = {.source = sky, .floats = generateSky(sky)};
     return scene;
 }
 

@@ -219,31 +219,31 @@ TEST_F(UsedAssets, SavingKeepsWhatWasNotRead) {
     const SceneDescription saved = load(folder.path("below/saved.json"));
     ASSERT_EQ(saved.textures.size(), scene.textures.size());
     ASSERT_EQ(saved.meshes.size(), scene.meshes.size());
-    EXPECT_EQ(saved.textures[2].image.path, "../broken.png");
+    EXPECT_EQ(pathOf(saved.textures[2].image.source), "../broken.png");
     EXPECT_EQ(saved.materials[1].color.texture, 2);
-    EXPECT_EQ(saved.meshes[2].source.path, "../broken.ply");
-    EXPECT_EQ(saved.meshes[3].source.triangles, 50000u);
-    EXPECT_EQ(saved.environmentImages.at(0).path, "../broken.exr");
+    EXPECT_EQ(pathOf(saved.meshes[2].source), "../broken.ply");
+    EXPECT_EQ(std::get<MeshGenerator>(saved.meshes[3].source).triangles, 50000u);
+    EXPECT_EQ(pathOf(saved.environmentImages.at(0).source), "../broken.exr");
     EXPECT_EQ(sceneHash(saved), sceneHash(scene));
 }
 
 /// The textures of an OBJ file are found from the scene's folder, wherever it is saved.
 TEST_F(UsedAssets, ASavedObjSceneFindsItsTextures) {
     const SceneDescription scene = load(folder.path("room.obj"));
-    EXPECT_EQ(scene.textures.at(0).image.path, "wall.png");
-    EXPECT_EQ(load(std::filesystem::relative(folder.path("room.obj")).string()).textures.at(0).image.path,
-              "wall.png");
+    EXPECT_EQ(pathOf(scene.textures.at(0).image.source), "wall.png");
+    const SceneDescription relative = load(std::filesystem::relative(folder.path("room.obj")).string());
+    EXPECT_EQ(pathOf(relative.textures.at(0).image.source), "wall.png");
     std::filesystem::create_directory(folder.path("below"));
     ASSERT_TRUE(saveSceneJson(scene, folder.path("below/saved.json")).ok());
     LoadCounts counts;
     const SceneDescription saved = load(folder.path("below/saved.json"), &counts);
-    EXPECT_EQ(saved.textures.at(0).image.path, "../wall.png");
+    EXPECT_EQ(pathOf(saved.textures.at(0).image.source), "../wall.png");
     EXPECT_EQ(counts.imageFiles, 1u);
     EXPECT_EQ(sceneHash(saved), sceneHash(scene));
     const SceneDescription outer =
         loadText("below/outer.json",
                  R"({"glint": 1, "objects": [{"type": "mesh", "mesh": {"file": "../room.obj"}}]})");
-    EXPECT_EQ(outer.textures.at(0).image.path, "../wall.png");
+    EXPECT_EQ(pathOf(outer.textures.at(0).image.source), "../wall.png");
     EXPECT_TRUE(outer.textures[0].image.isRead());
 }
 
@@ -268,7 +268,7 @@ TEST_F(UsedAssets, AnEditReadsWhatItUses) {
     draft.materials[0].color.texture = 0;  // the same file
     const CompletedScene again = completeScene(draft);
     EXPECT_EQ(again.scene.textures[0].image.bytes, draft.textures[1].image.bytes);
-    EXPECT_EQ(again.scene.textures[0].image.path, "wall.png");
+    EXPECT_EQ(pathOf(again.scene.textures[0].image.source), "wall.png");
 
     // As if it had been so from the beginning.
     ASSERT_TRUE(saveSceneJson(again.scene, folder.path("edited.json")).ok());

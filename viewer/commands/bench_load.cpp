@@ -66,9 +66,7 @@ Result<LoadFigures> measureFile(const std::string& path, int threads) {
 }
 
 Result<LoadFigures> writeAndMeasure(const BenchOptions& options) {
-    MeshSource source;
-    source.generator = "blob";
-    source.triangles = options.triangles;
+    const MeshGenerator source{.name = "blob", .triangles = options.triangles};
     const auto mesh = generateMesh(source);
     if (!mesh) { return mesh.error(); }
     std::error_code problem;

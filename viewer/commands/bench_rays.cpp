@@ -172,10 +172,7 @@ uint64_t BenchRaysReport::disagreementCount() const {
 }
 
 Result<BenchRaysReport> measureRays(const BenchRaysOptions& options) {
-    MeshSource source;
-    source.generator = options.generator;
-    source.triangles = options.triangles;
-    source.seed = options.seed;
+    const MeshGenerator source{.name = options.generator, .triangles = options.triangles, .seed = options.seed};
     auto data = generateMesh(source);
     if (!data) { return data.error(); }
 

@@ -92,10 +92,7 @@ std::shared_ptr<SceneDescription> benchGlassAndMirror(int width, int height) {
 }
 
 Result<std::shared_ptr<SceneDescription>> benchMesh(uint32_t triangles, int width, int height) {
-    MeshSource source;
-    source.generator = "blob";
-    source.triangles = triangles;
-    source.seed = 1;
+    const MeshGenerator source{.name = "blob", .triangles = triangles, .seed = 1};
     auto mesh = generateMesh(source);
     if (!mesh) { return mesh.error(); }
     auto scene = std::make_shared<SceneDescription>();

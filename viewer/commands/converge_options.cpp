@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "engine/io/importer.h"
 #include "viewer/commands/json_output.h"
 #include "viewer/commands/option_checks.h"
 #include "viewer/commands/render_options.h"
@@ -112,9 +113,7 @@ void addSceneOptions(CLI::App& command, ConvergeOptions* o) {
 }  // namespace
 
 void addConvergeOptions(CLI::App& command, ConvergeOptions* o) {
-    command.add_option("scene", o->scene, "The scene: Glint JSON, 6.837 text, OBJ or PLY")
-        ->required()
-        ->type_name("SCENE");
+    command.add_option("scene", o->scene, "The scene: " + listImporters())->required()->type_name("SCENE");
     command.add_option("-o,--out", o->out, "The folder for everything that is written")
         ->required()
         ->type_name("DIR");

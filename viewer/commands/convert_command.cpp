@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "engine/base/log.h"
+#include "engine/io/file_path.h"
 #include "engine/io/scene_json.h"
 #include "engine/io/scene_loader.h"
 #include "viewer/commands/commands.h"
@@ -17,7 +18,7 @@ struct ConvertOptions {
 };
 
 int runConvert(const ConvertOptions& options) {
-    if (!options.out.ends_with(".json")) {
+    if (!hasExtension(options.out, ".json")) {
         return reportError({fmt::format("'{}': expected a name that ends in .json", options.out), {}},
                            kExitBadInput);
     }

@@ -56,7 +56,7 @@ struct LoadedImage {
 };
 
 Result<LoadedImage> loadRgbImage(const std::string& path) {
-    const Result<ImageSource> image = loadImage(path);
+    const Result<SceneImage> image = loadImage(path);
     if (!image) { return image.error(); }
     return LoadedImage{linearColors(*image), image->bytes != nullptr};
 }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "engine/base/log.h"
+#include "engine/io/image_formats.h"
 #include "engine/io/scene_loader.h"
 #include "viewer/commands/commands.h"
 #include "viewer/commands/output_files.h"
@@ -25,12 +26,12 @@ Status checkOutputs(const RenderCommandOptions& o) {
     if (o.output.empty()) {
         return Error{"no picture is named; expected -o OUT.png, OUT.exr or OUT.hdr", {}};
     }
-    const size_t dot = o.output.rfind('.');
-    const std::string extension = dot == std::string::npos ? "" : o.output.substr(dot);
-    if (extension != ".png" && extension != ".exr" && extension != ".hdr") {
-        return Error{fmt::format("-o {}: expected a name that ends in .png, .exr or .hdr", o.output), {}};
+    const ImageFormat* format = savedFormatOf(o.output);
+    if (format == nullptr) {
+        return Error{fmt::format("-o {}: expected a name that ends in {}", o.output, listSavedExtensions()),
+                     {}};
     }
-    if (!o.aovs.empty() && extension != ".exr") {
+    if (!o.aovs.empty() && !format->hasLayers) {
         return Error{
             fmt::format("--aov needs a picture with layers; expected -o OUT.exr instead of {}", o.output),
             {}};

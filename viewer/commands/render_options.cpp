@@ -10,6 +10,8 @@
 
 #include "engine/base/nearest_name.h"
 #include "engine/builders/scene_validation.h"
+#include "engine/io/image_formats.h"
+#include "engine/io/importer.h"
 #include "viewer/commands/json_output.h"
 #include "viewer/commands/option_checks.h"
 
@@ -116,7 +118,7 @@ void addPhotonOptions(CLI::App& command, RenderCommandOptions* o) {
 
 void addImageOptions(CLI::App& command, RenderCommandOptions* o) {
     const std::string group = "The picture";
-    command.add_option("-o,--output", o->output, "Picture to write: .png, .exr or .hdr")
+    command.add_option("-o,--output", o->output, "Picture to write: " + listSavedExtensions())
         ->type_name("OUT")
         ->group(group);
     command.add_option("--exposure", o->exposure, "PNG: exposure in stops")
@@ -228,9 +230,7 @@ std::string sceneOptionsAsWritten(const CLI::App& command) {
 }
 
 void addRenderOptions(CLI::App& command, RenderCommandOptions* o) {
-    command.add_option("scene", o->scene, "The scene: Glint JSON, 6.837 text, OBJ or PLY")
-        ->required()
-        ->type_name("SCENE");
+    command.add_option("scene", o->scene, "The scene: " + listImporters())->required()->type_name("SCENE");
     addImageOptions(command, o);
     addLimits(command, o);
     addSettings(command, o);

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "engine/builders/light_table.h"
-#include "engine/io/image_io.h"
+#include "engine/io/image_decoder.h"
 #include "engine/io/used_assets.h"
 #include "engine/render/cpu_variants.h"
 #include "engine/render/sppm_kernel.h"
@@ -130,8 +130,10 @@ std::vector<NotRead> listWhatIsNotRead(const SceneDescription& scene) {
             item.name = isTexture ? scene.textures[asset.index].name : item.file;
             item.why = isTexture ? "no object uses it" : "the environment does not shine with it";
             item.memoryBytes = statedPixelBytes(resolved);
-            if (!isTexture && scene.environmentImages[asset.index].sky) {
-                const auto width = static_cast<uint64_t>(scene.environmentImages[asset.index].sky->width);
+            const SkySource* sky =
+                isTexture ? nullptr : std::get_if<SkySource>(&scene.environmentImages[asset.index].source);
+            if (sky != nullptr) {
+                const auto width = static_cast<uint64_t>(sky->width);
                 item.name = "sky";
                 item.memoryBytes = width * (width / 2) * 3 * sizeof(float);
             }

@@ -8,6 +8,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "engine/io/file_path.h"
+#include "engine/io/image_formats.h"
 #include "engine/io/scene_loader.h"
 #include "viewer/commands/commands.h"
 #include "viewer/commands/option_checks.h"
@@ -67,7 +69,7 @@ Result<ViewerOptions> viewerOptions(const ViewCommandOptions& o) {
     if (!o.headless && (!o.screenshot.empty() || !o.output.empty())) {
         return Error{"--screenshot and --output need --headless", {}};
     }
-    if (!o.screenshot.empty() && !o.screenshot.ends_with(".png")) {
+    if (!o.screenshot.empty() && !hasExtension(o.screenshot, ".png")) {
         return Error{fmt::format("--screenshot {}: expected a name that ends in .png", o.screenshot), {}};
     }
     const Status writable =
@@ -153,7 +155,8 @@ void addViewCommand(CLI::App& app, int* exitCode) {
         ->check(CLI::Range(0.5, 4.0));
     command->add_option("--passes", options->passes, "Stop after so many passes; headless 64 by default");
     command->add_option("--screenshot", options->screenshot, "PNG of the whole window at the end (headless)");
-    command->add_option("--output", options->output, "The picture at the end: .png, .exr or .hdr (headless)");
+    command->add_option("--output", options->output,
+                        "The picture at the end (headless): " + listSavedExtensions());
     command->add_option("--script", options->script, "Play input from a file");
     command->add_option("--json", options->json, "Frame times to a file, or - for standard output")
         ->check(writableFile());

@@ -24,7 +24,7 @@ void drawEnvironment(ViewerModel* model) {
     if (!scene->environmentImages.empty()) {
         std::vector<std::string> names{"none"};
         for (size_t i = 0; i < scene->environmentImages.size(); ++i) {
-            const std::string& path = scene->environmentImages[i].path;
+            const std::string path = pathOf(scene->environmentImages[i].source);
             names.push_back(path.empty() ? fmt::format("image {}", i) : path);
         }
         const std::vector<std::string_view> views(names.begin(), names.end());

@@ -58,9 +58,10 @@ void drawTexture(ViewerModel* model, Material* material) {
     std::vector<std::string> names{"none"};
     for (size_t i = 0; i < scene.textures.size(); ++i) {
         const Texture& texture = scene.textures[i];
-        names.push_back(!texture.name.empty()         ? texture.name
-                        : !texture.image.path.empty() ? texture.image.path
-                                                      : fmt::format("texture {}", i));
+        const std::string path = pathOf(texture.image.source);
+        names.push_back(!texture.name.empty() ? texture.name
+                        : !path.empty()       ? path
+                                              : fmt::format("texture {}", i));
     }
     const std::vector<std::string_view> views(names.begin(), names.end());
     int index = material->color.texture + 1;

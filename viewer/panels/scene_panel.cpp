@@ -1,6 +1,7 @@
 // Which scene is open, opening another, and what went wrong with that.
 #include <imgui.h>
 
+#include "engine/io/importer.h"
 #include "viewer/panels/error_box.h"
 #include "viewer/panels/panels.h"
 #include "viewer/window/theme.h"
@@ -11,8 +12,8 @@ namespace glint {
 void drawScenePanel(ViewerModel* model) {
     if (!ui::section("Scene", true)) { return; }
     ImGui::PushID("scene");
-    const bool entered = ui::text("File", &model->files.scene, "scene.json, .txt, .obj, .ply",
-                                  "A scene to open: Glint JSON, a text scene, OBJ or PLY. Enter opens it.");
+    static const std::string help = "A scene to open: " + listImporters() + ". Enter opens it.";
+    const bool entered = ui::text("File", &model->files.scene, "scene.json, .txt, .obj, .ply", help.c_str());
     const char* action = model->opening() ? "Opening…" : "Open";
     if ((ui::button(action, ui::buttonWidth(1)) || entered) && !model->opening()) {
         model->open(model->files.scene);

@@ -1,10 +1,6 @@
 // The model's saves and loads. Each takes the film exactly, in the background, and reports to the panel and
 // the log.
-#include <algorithm>
-#include <array>
-#include <cctype>
 #include <chrono>
-#include <filesystem>
 #include <future>
 #include <utility>
 
@@ -12,7 +8,9 @@
 
 #include "engine/base/log.h"
 #include "engine/io/atomic_file.h"
-#include "engine/io/image_io.h"
+#include "engine/io/file_kind.h"
+#include "engine/io/image_formats.h"
+#include "engine/io/importer.h"
 #include "engine/io/scene_json.h"
 #include "engine/render/checkpoint.h"
 #include "engine/render/image_file.h"
@@ -33,12 +31,12 @@ std::string replayLine(const std::string& scene, const FaultRecord& fault) {
     return fmt::format("glint render \"{}\" --pixel {},{} --pass {}", scene, fault.x, fault.y, fault.pass);
 }
 
+/// Whatever looks like a scene is one, also where its name says otherwise.
 bool isImage(const std::string& path) {
-    static constexpr std::array<std::string_view, 8> kEndings{".exr", ".hdr",  ".pic", ".png",
-                                                              ".jpg", ".jpeg", ".bmp", ".tga"};
-    std::string ending = std::filesystem::path(path).extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-    return std::ranges::find(kEndings, ending) != kEndings.end();
+    const std::string head = readHead(path);
+    const Importer* importer = importerOf(path, head);
+    const bool isScene = importer != nullptr && importer->looksLike(head);
+    return !isScene && imageFormatOf(path, head) != nullptr;
 }
 
 double secondsNow() {
@@ -180,7 +178,7 @@ void ViewerModel::takeDroppedFile(const std::string& path) {
     if (isImage(path)) {
         files.reference = path;
         reference.load(path);
-    } else if (posted_ && path.ends_with(".glintfilm")) {
+    } else if (posted_ && hasExtension(path, ".glintfilm")) {
         files.checkpoint = path;
         resumeCheckpoint();
     } else {

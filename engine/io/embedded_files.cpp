@@ -1,0 +1,81 @@
+#include "engine/io/embedded_files.h"
+
+#include <filesystem>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "engine/io/atomic_file.h"
+#include "engine/io/file_path.h"
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr size_t kMostNameBytes = 100;
+
+/// A name from a foreign file as one that stays in the scene's folder.
+std::string harmlessName(const std::string& name) {
+    std::string out;
+    for (const char c : fs::path(name).filename().string().substr(0, kMostNameBytes)) {
+        out += static_cast<unsigned char>(c) < ' ' || c == '\\' || c == ':' ? '_' : c;
+    }
+    return out.find_first_not_of('.') == std::string::npos ? "embedded" : out;
+}
+
+class EmbeddedWriter {
+  public:
+    EmbeddedWriter(std::string scenePath, std::string pathsCountFrom)
+        : scenePath_(std::move(scenePath)), pathsCountFrom_(std::move(pathsCountFrom)) {}
+
+    template <class Generator>
+    void write(AssetSource<Generator>* source) {
+        const auto* embedded = std::get_if<EmbeddedFile>(source);
+        if (embedded == nullptr || !status) { return; }
+        std::string& path = written_[embedded->bytes.get()];
+        if (path.empty()) { path = writeOne(*embedded); }
+        *source = FileSource{rebasePath(path, scenePath_, pathsCountFrom_)};
+    }
+
+    Status status;
+
+  private:
+    std::string writeOne(const EmbeddedFile& file) {
+        const fs::path wanted(harmlessName(file.name));
+        for (int number = 1;; ++number) {
+            const std::string name = number == 1 ? wanted.string()
+                                                 : fmt::format("{}-{}{}", wanted.stem().string(), number,
+                                                               wanted.extension().string());
+            const std::string path = resolvePath(name, scenePath_);
+            if (!fileExists(path)) {
+                status = writeFileAtomically(path, *file.bytes);
+                return name;
+            }
+            const Result<std::string> there = readFile(path);
+            if (there && *there == *file.bytes) { return name; }
+        }
+    }
+
+    std::string scenePath_;
+    std::string pathsCountFrom_;
+    std::map<const std::string*, std::string> written_;
+};
+
+}  // namespace
+
+Status writeEmbeddedFiles(SceneDescription* scene, const std::string& scenePath) {
+    EmbeddedWriter writer(scenePath, scene->path);
+    for (Texture& texture : scene->textures) {
+        writer.write(&texture.image.source);
+    }
+    for (SceneImage& image : scene->environmentImages) {
+        writer.write(&image.source);
+    }
+    for (Mesh& mesh : scene->meshes) {
+        writer.write(&mesh.source);
+    }
+    return writer.status;
+}
+
+}  // namespace glint

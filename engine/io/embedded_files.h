@@ -1,0 +1,17 @@
+// Writes the files that a scene holds in memory (EmbeddedFile) beside the scene that is saved: Glint JSON
+// names its images and mesh files, so that a saved scene loses none.
+#pragma once
+
+#include <string>
+
+#include "engine/base/result.h"
+#include "engine/scene/scene.h"
+
+namespace glint {
+
+/// Each embedded file of `scene` is written to the folder of `scenePath` under its own name, and becomes a
+/// FileSource. A file of that name that holds the same bytes is used as it is, one that holds others is kept,
+/// and the new one gets a number: "wood.png", "wood-2.png". Error: a file cannot be written.
+Status writeEmbeddedFiles(SceneDescription* scene, const std::string& scenePath);
+
+}  // namespace glint

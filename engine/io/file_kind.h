@@ -1,0 +1,48 @@
+// Tells kinds of files apart by their names and first bytes, for any table of kinds.
+//
+// A kind has `extensions` (as hasExtension() takes them) and `looksLike`, which is asked about a file's first
+// bytes. A table is a span of kinds.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "engine/io/file_path.h"
+
+namespace glint {
+
+/// As many of a file's first bytes as kinds are asked about.
+constexpr size_t kHeadBytes = 4096;
+
+/// The first bytes of a regular file; empty where there is none or it cannot be read.
+std::string readHead(const std::string& path, size_t bytes = kHeadBytes);
+
+/// The same of a file in memory.
+inline std::string_view headOf(std::string_view bytes) { return bytes.substr(0, kHeadBytes); }
+
+/// What is left of a text file's first bytes behind a byte order mark and blanks.
+std::string_view firstText(std::string_view head);
+
+/// The kind that the file's name says; null: none.
+template <class Kind>
+const Kind* kindByName(std::span<const Kind> kinds, const std::string& path) {
+    for (const Kind& kind : kinds) {
+        if (hasExtension(path, kind.extensions)) { return &kind; }
+    }
+    return nullptr;
+}
+
+/// The kind that the name says and the bytes do not contradict. Else the first kind of the table that they
+/// look like; else what the name says, whose reader tells what is wrong; null: neither says anything.
+template <class Kind>
+const Kind* kindOf(std::span<const Kind> kinds, const std::string& path, std::string_view head) {
+    const Kind* named = kindByName(kinds, path);
+    if (named != nullptr && named->looksLike(head)) { return named; }
+    for (const Kind& kind : kinds) {
+        if (kind.looksLike(head)) { return &kind; }
+    }
+    return named;
+}
+
+}  // namespace glint

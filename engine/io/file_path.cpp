@@ -1,0 +1,56 @@
+#include "engine/io/file_path.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path folderOf(const std::string& file) {
+    std::error_code code;
+    const fs::path absolute = fs::absolute(file, code);
+    return (code ? fs::path(file) : absolute).lexically_normal().parent_path();
+}
+
+}  // namespace
+
+std::string resolvePath(const std::string& path, const std::string& from) {
+    const fs::path given(path);
+    return given.is_absolute() ? path : (fs::path(from).parent_path() / given).string();
+}
+
+std::string rebasePath(const std::string& path, const std::string& from, const std::string& to) {
+    const fs::path given(path);
+    if (path.empty() || given.is_absolute()) { return path; }
+    const fs::path absolute = (folderOf(from) / given).lexically_normal();
+    const fs::path relative = absolute.lexically_relative(folderOf(to));
+    return relative.empty() ? absolute.string() : relative.string();
+}
+
+bool fileExists(const std::string& resolvedPath) {
+    std::error_code code;
+    const auto status = fs::status(resolvedPath, code);
+    return fs::exists(status) && !fs::is_directory(status);
+}
+
+std::string extensionOf(const std::string& path) {
+    std::string ending = fs::path(path).extension().string();
+    for (char& c : ending) {
+        c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    }
+    return ending;
+}
+
+bool hasExtension(const std::string& path, std::string_view extensions) {
+    const std::string wanted = extensionOf(path);
+    for (size_t at = 0; !wanted.empty() && at < extensions.size();) {
+        const size_t end = std::min(extensions.find(' ', at), extensions.size());
+        if (extensions.substr(at, end - at) == wanted) { return true; }
+        at = end + 1;
+    }
+    return false;
+}
+
+}  // namespace glint

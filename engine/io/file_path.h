@@ -1,0 +1,25 @@
+// Paths in scene files, and endings of names. Nothing here opens a file.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace glint {
+
+/// `path` as seen from the folder of the file `from`; absolute paths stay.
+std::string resolvePath(const std::string& path, const std::string& from);
+
+/// `path`, which is relative to the folder of `from`, made relative to the folder of `to`. Absolute paths
+/// stay, and so does a path that has no relative form.
+std::string rebasePath(const std::string& path, const std::string& from, const std::string& to);
+
+/// True when the resolved path names an existing file that is not a folder.
+bool fileExists(const std::string& resolvedPath);
+
+/// ".png" of "a/b.PNG": in lower case (ASCII), with the dot; empty where there is none.
+std::string extensionOf(const std::string& path);
+
+/// Whether the path ends in one of `extensions`, which are in lower case, with their dots, a blank apart.
+bool hasExtension(const std::string& path, std::string_view extensions);
+
+}  // namespace glint

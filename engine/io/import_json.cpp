@@ -1,0 +1,24 @@
+#include "engine/io/file_kind.h"
+#include "engine/io/importer.h"
+#include "engine/io/scene_json.h"
+#include "engine/io/text_source.h"
+
+namespace glint {
+namespace {
+
+bool looksLike(std::string_view head) {
+    const std::string_view text = firstText(head);
+    return text.starts_with("{") || text.starts_with("//") || text.starts_with("/*");
+}
+
+Result<SceneDescription> load(const std::string& path, const LoadOptions& options) {
+    auto source = readSceneFile(path);
+    return source ? readSceneJson(std::move(*source), options) : source.error();
+}
+
+}  // namespace
+
+extern const Importer kImportJson;
+const Importer kImportJson{"Glint JSON", ".json", looksLike, load};
+
+}  // namespace glint

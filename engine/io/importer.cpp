@@ -1,0 +1,43 @@
+#include "engine/io/importer.h"
+
+#include <fmt/format.h>
+
+#include "engine/base/nearest_name.h"
+#include "engine/io/file_kind.h"
+
+namespace glint {
+
+extern const Importer kImportJson, kImportText, kImportObj, kImportPly;
+
+std::span<const Importer> importers() {
+    static const Importer kAll[] = {kImportJson, kImportText, kImportObj, kImportPly};
+    return kAll;
+}
+
+const Importer* importerOf(const std::string& path, std::string_view head) {
+    return kindOf(importers(), path, head);
+}
+
+std::string listImporters(bool onlyMeshes) {
+    std::vector<std::string> kinds;
+    for (const Importer& importer : importers()) {
+        if (!onlyMeshes || importer.readMesh != nullptr) {
+            kinds.push_back(fmt::format("{} ({})", importer.name, importer.extensions));
+        }
+    }
+    return joinNames(std::vector<std::string_view>(kinds.begin(), kinds.end()));
+}
+
+Result<MeshFile> readMeshFile(const std::string& bytes, const std::string& path) {
+    const Importer* importer = importerOf(path, headOf(bytes));
+    if (importer != nullptr && importer->readMesh != nullptr) { return importer->readMesh(bytes, path); }
+    return Error{fmt::format("is not a mesh file Glint knows; expected {}", listImporters(true)),
+                 {.file = path}};
+}
+
+bool bringsMaterials(const std::string& path) {
+    const Importer* importer = kindByName(importers(), path);
+    return importer != nullptr && importer->readMaterials != nullptr;
+}
+
+}  // namespace glint

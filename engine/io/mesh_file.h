@@ -1,0 +1,39 @@
+// What a file of triangles holds, whatever its format: parts in file order, each with one material.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/scene/scene.h"
+
+namespace glint {
+
+/// Faces that follow each other and have one material.
+struct MeshPart {
+    std::string name;
+    std::string materialName;             ///< as the file calls it; empty: none in force
+    std::string materialPlace;            ///< `file:line` where it says so
+    int material = -1;                    ///< index into MeshFile::materials; -1: not resolved
+    std::shared_ptr<MeshData> mesh = {};  ///< never null; the reader's own until the scene is handed out
+};
+
+struct MeshFile {
+    std::vector<MeshPart> parts;         ///< in file order; never empty, each with at least one triangle
+    std::vector<std::string> libraries;  ///< files that hold its materials, as it names them
+    std::vector<Material> materials;     ///< those that parts use, in order of first use
+    /// What these materials use, not read; paths count from where the file's own path does.
+    std::vector<Texture> textures;
+    std::vector<std::string> warnings;  ///< `file:line: …`: what is missing or was left out
+};
+
+/// All parts as one mesh, in file order. Where only some parts have normals or uvs, the others get zeros.
+std::shared_ptr<MeshData> joinParts(const std::vector<MeshPart>& parts);
+
+/// Appends all parts as objects like `prototype`, with the file's own materials and textures, which are not
+/// read. `path` is as written in the scene; the textures' paths become relative to the scene's folder.
+void appendMeshFile(const MeshFile& file, const std::string& path, const Object& prototype,
+                    SceneDescription* scene);
+
+}  // namespace glint
