@@ -13,13 +13,10 @@
 #include "cuda/device_memory.h"
 #include "cuda/device_scene.h"
 #include "cuda/paced_launches.h"
+#include "engine/render/variant_choice.h"
 
 namespace glint {
 namespace {
-
-FeatureMask featuresOfPass(const PassParams& params) {
-    return params.sampler == SamplerKind::Independent ? FeatureMask{kFeatureIndependentSampler} : 0;
-}
 
 class CudaBackend final : public Backend {
   public:
@@ -27,8 +24,8 @@ class CudaBackend final : public Backend {
 
     std::string name() const override { return "CUDA, " + device_->name(); }
 
-    std::string kernelName() const override {
-        return scene_.empty() ? "" : chooseCudaVariant(features_).name;
+    std::string kernelName(SamplerKind sampler) const override {
+        return scene_.empty() ? "" : chooseVariant(cudaVariants(), features_, sampler).name;
     }
 
     Status setScene(std::shared_ptr<const BuiltScene> scene) override {
@@ -78,7 +75,7 @@ Result<bool> CudaBackend::render(const PassParams& params, const std::atomic<boo
                                  Kernel<ImageLaunch<Sample>> CudaVariant::*kernel, ChunkPacer* pacer,
                                  std::vector<Sample>* out) {
     if (Status s = prepare(params, sizeof(Sample)); !s) { return s.error(); }
-    const CudaVariant& variant = chooseCudaVariant(features_ | featuresOfPass(params));
+    const CudaVariant& variant = chooseVariant(cudaVariants(), features_, params.sampler);
     const ImageLaunch<Sample> launch{scene_.view(), params, image_.as<Sample>()};
     const uint32_t threads = threadsOfPass(params.width, params.height);
     const Result<bool> done = runPaced(*device_, variant.*kernel, launch, threads, stop, pacer);

@@ -13,6 +13,7 @@
 #include "engine/base/check.h"
 #include "engine/kernels/sppm_pass_steps.h"
 #include "engine/render/photon_store.h"
+#include "engine/render/variant_choice.h"
 
 namespace glint {
 namespace {
@@ -29,11 +30,6 @@ size_t pixelCountOf(const SppmParams& params) {
 std::string needsOf(const SppmParams& params) {
     return fmt::format("Photon mapping with {}x{} pixels and {} photons a pass needs", params.pass.width,
                        params.pass.height, params.photonsPerPass);
-}
-
-const CudaSppmVariant& variantOf(const SppmParams& params, FeatureMask features) {
-    const bool independent = params.pass.sampler == SamplerKind::Independent;
-    return chooseCudaSppmVariant(features | (independent ? FeatureMask{kFeatureIndependentSampler} : 0));
 }
 
 }  // namespace
@@ -65,7 +61,8 @@ Result<bool> CudaSppm::renderPass(const Scene& scene, const SppmParams& params, 
     if (Status s = uploadEmission(scene.host); !s) { return s.error(); }
     PowerDistributionView power = power_->view();
     power.cdf = powerCdf_.as<float>();
-    const Job job{scene.device, power, params, variantOf(params, scene.features), stop, image};
+    const CudaSppmVariant& variant = chooseVariant(cudaSppmVariants(), scene.features, params.pass.sampler);
+    const Job job{scene.device, power, params, variant, stop, image};
     if (Status s =
             device_.upload(statistics_.data(), state->pixels.data(), job.pixelCount() * sizeof(SppmPixel));
         !s) {

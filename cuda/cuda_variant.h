@@ -22,7 +22,4 @@ struct CudaVariant {
 /// All variants from the smallest to the full one.
 std::span<const CudaVariant> cudaVariants();
 
-/// The first variant whose mask holds all of `needed`.
-const CudaVariant& chooseCudaVariant(FeatureMask needed);
-
 }  // namespace glint

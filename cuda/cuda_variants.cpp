@@ -15,12 +15,4 @@ std::span<const CudaVariant> cudaVariants() {
     return kVariants;
 }
 
-const CudaVariant& chooseCudaVariant(FeatureMask needed) {
-    const std::span<const CudaVariant> variants = cudaVariants();
-    for (const CudaVariant& candidate : variants) {
-        if ((needed & ~candidate.mask) == 0) { return candidate; }
-    }
-    return variants.back();
-}
-
 }  // namespace glint

@@ -36,7 +36,4 @@ extern const PhotonSteps kPhotonSteps;
 /// All variants from the smallest to the full one.
 std::span<const CudaSppmVariant> cudaSppmVariants();
 
-/// The first variant whose mask holds all of `needed`.
-const CudaSppmVariant& chooseCudaSppmVariant(FeatureMask needed);
-
 }  // namespace glint

@@ -14,12 +14,4 @@ std::span<const CudaSppmVariant> cudaSppmVariants() {
     return kVariants;
 }
 
-const CudaSppmVariant& chooseCudaSppmVariant(FeatureMask needed) {
-    const std::span<const CudaSppmVariant> variants = cudaSppmVariants();
-    for (const CudaSppmVariant& candidate : variants) {
-        if ((needed & ~candidate.mask) == 0) { return candidate; }
-    }
-    return variants.back();
-}
-
 }  // namespace glint

@@ -34,7 +34,6 @@ FeatureMask objectFeatures(const SceneDescription& scene, const Object& object) 
 
 FeatureMask scanFeatures(const SceneDescription& scene, const MaterialTable& materials) {
     FeatureMask mask = scene.camera.apertureDiameter > 0.0f ? kFeatureDepthOfField : 0u;
-    mask |= scene.options.sampler == SamplerKind::Independent ? kFeatureIndependentSampler : 0u;
     for (const Object& object : scene.objects) {
         mask |= objectFeatures(scene, object);
     }

@@ -27,7 +27,7 @@ class Backend {
     virtual Status setScene(std::shared_ptr<const BuiltScene> scene) = 0;
 
     /// The kernel variant that the present scene runs, for status lines; empty before setScene().
-    virtual std::string kernelName() const { return {}; }
+    virtual std::string kernelName(SamplerKind) const { return {}; }
 
     /// What passes have made the back end allocate and it still holds, on the host; the scene not included.
     virtual MemoryUse memory() const { return {}; }

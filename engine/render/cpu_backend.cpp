@@ -36,7 +36,9 @@ class CpuBackend final : public Backend {
         return {};
     }
 
-    std::string kernelName() const override { return scene_ ? chooseVariant(features()).name : ""; }
+    std::string kernelName(SamplerKind sampler) const override {
+        return scene_ ? chooseVariant(kernelVariants(), features(), sampler).name : "";
+    }
 
     MemoryUse memory() const override {
         MemoryUse use;
@@ -66,7 +68,7 @@ class CpuBackend final : public Backend {
     }
 
   private:
-    /// What the kernels have to do.
+    /// What the scene asks of the kernels.
     FeatureMask features() const { return choice_ == KernelChoice::Full ? kAllFeatures : scene_->features; }
 
     template <class Sample, class Tile>
@@ -80,9 +82,8 @@ class CpuBackend final : public Backend {
                 fmt::format("not enough memory for a picture of {}x{} pixels", params.width, params.height),
                 {}};
         }
-        FeatureMask needed = features();
-        if (params.sampler == SamplerKind::Independent) { needed |= kFeatureIndependentSampler; }
-        runTiles(scene_->view(), params, stop, out->data(), chooseVariant(needed).*tileOf);
+        const KernelVariant& variant = chooseVariant(kernelVariants(), features(), params.sampler);
+        runTiles(scene_->view(), params, stop, out->data(), variant.*tileOf);
         return !stop.load();
     }
 

@@ -33,11 +33,6 @@ struct CpuSppm::Job {
     uint64_t chunkCount() const { return (params.photonsPerPass + kPhotonsPerChunk - 1) / kPhotonsPerChunk; }
 };
 
-const SppmVariant& CpuSppm::variant(const SppmParams& params, FeatureMask features) const {
-    return chooseSppmVariant(
-        params.pass.sampler == SamplerKind::Independent ? features | kFeatureIndependentSampler : features);
-}
-
 bool CpuSppm::traceCamera(const Job& job, std::vector<PixelSample>* direct) {
     const int width = job.params.pass.width;
     const int height = job.params.pass.height;
@@ -152,7 +147,8 @@ Result<bool> CpuSppm::renderPass(const SceneView& view, FeatureMask features,
                                  const PowerDistributionView& power, const SppmParams& params,
                                  const std::atomic<bool>& stop, SppmState* state,
                                  std::vector<PixelSample>* direct) {
-    const Job job{view, power, params, variant(params, features), stop, state};
+    const SppmVariant& variant = chooseVariant(sppmVariants(), features, params.pass.sampler);
+    const Job job{view, power, params, variant, stop, state};
     using Clock = std::chrono::steady_clock;
     try {
         direct->resize(job.pixelCount());

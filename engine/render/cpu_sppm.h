@@ -37,7 +37,6 @@ class CpuSppm {
                             std::vector<PixelSample>* direct);
 
     const SppmPassStats& stats() const { return stats_; }
-    const SppmVariant& variant(const SppmParams& params, FeatureMask features) const;
     size_t visiblePointBytes() const { return pixels_.capacity() * sizeof(PassPixel); }
     size_t photonBytes() const { return photons_.bytes(); }
 

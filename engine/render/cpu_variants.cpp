@@ -25,12 +25,4 @@ std::span<const KernelVariant> kernelVariants() {
     return kVariants;
 }
 
-const KernelVariant& chooseVariant(FeatureMask needed) {
-    const std::span<const KernelVariant> variants = kernelVariants();
-    for (const KernelVariant& candidate : variants) {
-        if ((needed & ~candidate.mask) == 0) { return candidate; }
-    }
-    return variants.back();
-}
-
 }  // namespace glint

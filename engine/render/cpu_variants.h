@@ -10,6 +10,7 @@
 #include "engine/kernels/pass.h"
 #include "engine/kernels/scene_view.h"
 #include "engine/render/path_replay.h"
+#include "engine/render/variant_choice.h"
 
 namespace glint {
 
@@ -38,8 +39,5 @@ struct KernelVariant {
 
 /// All variants from the smallest to the full one.
 std::span<const KernelVariant> kernelVariants();
-
-/// The first variant whose mask holds all of `needed` (BuiltScene::features, and what the pass settings add).
-const KernelVariant& chooseVariant(FeatureMask needed);
 
 }  // namespace glint

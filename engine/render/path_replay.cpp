@@ -76,7 +76,7 @@ std::string formatEvent(const PathEvent& e) {
 }  // namespace
 
 PathReplay replayPath(const SceneView& view, FeatureMask features, const PassParams& params, int x, int y) {
-    return chooseVariant(features).replayPixel(view, params, x, y);
+    return chooseVariant(kernelVariants(), features, params.sampler).replayPixel(view, params, x, y);
 }
 
 std::string formatPathLog(const PathReplay& replay, const PassParams& params, int x, int y) {

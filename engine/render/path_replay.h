@@ -16,8 +16,8 @@ struct PathReplay {
     std::vector<PathEvent> events;
 };
 
-/// Pixel (x, y) must lie in the picture; params.pass says which sample. `features` as the CPU backend takes
-/// them (BuiltScene::features and what the settings add), so that the same kernel runs and every bit repeats.
+/// Pixel (x, y) must lie in the picture; params.pass says which sample. `features` are the scene's
+/// (BuiltScene::features), so that the back end's kernel runs and every bit repeats.
 PathReplay replayPath(const SceneView& view, FeatureMask features, const PassParams& params, int x, int y);
 
 /// One or two lines an event, and at the end the radiance with the reason it would be dropped, naming the

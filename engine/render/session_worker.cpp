@@ -143,7 +143,7 @@ bool SessionWorker::rebuild(const SceneEdit& edit) {
     }
     built_ = std::move(result).value();
     sceneMemory_ = memoryOf(*built_);
-    status_.kernel = backend_->kernelName();
+    status_.kernel = backend_->kernelName(edit.scene->options.sampler);
     status_.lastBuildSeconds = secondsSince(began);
     return true;
 }

@@ -56,7 +56,4 @@ SppmVariant sppmVariant(const char* name);
 /// All variants from the smallest to the full one.
 std::span<const SppmVariant> sppmVariants();
 
-/// The first variant whose mask holds all of `needed`.
-const SppmVariant& chooseSppmVariant(FeatureMask needed);
-
 }  // namespace glint

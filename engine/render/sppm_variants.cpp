@@ -19,12 +19,4 @@ std::span<const SppmVariant> sppmVariants() {
     return kVariants;
 }
 
-const SppmVariant& chooseSppmVariant(FeatureMask needed) {
-    const std::span<const SppmVariant> variants = sppmVariants();
-    for (const SppmVariant& candidate : variants) {
-        if ((needed & ~candidate.mask) == 0) { return candidate; }
-    }
-    return variants.back();
-}
-
 }  // namespace glint

@@ -45,7 +45,7 @@ size_t countDifferences(const std::vector<Sample>& a, const std::vector<Sample>&
 template <class Sample, class Tile>
 std::vector<Sample> cpuSamples(const BuiltScene& scene, const PassParams& params, FeatureMask mask,
                                Tile KernelVariant::*tileOf) {
-    const KernelVariant& variant = chooseVariant(mask);
+    const KernelVariant& variant = chooseVariant(kernelVariants(), mask, SamplerKind::Sobol);
     EXPECT_EQ(variant.mask, mask);
     std::vector<Sample> samples(static_cast<size_t>(params.width * params.height));
     (variant.*tileOf)(scene.view(), params, {0, 0, params.width, params.height}, samples.data());
@@ -59,9 +59,7 @@ TEST_P(CudaScenes, SamplesEqualTheCpusBitForBit) {
     description.resolution = {67, 45};  // no multiple of the launch's tiles
     const auto scene = build(description);
     PassParams params = passParamsOf(description);
-    const bool independent = params.sampler == SamplerKind::Independent;
-    const FeatureMask mask =
-        chooseCudaVariant(scene->features | (independent ? FeatureMask{kFeatureIndependentSampler} : 0)).mask;
+    const FeatureMask mask = chooseVariant(cudaVariants(), scene->features, params.sampler).mask;
     HostCuda cuda;
     ASSERT_TRUE(cuda.backend->setScene(scene));
 
@@ -89,8 +87,7 @@ INSTANTIATE_TEST_SUITE_P(All, CudaScenes, testing::ValuesIn(test::allTestScenes(
 TEST(CudaBackend, TheTestScenesNeedEveryFeature) {
     FeatureMask needed = 0;
     for (const test::NamedScene& scene : test::allTestScenes()) {
-        needed |= build(scene.scene)->features;
-        if (scene.scene.options.sampler == SamplerKind::Independent) { needed |= kFeatureIndependentSampler; }
+        needed |= neededFeatures(build(scene.scene)->features, scene.scene.options.sampler);
     }
     EXPECT_EQ(needed, kAllFeatures);
 }
@@ -103,7 +100,7 @@ TEST(CudaBackend, TheSmallestVariantRuns) {
     ASSERT_TRUE(cuda.backend->setScene(build(cornell)));
     ASSERT_TRUE(cuda.backend->renderPass(passParamsOf(cornell), stop, &out));
     EXPECT_EQ(cuda.control->lastVariant, "diffuse shapes");
-    EXPECT_EQ(cuda.backend->kernelName(), "diffuse shapes");
+    EXPECT_EQ(cuda.backend->kernelName(SamplerKind::Sobol), "diffuse shapes");
     // A setting of the pass can ask for more than the scene.
     PassParams independent = passParamsOf(cornell);
     independent.sampler = SamplerKind::Independent;
@@ -115,7 +112,7 @@ TEST(CudaBackend, EveryVariantHoldsTheOneBefore) {
     FeatureMask before = 0;
     for (const CudaVariant& variant : cudaVariants()) {
         EXPECT_EQ(before & ~variant.mask, 0u) << variant.name;
-        EXPECT_STREQ(chooseCudaVariant(variant.mask).name, variant.name);
+        EXPECT_STREQ(chooseVariant(cudaVariants(), variant.mask, SamplerKind::Sobol).name, variant.name);
         before = variant.mask;
     }
     EXPECT_EQ(before, kAllFeatures);

@@ -291,7 +291,7 @@ TEST(CudaSppm, EveryVariantHoldsTheOneBefore) {
     FeatureMask before = 0;
     for (const CudaSppmVariant& variant : cudaSppmVariants()) {
         EXPECT_EQ(before & ~variant.mask, 0u) << variant.name;
-        EXPECT_STREQ(chooseCudaSppmVariant(variant.mask).name, variant.name);
+        EXPECT_STREQ(chooseVariant(cudaSppmVariants(), variant.mask, SamplerKind::Sobol).name, variant.name);
         before = variant.mask;
     }
     EXPECT_EQ(before, kAllFeatures);

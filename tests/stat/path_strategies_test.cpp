@@ -143,7 +143,7 @@ TEST(Variants, LargerMasksGiveTheSameImageButForRounding) {
     PassParams params = passParamsOf(scene);
     const PixelRect all{0, 0, params.width, params.height};
     const auto count = static_cast<size_t>(params.width * params.height);
-    const KernelVariant& smallest = chooseVariant(built->features);
+    const KernelVariant& smallest = chooseVariant(kernelVariants(), built->features, params.sampler);
     EXPECT_NE(smallest.mask, kAllFeatures);
     std::vector<PixelSample> expected(count), found(count);
     smallest.renderTile(built->view(), params, all, expected.data());
@@ -167,7 +167,7 @@ TEST(Replay, RepeatsTheSampleAndNamesEveryVertex) {
     params.pass = 3;
     const auto count = static_cast<size_t>(params.width * params.height);
     std::vector<PixelSample> samples(count);
-    chooseVariant(built->features)
+    chooseVariant(kernelVariants(), built->features, params.sampler)
         .renderTile(built->view(), params, {0, 0, params.width, params.height}, samples.data());
     for (int y = 0; y < params.height; y += 7) {
         for (int x = 0; x < params.width; x += 5) {
@@ -230,7 +230,8 @@ TEST(Aovs, ShowTheFirstHit) {
     ASSERT_NE(built, nullptr);
     const PassParams params = passParamsOf(scene);
     std::vector<AovSample> aovs(64);
-    chooseVariant(built->features).renderAovTile(built->view(), params, {0, 0, 8, 8}, aovs.data());
+    chooseVariant(kernelVariants(), built->features, params.sampler)
+        .renderAovTile(built->view(), params, {0, 0, 8, 8}, aovs.data());
     const AovSample& hit = aovs[4 * 8 + 4];
     EXPECT_NEAR(hit.depth, 6.0f, 1e-5f);
     EXPECT_EQ(hit.shadingNormal, Vec3(0, 0, 1));

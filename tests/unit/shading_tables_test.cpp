@@ -7,6 +7,7 @@
 #include "engine/builders/camera_builder.h"
 #include "engine/builders/feature_scan.h"
 #include "engine/builders/material_table.h"
+#include "engine/render/variant_choice.h"
 
 namespace glint {
 namespace {
@@ -166,8 +167,10 @@ TEST(FeatureScan, NamesExactlyWhatIsNeeded) {
     scene.camera.apertureDiameter = 0.1f;
     scene.options.sampler = SamplerKind::Independent;
     scene.objects[0].frontOnly = true;
-    EXPECT_EQ(featuresOf(scene), FeatureMask{kFeatureSphere | kFeatureSpecular | kFeatureDepthOfField |
-                                             kFeatureIndependentSampler | kFeatureFrontOnly});
+    const FeatureMask needed = kFeatureSphere | kFeatureSpecular | kFeatureDepthOfField | kFeatureFrontOnly;
+    EXPECT_EQ(featuresOf(scene), needed);
+    EXPECT_EQ(neededFeatures(needed, SamplerKind::Independent), needed | kFeatureIndependentSampler);
+    EXPECT_EQ(neededFeatures(needed, SamplerKind::Sobol), needed);
 }
 
 TEST(FeatureScan, Meshes) {

@@ -83,7 +83,7 @@ Result<PassesResult> renderPasses(const BuiltScene& built, SppmParams params, co
     }
     result.pass = percentilesOf(std::move(seconds));
     result.last = sppm.stats();
-    result.kernel = sppm.variant(params, built.features).name;
+    result.kernel = chooseVariant(sppmVariants(), built.features, params.pass.sampler).name;
     result.pixelBytes = state.pixels.size() * kSppmBytesPerPixel;
     return result;
 }

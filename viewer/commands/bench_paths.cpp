@@ -29,7 +29,8 @@ Result<BenchReport> measure(const BenchSubject& subject) {
         if (pass > 0) { times.push_back(seconds); }
     }
     const Film& film = passes.film();
-    const char* kernel = chooseVariant(subject.built->features).name;
+    const SamplerKind sampler = subject.scene->options.sampler;
+    const char* kernel = chooseVariant(kernelVariants(), subject.built->features, sampler).name;
     const double fastest = *std::ranges::min_element(times);
     const double seconds = percentilesOf(std::move(times)).median;
     const double paths = static_cast<double>(film.width()) * static_cast<double>(film.height());

@@ -112,8 +112,10 @@ Result<VariantsRow> measureRow(const BenchSubject& subject, IntegratorKind integ
     }
     VariantsRow row;
     row.integrator = integrator;
-    row.kernel = integrator == IntegratorKind::Sppm ? chooseSppmVariant(subject.built->features).name
-                                                    : chooseVariant(subject.built->features).name;
+    const SamplerKind sampler = subject.scene->options.sampler;
+    row.kernel = integrator == IntegratorKind::Sppm
+                     ? chooseVariant(sppmVariants(), subject.built->features, sampler).name
+                     : chooseVariant(kernelVariants(), subject.built->features, sampler).name;
     row.specialisedSeconds = percentilesOf(specialised.wallSeconds()).median;
     row.fullSeconds = percentilesOf(full.wallSeconds()).median;
     row.ratio = ratioOf(times.second, times.first);

@@ -171,10 +171,11 @@ SceneReport reportOf(const SceneDescription& scene, const BuiltScene& built) {
     }
     report.textures = scene.textures.size();
     countLights(scene, built, &report);
-    report.features = featureNames(built.features);
-    const KernelVariant& variant = chooseVariant(built.features);
+    const SamplerKind sampler = scene.options.sampler;
+    report.features = featureNames(neededFeatures(built.features, sampler));
+    const KernelVariant& variant = chooseVariant(kernelVariants(), built.features, sampler);
     report.kernel = variant.name;
-    report.sppmKernel = chooseSppmVariant(built.features).name;
+    report.sppmKernel = chooseVariant(sppmVariants(), built.features, sampler).name;
     report.sppm = planSppmMemory(scene);
     report.hasCausticCaster = (built.features & kCasters) != 0;
     report.hasGlowingPlane =
