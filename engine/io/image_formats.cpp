@@ -32,6 +32,10 @@ Result<SceneImage> decodeExrColor(const std::string& bytes, const std::string& p
     return SceneImage{.floats = std::make_shared<const ImageF>(std::move(*color))};
 }
 
+std::string_view savedExtension(const ImageFormat& format) {
+    return format.extensions.substr(0, format.extensions.find(' '));
+}
+
 Status saveLayers(const std::string& path, const ImageForms& image) {
     const Result<ExrImage> layers = image.layers();
     return layers ? saveExr(path, *layers) : Status(layers.error());
@@ -99,7 +103,7 @@ const ImageFormat* imageFormatOf(const std::string& path, std::string_view bytes
 
 const ImageFormat* savedFormatOf(const std::string& path) {
     for (const ImageFormat& format : imageFormats()) {
-        if (format.save != nullptr && hasExtension(path, format.extensions)) { return &format; }
+        if (format.save != nullptr && extensionOf(path) == savedExtension(format)) { return &format; }
     }
     return nullptr;
 }
@@ -115,7 +119,7 @@ std::string listReadableImages() {
 std::string listSavedExtensions() {
     std::vector<std::string_view> extensions;
     for (const ImageFormat& format : imageFormats()) {
-        if (format.save != nullptr) { extensions.push_back(format.extensions); }
+        if (format.save != nullptr) { extensions.push_back(savedExtension(format)); }
     }
     return joinNames(extensions);
 }

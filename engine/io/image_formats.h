@@ -23,8 +23,8 @@ struct ImageForms {
 };
 
 struct ImageFormat {
-    std::string_view name;                     ///< in messages
-    std::string_view extensions;               ///< in lower case, with their dots, a blank apart
+    std::string_view name;        ///< in messages
+    std::string_view extensions;  ///< in lower case, with their dots, a blank apart; the first is saved
     bool (*looksLike)(std::string_view head);  ///< whether the file's first bytes are of this format
     /// The pixels, without a source; `path` is used in messages.
     Result<SceneImage> (*decode)(const std::string& bytes, const std::string& path);

@@ -251,6 +251,17 @@ bool readCurve(const Sections& sections, ConvergenceCurve* curve) {
     return !in.failed() && in.left() == 0;
 }
 
+/// Reads the file into `bytes`, which the sections point into.
+Result<CheckpointInfo> openCheckpoint(const std::string& path, std::string* bytes, Sections* sections) {
+    Result<std::string> read = readFile(path);
+    if (!read) { return read.error(); }
+    *bytes = std::move(*read);
+    Result<Sections> found = findSections(*bytes, path);
+    if (!found) { return found.error(); }
+    *sections = std::move(*found);
+    return readInfo(*sections, path);
+}
+
 /// Every difference between the checkpoint and the scene as it is now, separated by semicolons.
 std::string differences(const CheckpointInfo& info, const SceneDescription& scene) {
     std::string out;
@@ -327,26 +338,24 @@ Status saveCheckpoint(const std::string& path, const SessionCapture& capture) {
 }
 
 Result<ResumePoint> loadCheckpoint(const std::string& path, const SceneDescription& scene) {
-    const Result<std::string> bytes = readFile(path);
-    if (!bytes) { return bytes.error(); }
-    const Result<Sections> sections = findSections(*bytes, path);
-    if (!sections) { return sections.error(); }
-    const Result<CheckpointInfo> info = readInfo(*sections, path);
+    std::string bytes;
+    Sections sections;
+    const Result<CheckpointInfo> info = openCheckpoint(path, &bytes, &sections);
     if (!info) { return info.error(); }
     if (const std::string differing = differences(*info, scene); !differing.empty()) {
         return checkpointError(path, fmt::format("cannot go on from this checkpoint: {}", differing));
     }
     ResumePoint point;
     point.renderSeconds = info->renderSeconds;
-    if (!FilmCheckpoint::read(ByteReader(sections->at("FILM")), &point.film)) {
+    if (!FilmCheckpoint::read(ByteReader(sections.at("FILM")), &point.film)) {
         return checkpointError(path, "is damaged: its film cannot be read");
     }
-    if (!readCurve(*sections, &point.curve)) {
+    if (!readCurve(sections, &point.curve)) {
         return checkpointError(path, "is damaged: its convergence curve cannot be read");
     }
     if (scene.options.integrator == IntegratorKind::Sppm) {
-        const auto photons = sections->find("SPPM");
-        if (photons == sections->end() ||
+        const auto photons = sections.find("SPPM");
+        if (photons == sections.end() ||
             !readSppmState(ByteReader(photons->second), point.film, &point.sppm)) {
             return checkpointError(path, "is damaged: its photon statistics cannot be read");
         }
@@ -355,11 +364,9 @@ Result<ResumePoint> loadCheckpoint(const std::string& path, const SceneDescripti
 }
 
 Result<CheckpointInfo> readCheckpointInfo(const std::string& path) {
-    const Result<std::string> bytes = readFile(path);
-    if (!bytes) { return bytes.error(); }
-    const Result<Sections> sections = findSections(*bytes, path);
-    if (!sections) { return sections.error(); }
-    return readInfo(*sections, path);
+    std::string bytes;
+    Sections sections;
+    return openCheckpoint(path, &bytes, &sections);
 }
 
 }  // namespace glint

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "tests/support/run_program.h"
+#include "tests/support/program_test.h"
 
 namespace glint {
 namespace {
@@ -26,12 +26,7 @@ void expectKeys(const json& object, const std::vector<std::string>& keys) {
     }
 }
 
-class BenchReport : public testing::Test {
-  protected:
-    void SetUp() override {
-        if (!test::programExists()) { GTEST_SKIP() << "the program was not built"; }
-    }
-};
+using BenchReport = test::ProgramTest;
 
 TEST_F(BenchReport, Rays) {
     const json report = reportOf({"rays", "--triangles", "2000", "--size", "16", "--turns", "1"});

@@ -1,33 +1,20 @@
 // The program as its users meet it: exit codes, messages, Ctrl-C, resuming, files that cannot be
 // written, reports.
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "tests/support/run_program.h"
-#include "tests/support/temp_folder.h"
+#include "tests/support/program_test.h"
 
 namespace glint {
 namespace {
 
 using test::ProgramRun;
 using test::runProgram;
+using test::says;
 using test::TempFolder;
 
+using CommandLine = test::ProgramTest;
+
 const std::string kCornell = GLINT_SOURCE_DIR "/scenes/cornell.json";
-
-class CommandLine : public testing::Test {
-  protected:
-    void SetUp() override {
-        if (!test::programExists()) { GTEST_SKIP() << "the program was not built"; }
-    }
-    TempFolder folder;
-};
-
-testing::AssertionResult says(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos
-               ? testing::AssertionSuccess()
-               : testing::AssertionFailure() << "'" << part << "' is not in: " << text;
-}
 
 TEST_F(CommandLine, HelpAndVersionSucceed) {
     for (const char* command : {"view", "render", "info", "diff", "convert", "bench"}) {
@@ -163,7 +150,7 @@ TEST_F(CommandLine, ConvertRefusesWhatItCannotReadOrWrite) {
 }
 
 TEST_F(CommandLine, RenderWritesImagesAndAReport) {
-    for (const char* name : {"a.png", "a.hdr", "a.exr"}) {
+    for (const char* name : {"a.png", "a.hdr", "a.exr", "b.PNG", "b.Hdr"}) {
         const std::string image = folder.path(name);
         const ProgramRun run =
             runProgram({"render", kCornell, "-o", image, "--size", "32x24", "--passes", "3", "--json", "-"});
@@ -263,101 +250,6 @@ TEST_F(CommandLine, ResumingWithOtherSettingsNamesTheDifference) {
     EXPECT_TRUE(says(other.err, "maxDepth"));
 }
 
-const std::string kCaustic = GLINT_SOURCE_DIR "/scenes/cornell_glass_mirror.json";
-
-TEST_F(CommandLine, PhotonMappingTakesItsOptionsAndReports) {
-    const std::string out = folder.path("a.exr");
-    const ProgramRun run = runProgram(
-        {"render",  kCaustic,       "-o",       out,         "--size",   "24x24",    "--passes",
-         "5",       "--integrator", "sppm",     "--photons", "2000",     "--radius", "auto:6",
-         "--alpha", "0.5",          "--direct", "photons",   "--lookup", "tree",     "--checkpoint-every",
-         "2",       "--json",       "-"});
-    ASSERT_EQ(run.exitCode, 0) << run.err;
-    const auto report = nlohmann::json::parse(run.out, nullptr, false);
-    ASSERT_FALSE(report.is_discarded());
-    EXPECT_EQ(report["integrator"], "sppm");
-    EXPECT_EQ(report["passes"], 5);
-    EXPECT_EQ(report["sppm"]["emitted_photons"], 10000);
-    EXPECT_GT(report["relative_error"].get<double>(), 0.0);
-    EXPECT_FALSE(TempFolder::read(folder.path("a-000002.exr")).empty());
-    EXPECT_FALSE(TempFolder::read(folder.path("a-000004.exr")).empty());
-    EXPECT_EQ(folder.size(), 3u);
-}
-
-TEST_F(CommandLine, NumberedImagesChangeNothingAndGoOnAfterResuming) {
-    const std::vector<std::string> common = {"render",       kCaustic, "--size",    "20x20",
-                                             "--integrator", "sppm",   "--photons", "1500"};
-    const auto render = [&](const std::string& out, std::vector<std::string> more) {
-        std::vector<std::string> arguments = common;
-        arguments.insert(arguments.end(), {"-o", folder.path(out)});
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        const ProgramRun run = runProgram(arguments);
-        EXPECT_EQ(run.exitCode, 0) << run.err;
-        return TempFolder::read(folder.path(out));
-    };
-    const std::string plain = render("plain.png", {"--passes", "6"});
-    EXPECT_EQ(render("often.png", {"--passes", "6", "--checkpoint-every", "1"}), plain);
-    const std::string half = render("half.png", {"--passes", "3", "--checkpoint", folder.path("c")});
-    EXPECT_EQ(TempFolder::read(folder.path("often-000003.png")), half);
-    EXPECT_EQ(render("whole.png", {"--passes", "6", "--resume", folder.path("c"), "--checkpoint-every", "2"}),
-              plain);
-    EXPECT_EQ(TempFolder::read(folder.path("whole-000004.png")),
-              TempFolder::read(folder.path("often-000004.png")));
-}
-
-TEST_F(CommandLine, PhotonOptionsThatMakeNoSenseAreRefused) {
-    const std::string out = folder.path("a.png");
-    const auto refusal = [&](std::vector<std::string> options) {
-        std::vector<std::string> arguments = {"render", kCaustic, "-o", out, "--size", "8x8"};
-        arguments.insert(arguments.end(), options.begin(), options.end());
-        const ProgramRun run = runProgram(arguments);
-        EXPECT_EQ(run.exitCode, 1) << run.out;
-        return run.err;
-    };
-    EXPECT_TRUE(says(refusal({"--photons", "1000"}), "add --integrator sppm"));
-    EXPECT_TRUE(says(refusal({"--integrator", "sppm", "--alpha", "1"}), "between 0 and 1"));
-    for (const char* radius : {"wide", "-1", "0", "auto:", "auto:0", "auto4", ":4", "nan", "1m"}) {
-        EXPECT_TRUE(says(refusal({"--integrator", "sppm", "--radius", radius}), "auto:4")) << radius;
-    }
-    refusal({"--integrator", "photons"});
-    refusal({"--integrator", "sppm", "--photons", "0"});
-    refusal({"--integrator", "sppm", "--pixel", "1,1"});
-    EXPECT_EQ(folder.size(), 0u);
-}
-
-TEST_F(CommandLine, ASmallBudgetMeansFewerPhotonsAndSaysSo) {
-    const ProgramRun run = runProgram({"render", kCaustic, "-o", folder.path("a.png"), "--size", "16x16",
-                                       "--passes", "1", "--integrator", "sppm", "--memory", "1"});
-    EXPECT_EQ(run.exitCode, 0);
-    EXPECT_TRUE(says(run.err, "photons a pass instead of 262144"));
-}
-
-TEST_F(CommandLine, InfoTellsWhatPhotonMappingNeedsAndWhereItGainsNothing) {
-    const ProgramRun glass = runProgram({"info", kCaustic});
-    EXPECT_TRUE(says(glass.out, "262144 photons a pass"));
-    EXPECT_EQ(glass.out.find("gains nothing"), std::string::npos);
-    const std::string matt = folder.write(
-        "matt.json",
-        R"({"glint": 1, "objects": [{"type": "sphere", "material": {"type": "diffuse"}, "radius": 1}]})");
-    EXPECT_TRUE(says(runProgram({"info", matt}).out, "gains nothing here"));
-    const auto report = nlohmann::json::parse(runProgram({"info", matt, "--json", "-"}).out, nullptr, false);
-    ASSERT_FALSE(report.is_discarded());
-    EXPECT_FALSE(report["sppm"]["has_caustic_caster"].get<bool>());
-    EXPECT_EQ(report["integrator"], "path");
-    EXPECT_LE(report["sppm"]["bytes_per_pixel"].get<int>(), 120);
-    EXPECT_LE(report["sppm"]["bytes_per_stored_photon"].get<int>(), 48);
-}
-
-TEST_F(CommandLine, InfoTellsThatInfinitePlanesSendNoPhotons) {
-    const auto scene = [&](const char* shape) {
-        return folder.write(std::string(shape) + ".json",
-                            std::string(R"({"glint": 1, "objects": [{"type": ")") + shape +
-                                R"(", "material": {"type": "diffuse", "emission": 1}}]})");
-    };
-    EXPECT_TRUE(says(runProgram({"info", scene("plane")}).out, "send no photons"));
-    EXPECT_EQ(runProgram({"info", scene("disc")}).out.find("send no photons"), std::string::npos);
-}
-
 TEST_F(CommandLine, ReplayPrintsThePathOfOnePixel) {
     const ProgramRun run =
         runProgram({"render", kCornell, "--size", "32x32", "--pixel", "16,20", "--pass", "5"});
@@ -365,48 +257,6 @@ TEST_F(CommandLine, ReplayPrintsThePathOfOnePixel) {
     EXPECT_TRUE(says(run.out, "radiance"));
     EXPECT_EQ(runProgram({"render", kCornell, "--size", "32x32", "--pixel", "32,0"}).exitCode, 1);
     EXPECT_EQ(runProgram({"render", kCornell, "--pixel", "middle"}).exitCode, 1);
-}
-
-TEST_F(CommandLine, InfoReportsWhatIsThereAndWhatIsLeftOut) {
-    const ProgramRun text = runProgram({"info", kCornell});
-    ASSERT_EQ(text.exitCode, 0) << text.err;
-    EXPECT_TRUE(says(text.out, "left out"));
-    EXPECT_TRUE(says(text.out, "memory"));
-    const auto report =
-        nlohmann::json::parse(runProgram({"info", kCornell, "--json", "-"}).out, nullptr, false);
-    ASSERT_FALSE(report.is_discarded());
-    EXPECT_GT(report["memory_total_bytes"].get<uint64_t>(), 0u);
-    EXPECT_FALSE(report["kernel"].get<std::string>().empty());
-    EXPECT_TRUE(report["left_out"].is_array());
-}
-
-/// The table's rows add up, and an integrator moves its parts from "not allocated" to "used".
-TEST_F(CommandLine, InfoMemoryTellsUsedFromNotAllocated) {
-    const ProgramRun text = runProgram({"info", kCornell, "--memory"});
-    ASSERT_EQ(text.exitCode, 0) << text.err;
-    EXPECT_TRUE(says(text.out, "not allocated"));
-    EXPECT_TRUE(says(text.out, "SPPM: statistics of the pixels"));
-    const std::string caustics = GLINT_SOURCE_DIR "/scenes/sppm_ring.json";
-    for (const std::string& scene : {std::string(kCornell), caustics}) {
-        const auto report =
-            nlohmann::json::parse(runProgram({"info", scene, "--json", "-"}).out, nullptr, false);
-        ASSERT_FALSE(report.is_discarded());
-        const auto& memory = report["memory"];
-        uint64_t used = 0, unused = 0, notAllocated = 0;
-        for (const auto& row : memory["parts"]) {
-            used += row["used_bytes"].get<uint64_t>();
-            unused += row["held_unused_bytes"].get<uint64_t>();
-            notAllocated += row["not_allocated_bytes"].get<uint64_t>();
-            if (row["part"].get<std::string>().starts_with("SPPM")) {
-                EXPECT_EQ(row["used_bytes"].get<uint64_t>() > 0, scene == caustics) << row.dump();
-                EXPECT_EQ(row["not_allocated_bytes"].get<uint64_t>() > 0, scene != caustics) << row.dump();
-            }
-        }
-        EXPECT_EQ(used, memory["used_bytes"].get<uint64_t>());
-        EXPECT_EQ(unused, memory["held_unused_bytes"].get<uint64_t>());
-        EXPECT_EQ(notAllocated, memory["not_allocated_bytes"].get<uint64_t>());
-        EXPECT_GT(memory["checkpoint_peak_bytes"].get<uint64_t>(), 0u);
-    }
 }
 
 }  // namespace

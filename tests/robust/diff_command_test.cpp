@@ -9,40 +9,23 @@
 #include "engine/io/exr_io.h"
 #include "engine/io/image_io.h"
 #include "tests/support/formula_images.h"
-#include "tests/support/run_program.h"
-#include "tests/support/temp_folder.h"
+#include "tests/support/program_test.h"
 
 namespace glint {
 namespace {
 
 using test::ProgramRun;
 using test::runProgram;
+using test::says;
 using test::TempFolder;
 
-class DiffCommand : public testing::Test {
+class DiffCommand : public test::ProgramTest {
   protected:
-    void SetUp() override {
-        if (!test::programExists()) { GTEST_SKIP() << "the program was not built"; }
-    }
     std::string exr(const std::string& name, const ImageF& image) {
-        ExrImage image{.width = image.width, .height = image.height, .channels = {}, .attributes = {}};
-        for (const char* channel : {"R", "G", "B"}) {
-            image.channels.push_back({.name = channel, .type = ExrPixelType::Float, .floats = {}, .ids = {}});
-        }
-        for (size_t i = 0; i < image.rgb.size(); ++i) {
-            image.channels[i % 3].floats.push_back(image.rgb[i]);
-        }
-        EXPECT_TRUE(saveExr(folder.path(name), image));
+        EXPECT_TRUE(saveExr(folder.path(name), test::exrOf(image)));
         return folder.path(name);
     }
-    TempFolder folder;
 };
-
-testing::AssertionResult says(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos
-               ? testing::AssertionSuccess()
-               : testing::AssertionFailure() << "'" << part << "' is not in: " << text;
-}
 
 TEST_F(DiffCommand, PrintsEveryMetric) {
     const ProgramRun run = runProgram(

@@ -7,33 +7,27 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/io/image_io.h"
-#include "tests/support/run_program.h"
-#include "tests/support/temp_folder.h"
+#include "tests/support/program_test.h"
+#include "tests/support/used_assets.h"
 
 namespace glint {
 namespace {
 
 using test::ProgramRun;
 using test::runProgram;
+using test::says;
 using test::TempFolder;
 using Json = nlohmann::json;
 
-class InfoCommand : public testing::Test {
+class InfoCommand : public test::ProgramTest {
   protected:
-    void SetUp() override {
-        if (!test::programExists()) { GTEST_SKIP() << "the program was not built"; }
-    }
     static Json reportOf(const std::string& scene) {
         return Json::parse(runProgram({"info", scene, "--json", "-"}).out, nullptr, false);
     }
-    TempFolder folder;
 };
 
-testing::AssertionResult says(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos
-               ? testing::AssertionSuccess()
-               : testing::AssertionFailure() << "'" << part << "' is not in: " << text;
-}
+const std::string kCornell = GLINT_SOURCE_DIR "/scenes/cornell.json";
+const std::string kCaustic = GLINT_SOURCE_DIR "/scenes/cornell_glass_mirror.json";
 
 const Json* rowOf(const Json& report, const std::string& part) {
     for (const Json& row : report["memory"]["parts"]) {
@@ -42,14 +36,9 @@ const Json* rowOf(const Json& report, const std::string& part) {
     return nullptr;
 }
 
-constexpr const char* kPly =
-    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-    "property float u\nproperty float v\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
-    "0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 1\n3 0 1 2\n";
-
 TEST_F(InfoCommand, WhatIsNamedInVainIsListedWithWhatItWouldTake) {
     ASSERT_TRUE(savePng(folder.path("wood.png"), {64, 32, std::vector<uint8_t>(64 * 32 * 3, 9)}));
-    folder.write("leaf.ply", kPly);
+    folder.write("leaf.ply", test::kLeafPly);
     folder.write("tree.ply", "anything");
     const std::string scene = folder.write("vain.json", R"({"glint": 1, "resolution": [32, 32],
       "textures": {"wood": {"file": "wood.png"}, "gone": {"file": "gone.png"}},
@@ -109,7 +98,7 @@ TEST_F(InfoCommand, WhatStandsInTheSceneFileIsHeld) {
 
 TEST_F(InfoCommand, AllReadableScenesAreReportedWithinATerminalsWidth) {
     folder.write("leaf.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    folder.write("leaf.ply", kPly);
+    folder.write("leaf.ply", test::kLeafPly);
     folder.write("bare.json", "{\"glint\": 1}");
     folder.write("ball.txt", "Group { numObjects 1 Sphere { center 0 0 0 radius 1 } }");
     std::vector<std::string> scenes;
@@ -140,7 +129,7 @@ TEST_F(InfoCommand, FilesThatAreNoScenesAreRefusedInOneLine) {
                                                          {"noise.bin", "is not a scene Glint knows"}};
     folder.write("empty.json", "");
     folder.write("vertices.obj", "v 0 0 0\n");
-    folder.write("cut.ply", std::string(kPly).substr(0, 180));
+    folder.write("cut.ply", std::string(test::kLeafPly).substr(0, 180));
     folder.write("noise.bin", std::string("\x01\x02\x00\xff", 4));
     for (const auto& [name, message] : files) {
         const ProgramRun run = runProgram({"info", folder.path(name), "--memory"});
@@ -148,6 +137,72 @@ TEST_F(InfoCommand, FilesThatAreNoScenesAreRefusedInOneLine) {
         EXPECT_TRUE(run.out.empty()) << name << ": " << run.out;
         EXPECT_TRUE(says(run.err, message)) << name;
         EXPECT_TRUE(run.err.starts_with("error: " + folder.path(name))) << run.err;
+    }
+}
+
+TEST_F(InfoCommand, TellsWhatPhotonMappingNeedsAndWhereItGainsNothing) {
+    const ProgramRun glass = runProgram({"info", kCaustic});
+    EXPECT_TRUE(says(glass.out, "262144 photons a pass"));
+    EXPECT_EQ(glass.out.find("gains nothing"), std::string::npos);
+    const std::string matt = folder.write(
+        "matt.json",
+        R"({"glint": 1, "objects": [{"type": "sphere", "material": {"type": "diffuse"}, "radius": 1}]})");
+    EXPECT_TRUE(says(runProgram({"info", matt}).out, "gains nothing here"));
+    const auto report = Json::parse(runProgram({"info", matt, "--json", "-"}).out, nullptr, false);
+    ASSERT_FALSE(report.is_discarded());
+    EXPECT_FALSE(report["sppm"]["has_caustic_caster"].get<bool>());
+    EXPECT_EQ(report["integrator"], "path");
+    EXPECT_LE(report["sppm"]["bytes_per_pixel"].get<int>(), 120);
+    EXPECT_LE(report["sppm"]["bytes_per_stored_photon"].get<int>(), 48);
+}
+
+TEST_F(InfoCommand, TellsThatInfinitePlanesSendNoPhotons) {
+    const auto scene = [&](const char* shape) {
+        return folder.write(std::string(shape) + ".json",
+                            std::string(R"({"glint": 1, "objects": [{"type": ")") + shape +
+                                R"(", "material": {"type": "diffuse", "emission": 1}}]})");
+    };
+    EXPECT_TRUE(says(runProgram({"info", scene("plane")}).out, "send no photons"));
+    EXPECT_EQ(runProgram({"info", scene("disc")}).out.find("send no photons"), std::string::npos);
+}
+
+TEST_F(InfoCommand, ReportsWhatIsThereAndWhatIsLeftOut) {
+    const ProgramRun text = runProgram({"info", kCornell});
+    ASSERT_EQ(text.exitCode, 0) << text.err;
+    EXPECT_TRUE(says(text.out, "left out"));
+    EXPECT_TRUE(says(text.out, "memory"));
+    const auto report = Json::parse(runProgram({"info", kCornell, "--json", "-"}).out, nullptr, false);
+    ASSERT_FALSE(report.is_discarded());
+    EXPECT_GT(report["memory_total_bytes"].get<uint64_t>(), 0u);
+    EXPECT_FALSE(report["kernel"].get<std::string>().empty());
+    EXPECT_TRUE(report["left_out"].is_array());
+}
+
+/// The table's rows add up, and an integrator moves its parts from "not allocated" to "used".
+TEST_F(InfoCommand, MemoryTellsUsedFromNotAllocated) {
+    const ProgramRun text = runProgram({"info", kCornell, "--memory"});
+    ASSERT_EQ(text.exitCode, 0) << text.err;
+    EXPECT_TRUE(says(text.out, "not allocated"));
+    EXPECT_TRUE(says(text.out, "SPPM: statistics of the pixels"));
+    const std::string caustics = GLINT_SOURCE_DIR "/scenes/sppm_ring.json";
+    for (const std::string& scene : {kCornell, caustics}) {
+        const auto report = Json::parse(runProgram({"info", scene, "--json", "-"}).out, nullptr, false);
+        ASSERT_FALSE(report.is_discarded());
+        const auto& memory = report["memory"];
+        uint64_t used = 0, unused = 0, notAllocated = 0;
+        for (const auto& row : memory["parts"]) {
+            used += row["used_bytes"].get<uint64_t>();
+            unused += row["held_unused_bytes"].get<uint64_t>();
+            notAllocated += row["not_allocated_bytes"].get<uint64_t>();
+            if (row["part"].get<std::string>().starts_with("SPPM")) {
+                EXPECT_EQ(row["used_bytes"].get<uint64_t>() > 0, scene == caustics) << row.dump();
+                EXPECT_EQ(row["not_allocated_bytes"].get<uint64_t>() > 0, scene != caustics) << row.dump();
+            }
+        }
+        EXPECT_EQ(used, memory["used_bytes"].get<uint64_t>());
+        EXPECT_EQ(unused, memory["held_unused_bytes"].get<uint64_t>());
+        EXPECT_EQ(notAllocated, memory["not_allocated_bytes"].get<uint64_t>());
+        EXPECT_GT(memory["checkpoint_peak_bytes"].get<uint64_t>(), 0u);
     }
 }
 

@@ -3,13 +3,14 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "tests/support/run_program.h"
+#include "tests/support/program_test.h"
 
 namespace glint {
 namespace {
 
-TEST(StressLong, TheWholeSuiteIsAsDocumented) {
-    if (!test::programExists()) { GTEST_SKIP() << "the program was not built"; }
+using StressLong = test::ProgramTest;
+
+TEST_F(StressLong, TheWholeSuiteIsAsDocumented) {
     const test::ProgramRun run = test::runProgram({"stress", "--json", "-"});
     const nlohmann::json report = nlohmann::json::parse(run.out, nullptr, false);
     ASSERT_FALSE(report.is_discarded()) << run.out << run.err;

@@ -6,20 +6,14 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/report/stress_suite.h"
-#include "tests/support/run_program.h"
-#include "tests/support/temp_folder.h"
+#include "tests/support/program_test.h"
 
 namespace glint {
 namespace {
 
 using nlohmann::json;
 
-class Stress : public testing::Test {
-  protected:
-    void SetUp() override {
-        if (!test::programExists()) { GTEST_SKIP() << "the program was not built"; }
-    }
-};
+using Stress = test::ProgramTest;
 
 #ifdef __SANITIZE_ADDRESS__
 TEST_F(Stress, EveryQuickCaseRunsUnderTheSanitizers) {

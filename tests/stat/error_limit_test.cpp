@@ -10,8 +10,7 @@
 #include "engine/io/image_io.h"
 #include "engine/render/convergence_curve.h"
 #include "engine/render/error_estimate.h"
-#include "tests/support/run_program.h"
-#include "tests/support/temp_folder.h"
+#include "tests/support/program_test.h"
 
 namespace glint::test {
 namespace {
@@ -21,12 +20,8 @@ using nlohmann::json;
 constexpr double kTarget = 0.1;
 constexpr int kRuns = 12;
 
-class ErrorLimit : public testing::Test {
+class ErrorLimit : public ProgramTest {
   protected:
-    void SetUp() override {
-        if (!programExists()) { GTEST_SKIP() << "the program was not built"; }
-    }
-
     /// The report; the picture is `file`.
     json render(const std::string& file, std::vector<std::string> more) {
         std::vector<std::string> words = {"render", GLINT_SOURCE_DIR "/scenes/cornell.json",
@@ -50,8 +45,6 @@ class ErrorLimit : public testing::Test {
         }
         return out;
     }
-
-    TempFolder folder;
 };
 
 /// As ErrorEstimate: without the share of the worst, a fraction of a pixel here.

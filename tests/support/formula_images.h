@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "engine/scene/image.h"
+#include "engine/io/exr_io.h"
 
 namespace glint::test {
 
@@ -37,6 +37,18 @@ inline ImageF formulaTest(int width, int height) {
             static_cast<float>(noise) / 256.0f + ((i / 3) % 97 == 96 ? 4.0f : 0.0f);
     }
     return image;
+}
+
+/// R, G and B of the image as 32-bit floats.
+inline ExrImage exrOf(const ImageF& image) {
+    ExrImage exr{.width = image.width, .height = image.height, .channels = {}, .attributes = {}};
+    for (const char* channel : {"R", "G", "B"}) {
+        exr.channels.push_back({.name = channel, .type = ExrPixelType::Float, .floats = {}, .ids = {}});
+    }
+    for (size_t i = 0; i < image.rgb.size(); ++i) {
+        exr.channels[i % 3].floats.push_back(image.rgb[i]);
+    }
+    return exr;
 }
 
 }  // namespace glint::test

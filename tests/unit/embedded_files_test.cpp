@@ -10,30 +10,13 @@
 #include "engine/io/scene_loader.h"
 #include "engine/io/used_assets.h"
 #include "engine/scene/scene_hash.h"
-#include "tests/support/temp_folder.h"
+#include "tests/support/used_assets.h"
 
 namespace glint {
 namespace {
 
 using test::TempFolder;
 using testing::HasSubstr;
-
-constexpr const char* kPly = R"(ply
-format ascii 1.0
-element vertex 3
-property float x
-property float y
-property float z
-property float u
-property float v
-element face 1
-property list uchar int vertex_indices
-end_header
-0 0 0 0 0
-1 0 0 1 0
-0 1 0 0 1
-3 0 1 2
-)";
 
 EmbeddedFile embedded(std::string name, std::string bytes) {
     return {std::move(name), std::make_shared<const std::string>(std::move(bytes))};
@@ -51,7 +34,7 @@ SceneDescription sceneInMemory(const std::string& path) {
     SceneDescription scene;
     scene.path = path;
     const EmbeddedFile image = embedded("wood.png", pngBytes());
-    const EmbeddedFile mesh = embedded("leaf.ply", kPly);
+    const EmbeddedFile mesh = embedded("leaf.ply", test::kLeafPly);
     for (int i = 0; i < 2; ++i) {
         scene.textures.push_back(
             {.name = "wood", .image = {image}, .scale = Vec2(1.0f + static_cast<float>(i))});
@@ -77,7 +60,7 @@ TEST(EmbeddedFiles, AreReadOnceLikeFilesOnTheDisk) {
     const Status read = readUsedAssets(&assets, &scene);
     ASSERT_TRUE(read) << read.error().format();
     EXPECT_EQ(counts.meshFiles, 1u);
-    EXPECT_EQ(counts.meshFileBytes, std::string(kPly).size());
+    EXPECT_EQ(counts.meshFileBytes, std::string(test::kLeafPly).size());
     EXPECT_EQ(counts.imageFiles, 2u) << "the texture, and the environment, which becomes linear";
     EXPECT_EQ(scene.meshes[0].data, scene.meshes[1].data);
     EXPECT_EQ(scene.textures[0].image.bytes, scene.textures[1].image.bytes);
@@ -112,7 +95,7 @@ TEST(EmbeddedFiles, StandBesideASavedScene) {
     }
     EXPECT_EQ(TempFolder::read(folder.path("saved/wood.png")), "somebody else's");
     EXPECT_EQ(TempFolder::read(folder.path("saved/wood-2.png")), pngBytes());
-    EXPECT_EQ(TempFolder::read(folder.path("saved/leaf.ply")), kPly);
+    EXPECT_EQ(TempFolder::read(folder.path("saved/leaf.ply")), test::kLeafPly);
     const auto saved = loadScene(path);
     ASSERT_TRUE(saved) << saved.error().format();
     EXPECT_EQ(pathOf(saved->textures[0].image.source), "wood-2.png");
@@ -127,7 +110,7 @@ TEST(EmbeddedFiles, ThatNothingUsesAreSavedUnread) {
     EXPECT_TRUE(lackingAssets(scene).empty());
     ASSERT_TRUE(saveSceneJson(scene, scene.path).ok());
     EXPECT_EQ(TempFolder::read(folder.path("wood.png")), pngBytes());
-    EXPECT_EQ(TempFolder::read(folder.path("leaf.ply")), kPly);
+    EXPECT_EQ(TempFolder::read(folder.path("leaf.ply")), test::kLeafPly);
 }
 
 /// A name from a foreign file does not lead out of the scene's folder.

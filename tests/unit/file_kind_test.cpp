@@ -79,7 +79,7 @@ TEST(FileKind, ListsNameEveryImporterAndFormat) {
     for (const char* path : {"a.png", "a.PNG", "a.Hdr", "a.EXR"}) {
         EXPECT_NE(savedFormatOf(path), nullptr) << path;
     }
-    for (const char* path : {"a.jpg", "a", "png", "a.gif"}) {
+    for (const char* path : {"a.jpg", "a", "png", "a.gif", "a.pic"}) {
         EXPECT_EQ(savedFormatOf(path), nullptr) << path;
     }
 }
