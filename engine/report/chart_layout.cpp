@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -25,19 +24,9 @@ std::vector<ChartPoint> shownPoints(const ChartSeries& series) {
     return shown;
 }
 
-struct Range {
-    double smallest = std::numeric_limits<double>::infinity();
-    double largest = 0.0;
-
-    void include(double value) {
-        smallest = std::min(smallest, value);
-        largest = std::max(largest, value);
-    }
-};
-
 /// What the y axis must hold, given the range of the lines themselves.
-Range heightOf(const ChartLayout& layout, const LogLogChart& chart, const Range& lines) {
-    Range y = lines;
+AxisExtent heightOf(const ChartLayout& layout, const LogLogChart& chart, const AxisExtent& lines) {
+    AxisExtent y = lines;
     for (const auto& points : layout.shown) {
         for (const ChartPoint& point : points) {
             if (hasBand(point)) {
@@ -57,7 +46,7 @@ Range heightOf(const ChartLayout& layout, const LogLogChart& chart, const Range&
 }
 
 void findAxes(const LogLogChart& chart, ChartLayout* layout) {
-    Range x, y;
+    AxisExtent x, y;
     for (const auto& points : layout->shown) {
         for (const ChartPoint& point : points) {
             x.include(point.x);
@@ -66,7 +55,7 @@ void findAxes(const LogLogChart& chart, ChartLayout* layout) {
     }
     layout->empty = x.largest == 0.0;
     if (!layout->empty) {
-        const Range height = heightOf(*layout, chart, y);
+        const AxisExtent height = heightOf(*layout, chart, y);
         layout->xAxis = axisOver(x.smallest, x.largest);
         layout->yAxis = axisOver(height.smallest, height.largest);
     }

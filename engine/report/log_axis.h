@@ -4,6 +4,8 @@
 // doubles overflows.
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,17 @@ struct LogAxis {
     double decades() const { return high - low; }
     /// 0 at the low end, 1 at the high one. `value` above 0.
     double share(double value) const;
+};
+
+/// What an axis must hold; nothing yet: from infinity to 0.
+struct AxisExtent {
+    double smallest = std::numeric_limits<double>::infinity();
+    double largest = 0.0;
+
+    void include(double value) {
+        smallest = std::min(smallest, value);
+        largest = std::max(largest, value);
+    }
 };
 
 /// Rounded outwards to 1, 2 or 5 times a power of ten, half a decade at least. Both values finite and

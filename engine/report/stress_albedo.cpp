@@ -15,15 +15,15 @@ constexpr const char* kFamily = "albedo";
 /// From inside a closed room that emits 1 and reflects `albedo`, everything looks alike.
 SceneDescription furnace(float albedo, int maxDepth, bool box) {
     SceneDescription scene = emptyStressScene({0.2f, -0.3f, 0.1f}, {1, 0.2f, 0.3f}, 60.0f, 16);
-    Material material = diffuseStress(albedo);
+    Material material = diffuseMaterial(albedo);
     material.emission = Vec3(1.0f);
     material.emitsBothSides = true;
     if (box) {
         MeshData mesh;
         addBox(&mesh, Vec3(-1.3f, -0.9f, -1.1f), Vec3(1.2f, 1.0f, 1.4f), true);
-        addMesh(&scene, std::move(mesh), {}, material);
+        addMeshObject(&scene, std::move(mesh), {}, material);
     } else {
-        addShape(&scene, ShapeKind::Sphere, scale(Vec3(2.0f)), material);
+        addObject(&scene, ShapeKind::Sphere, scale(Vec3(2.0f)), material);
     }
     scene.options.maxDepth = maxDepth;
     return scene;
@@ -31,12 +31,12 @@ SceneDescription furnace(float albedo, int maxDepth, bool box) {
 
 /// Paths that are never ended by chance all have the same sum: what rounding does to it shows in few of them.
 StressCase furnaceCase(float albedo, int maxDepth, bool box, bool roulette) {
-    StressCase c;
-    c.family = kFamily;
-    c.grade = std::string(box ? "box" : "sphere") + " " + gradeNumber(albedo) + " depth " +
-              std::to_string(maxDepth) + (roulette ? "" : ", no roulette");
-    c.extreme = "walls reflect " + gradeNumber(albedo) + " up to " + std::to_string(maxDepth) + " times";
-    c.truth = "geometric series";
+    StressCase c =
+        namedCase(kFamily,
+                  std::string(box ? "box" : "sphere") + " " + gradeNumber(albedo) + " depth " +
+                      std::to_string(maxDepth) + (roulette ? "" : ", no roulette"),
+                  "walls reflect " + gradeNumber(albedo) + " up to " + std::to_string(maxDepth) + " times",
+                  "geometric series");
     c.quick = maxDepth <= (roulette ? 100 : 1000);
     c.run = [=](const StressEffort& effort) {
         const double a = static_cast<double>(albedo);
@@ -55,19 +55,18 @@ StressCase furnaceCase(float albedo, int maxDepth, bool box, bool roulette) {
 /// A black lamp in the middle of a white sphere of radius 1: of all light that leaves the wall, the lamp
 /// absorbs the share r^2, so that the wall's radiance is a Le r^2 / (1 - a (1 - r^2)) (integrating sphere).
 StressCase integratingSphereCase(float albedo, float emitterRadius) {
-    StressCase c;
-    c.family = kFamily;
-    c.grade = "integrating sphere " + gradeNumber(albedo) + " lamp " + gradeNumber(emitterRadius);
-    c.extreme = "a lamp of radius " + gradeNumber(emitterRadius) + " in a sphere that reflects " +
-                gradeNumber(albedo);
-    c.truth = "integrating sphere in closed form";
+    StressCase c = namedCase(
+        kFamily, "integrating sphere " + gradeNumber(albedo) + " lamp " + gradeNumber(emitterRadius),
+        "a lamp of radius " + gradeNumber(emitterRadius) + " in a sphere that reflects " +
+            gradeNumber(albedo),
+        "integrating sphere in closed form");
     c.run = [=](const StressEffort& effort) {
         const double f = static_cast<double>(emitterRadius) * static_cast<double>(emitterRadius);
         const double a = static_cast<double>(albedo);
         SceneDescription scene = emptyStressScene({0.0f, 0.5f, 0.3f}, {0.6f, 0.7f, 0.4f}, 40.0f, 16);
-        addShape(&scene, ShapeKind::Sphere, {}, diffuseStress(albedo));
-        addShape(&scene, ShapeKind::Sphere, scale(Vec3(emitterRadius)),
-                 emitterStress(static_cast<float>(1.0 / f)));
+        addObject(&scene, ShapeKind::Sphere, {}, diffuseMaterial(albedo));
+        addObject(&scene, ShapeKind::Sphere, scale(Vec3(emitterRadius)),
+                  emissiveMaterial(Vec3(static_cast<float>(1.0 / f))));
         scene.options.maxDepth = 5000;
         return measurePaths(scene, effort.passes(1200, 300), a / (1.0 - a * (1.0 - f)), effort);
     };

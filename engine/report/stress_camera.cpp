@@ -23,7 +23,8 @@ StressCase fieldOfViewCase(float degrees) {
         SceneDescription scene = emptyStressScene({3, 1, 2}, {3, 1, 1}, degrees, 32);
         const double radius = 0.5 * std::tan(0.5 * static_cast<double>(degrees) * std::numbers::pi / 180.0);
         const auto r = static_cast<float>(radius);
-        addShape(&scene, ShapeKind::Disc, placeFlatShape({3, 1, 1}, {0, 0, 1}, r, r), emitterStress(1.0f));
+        addObject(&scene, ShapeKind::Disc, placeFlatShape({3, 1, 1}, {0, 0, 1}, r, r),
+                  emissiveMaterial(Vec3(1.0f)));
         return measurePaths(scene, effort.passes(256), std::numbers::pi / 16.0, effort);
     };
     return c;
@@ -46,7 +47,8 @@ StressCase lensCase(float aperture, float focus) {
         scene.camera.apertureDiameter = aperture;
         scene.camera.focalDistance = focus;
         const auto r = static_cast<float>(radius);
-        addShape(&scene, ShapeKind::Disc, placeFlatShape({0, 0, -2}, {0, 0, 1}, r, r), emitterStress(1.0f));
+        addObject(&scene, ShapeKind::Disc, placeFlatShape({0, 0, -2}, {0, 0, 1}, r, r),
+                  emissiveMaterial(Vec3(1.0f)));
         const double share = blur > 0.0 ? std::min(1.0, std::pow(static_cast<double>(r) / blur, 2.0)) : 1.0;
         return measurePaths(scene, effort.passes(2048), share, effort);
     };
@@ -68,7 +70,8 @@ StressCase wallCase(float aperture, float focus) {
         // The lens stands level over the floor: none of it reaches through.
         scene.camera.target = {0, 0, 0};
         scene.camera.up = {0, 0, 1};
-        addShape(&scene, ShapeKind::Plane, placeFlatShape({0, 0, 0}, {0, 1, 0}, 1, 1), diffuseStress(0.5f));
+        addObject(&scene, ShapeKind::Plane, placeFlatShape({0, 0, 0}, {0, 1, 0}, 1, 1),
+                  diffuseMaterial(0.5f));
         return measurePaths(scene, effort.passes(64), 0.5, effort, 2);
     };
     return c;

@@ -49,27 +49,25 @@ double emitterIrradiance(EmitterForm shape, double radius, double height, double
 }
 
 void addEmitter(SceneDescription* scene, EmitterForm shape, float radius, float height, float radiance) {
-    const Material material = emitterStress(radiance);
+    const Material material = emissiveMaterial(Vec3(radiance));
     const Affine flat = placeFlatShape({0, height, 0}, {0, -1, 0}, radius, radius);
     if (shape == EmitterForm::Sphere) {
-        addShape(scene, ShapeKind::Sphere, translate({0, height, 0}) * scale(Vec3(radius)), material);
+        addObject(scene, ShapeKind::Sphere, translate({0, height, 0}) * scale(Vec3(radius)), material);
     } else if (shape == EmitterForm::Triangles) {
         MeshData mesh;
         addQuad(&mesh, {-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0});
-        addMesh(scene, std::move(mesh), flat, material);
+        addMeshObject(scene, std::move(mesh), flat, material);
     } else {
-        addShape(scene, shape == EmitterForm::Disc ? ShapeKind::Disc : ShapeKind::Rectangle, flat, material);
+        addObject(scene, shape == EmitterForm::Disc ? ShapeKind::Disc : ShapeKind::Rectangle, flat, material);
     }
     scene->objects.back().frontOnly = true;
 }
 
 /// The lamp's radius relative to its height 1; its radiance keeps the irradiance near 1.
 StressCase smallEmitterCase(EmitterForm shape, float radius) {
-    StressCase c;
-    c.family = kFamily;
-    c.grade = std::string(shapeName(shape)) + " of size " + gradeNumber(radius);
-    c.extreme = "a lamp of " + gradeNumber(radius) + " times its distance";
-    c.truth = "irradiance in closed form";
+    StressCase c =
+        namedCase(kFamily, std::string(shapeName(shape)) + " of size " + gradeNumber(radius),
+                  "a lamp of " + gradeNumber(radius) + " times its distance", "irradiance in closed form");
     c.quick = shape != EmitterForm::Rectangle;
     c.run = [=](const StressEffort& effort) {
         SceneDescription scene = closeUpOfFloor({0.1f, 0.6f, 0.4f}, {0, 0, 0}, 1e-3f);
@@ -87,11 +85,8 @@ StressCase smallEmitterCase(EmitterForm shape, float radius) {
 }
 
 StressCase brightEmitterCase(float radiance) {
-    StressCase c;
-    c.family = kFamily;
-    c.grade = "radiance " + gradeNumber(radiance);
-    c.extreme = c.grade;
-    c.truth = "irradiance in closed form";
+    StressCase c = namedCase(kFamily, "radiance " + gradeNumber(radiance),
+                             "radiance " + gradeNumber(radiance), "irradiance in closed form");
     c.run = [=](const StressEffort& effort) {
         SceneDescription scene = closeUpOfFloor({0.1f, 0.6f, 0.4f}, {0, 0, 0}, 1e-3f);
         addEmitter(&scene, EmitterForm::Rectangle, 0.3f, 1.0f, radiance);
@@ -104,11 +99,9 @@ StressCase brightEmitterCase(float radiance) {
 
 /// A disc or square of half size 1 that hovers closely over the plane.
 StressCase hoveringCase(EmitterForm shape, float height) {
-    StressCase c;
-    c.family = kFamily;
-    c.grade = std::string(shapeName(shape)) + " at height " + gradeNumber(height);
-    c.extreme = "a lamp " + gradeNumber(height) + " times its size over a surface";
-    c.truth = "irradiance in closed form";
+    StressCase c = namedCase(kFamily, std::string(shapeName(shape)) + " at height " + gradeNumber(height),
+                             "a lamp " + gradeNumber(height) + " times its size over a surface",
+                             "irradiance in closed form");
     c.run = [=](const StressEffort& effort) {
         SceneDescription scene = closeUpOfFloor({0.1f, 2.0f, 0.4f}, {0, 0, 0}, 1e-3f);
         addEmitter(&scene, shape, 1.0f, height, 1.0f);
@@ -123,17 +116,16 @@ StressCase hoveringCase(EmitterForm shape, float height) {
 /// they touch, E = pi L R^2 h / d^3 with h = R and d^2 = R^2 + x^2. `elsewhere`: the same away from the
 /// origin, where the point of contact is rounded.
 StressCase restingSphereCase(float distance, bool elsewhere) {
-    StressCase c;
-    c.family = kFamily;
-    c.grade = "ball touches at " + gradeNumber(distance) + (elsewhere ? ", elsewhere" : "");
-    c.extreme = "a ball lamp rests on the surface, " + gradeNumber(distance) +
-                " radii from the point that is looked at";
+    StressCase c =
+        namedCase(kFamily, "ball touches at " + gradeNumber(distance) + (elsewhere ? ", elsewhere" : ""),
+                  "a ball lamp rests on the surface, " + gradeNumber(distance) +
+                      " radii from the point that is looked at",
+                  "irradiance in closed form");
     if (elsewhere && distance < 3e-3f) {
         c.documented = StressVerdict::Broken;
         c.limit =
             "the gap of x^2 / 2 is within a few last places of the coordinates: either side of the ball";
     }
-    c.truth = "irradiance in closed form";
     c.run = [=](const StressEffort& effort) {
         SceneDescription scene = closeUpOfFloor({0, 0.5f, 0}, {distance, 0, 0}, 1e-2f * distance);
         addEmitter(&scene, EmitterForm::Sphere, 1.0f, 1.0f, 1.0f);
@@ -147,12 +139,11 @@ StressCase restingSphereCase(float distance, bool elsewhere) {
 /// A lamp that is a spheroid of the half axes `along` the vertical and `across` it, at height 1. The rays
 /// from below that touch it form a cone of tan^2 = across^2 / (1 - along^2): E = pi L sin^2.
 StressCase ellipsoidCase(float along, float across) {
-    StressCase c;
-    c.family = kFamily;
-    c.grade = "ellipsoid " + gradeNumber(along) + " by " + gradeNumber(across);
-    c.extreme = "an ellipsoid " + gradeNumber(along) + " times its distance along the way to it, " +
-                gradeNumber(across) + " times across";
-    c.truth = "irradiance in closed form";
+    StressCase c =
+        namedCase(kFamily, "ellipsoid " + gradeNumber(along) + " by " + gradeNumber(across),
+                  "an ellipsoid " + gradeNumber(along) + " times its distance along the way to it, " +
+                      gradeNumber(across) + " times across",
+                  "irradiance in closed form");
     c.run = [=](const StressEffort& effort) {
         const double a = static_cast<double>(along);
         const double b = static_cast<double>(across);
@@ -160,8 +151,8 @@ StressCase ellipsoidCase(float along, float across) {
         const auto radiance = static_cast<float>(1.0 / sine2);
         SceneDescription scene =
             closeUpOfFloor({0.1f, 0.6f, 0.4f}, {0, 0, 0}, 1e-2f * std::min(across, 0.1f));
-        addShape(&scene, ShapeKind::Sphere, translate({0, 1, 0}) * scale({across, along, across}),
-                 emitterStress(radiance));
+        addObject(&scene, ShapeKind::Sphere, translate({0, 1, 0}) * scale({across, along, across}),
+                  emissiveMaterial(Vec3(radiance)));
         scene.objects.back().frontOnly = true;
         return measurePaths(scene, effort.passes(512),
                             reflected(kPiD * static_cast<double>(radiance) * sine2), effort);
@@ -172,17 +163,15 @@ StressCase ellipsoidCase(float along, float across) {
 /// A lamp that stands on the plane like a wall, 2 wide and 1 high, at x = 0: the irradiance at a distance x
 /// in front of its middle is L (atan(a/x) - x/R atan(a/R)), a = 1, R^2 = x^2 + height^2.
 StressCase standingWallCase(float distance) {
-    StressCase c;
-    c.family = kFamily;
-    c.grade = "wall touches at " + gradeNumber(distance);
-    c.extreme = "a lamp stands on the surface, " + gradeNumber(distance) +
-                " of its height from the point that is looked at";
-    c.truth = "irradiance in closed form";
+    StressCase c = namedCase(kFamily, "wall touches at " + gradeNumber(distance),
+                             "a lamp stands on the surface, " + gradeNumber(distance) +
+                                 " of its height from the point that is looked at",
+                             "irradiance in closed form");
     c.run = [=](const StressEffort& effort) {
         SceneDescription scene = closeUpOfFloor({distance, 0.5f, 0.2f}, {distance, 0, 0}, 1e-2f * distance);
         MeshData mesh;
         addQuad(&mesh, {0, 0, 1}, {0, 0, -1}, {0, 1, -1}, {0, 1, 1});
-        addMesh(&scene, std::move(mesh), {}, emitterStress(1.0f));
+        addMeshObject(&scene, std::move(mesh), {}, emissiveMaterial(Vec3(1.0f)));
         const double x = static_cast<double>(distance);
         const double root = std::hypot(x, 1.0);
         return measurePaths(scene, effort.passes(1024),

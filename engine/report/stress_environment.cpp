@@ -69,7 +69,8 @@ StressCase pixelCase(float pixel, int row, const char* where) {
         scene.environmentImages.emplace_back();
         const auto image = brightPixel(0.01f, pixel, row);
         scene.environmentImages.back().floats = image;
-        addShape(&scene, ShapeKind::Plane, placeFlatShape({0, 0, 0}, {0, 1, 0}, 1, 1), diffuseStress(0.5f));
+        addObject(&scene, ShapeKind::Plane, placeFlatShape({0, 0, 0}, {0, 1, 0}, 1, 1),
+                  diffuseMaterial(0.5f));
         return measurePaths(scene, effort.passes(1024, 192), 0.5 / kPiD * irradiance(*image), effort);
     };
     return c;

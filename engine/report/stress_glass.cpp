@@ -55,14 +55,15 @@ Result<StressOutcome> measureStack(const std::vector<Interface>& stack, double a
         // The material's index is that of the side the plane's normal turns away from, over the other side's.
         const bool denserBelow = i.below >= i.above;
         const double ratio = denserBelow ? i.below / i.above : i.above / i.below;
-        addShape(&scene, ShapeKind::Plane,
-                 placeFlatShape({0, 0, i.z}, {0, 0, denserBelow ? 1.0f : -1.0f}, 1, 1),
-                 glass(static_cast<float>(ratio)));
+        addObject(&scene, ShapeKind::Plane,
+                  placeFlatShape({0, 0, i.z}, {0, 0, denserBelow ? 1.0f : -1.0f}, 1, 1),
+                  glass(static_cast<float>(ratio)));
         const double exact = static_cast<double>(static_cast<float>(ratio));
         const double r = reflectance(sine / i.above, denserBelow ? exact : 1.0 / exact);
         sum += r / (1.0 - r);
     }
-    addShape(&scene, ShapeKind::Plane, placeFlatShape({0, 0, -4}, {0, 0, 1}, 1, 1), emitterStress(1.0f));
+    addObject(&scene, ShapeKind::Plane, placeFlatShape({0, 0, -4}, {0, 0, 1}, 1, 1),
+              emissiveMaterial(Vec3(1.0f)));
     const double truth = 1.0 / (1.0 + sum);
     return measurePaths(scene, effort.passes(passesFor(angleRad, truth), 512), truth, effort);
 }
@@ -125,7 +126,7 @@ StressCase criticalCase(double offset) {
         const auto fov = static_cast<float>(std::min(1e-3, 5.0 * std::abs(offset)));
         SceneDescription scene = emptyStressScene({0, -k, 0}, {s, 0, 0}, fov);
         scene.environment.color = Vec3(1.0f);
-        addShape(&scene, ShapeKind::Plane, placeFlatShape({0, 0, 0}, {0, 1, 0}, 1, 1), glass(1.5f));
+        addObject(&scene, ShapeKind::Plane, placeFlatShape({0, 0, 0}, {0, 1, 0}, 1, 1), glass(1.5f));
         const double r = reflectance(std::sin(angle), 1.0 / n);
         return measurePaths(scene, effort.passes(256, 64), r + (1.0 - r) * n * n, effort);
     };
@@ -144,11 +145,11 @@ StressCase furnaceCase(double ior, ShapeKind shape) {
         scene.environment.color = Vec3(1.0f);
         scene.options.maxDepth = 2000;
         if (sphere) {
-            addShape(&scene, ShapeKind::Sphere, {}, glass(static_cast<float>(ior)));
+            addObject(&scene, ShapeKind::Sphere, {}, glass(static_cast<float>(ior)));
         } else {
             MeshData mesh;
             addBox(&mesh, Vec3(-0.8f), Vec3(0.8f), false);
-            addMesh(&scene, std::move(mesh), rotate({1, 2, 3}, 0.8f), glass(static_cast<float>(ior)));
+            addMeshObject(&scene, std::move(mesh), rotate({1, 2, 3}, 0.8f), glass(static_cast<float>(ior)));
         }
         return measurePaths(scene, effort.passes(64), 1.0, effort, 2);
     };

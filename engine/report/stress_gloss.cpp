@@ -55,6 +55,17 @@ SceneDescription planeAtAngle(double angleRad, float fovDeg) {
 
 Affine levelPlane() { return placeFlatShape({0, 0, 0}, {0, 1, 0}, 1, 1); }
 
+/// As a mesh askew, or as a plane.
+void addGreyFloor(SceneDescription* scene, bool mesh) {
+    if (mesh) {
+        MeshData floor;
+        addQuad(&floor, {-3, 0, -2}, {-2, 0, 3}, {3, 0, 2}, {2, 0, -3});
+        addMeshObject(scene, std::move(floor), {}, diffuseMaterial(0.5f));
+    } else {
+        addObject(scene, ShapeKind::Plane, levelPlane(), diffuseMaterial(0.5f));
+    }
+}
+
 StressCase metalCase(double alpha, double angleDeg) {
     StressCase c = namedCase(
         "roughness", "metal " + gradeNumber(alpha) + " at " + gradeNumber(angleDeg),
@@ -64,7 +75,7 @@ StressCase metalCase(double alpha, double angleDeg) {
         const double angle = angleDeg * kPiD / 180.0;
         SceneDescription scene = planeAtAngle(angle, 1e-3f);
         scene.environment.color = Vec3(1.0f);
-        addShape(&scene, ShapeKind::Plane, levelPlane(), whiteMetal(static_cast<float>(alpha)));
+        addObject(&scene, ShapeKind::Plane, levelPlane(), whiteMetal(static_cast<float>(alpha)));
         return measurePaths(scene, effort.passes(128), metalAlbedo(std::cos(angle), alpha), effort);
     };
     return c;
@@ -82,7 +93,7 @@ StressCase highlightCase(double alpha, double angleDeg) {
         light.position = {-scene.camera.position.x, scene.camera.position.y, 0.0f};
         light.color = Vec3(static_cast<float>(alpha * alpha));
         scene.lights.push_back(light);
-        addShape(&scene, ShapeKind::Plane, levelPlane(), whiteMetal(static_cast<float>(alpha)));
+        addObject(&scene, ShapeKind::Plane, levelPlane(), whiteMetal(static_cast<float>(alpha)));
         const double cosine = std::cos(angle);
         const double visible = 1.0 / (1.0 + 2.0 * smithLambda(cosine, alpha));
         return measurePaths(scene, effort.passes(16), visible / (4.0 * kPiD * cosine), effort);
@@ -101,13 +112,7 @@ StressCase grazingViewCase(double elevation, bool mesh) {
         scene.camera.up = {0, 1, 0};
         scene.environment.color = Vec3(1.0f);
         scene.options.maxDepth = 1;
-        if (mesh) {
-            MeshData floor;
-            addQuad(&floor, {-3, 0, -2}, {-2, 0, 3}, {3, 0, 2}, {2, 0, -3});
-            addMesh(&scene, std::move(floor), {}, diffuseStress(0.5f));
-        } else {
-            addShape(&scene, ShapeKind::Plane, levelPlane(), diffuseStress(0.5f));
-        }
+        addGreyFloor(&scene, mesh);
         return measurePaths(scene, effort.passes(64), 0.5, effort, 2);
     };
     return c;
@@ -121,18 +126,9 @@ StressCase grazingLightCase(double elevation, bool mesh) {
     c.run = [=](const StressEffort& effort) {
         SceneDescription scene = emptyStressScene({0.3f, 1, 0.2f}, {0, 0, 0}, 5.0f);
         scene.options.maxDepth = 1;
-        Light sun;
-        sun.kind = LightKind::Directional;
-        sun.direction = {1.0f, static_cast<float>(-elevation), 0.3f};
-        sun.color = Vec3(static_cast<float>(1.0 / elevation));
-        scene.lights.push_back(sun);
-        if (mesh) {
-            MeshData floor;
-            addQuad(&floor, {-3, 0, -2}, {-2, 0, 3}, {3, 0, 2}, {2, 0, -3});
-            addMesh(&scene, std::move(floor), {}, diffuseStress(0.5f));
-        } else {
-            addShape(&scene, ShapeKind::Plane, levelPlane(), diffuseStress(0.5f));
-        }
+        scene.lights.push_back(directionalLight({1.0f, static_cast<float>(-elevation), 0.3f},
+                                                Vec3(static_cast<float>(1.0 / elevation))));
+        addGreyFloor(&scene, mesh);
         const double length = std::sqrt(1.0 + elevation * elevation + 0.09);
         return measurePaths(scene, effort.passes(16), 0.5 / (kPiD * length), effort, 2);
     };

@@ -36,7 +36,7 @@ StressCase largeFloorCase(float halfSize, float height, float slope) {
         SceneDescription scene = emptyStressScene({0.05f, height + 1.0f, 0.02f}, {0.3f, height, 0.1f}, 10.0f);
         scene.environment.color = Vec3(1.0f);
         scene.options.maxDepth = 1;
-        addMesh(&scene, plainFloor(halfSize, height, slope), {}, diffuseStress(kAlbedo));
+        addMeshObject(&scene, plainFloor(halfSize, height, slope), {}, diffuseMaterial(kAlbedo));
         return measurePaths(scene, effort.passes(64), kGrey, effort, 2);
     };
     return c;
@@ -47,12 +47,8 @@ SceneDescription blockOnGround(float groundHalfSize) {
     SceneDescription scene = emptyStressScene({2.5f, 1.5f, 2.0f}, {0.2f, 0.3f, 0.1f}, 35.0f, 32);
     MeshData mesh = plainFloor(groundHalfSize, 0.0f, 0.0f);
     addBox(&mesh, {-0.5f, 0.0f, -0.5f}, {0.5f, 0.8f, 0.5f}, false);
-    addMesh(&scene, std::move(mesh), rotate({0.2f, 1.0f, 0.1f}, 0.3f), diffuseStress(0.7f));
-    Light sun;
-    sun.kind = LightKind::Directional;
-    sun.direction = {-0.5f, -1.0f, -0.7f};
-    sun.color = Vec3(3.0f);
-    scene.lights.push_back(sun);
+    addMeshObject(&scene, std::move(mesh), rotate({0.2f, 1.0f, 0.1f}, 0.3f), diffuseMaterial(0.7f));
+    scene.lights.push_back(directionalLight({-0.5f, -1.0f, -0.7f}, Vec3(3.0f)));
     scene.environment.color = Vec3(0.3f);
     scene.options.maxDepth = 4;
     return scene;
@@ -104,9 +100,9 @@ StressCase faultyEmitterCase(const char* what, void (*spoil)(MeshData*)) {
         spoil(&emitter);
         SceneDescription scene = emptyStressScene({0.3f, 0.5f, 0.4f}, {0, 0, 0}, 0.05f);
         scene.options.maxDepth = 1;
-        addShape(&scene, ShapeKind::Plane, placeFlatShape({0, 0, 0}, {0, 1, 0}, 1, 1),
-                 diffuseStress(kAlbedo));
-        addMesh(&scene, std::move(emitter), translate({0, 1, 0}), emitterStress(1.0f));
+        addObject(&scene, ShapeKind::Plane, placeFlatShape({0, 0, 0}, {0, 1, 0}, 1, 1),
+                  diffuseMaterial(kAlbedo));
+        addMeshObject(&scene, std::move(emitter), translate({0, 1, 0}), emissiveMaterial(Vec3(1.0f)));
         const double root = std::numbers::sqrt2;
         return measurePaths(scene, effort.passes(256),
                             kGrey / std::numbers::pi * 4.0 / root * std::atan(1.0 / root), effort);
@@ -130,8 +126,8 @@ StressCase sheetCase(float gap) {
         SceneDescription scene = emptyStressScene({0.2f, 1.8f, 0.3f}, {0, kHeight, 0}, 20.0f);
         scene.environment.color = Vec3(1.0f);
         scene.options.maxDepth = 8;
-        addMesh(&scene, plainFloor(1.0f, kHeight, 0.25f), {}, diffuseStress(0.0f));
-        addMesh(&scene, plainFloor(1.0f, kHeight + gap, 0.25f), {}, diffuseStress(kAlbedo));
+        addMeshObject(&scene, plainFloor(1.0f, kHeight, 0.25f), {}, diffuseMaterial(0.0f));
+        addMeshObject(&scene, plainFloor(1.0f, kHeight + gap, 0.25f), {}, diffuseMaterial(kAlbedo));
         return measurePaths(scene, effort.passes(64), kGrey, effort, 4);
     };
     return c;
@@ -143,7 +139,8 @@ StressCase doubledSheetCase() {
                              "albedo under an even sky");
     c.run = [=](const StressEffort& effort) {
         SceneDescription scene = skyOverMesh(plainFloor(1.0f, 0.0f, 0.0f), 0.4f, true);
-        addMesh(&scene, plainFloor(1.0f, 0.0f, 0.0f), scene.objects[0].objectToWorld, diffuseStress(kAlbedo));
+        addMeshObject(&scene, plainFloor(1.0f, 0.0f, 0.0f), scene.objects[0].objectToWorld,
+                      diffuseMaterial(kAlbedo));
         return measurePaths(scene, effort.passes(64), kGrey, effort, 4);
     };
     return c;

@@ -63,9 +63,9 @@ StressCase needleEmitterCase(float aspect) {
         }
         SceneDescription scene = emptyStressScene({0.3f, 0.5f, 0.4f}, {0, 0, 0}, 0.05f);
         scene.options.maxDepth = 1;
-        addShape(&scene, ShapeKind::Plane, placeFlatShape({0, 0, 0}, {0, 1, 0}, 1, 1),
-                 diffuseStress(kFloorAlbedo));
-        addMesh(&scene, std::move(emitter), {}, emitterStress(static_cast<float>(1.0 / b)));
+        addObject(&scene, ShapeKind::Plane, placeFlatShape({0, 0, 0}, {0, 1, 0}, 1, 1),
+                  diffuseMaterial(kFloorAlbedo));
+        addMeshObject(&scene, std::move(emitter), {}, emissiveMaterial(Vec3(static_cast<float>(1.0 / b))));
         const double rootA = std::numbers::sqrt2;
         const double rootB = std::hypot(b, 1.0);
         const double irradiance =
@@ -95,12 +95,10 @@ StressCase litNeedleCase(float aspect) {
         SceneDescription scene =
             emptyStressScene(Vec3(middle + normal), Vec3(middle), 0.05f * width * 180.0f / kPi);
         scene.options.maxDepth = 1;
-        Light sun;
-        sun.kind = LightKind::Directional;
-        sun.direction = -Vec3(0.6 * normal + 0.8 * glm::normalize(glm::dvec3(across)));
-        scene.lights.push_back(sun);
-        const double cosine = -glm::dot(normal, glm::normalize(glm::dvec3(sun.direction)));
-        addMesh(&scene, std::move(mesh), {}, diffuseStress(kFloorAlbedo));
+        const Vec3 direction = -Vec3(0.6 * normal + 0.8 * glm::normalize(glm::dvec3(across)));
+        scene.lights.push_back(directionalLight(direction));
+        const double cosine = -glm::dot(normal, glm::normalize(glm::dvec3(direction)));
+        addMeshObject(&scene, std::move(mesh), {}, diffuseMaterial(kFloorAlbedo));
         return measurePaths(scene, effort.passes(16), kGrey / std::numbers::pi * cosine, effort);
     };
     return c;

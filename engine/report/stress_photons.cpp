@@ -17,18 +17,34 @@ constexpr const char* kFamily = "photons";
 constexpr double kPiD = std::numbers::pi;
 constexpr double kFloorRadiance = 0.5 / kPiD;  // albedo 0.5, irradiance 1
 
-/// The middle of a floor of half size 1, lit straight from above with the irradiance 1, by photons alone.
-SceneDescription litFloor(float radius, uint32_t photons) {
-    SceneDescription scene = emptyStressScene({0.2f, 1.0f, 0.1f}, {0, 0, 0}, 2.0f, 4);
-    addShape(&scene, ShapeKind::Rectangle, placeFlatShape({0, 0, 0}, {0, 1, 0}, 1, 1), diffuseStress(0.5f));
-    Light sun;
-    sun.kind = LightKind::Directional;
-    scene.lights.push_back(sun);
+/// The middle of a floor, lit by photons of the light alone.
+SceneDescription photonFloor(const Vec3& from, float fovDeg, float halfSize, const Light& light, float radius,
+                             uint32_t photons) {
+    SceneDescription scene = emptyStressScene(from, {0, 0, 0}, fovDeg, 4);
+    addObject(&scene, ShapeKind::Rectangle, placeFlatShape({0, 0, 0}, {0, 1, 0}, halfSize, halfSize),
+              diffuseMaterial(0.5f));
+    scene.lights.push_back(light);
     scene.options.maxDepth = 1;
     scene.sppm.radiusWorld = radius;
     scene.sppm.photonsPerPass = photons;
     scene.sppm.sampleDirectLight = false;
     return scene;
+}
+
+/// At height 1, pointing down.
+Light spotAbove(float coneAngleDeg, float coneFalloffStartDeg) {
+    Light spot;
+    spot.kind = LightKind::Spot;
+    spot.position = {0, 1, 0};
+    spot.coneAngleDeg = coneAngleDeg;
+    spot.coneFalloffStartDeg = coneFalloffStartDeg;
+    return spot;
+}
+
+/// A floor of half size 1, lit straight from above with the irradiance 1.
+SceneDescription litFloor(float radius, uint32_t photons) {
+    const Light sun = directionalLight({0, -1, 0});
+    return photonFloor({0.2f, 1.0f, 0.1f}, 2.0f, 1.0f, sun, radius, photons);
 }
 
 /// Every photon of the floor counts in a disc that reaches beyond it: density 4 / (pi r^2) of the true one.
@@ -53,19 +69,8 @@ StressCase smallRadiusCase(float relative) {
     c.run = [=](const StressEffort& effort) {
         constexpr float kRadius = 2e-3f;
         const float size = kRadius / relative;
-        SceneDescription scene = emptyStressScene({0.1f, 1.0f, 0.05f}, {0, 0, 0}, 1.0f, 4);
-        addShape(&scene, ShapeKind::Rectangle, placeFlatShape({0, 0, 0}, {0, 1, 0}, size, size),
-                 diffuseStress(0.5f));
-        Light spot;
-        spot.kind = LightKind::Spot;
-        spot.position = {0, 1, 0};
-        spot.coneAngleDeg = 3.0f;
-        spot.coneFalloffStartDeg = 2.5f;
-        scene.lights.push_back(spot);
-        scene.options.maxDepth = 1;
-        scene.sppm.radiusWorld = kRadius;
-        scene.sppm.photonsPerPass = 50000;
-        scene.sppm.sampleDirectLight = false;
+        const SceneDescription scene =
+            photonFloor({0.1f, 1.0f, 0.05f}, 1.0f, size, spotAbove(3.0f, 2.5f), kRadius, 50000);
         return measurePhotons(scene, 4, effort.passes(64, 16), kFloorRadiance, effort);
     };
     return c;
@@ -79,19 +84,9 @@ StressCase narrowSpotCase(float halfAngleDeg) {
                   "intensity over distance squared");
     c.run = [=](const StressEffort& effort) {
         const float spotRadius = halfAngleDeg * kPi / 180.0f;
-        SceneDescription scene = emptyStressScene({0, 0.7f, 0}, {0, 0, 0}, 0.2f * halfAngleDeg, 4);
-        addShape(&scene, ShapeKind::Rectangle, placeFlatShape({0, 0, 0}, {0, 1, 0}, 1, 1),
-                 diffuseStress(0.5f));
-        Light spot;
-        spot.kind = LightKind::Spot;
-        spot.position = {0, 1, 0};
-        spot.coneAngleDeg = halfAngleDeg;
-        spot.coneFalloffStartDeg = 0.9f * halfAngleDeg;
-        scene.lights.push_back(spot);
-        scene.options.maxDepth = 1;
-        scene.sppm.radiusWorld = 0.2f * spotRadius;
-        scene.sppm.photonsPerPass = 20000;
-        scene.sppm.sampleDirectLight = false;
+        const SceneDescription scene =
+            photonFloor({0, 0.7f, 0}, 0.2f * halfAngleDeg, 1.0f, spotAbove(halfAngleDeg, 0.9f * halfAngleDeg),
+                        0.2f * spotRadius, 20000);
         return measurePhotons(scene, 4, effort.passes(48, 16), kFloorRadiance, effort);
     };
     return c;
@@ -115,8 +110,8 @@ StressCase darkCase() {
         namedCase(kFamily, "no photon for 10000 passes", "a floor that no photon reaches", "black");
     c.run = [](const StressEffort& effort) {
         SceneDescription scene = litFloor(0.3f, 100);
-        addShape(&scene, ShapeKind::Rectangle, placeFlatShape({0, 3, 0}, {0, 1, 0}, 5, 5),
-                 diffuseStress(0.0f));
+        addObject(&scene, ShapeKind::Rectangle, placeFlatShape({0, 3, 0}, {0, 1, 0}, 5, 5),
+                  diffuseMaterial(0.0f));
         return measurePhotons(scene, effort.passes(10000), 2, 0.0, effort);
     };
     return c;

@@ -1,38 +1,23 @@
-// Building blocks of the stability suite's scenes, and the changes of unit and place that must not matter.
+// Scenes and materials that families of the stability suite share, and the changes of unit and place that
+// must not matter.
 //
 // Called by the suite's families. Scenes are small descriptions made in code; none reads a file.
 #pragma once
 
-#include <initializer_list>
-#include <memory>
 #include <string>
 
-#include "engine/scene/scene.h"
+#include "engine/scene/scene_building.h"
 
 namespace glint {
 
-/// No objects and no light, seen from `from` towards `to`; `size` pixels square, box filter of one pixel.
-SceneDescription emptyStressScene(const Vec3& from, const Vec3& to, float fovDeg, int size = 16);
+/// As emptyScene(), small.
+inline SceneDescription emptyStressScene(const Vec3& from, const Vec3& to, float fovDeg, int size = 16) {
+    return emptyScene(from, to, fovDeg, size);
+}
 
-Material diffuseStress(float albedo);
-/// Black, radiance `radiance` from the front, or from both sides.
-Material emitterStress(float radiance, bool bothSides = false);
 /// A metal without absorption: everything is reflected (Fresnel 1 up to 1e-6).
 Material whiteMetal(float roughness);
 Material glass(float ior);
-
-/// Adds the material and the object; returns the object's index.
-size_t addShape(SceneDescription* scene, ShapeKind shape, const Affine& objectToWorld,
-                const Material& material);
-size_t addMesh(SceneDescription* scene, MeshData mesh, const Affine& objectToWorld, const Material& material);
-
-/// The rectangle or disc at `center`, its front towards `normal`, half edges halfX and halfY.
-Affine placeFlatShape(const Vec3& center, const Vec3& normal, float halfX, float halfY);
-
-/// Appends two triangles, counter-clockwise seen from where a, b, c, d run counter-clockwise.
-void addQuad(MeshData* mesh, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
-/// Appends the six inward- or outward-facing sides of the box.
-void addBox(MeshData* mesh, const Vec3& lo, const Vec3& hi, bool inward);
 
 constexpr float kFloorAlbedo = 0.5f;
 /// The infinite grey plane y = 0 around `target`, direct light only, in a picture that covers next to nothing

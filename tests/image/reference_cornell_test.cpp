@@ -19,21 +19,20 @@ constexpr int kBlock = 16;
 
 /// pbrt's camera is left-handed: its +x is the picture's left, so x is mirrored here.
 SceneDescription greyCornell() {
-    SceneDescription scene = test::emptyScene({0, 1, 3.9f}, {0, 1, 0}, kSize, 39);
+    SceneDescription scene = emptyScene({0, 1, 3.9f}, {0, 1, 0}, 39, kSize);
     const auto wall = [&](const Vec3& center, const Vec3& normal, float albedo) {
-        test::addObject(&scene, ShapeKind::Rectangle, test::placeFlat(center, normal, 1, 1),
-                        test::diffuseMaterial(albedo));
+        addObject(&scene, ShapeKind::Rectangle, placeFlatShape(center, normal, 1, 1),
+                  diffuseMaterial(albedo));
     };
     wall({0, 0, 0}, {0, 1, 0}, 0.73f);
     wall({0, 2, 0}, {0, -1, 0}, 0.73f);
     wall({0, 1, -1}, {0, 0, 1}, 0.73f);
     wall({1, 1, 0}, {-1, 0, 0}, 0.25f);
     wall({-1, 1, 0}, {1, 0, 0}, 0.5f);
-    test::addObject(&scene, ShapeKind::Rectangle, test::placeFlat({0, 1.99f, 0}, {0, -1, 0}, 0.25f, 0.25f),
-                    test::emissiveMaterial(Vec3(15.0f), false));
+    addObject(&scene, ShapeKind::Rectangle, placeFlatShape({0, 1.99f, 0}, {0, -1, 0}, 0.25f, 0.25f),
+              emissiveMaterial(Vec3(15.0f), false));
     for (const Vec3& center : {Vec3(-0.4f, 0.4f, 0.3f), Vec3(0.4f, 0.4f, -0.3f)}) {
-        test::addObject(&scene, ShapeKind::Sphere, translate(center) * scale(Vec3(0.4f)),
-                        test::diffuseMaterial(0.73f));
+        addObject(&scene, ShapeKind::Sphere, translate(center) * scale(Vec3(0.4f)), diffuseMaterial(0.73f));
     }
     scene.options.maxDepth = 10;
     return scene;

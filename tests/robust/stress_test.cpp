@@ -71,7 +71,6 @@ TEST_F(Stress, AnUnknownFilterNamesTheNearestFamily) {
 }
 
 TEST_F(Stress, WritesHtmlAndJson) {
-    const test::TempFolder folder;
     const test::ProgramRun run =
         test::runProgram({"stress", "--quick", "--filter", "recurrence", "--html", folder.path("stress.html"),
                           "--json", folder.path("stress.json")});

@@ -22,10 +22,10 @@ constexpr float kTruth = 1.0f / (1.0f - kAlbedo);
 
 /// Russian roulette from the first vertex on makes it noisy.
 SceneDescription glowingRoom() {
-    SceneDescription scene = test::emptyScene({0.2f, -0.3f, 0.1f}, {1, 0, 0}, kSize, 60);
-    Material material = test::emissiveMaterial(Vec3(1.0f), true);
+    SceneDescription scene = emptyScene({0.2f, -0.3f, 0.1f}, {1, 0, 0}, 60, kSize);
+    Material material = emissiveMaterial(Vec3(1.0f), true);
     material.color.value = Vec3(kAlbedo);
-    test::addObject(&scene, ShapeKind::Sphere, scale(Vec3(2.0f)), material);
+    addObject(&scene, ShapeKind::Sphere, scale(Vec3(2.0f)), material);
     scene.options.maxDepth = 64;
     scene.options.rouletteStartDepth = 0;
     scene.options.sampler = SamplerKind::Independent;

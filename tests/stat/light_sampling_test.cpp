@@ -38,7 +38,7 @@ struct Case {
 
 SceneDescription sceneOf(const Case& c) {
     SceneDescription scene;
-    scene.materials.push_back(test::emissiveMaterial(Vec3(1.0f), c.bothSides));
+    scene.materials.push_back(emissiveMaterial(Vec3(1.0f), c.bothSides));
     Object object;
     object.shape = c.shape;
     object.objectToWorld = c.transform;
@@ -223,7 +223,7 @@ SceneImage spottedImage() {
     set(4, 2, 50.0f);
     set(15, 6, 20.0f);
     set(7, 0, 10.0f);
-    return {"", nullptr, image};
+    return {.floats = image};
 }
 
 SceneDescription environmentScene(bool image, float rotationDeg) {

@@ -19,7 +19,7 @@ using test::UniformNumbers;
 /// A soup of emissive triangles, and one light of every other kind.
 SceneDescription mixedLights(uint32_t triangles, bool bothSides) {
     SceneDescription scene;
-    scene.materials.push_back(test::emissiveMaterial(Vec3(1.0f, 2.0f, 0.5f), bothSides));
+    scene.materials.push_back(emissiveMaterial(Vec3(1.0f, 2.0f, 0.5f), bothSides));
     if (triangles > 0) {
         scene.meshes.push_back({"soup", {}, test::triangleSoup(triangles, 0.1f, 4)});
         Object soup;
@@ -126,7 +126,7 @@ TEST(LightChoice, NoLightThatShinesIsMissed) {
 /// Irradiance by one sample with a light from the tree, and with one drawn uniformly.
 TEST(LightChoice, TreeBeatsUniformChoiceAmongThousands) {
     SceneDescription description;
-    description.materials.push_back(test::emissiveMaterial(Vec3(1.0f), false));
+    description.materials.push_back(emissiveMaterial(Vec3(1.0f), false));
     description.meshes.push_back({"soup", {}, test::triangleSoup(5000, 0.02f, 8)});
     Object soup;
     soup.shape = ShapeKind::Mesh;

@@ -34,11 +34,11 @@ void expectSameBlocks(const Film& a, const Film& b, const char* what) {
 
 /// A floor and a back wall.
 SceneDescription corner() {
-    SceneDescription scene = test::emptyScene({0, 1.2f, 4}, {0, 0.6f, 0}, kSize, 45);
-    test::addObject(&scene, ShapeKind::Rectangle, test::placeFlat({0, 0, 0}, {0, 1, 0}, 3, 3),
-                    test::diffuseMaterial(0.6f));
-    test::addObject(&scene, ShapeKind::Rectangle, test::placeFlat({0, 1, -2}, {0, 0, 1}, 3, 3),
-                    test::diffuseMaterial(0.4f));
+    SceneDescription scene = emptyScene({0, 1.2f, 4}, {0, 0.6f, 0}, 45, kSize);
+    addObject(&scene, ShapeKind::Rectangle, placeFlatShape({0, 0, 0}, {0, 1, 0}, 3, 3),
+              diffuseMaterial(0.6f));
+    addObject(&scene, ShapeKind::Rectangle, placeFlatShape({0, 1, -2}, {0, 0, 1}, 3, 3),
+              diffuseMaterial(0.4f));
     scene.options.maxDepth = 4;
     return scene;
 }
@@ -47,38 +47,38 @@ SceneDescription corner() {
 SceneDescription emittersOfEveryShape() {
     SceneDescription scene = corner();
     const auto emitter = [](float radiance, bool both = false) {
-        return test::emissiveMaterial(Vec3(radiance), both);
+        return emissiveMaterial(Vec3(radiance), both);
     };
     Affine sheared = translate({1.6f, 1.6f, -0.5f}) * scale(Vec3(0.5f));
     sheared.linear[1] += 0.6f * sheared.linear[0];
-    test::addObject(&scene, ShapeKind::Sphere, translate({-1.5f, 1.5f, 0}) * scale(Vec3(0.5f)), emitter(2));
-    test::addObject(&scene, ShapeKind::Sphere, translate({0, 1.8f, -1}) * scale(Vec3(0.9f, 0.2f, 0.5f)),
-                    emitter(3));
-    test::addObject(&scene, ShapeKind::Rectangle, sheared, emitter(3, true));
-    test::addObject(&scene, ShapeKind::Disc, test::placeFlat({-0.6f, 2.2f, 1}, {0.3f, -1, -0.2f}, 0.8f, 0.4f),
-                    emitter(4));
-    test::addMeshObject(&scene, test::triangleSoup(3, 0.6f, 5),
-                        translate({0.8f, 0.9f, 0.6f}) * scale(Vec3(-0.4f, 0.4f, 0.4f)), emitter(5, true));
+    addObject(&scene, ShapeKind::Sphere, translate({-1.5f, 1.5f, 0}) * scale(Vec3(0.5f)), emitter(2));
+    addObject(&scene, ShapeKind::Sphere, translate({0, 1.8f, -1}) * scale(Vec3(0.9f, 0.2f, 0.5f)),
+              emitter(3));
+    addObject(&scene, ShapeKind::Rectangle, sheared, emitter(3, true));
+    addObject(&scene, ShapeKind::Disc, placeFlatShape({-0.6f, 2.2f, 1}, {0.3f, -1, -0.2f}, 0.8f, 0.4f),
+              emitter(4));
+    addMeshObject(&scene, *test::triangleSoup(3, 0.6f, 5),
+                  translate({0.8f, 0.9f, 0.6f}) * scale(Vec3(-0.4f, 0.4f, 0.4f)), emitter(5, true));
     return scene;
 }
 
 /// Rough metal, rough glass and plastic under an environment image and one lamp.
 SceneDescription glossyUnderSky() {
     SceneDescription scene = corner();
-    Material metal = test::diffuseMaterial(1.0f);
+    Material metal = diffuseMaterial(1.0f);
     metal.kind = MaterialKind::Conductor;
     metal.roughness = 0.4f;
-    Material glass = test::diffuseMaterial(1.0f);
+    Material glass = diffuseMaterial(1.0f);
     glass.kind = MaterialKind::Dielectric;
     glass.roughness = 0.4f;
-    Material plastic = test::diffuseMaterial(0.6f);
+    Material plastic = diffuseMaterial(0.6f);
     plastic.kind = MaterialKind::Plastic;
     plastic.roughness = 0.3f;
-    test::addObject(&scene, ShapeKind::Sphere, translate({-1.1f, 0.5f, 0}) * scale(Vec3(0.5f)), metal);
-    test::addObject(&scene, ShapeKind::Sphere, translate({0, 0.5f, 0}) * scale(Vec3(0.5f)), glass);
-    test::addObject(&scene, ShapeKind::Sphere, translate({1.1f, 0.5f, 0}) * scale(Vec3(0.5f)), plastic);
-    test::addObject(&scene, ShapeKind::Sphere, translate({0, 2, 0.5f}) * scale(Vec3(0.4f)),
-                    test::emissiveMaterial(Vec3(4.0f), false));
+    addObject(&scene, ShapeKind::Sphere, translate({-1.1f, 0.5f, 0}) * scale(Vec3(0.5f)), metal);
+    addObject(&scene, ShapeKind::Sphere, translate({0, 0.5f, 0}) * scale(Vec3(0.5f)), glass);
+    addObject(&scene, ShapeKind::Sphere, translate({1.1f, 0.5f, 0}) * scale(Vec3(0.5f)), plastic);
+    addObject(&scene, ShapeKind::Sphere, translate({0, 2, 0.5f}) * scale(Vec3(0.4f)),
+              emissiveMaterial(Vec3(4.0f), false));
     auto image = std::make_shared<ImageF>();
     image->width = 16;
     image->height = 8;
@@ -107,8 +107,8 @@ TEST(Strategies, AgreeOnGlossySurfacesUnderSky) { expectStrategiesAgree(glossyUn
 
 TEST(Strategies, AgreeOnManyLights) {
     SceneDescription scene = corner();
-    test::addMeshObject(&scene, test::triangleSoup(300, 0.3f, 9), translate({0, 1.4f, 0}),
-                        test::emissiveMaterial(Vec3(0.8f), false));
+    addMeshObject(&scene, *test::triangleSoup(300, 0.3f, 9), translate({0, 1.4f, 0}),
+                  emissiveMaterial(Vec3(0.8f), false));
     Light point;
     point.position = {1, 0.3f, 1};
     scene.lights.push_back(point);
@@ -194,10 +194,10 @@ TEST(Replay, RepeatsTheSampleAndNamesEveryVertex) {
 }
 
 TEST(Faults, OverflowIsDroppedCountedAndReplayed) {
-    SceneDescription scene = test::emptyScene({0, 0, 0.5f}, {1, 0, 0}, 8, 40);
-    Material material = test::emissiveMaterial(Vec3(3e38f), true);
+    SceneDescription scene = emptyScene({0, 0, 0.5f}, {1, 0, 0}, 40, 8);
+    Material material = emissiveMaterial(Vec3(3e38f), true);
     material.color.value = Vec3(0.9f);
-    test::addObject(&scene, ShapeKind::Sphere, scale(Vec3(2.0f)), material);
+    addObject(&scene, ShapeKind::Sphere, scale(Vec3(2.0f)), material);
     const Film film = test::renderFilm(scene, 2);
     EXPECT_EQ(film.faultCounts()[static_cast<size_t>(SampleFault::Infinite)], 128u);
     EXPECT_EQ(film.pixels()[0].count, 0u);
@@ -223,9 +223,9 @@ TEST(FireflyClamp, LimitsSamplesAndNothingElse) {
 }
 
 TEST(Aovs, ShowTheFirstHit) {
-    SceneDescription scene = test::emptyScene({0, 0, 5}, {0, 0, 0}, 8, 20);
-    test::addObject(&scene, ShapeKind::Rectangle, test::placeFlat({0, 0, -1}, {0, 0, 1}, 0.4f, 9),
-                    test::diffuseMaterial(0.3f));
+    SceneDescription scene = emptyScene({0, 0, 5}, {0, 0, 0}, 20, 8);
+    addObject(&scene, ShapeKind::Rectangle, placeFlatShape({0, 0, -1}, {0, 0, 1}, 0.4f, 9),
+              diffuseMaterial(0.3f));
     const auto built = test::buildAll(scene);
     ASSERT_NE(built, nullptr);
     const PassParams params = passParamsOf(scene);

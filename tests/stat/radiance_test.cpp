@@ -29,10 +29,10 @@ void expectMean(const Film& film, double expected, double slack = 1e-4) {
 
 /// From inside a closed sphere that emits 1 and reflects `albedo`, everything looks alike.
 SceneDescription closedSphere(float albedo, int maxDepth, int rouletteStartDepth) {
-    SceneDescription scene = test::emptyScene({0.2f, -0.3f, 0.1f}, {1, 0, 0}, 16, 60);
-    Material material = test::emissiveMaterial(Vec3(1.0f), true);
+    SceneDescription scene = emptyScene({0.2f, -0.3f, 0.1f}, {1, 0, 0}, 60, 16);
+    Material material = emissiveMaterial(Vec3(1.0f), true);
     material.color.value = Vec3(albedo);
-    test::addObject(&scene, ShapeKind::Sphere, scale(Vec3(2.0f)), material);
+    addObject(&scene, ShapeKind::Sphere, scale(Vec3(2.0f)), material);
     scene.options.maxDepth = maxDepth;
     scene.options.rouletteStartDepth = rouletteStartDepth;
     return scene;
@@ -66,15 +66,14 @@ TEST(Furnace, MeshFloorsDoNotShadowThemselves) {
     for (const float halfSize : {1.0f, 100.0f, 1e6f}) {
         for (const float height : {0.0f, 0.3f}) {
             SCOPED_TRACE(std::to_string(halfSize) + " at " + std::to_string(height));
-            SceneDescription scene =
-                test::emptyScene({0.05f, height + 0.5f, 0.02f}, {0.03f, height, 0.1f}, 16, 10);
+            SceneDescription scene = emptyScene({0.05f, height + 0.5f, 0.02f}, {0.03f, height, 0.1f}, 10, 16);
             scene.environment.color = Vec3(1.0f);
             scene.options.maxDepth = 1;
             auto mesh = std::make_shared<MeshData>();
             const float s = halfSize;
             mesh->positions = {{-s, height, -s}, {-s, height, s}, {s, height, s}, {s, height, -s}};
             mesh->indices = {0, 1, 2, 0, 2, 3};
-            test::addMeshObject(&scene, mesh, {}, test::diffuseMaterial(0.5f));
+            addMeshObject(&scene, *mesh, {}, diffuseMaterial(0.5f));
             for (const DirectLightTag strategy : kStrategies) {
                 expectMean(renderFilm(scene, 16, strategy), 0.5);
             }
@@ -85,14 +84,14 @@ TEST(Furnace, MeshFloorsDoNotShadowThemselves) {
 /// A lamp whose triangles are in its mesh twice shines as it would with each of them once.
 TEST(Furnace, RepeatedEmitterTrianglesCountOnce) {
     const auto lit = [](std::vector<uint32_t> indices, DirectLightTag strategy) {
-        SceneDescription scene = test::emptyScene({0.3f, 0.5f, 0.4f}, {0, 0, 0}, 16, 0.05f);
+        SceneDescription scene = emptyScene({0.3f, 0.5f, 0.4f}, {0, 0, 0}, 0.05f, 16);
         scene.options.maxDepth = 1;
-        test::addObject(&scene, ShapeKind::Plane, test::placeFlat({0, 0, 0}, {0, 1, 0}, 1, 1),
-                        test::diffuseMaterial(0.5f));
+        addObject(&scene, ShapeKind::Plane, placeFlatShape({0, 0, 0}, {0, 1, 0}, 1, 1),
+                  diffuseMaterial(0.5f));
         auto mesh = std::make_shared<MeshData>();
         mesh->positions = {{-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1}};
         mesh->indices = std::move(indices);
-        test::addMeshObject(&scene, mesh, {}, test::emissiveMaterial(Vec3(1.0f), false));
+        addMeshObject(&scene, *mesh, {}, emissiveMaterial(Vec3(1.0f), false));
         return test::meanLuminance(renderFilm(scene, 128, strategy));
     };
     for (const DirectLightTag strategy : kStrategies) {
@@ -104,7 +103,7 @@ TEST(Furnace, RepeatedEmitterTrianglesCountOnce) {
 }
 
 Material shinyMaterial(MaterialKind kind, float roughness, bool thin = false) {
-    Material material = test::diffuseMaterial(1.0f);
+    Material material = diffuseMaterial(1.0f);
     material.kind = kind;
     material.roughness = roughness;
     material.thin = thin;
@@ -114,17 +113,17 @@ Material shinyMaterial(MaterialKind kind, float roughness, bool thin = false) {
 
 /// A sphere of the material in a uniform environment of radiance 1, filling the picture.
 SceneDescription whiteFurnace(const Material& material) {
-    SceneDescription scene = test::emptyScene({0, 0, 4}, {0, 0, 0}, 16, 20);
+    SceneDescription scene = emptyScene({0, 0, 4}, {0, 0, 0}, 20, 16);
     scene.environment.color = Vec3(1.0f);
     scene.options.maxDepth = 400;
-    test::addObject(&scene, ShapeKind::Sphere, Affine{}, material);
+    addObject(&scene, ShapeKind::Sphere, Affine{}, material);
     return scene;
 }
 
 TEST(Furnace, WhiteMaterialsVanish) {
     Material mixture = shinyMaterial(MaterialKind::Mixture, 0.0f);
     mixture.mixtureWeights = {1, 2, 3};
-    const Material materials[] = {test::diffuseMaterial(1.0f), shinyMaterial(MaterialKind::Mirror, 0.0f),
+    const Material materials[] = {diffuseMaterial(1.0f), shinyMaterial(MaterialKind::Mirror, 0.0f),
                                   shinyMaterial(MaterialKind::Dielectric, 0.0f),
                                   shinyMaterial(MaterialKind::Dielectric, 0.0f, true), mixture};
     for (const Material& material : materials) {
@@ -160,9 +159,8 @@ TEST(Furnace, RoughAndCoatedMaterialsNeverGain) {
 /// A plane of albedo 0.5 at y = 0 seen from above in a picture that covers next to nothing: radiance at
 /// the origin.
 SceneDescription spotOnPlane() {
-    SceneDescription scene = test::emptyScene({0.1f, 1.0f, 0.7f}, {0, 0, 0}, 16, 0.05f);
-    test::addObject(&scene, ShapeKind::Plane, test::placeFlat({0, 0, 0}, {0, 1, 0}, 1, 1),
-                    test::diffuseMaterial(0.5f));
+    SceneDescription scene = emptyScene({0.1f, 1.0f, 0.7f}, {0, 0, 0}, 0.05f, 16);
+    addObject(&scene, ShapeKind::Plane, placeFlatShape({0, 0, 0}, {0, 1, 0}, 1, 1), diffuseMaterial(0.5f));
     scene.options.maxDepth = 1;
     return scene;
 }
@@ -171,8 +169,8 @@ double reflected(double irradiance) { return irradiance * 0.5 / static_cast<doub
 
 TEST(LightOverPlane, Disc) {
     SceneDescription scene = spotOnPlane();
-    test::addObject(&scene, ShapeKind::Disc, test::placeFlat({0, 1.5f, 0}, {0, -1, 0}, 0.8f, 0.8f),
-                    test::emissiveMaterial(Vec3(3.0f), false));
+    addObject(&scene, ShapeKind::Disc, placeFlatShape({0, 1.5f, 0}, {0, -1, 0}, 0.8f, 0.8f),
+              emissiveMaterial(Vec3(3.0f), false));
     const double irradiance = static_cast<double>(kPi) * 3.0 * 0.64 / (0.64 + 2.25);
     for (const DirectLightTag strategy : kStrategies) {
         expectMean(renderFilm(scene, 256, strategy), reflected(irradiance), 1e-3);
@@ -181,8 +179,8 @@ TEST(LightOverPlane, Disc) {
 
 TEST(LightOverPlane, DiscFacingAwayIsDark) {
     SceneDescription scene = spotOnPlane();
-    test::addObject(&scene, ShapeKind::Disc, test::placeFlat({0, 1.5f, 0}, {0, 1, 0}, 0.8f, 0.8f),
-                    test::emissiveMaterial(Vec3(3.0f), false));
+    addObject(&scene, ShapeKind::Disc, placeFlatShape({0, 1.5f, 0}, {0, 1, 0}, 0.8f, 0.8f),
+              emissiveMaterial(Vec3(3.0f), false));
     for (const DirectLightTag strategy : kStrategies) {
         EXPECT_EQ(test::meanLuminance(renderFilm(scene, 64, strategy)).mean, 0.0);
     }
@@ -190,8 +188,8 @@ TEST(LightOverPlane, DiscFacingAwayIsDark) {
 
 TEST(LightOverPlane, Sphere) {
     SceneDescription scene = spotOnPlane();
-    test::addObject(&scene, ShapeKind::Sphere, translate({0, 2, 0}) * scale(Vec3(0.5f)),
-                    test::emissiveMaterial(Vec3(3.0f), false));
+    addObject(&scene, ShapeKind::Sphere, translate({0, 2, 0}) * scale(Vec3(0.5f)),
+              emissiveMaterial(Vec3(3.0f), false));
     const double irradiance = static_cast<double>(kPi) * 3.0 * 0.25 / 4.0;
     for (const DirectLightTag strategy : kStrategies) {
         expectMean(renderFilm(scene, 256, strategy), reflected(irradiance), 1e-3);
@@ -206,8 +204,8 @@ TEST(LightOverPlane, Rectangle) {
     const double irradiance =
         2.0 * 3.0 * (a / rootA * std::atan(b / rootA) + b / rootB * std::atan(a / rootB));
     SceneDescription scene = spotOnPlane();
-    test::addObject(&scene, ShapeKind::Rectangle, test::placeFlat({0, 0.8f, 0}, {0, -1, 0}, 0.6f, 0.9f),
-                    test::emissiveMaterial(Vec3(3.0f), false));
+    addObject(&scene, ShapeKind::Rectangle, placeFlatShape({0, 0.8f, 0}, {0, -1, 0}, 0.6f, 0.9f),
+              emissiveMaterial(Vec3(3.0f), false));
     scene.camera.position = {0.2f, 0.5f, 0.3f};
     for (const DirectLightTag strategy : kStrategies) {
         expectMean(renderFilm(scene, 256, strategy), reflected(irradiance), 1e-3);
@@ -218,8 +216,8 @@ TEST(LightOverPlane, Rectangle) {
     mesh->positions = {{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}};
     mesh->indices = {0, 1, 2, 0, 2, 3};
     scene.objects.pop_back();
-    test::addMeshObject(&scene, mesh, translate({0, 0.8f, 0}) * glint::scale(Vec3(0.6f, 5.0f, 0.9f)),
-                        test::emissiveMaterial(Vec3(3.0f), false));
+    addMeshObject(&scene, *mesh, translate({0, 0.8f, 0}) * glint::scale(Vec3(0.6f, 5.0f, 0.9f)),
+                  emissiveMaterial(Vec3(3.0f), false));
     for (const DirectLightTag strategy : kStrategies) {
         expectMean(renderFilm(scene, 256, strategy), reflected(irradiance), 1e-3);
     }
@@ -274,8 +272,8 @@ TEST(LightOverPlane, SpotFallsOffBetweenItsCones) {
 
 TEST(LightOverPlane, EmissivePlaneIsSeenThoughItCannotBeSampled) {
     SceneDescription scene = spotOnPlane();
-    test::addObject(&scene, ShapeKind::Plane, test::placeFlat({0, 3, 0}, {0, -1, 0}, 1, 1),
-                    test::emissiveMaterial(Vec3(3.0f), false));
+    addObject(&scene, ShapeKind::Plane, placeFlatShape({0, 3, 0}, {0, -1, 0}, 1, 1),
+              emissiveMaterial(Vec3(3.0f), false));
     for (const DirectLightTag strategy : kStrategies) {
         expectMean(renderFilm(scene, 16, strategy), 1.5, 1e-3);
     }

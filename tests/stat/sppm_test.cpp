@@ -190,13 +190,13 @@ TEST(Sppm, MemoryIsPlannedWithinItsBudget) {
 
 /// A lamp behind a wall that is seen from its front only, and a floor before it, further than a radius.
 SceneDescription emitterBehindOneSidedWall(bool withWall) {
-    SceneDescription scene = emptyScene({0, 1, 4}, {0, -1, 1}, 16, 40.0f);
+    SceneDescription scene = emptyScene({0, 1, 4}, {0, -1, 1}, 40.0f, 16);
     scene.options.maxDepth = 4;
-    addObject(&scene, ShapeKind::Rectangle, placeFlat({0, -1, 10.5}, {0, 1, 0}, 10, 10),
+    addObject(&scene, ShapeKind::Rectangle, placeFlatShape({0, -1, 10.5}, {0, 1, 0}, 10, 10),
               diffuseMaterial(0.8f));
     if (withWall) {
-        const int wall = addObject(&scene, ShapeKind::Rectangle, placeFlat({0, 0, 0}, {0, 0, 1}, 500, 500),
-                                   diffuseMaterial(0.8f));
+        const size_t wall = addObject(&scene, ShapeKind::Rectangle,
+                                      placeFlatShape({0, 0, 0}, {0, 0, 1}, 500, 500), diffuseMaterial(0.8f));
         scene.objects[static_cast<size_t>(wall)].frontOnly = true;
     }
     Light emitter;

@@ -16,14 +16,6 @@ LightScene::LightScene(const SceneDescription& scene) {
     view.lights = lights->view();
 }
 
-Material emissiveMaterial(const Vec3& radiance, bool bothSides) {
-    Material material;
-    material.color.value = Vec3(0.0f);
-    material.emission = radiance;
-    material.emitsBothSides = bothSides;
-    return material;
-}
-
 std::shared_ptr<const MeshData> triangleSoup(uint32_t count, float size, uint32_t seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> uniform(-1.0f, 1.0f);

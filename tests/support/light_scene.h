@@ -8,7 +8,7 @@
 #include "engine/builders/instance_builder.h"
 #include "engine/builders/light_table.h"
 #include "engine/kernels/scene_view.h"
-#include "engine/scene/scene.h"
+#include "engine/scene/scene_building.h"
 
 namespace glint::test {
 
@@ -20,9 +20,6 @@ struct LightScene {
     std::shared_ptr<const InstanceTable> instances;
     SceneView view;
 };
-
-/// A material that emits `radiance`.
-Material emissiveMaterial(const Vec3& radiance, bool bothSides);
 
 /// `count` random triangles of about the given size in the box [-1, 1]^3.
 std::shared_ptr<const MeshData> triangleSoup(uint32_t count, float size, uint32_t seed);

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "engine/builders/scene_builder.h"
-#include "engine/math/frame.h"
 #include "engine/render/backend.h"
 #include "engine/render/pass_params.h"
 
@@ -63,51 +62,6 @@ Estimate meanLuminance(const Film& film) { return meanLuminance(film, 0, 0, film
 bool agree(const Estimate& a, const Estimate& b, double slack) {
     const double error = std::hypot(a.standardError, b.standardError);
     return std::abs(a.mean - b.mean) <= kNormalQuantile * error + slack * std::abs(b.mean);
-}
-
-SceneDescription emptyScene(const Vec3& from, const Vec3& to, int size, float fovDeg) {
-    SceneDescription scene;
-    scene.camera.position = from;
-    scene.camera.target = to;
-    scene.camera.up = std::abs(glm::normalize(to - from).y) > 0.9f ? Vec3(0, 0, 1) : Vec3(0, 1, 0);
-    scene.camera.verticalFovDeg = fovDeg;
-    scene.resolution = {size, size};
-    scene.options.filter = FilterKind::Box;
-    scene.options.filterRadius = 0.5f;
-    return scene;
-}
-
-int addObject(SceneDescription* scene, ShapeKind shape, const Affine& objectToWorld,
-              const Material& material) {
-    Object object;
-    object.shape = shape;
-    object.objectToWorld = objectToWorld;
-    object.material = static_cast<int>(scene->materials.size());
-    scene->materials.push_back(material);
-    scene->objects.push_back(object);
-    return static_cast<int>(scene->objects.size()) - 1;
-}
-
-int addMeshObject(SceneDescription* scene, std::shared_ptr<const MeshData> mesh, const Affine& objectToWorld,
-                  const Material& material) {
-    const int index = addObject(scene, ShapeKind::Mesh, objectToWorld, material);
-    scene->objects.back().mesh = static_cast<int>(scene->meshes.size());
-    scene->meshes.push_back({"", {}, std::move(mesh)});
-    return index;
-}
-
-Material diffuseMaterial(float albedo) {
-    Material material;
-    material.color.value = Vec3(albedo);
-    return material;
-}
-
-Affine placeFlat(const Vec3& center, const Vec3& normal, float halfX, float halfY) {
-    const Frame frame = Frame::fromNormal(glm::normalize(normal));
-    Affine a;
-    a.linear = Mat3(frame.s * halfX, frame.t * halfY, frame.n);
-    a.translation = center;
-    return a;
 }
 
 }  // namespace glint::test

@@ -6,7 +6,7 @@
 #include "engine/builders/built_scene.h"
 #include "engine/kernels/pass.h"
 #include "engine/render/film.h"
-#include "engine/scene/scene.h"
+#include "engine/scene/scene_building.h"
 #include "tests/support/statistics.h"
 
 namespace glint::test {
@@ -31,20 +31,5 @@ Estimate meanLuminance(const Film& film);
 
 /// |a - b| is within the significance of statistics.h, plus `slack` times the value for float rounding.
 bool agree(const Estimate& a, const Estimate& b, double slack = 1e-5);
-
-// ---- Scenes in code ----
-
-/// An empty scene without light, seen from `from` towards `to`; `size` pixels square, box filter of
-/// one pixel.
-SceneDescription emptyScene(const Vec3& from, const Vec3& to, int size, float fovDeg);
-/// Adds a material and an object that uses it; returns the object's index.
-int addObject(SceneDescription* scene, ShapeKind shape, const Affine& objectToWorld,
-              const Material& material);
-int addMeshObject(SceneDescription* scene, std::shared_ptr<const MeshData> mesh, const Affine& objectToWorld,
-                  const Material& material);
-Material diffuseMaterial(float albedo);
-
-/// Affine map of the rectangle or disc onto `center` facing `normal`, half edges `halfX` and `halfY`.
-Affine placeFlat(const Vec3& center, const Vec3& normal, float halfX, float halfY);
 
 }  // namespace glint::test

@@ -5,47 +5,20 @@
 namespace glint::test {
 namespace {
 
-/// Adds a material and returns its index.
 int addMaterial(SceneDescription* scene, MaterialKind kind, const Vec3& color, float roughness = 0.0f) {
-    Material material;
-    material.name = "material " + std::to_string(scene->materials.size());
+    Material material = diffuseMaterial(color);
     material.kind = kind;
-    material.color.value = color;
     material.roughness = roughness;
-    scene->materials.push_back(material);
-    return static_cast<int>(scene->materials.size()) - 1;
+    return glint::addMaterial(scene, material);
 }
 
 int addEmitterMaterial(SceneDescription* scene, const Vec3& emission, bool bothSides = false) {
-    const int index = addMaterial(scene, MaterialKind::Diffuse, Vec3(0.2f));
-    scene->materials.back().emission = emission;
-    scene->materials.back().emitsBothSides = bothSides;
-    return index;
+    Material material = emissiveMaterial(emission, bothSides);
+    material.color.value = Vec3(0.2f);
+    return glint::addMaterial(scene, material);
 }
 
-Object& addObject(SceneDescription* scene, ShapeKind shape, int material, const Affine& objectToWorld) {
-    Object object;
-    object.name = "object " + std::to_string(scene->objects.size());
-    object.shape = shape;
-    object.material = material;
-    object.objectToWorld = objectToWorld;
-    scene->objects.push_back(object);
-    return scene->objects.back();
-}
-
-int addMesh(SceneDescription* scene, std::shared_ptr<const MeshData> data) {
-    Mesh mesh;
-    mesh.name = "mesh " + std::to_string(scene->meshes.size());
-    mesh.data = std::move(data);
-    scene->meshes.push_back(mesh);
-    return static_cast<int>(scene->meshes.size()) - 1;
-}
-
-void addMeshObject(SceneDescription* scene, int mesh, int material, const Affine& objectToWorld) {
-    addObject(scene, ShapeKind::Mesh, material, objectToWorld).mesh = mesh;
-}
-
-SceneDescription emptyScene(const Vec3& cameraPosition, const Vec3& target) {
+SceneDescription seenFrom(const Vec3& cameraPosition, const Vec3& target) {
     SceneDescription scene;
     scene.camera.position = cameraPosition;
     scene.camera.target = target;
@@ -67,11 +40,11 @@ void addRoom(SceneDescription* scene) {
     const int white = addMaterial(scene, MaterialKind::Diffuse, Vec3(0.73f));
     const int red = addMaterial(scene, MaterialKind::Diffuse, Vec3(0.65f, 0.05f, 0.05f));
     const int green = addMaterial(scene, MaterialKind::Diffuse, Vec3(0.12f, 0.45f, 0.15f));
-    addObject(scene, ShapeKind::Rectangle, white, wall({0, 0, 0}, kX, -0.5f * kPi));
-    addObject(scene, ShapeKind::Rectangle, white, wall({0, 2, 0}, kX, 0.5f * kPi));
-    addObject(scene, ShapeKind::Rectangle, white, wall({0, 1, -1}, kX, 0.0f));
-    addObject(scene, ShapeKind::Rectangle, red, wall({-1, 1, 0}, kY, 0.5f * kPi));
-    addObject(scene, ShapeKind::Rectangle, green, wall({1, 1, 0}, kY, -0.5f * kPi));
+    addObject(scene, ShapeKind::Rectangle, wall({0, 0, 0}, kX, -0.5f * kPi), white);
+    addObject(scene, ShapeKind::Rectangle, wall({0, 2, 0}, kX, 0.5f * kPi), white);
+    addObject(scene, ShapeKind::Rectangle, wall({0, 1, -1}, kX, 0.0f), white);
+    addObject(scene, ShapeKind::Rectangle, wall({-1, 1, 0}, kY, 0.5f * kPi), red);
+    addObject(scene, ShapeKind::Rectangle, wall({1, 1, 0}, kY, -0.5f * kPi), green);
 }
 
 Light makeLight(LightKind kind, const Vec3& position, const Vec3& direction, const Vec3& color) {
@@ -102,7 +75,7 @@ int addMaterialRow(SceneDescription* scene) {
     const int count = static_cast<int>(scene->materials.size()) - first;
     for (int i = 0; i < count; ++i) {
         const Vec3 center(-2.2f + 1.1f * static_cast<float>(i % 5), 0.5f, i < 5 ? -0.7f : 0.7f);
-        addObject(scene, ShapeKind::Sphere, first + i, translate(center) * scale(Vec3(0.45f)));
+        addObject(scene, ShapeKind::Sphere, translate(center) * scale(Vec3(0.45f)), first + i);
     }
     return count;
 }
@@ -110,25 +83,25 @@ int addMaterialRow(SceneDescription* scene) {
 }  // namespace
 
 SceneDescription cornellBox() {
-    SceneDescription scene = emptyScene({0.0f, 1.0f, 4.2f}, {0.0f, 1.0f, 0.0f});
+    SceneDescription scene = seenFrom({0.0f, 1.0f, 4.2f}, {0.0f, 1.0f, 0.0f});
     scene.title = "Cornell box with two diffuse spheres";
     addRoom(&scene);
     const int emitter = addEmitterMaterial(&scene, Vec3(17.0f, 12.0f, 4.0f));
-    addObject(&scene, ShapeKind::Rectangle, emitter,
-              wall({0, 1.99f, 0}, kX, 0.5f * kPi) * scale({0.25f, 0.25f, 1}));
-    addObject(&scene, ShapeKind::Sphere, 0, translate({-0.4f, 0.4f, -0.3f}) * scale(Vec3(0.4f)));
-    addObject(&scene, ShapeKind::Sphere, 0, translate({0.45f, 0.3f, 0.3f}) * scale(Vec3(0.3f)));
+    addObject(&scene, ShapeKind::Rectangle, wall({0, 1.99f, 0}, kX, 0.5f * kPi) * scale({0.25f, 0.25f, 1}),
+              emitter);
+    addObject(&scene, ShapeKind::Sphere, translate({-0.4f, 0.4f, -0.3f}) * scale(Vec3(0.4f)), 0);
+    addObject(&scene, ShapeKind::Sphere, translate({0.45f, 0.3f, 0.3f}) * scale(Vec3(0.3f)), 0);
     return scene;
 }
 
 SceneDescription allMaterials() {
-    SceneDescription scene = emptyScene({0.0f, 2.5f, 6.0f}, {0.0f, 0.4f, 0.0f});
+    SceneDescription scene = seenFrom({0.0f, 2.5f, 6.0f}, {0.0f, 0.4f, 0.0f});
     scene.title = "Every material and every light without a shape";
     scene.camera.apertureDiameter = 0.08f;
     scene.camera.apertureBlades = 5;
     scene.camera.focalDistance = 6.2f;
     const int emitter = addEmitterMaterial(&scene, Vec3(6.0f));
-    addObject(&scene, ShapeKind::Disc, emitter, wall({0, 4, 0}, kX, 0.5f * kPi) * scale({0.8f, 0.8f, 1}));
+    addObject(&scene, ShapeKind::Disc, wall({0, 4, 0}, kX, 0.5f * kPi) * scale({0.8f, 0.8f, 1}), emitter);
     addMaterialRow(&scene);
 
     scene.textures.push_back({"checker", checkerImage(5, 3, false), ColorEncoding::Srgb, false, Vec2(0.5f)});
@@ -136,11 +109,11 @@ SceneDescription allMaterials() {
         {"floats", checkerImage(4, 4, true), ColorEncoding::Linear, true, Vec2(2.0f, 1.0f)});
     const int floor = addMaterial(&scene, MaterialKind::Diffuse, Vec3(0.5f));
     scene.materials.back().color.texture = 0;
-    addObject(&scene, ShapeKind::Plane, floor, rotate(kX, -0.5f * kPi));
+    addObject(&scene, ShapeKind::Plane, rotate(kX, -0.5f * kPi), floor);
     const int poster = addMaterial(&scene, MaterialKind::Plastic, Vec3(0.5f), 0.2f);
     scene.materials.back().color.texture = 1;
-    addObject(&scene, ShapeKind::Rectangle, poster,
-              wall({0, 1.4f, -1.8f}, kX, 0.0f) * scale({2.5f, 0.8f, 1}));
+    addObject(&scene, ShapeKind::Rectangle, wall({0, 1.4f, -1.8f}, kX, 0.0f) * scale({2.5f, 0.8f, 1}),
+              poster);
 
     scene.lights.push_back(makeLight(LightKind::Point, {-2, 2, 2}, {0, -1, 0}, Vec3(4.0f, 2.0f, 1.0f)));
     scene.lights.push_back(makeLight(LightKind::Spot, {2, 3, 2}, {-0.4f, -1, -0.5f}, Vec3(1.0f, 3.0f, 8.0f)));
@@ -149,7 +122,7 @@ SceneDescription allMaterials() {
 }
 
 SceneDescription meshInstances() {
-    SceneDescription scene = emptyScene({0.0f, 1.5f, 7.0f}, {0.0f, 0.0f, 0.0f});
+    SceneDescription scene = seenFrom({0.0f, 1.5f, 7.0f}, {0.0f, 0.0f, 0.0f});
     scene.title = "One mesh under every kind of affine transform";
     const int colored = addMesh(&scene, bumpySphere(12, 20, true));
     const int plain = addMesh(&scene, bumpySphere(5, 7, false));
@@ -161,11 +134,11 @@ SceneDescription meshInstances() {
 
     Affine shear;
     shear.linear[1] = Vec3(0.6f, 1.0f, 0.0f);
-    addMeshObject(&scene, colored, diffuse, Affine{});
-    addMeshObject(&scene, colored, diffuse, translate({-2.4f, 0, 0}) * rotate({1, 2, 3}, 1.0f));
-    addMeshObject(&scene, colored, glossy, translate({2.4f, 0, 0}) * scale({-1, 1, 1}));
-    addMeshObject(&scene, plain, textured, translate({-1.2f, 1.7f, -1}) * shear * scale(Vec3(0.7f)));
-    addMeshObject(&scene, plain, textured, translate({1.2f, 1.7f, -1}) * scale({1.2f, 0.4f, 0.8f}));
+    addMeshObject(&scene, colored, Affine{}, diffuse);
+    addMeshObject(&scene, colored, translate({-2.4f, 0, 0}) * rotate({1, 2, 3}, 1.0f), diffuse);
+    addMeshObject(&scene, colored, translate({2.4f, 0, 0}) * scale({-1, 1, 1}), glossy);
+    addMeshObject(&scene, plain, translate({-1.2f, 1.7f, -1}) * shear * scale(Vec3(0.7f)), textured);
+    addMeshObject(&scene, plain, translate({1.2f, 1.7f, -1}) * scale({1.2f, 0.4f, 0.8f}), textured);
     scene.objects.back().frontOnly = true;
 
     scene.environmentImages.push_back(checkerImage(16, 8, true));
@@ -176,7 +149,7 @@ SceneDescription meshInstances() {
 }
 
 SceneDescription manyLights(uint32_t triangles) {
-    SceneDescription scene = emptyScene({0.0f, 1.0f, 4.2f}, {0.0f, 1.0f, 0.0f});
+    SceneDescription scene = seenFrom({0.0f, 1.0f, 4.2f}, {0.0f, 1.0f, 0.0f});
     scene.title = "Many small lamps";
     addRoom(&scene);
     auto mesh = std::make_shared<MeshData>();
@@ -188,37 +161,37 @@ SceneDescription manyLights(uint32_t triangles) {
         mesh->indices.insert(mesh->indices.end(), {3 * i, 3 * i + 1, 3 * i + 2});
     }
     const int emitter = addEmitterMaterial(&scene, Vec3(40.0f), true);
-    addMeshObject(&scene, addMesh(&scene, mesh), emitter, Affine{});
-    addObject(&scene, ShapeKind::Sphere, 0, translate({0, 0.4f, 0}) * scale(Vec3(0.4f)));
+    addMeshObject(&scene, addMesh(&scene, mesh), Affine{}, emitter);
+    addObject(&scene, ShapeKind::Sphere, translate({0, 0.4f, 0}) * scale(Vec3(0.4f)), 0);
     return scene;
 }
 
 SceneDescription emitterShapes() {
-    SceneDescription scene = emptyScene({0.0f, 1.0f, 4.2f}, {0.0f, 1.0f, 0.0f});
+    SceneDescription scene = seenFrom({0.0f, 1.0f, 4.2f}, {0.0f, 1.0f, 0.0f});
     scene.title = "Lamps of every shape";
     addRoom(&scene);
     Affine shear;
     shear.linear[1] = Vec3(0.4f, 1.0f, 0.0f);
     const int oneSided = addEmitterMaterial(&scene, Vec3(3.0f, 2.0f, 1.0f));
     const int twoSided = addEmitterMaterial(&scene, Vec3(1.0f, 2.0f, 3.0f), true);
-    addObject(&scene, ShapeKind::Sphere, oneSided, translate({-0.6f, 0.3f, 0}) * scale(Vec3(0.15f)));
-    addObject(&scene, ShapeKind::Sphere, oneSided, translate({0.6f, 0.3f, 0}) * scale({0.1f, 0.25f, 0.15f}));
-    addObject(&scene, ShapeKind::Disc, twoSided,
-              translate({0, 1.2f, -0.5f}) * rotate({1, 1, 0}, 0.8f) * scale(Vec3(0.2f)));
-    addObject(&scene, ShapeKind::Rectangle, twoSided,
-              translate({-0.5f, 1.5f, 0}) * shear * scale(Vec3(0.15f)));
+    addObject(&scene, ShapeKind::Sphere, translate({-0.6f, 0.3f, 0}) * scale(Vec3(0.15f)), oneSided);
+    addObject(&scene, ShapeKind::Sphere, translate({0.6f, 0.3f, 0}) * scale({0.1f, 0.25f, 0.15f}), oneSided);
+    addObject(&scene, ShapeKind::Disc,
+              translate({0, 1.2f, -0.5f}) * rotate({1, 1, 0}, 0.8f) * scale(Vec3(0.2f)), twoSided);
+    addObject(&scene, ShapeKind::Rectangle, translate({-0.5f, 1.5f, 0}) * shear * scale(Vec3(0.15f)),
+              twoSided);
     const int mesh = addMesh(&scene, bumpySphere(3, 5, false));
-    addMeshObject(&scene, mesh, oneSided, translate({0.5f, 1.5f, 0}) * scale(Vec3(-0.15f)));
+    addMeshObject(&scene, mesh, translate({0.5f, 1.5f, 0}) * scale(Vec3(-0.15f)), oneSided);
     return scene;
 }
 
 SceneDescription whiteFurnace() {
-    SceneDescription scene = emptyScene({0.0f, 0.0f, 4.0f}, Vec3(0.0f));
+    SceneDescription scene = seenFrom({0.0f, 0.0f, 4.0f}, Vec3(0.0f));
     scene.title = "A white sphere in uniform light";
     scene.options.filter = FilterKind::Box;
     scene.options.filterRadius = 0.5f;
     scene.options.sampler = SamplerKind::Independent;
-    addObject(&scene, ShapeKind::Sphere, addMaterial(&scene, MaterialKind::Diffuse, Vec3(1.0f)), Affine{});
+    addObject(&scene, ShapeKind::Sphere, Affine{}, addMaterial(&scene, MaterialKind::Diffuse, Vec3(1.0f)));
     scene.environment.color = Vec3(1.0f);
     return scene;
 }
@@ -228,10 +201,10 @@ SceneDescription darkness() {
     scene.title = "Every shape and no light";
     scene.environment = {};
     scene.environmentImages.clear();
-    addObject(&scene, ShapeKind::Sphere, 0, translate({0, 2, 0}));
-    addObject(&scene, ShapeKind::Plane, 0, translate({0, 0, -5}));
-    addObject(&scene, ShapeKind::Disc, 0, translate({0, -2, 0}));
-    addObject(&scene, ShapeKind::Rectangle, 0, translate({0, -3, 0}));
+    addObject(&scene, ShapeKind::Sphere, translate({0, 2, 0}), 0);
+    addObject(&scene, ShapeKind::Plane, translate({0, 0, -5}), 0);
+    addObject(&scene, ShapeKind::Disc, translate({0, -2, 0}), 0);
+    addObject(&scene, ShapeKind::Rectangle, translate({0, -3, 0}), 0);
     return scene;
 }
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/scene/scene.h"
+#include "engine/scene/scene_building.h"
 
 namespace glint::test {
 

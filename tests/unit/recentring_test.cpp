@@ -78,7 +78,7 @@ TEST(Recentring, EverythingFollows) {
     spot.position = {1, 2.5f, 0};
     room.lights.push_back(spot);
     room.environment.color = Vec3(0.3f);
-    addShape(&room, ShapeKind::Plane, placeFlatShape({0, -1, 0}, {0, 1, 0}, 1, 1), diffuseStress(0.5f));
+    addObject(&room, ShapeKind::Plane, placeFlatShape({0, -1, 0}, {0, 1, 0}, 1, 1), diffuseMaterial(0.5f));
     expectSameFilm(movedScene(room, kExactOffset, StressChange::Vertices), room);
     EXPECT_EQ(edited(movedScene(room, kExactOffset, StressChange::Vertices), EditKind::Everything, nullptr)
                   ->origin(),
@@ -146,9 +146,10 @@ TEST(Recentring, AMovedObjectKeepsTheOriginUntilTheSceneGrows) {
 
 TEST(Recentring, InfinitePlanesFarFromTheGeometryKeepItWhereItIs) {
     SceneDescription scene = emptyStressScene({0, 1, 5}, {0, 1, 0}, 40.0f);
-    addShape(&scene, ShapeKind::Sphere, translate({0, 1, 0}) * scale(Vec3(1e-4f)), emitterStress(1.0f));
+    addObject(&scene, ShapeKind::Sphere, translate({0, 1, 0}) * scale(Vec3(1e-4f)),
+              emissiveMaterial(Vec3(1.0f)));
     EXPECT_NE(findRecentring(scene, nullptr), nullptr);
-    addShape(&scene, ShapeKind::Plane, placeFlatShape({0, 0, 0}, {0, 1, 0}, 1, 1), diffuseStress(0.5f));
+    addObject(&scene, ShapeKind::Plane, placeFlatShape({0, 0, 0}, {0, 1, 0}, 1, 1), diffuseMaterial(0.5f));
     EXPECT_EQ(findRecentring(scene, nullptr), nullptr);
 }
 

@@ -26,7 +26,7 @@ TEST(StabilityWarnings, OrdinaryScenesHaveNone) {
         EXPECT_TRUE(stabilityWarnings(scaledScene(stressRoom(), factor, StressChange::Vertices)).empty());
     }
     SceneDescription plane;
-    addShape(&plane, ShapeKind::Plane, {}, diffuseStress(0.5f));
+    addObject(&plane, ShapeKind::Plane, {}, diffuseMaterial(0.5f));
     EXPECT_TRUE(stabilityWarnings(plane).empty());
 }
 
@@ -42,7 +42,7 @@ TEST(StabilityWarnings, NamesTheObjectFarFromTheOrigin) {
 
 TEST(StabilityWarnings, WarnsOfTheSpanAndOfLengthsOutOfRange) {
     SceneDescription scene = stressRoom();
-    addShape(&scene, ShapeKind::Sphere, scale(Vec3(1e-9f)), diffuseStress(0.5f));
+    addObject(&scene, ShapeKind::Sphere, scale(Vec3(1e-9f)), diffuseMaterial(0.5f));
     EXPECT_TRUE(warnsOf(scene, "the scene spans"));
     EXPECT_TRUE(warnsOf(scaledScene(stressRoom(), 1e15f, StressChange::Vertices), "use a larger unit"));
     EXPECT_TRUE(warnsOf(scaledScene(stressRoom(), 1e-15f, StressChange::Transforms), "use a smaller unit"));
@@ -71,7 +71,7 @@ TEST(StabilityWarnings, NamesBodiesOfGlassThatTouch) {
         for (const float y : {0.0f, 1.0f + gap}) {
             MeshData body;
             addBox(&body, {-1, y, -1}, {1, y + 1, 1}, false);
-            addMesh(&scene, std::move(body), {}, glass(1.5f));
+            addMeshObject(&scene, std::move(body), {}, glass(1.5f));
         }
         return scene;
     };
@@ -79,7 +79,7 @@ TEST(StabilityWarnings, NamesBodiesOfGlassThatTouch) {
     EXPECT_TRUE(stabilityWarnings(withGap(1e-4f)).empty());
     EXPECT_TRUE(stabilityWarnings(withGap(-0.5f)).empty()) << "what overlaps is another matter";
     SceneDescription opaque = withGap(0.0f);
-    opaque.materials[1] = diffuseStress(0.5f);
+    opaque.materials[1] = diffuseMaterial(0.5f);
     EXPECT_TRUE(stabilityWarnings(opaque).empty());
 }
 

@@ -122,7 +122,8 @@ StressCase floorCase(float albedo, double truth) {
     c.run = [=](const StressEffort& effort) {
         SceneDescription scene = emptyStressScene({0.2f, 1, 0}, {0, 0, 0}, 10.0f);
         scene.environment.color = Vec3(1.0f);
-        addShape(&scene, ShapeKind::Plane, placeFlatShape({0, 0, 0}, {0, 1, 0}, 1, 1), diffuseStress(albedo));
+        addObject(&scene, ShapeKind::Plane, placeFlatShape({0, 0, 0}, {0, 1, 0}, 1, 1),
+                  diffuseMaterial(albedo));
         return measurePaths(scene, effort.passes(16), truth, effort);
     };
     return c;

@@ -42,40 +42,31 @@ struct Axes {
     }
 };
 
-struct Extent {
-    double low = std::numeric_limits<double>::infinity();
-    double high = 0.0;
-    void add(double value) {
-        low = std::min(low, value);
-        high = std::max(high, value);
-    }
-};
-
 /// Bands may reach a little beyond: they must not squeeze the curves.
 bool findRanges(const LogLogPlot& plot, Axes* axes) {
-    Extent x;
-    Extent y;
-    Extent bands;
+    AxisExtent x;
+    AxisExtent y;
+    AxisExtent bands;
     for (const PlotCurve& curve : plot.curves) {
         for (const PlotPoint& point : curve.points) {
             if (!isDrawn(point)) { continue; }
-            x.add(point.x);
-            y.add(point.y);
+            x.include(point.x);
+            y.include(point.y);
             if (!hasBand(point)) { continue; }
-            bands.add(point.low);
-            bands.add(point.high);
+            bands.include(point.low);
+            bands.include(point.high);
         }
     }
-    if (x.high <= 0.0) { return false; }
-    if (bands.high > 0.0) {
-        y.add(std::max(bands.low, y.low / 4.0));
-        y.add(std::min(bands.high, y.high * 4.0));
+    if (x.largest <= 0.0) { return false; }
+    if (bands.largest > 0.0) {
+        y.include(std::max(bands.smallest, y.smallest / 4.0));
+        y.include(std::min(bands.largest, y.largest * 4.0));
     }
-    if (plot.targetY && isPositive(*plot.targetY) && *plot.targetY * kTargetBelowCurves > y.low) {
-        y.add(*plot.targetY);
+    if (plot.targetY && isPositive(*plot.targetY) && *plot.targetY * kTargetBelowCurves > y.smallest) {
+        y.include(*plot.targetY);
     }
-    axes->x = axisOver(x.low, x.high);
-    axes->y = axisOver(y.low, y.high);
+    axes->x = axisOver(x.smallest, x.largest);
+    axes->y = axisOver(y.smallest, y.largest);
     return true;
 }
 
