@@ -13,7 +13,7 @@
 namespace glint {
 namespace {
 
-Vec3 emittedRadiance(const Material& material) { return material.emission * material.emissionStrength; }
+Vec3 emittedRadiance(const Material& material) { return material.emission.value * material.emissionStrength; }
 
 /// The transform keeps angles: a sphere stays a sphere.
 bool isSimilarity(const Mat3& m) {

@@ -23,24 +23,24 @@ Error materialError(const Material& material, const std::string& what) {
 }
 
 Status checkMaterial(const Material& material) {
-    const bool finite = isFinite(material.color.value) && isFinite(material.emission) &&
-                        std::isfinite(material.emissionStrength) && std::isfinite(material.roughness);
+    const bool finite = isFinite(material.color.value) && isFinite(material.emission.value) &&
+                        std::isfinite(material.emissionStrength) && std::isfinite(material.roughness.value);
     if (!finite) { return materialError(material, "colour, roughness and emission must be finite numbers"); }
-    if (!(material.ior > 0.0f && std::isfinite(material.ior))) {
+    if (!(material.ior.value > 0.0f && std::isfinite(material.ior.value))) {
         return materialError(
-            material, fmt::format("the index of refraction is {}; expected more than 0", material.ior));
+            material, fmt::format("the index of refraction is {}; expected more than 0", material.ior.value));
     }
     return {};
 }
 
 Status setMetal(const Material& material, MaterialData* data) {
     if (material.metal.empty()) {
-        if (!isFinite(material.eta) || !isFinite(material.k) || minComponent(material.eta) < 0.0f ||
-            minComponent(material.k) < 0.0f) {
+        if (!isFinite(material.eta.value) || !isFinite(material.k.value) ||
+            minComponent(material.eta.value) < 0.0f || minComponent(material.k.value) < 0.0f) {
             return materialError(material, "eta and k must be finite and not negative");
         }
-        data->eta = material.eta;
-        data->k = material.k;
+        data->eta = material.eta.value;
+        data->k = material.k.value;
         return {};
     }
     const std::optional<MetalConstants> metal = findMetal(material.metal);
@@ -54,7 +54,7 @@ Status setMetal(const Material& material, MaterialData* data) {
 }
 
 Status setMixture(const Material& material, MaterialData* data) {
-    const Vec3& weights = material.mixtureWeights;
+    const Vec3& weights = material.mixtureWeights.value;
     const float sum = weights.x + weights.y + weights.z;
     if (!(minComponent(weights) >= 0.0f && sum > 0.0f && std::isfinite(sum))) {
         return materialError(
@@ -66,9 +66,9 @@ Status setMixture(const Material& material, MaterialData* data) {
 }
 
 Status setCoat(const Material& material, MaterialData* data, const MaterialData* previous) {
-    if (material.ior < 1.0f) {
-        return materialError(
-            material, fmt::format("the coat's index of refraction is {}; expected 1 or more", material.ior));
+    if (material.ior.value < 1.0f) {
+        return materialError(material, fmt::format("the coat's index of refraction is {}; expected 1 or more",
+                                                   material.ior.value));
     }
     const bool known = previous != nullptr && previous->kind == MaterialKind::Plastic &&
                        previous->ior == data->ior && previous->alpha == data->alpha;
@@ -97,10 +97,10 @@ Result<MaterialData> makeMaterial(const Material& material, uint32_t texture, co
     data.flags = flagsOf(material);
     data.color = glm::clamp(material.color.value, Vec3(0.0f), Vec3(1.0f));
     data.colorTexture = texture;
-    data.ior = material.ior;
-    data.alpha = isRough(material) ? std::fmin(material.roughness, 1.0f) : 0.0f;
+    data.ior = material.ior.value;
+    data.alpha = isRough(material) ? std::fmin(material.roughness.value, 1.0f) : 0.0f;
     if (material.emissive()) {
-        data.emission = glm::max(material.emission, Vec3(0.0f)) * material.emissionStrength;
+        data.emission = glm::max(material.emission.value, Vec3(0.0f)) * material.emissionStrength;
     }
     Status status;
     switch (material.kind) {
@@ -129,13 +129,13 @@ bool sameMaterial(const MaterialData& a, const MaterialData& b) {
 }  // namespace
 
 bool isRough(const Material& material) {
-    if (material.roughness < kSmoothAlpha) { return false; }
+    if (material.roughness.value < kSmoothAlpha) { return false; }
     switch (material.kind) {
         case MaterialKind::Conductor:
         case MaterialKind::Plastic:
             return true;
         case MaterialKind::Dielectric:
-            return !material.thin && std::fabs(material.ior - 1.0f) >= kLeastIndexDifference;
+            return !material.thin && std::fabs(material.ior.value - 1.0f) >= kLeastIndexDifference;
         default:
             return false;
     }

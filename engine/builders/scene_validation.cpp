@@ -95,31 +95,42 @@ Status checkPhotons(const SppmOptions& sppm) {
     return {};
 }
 
+Status checkInputs(const SceneDescription& scene, const Material& material, const std::string& who) {
+    Status status;
+    forEachInput(material, [&](std::string_view key, const auto& input) {
+        if (!status || input.texture == -1) { return; }
+        if (input.texture < -1 || input.texture >= static_cast<int>(scene.textures.size())) {
+            status = fault(who, fmt::format("uses texture {} of {}", input.texture, scene.textures.size()));
+        } else if (key != "color") {
+            status = fault(who, fmt::format("textures on \"{}\" are not rendered yet", key));
+        }
+    });
+    return status;
+}
+
 Status checkMaterial(const SceneDescription& scene, size_t index) {
     const Material& material = scene.materials[index];
     const std::string who = label("material", material.name, index);
-    const int texture = material.color.texture;
-    if (texture < -1 || texture >= static_cast<int>(scene.textures.size())) {
-        return fault(who, fmt::format("uses texture {} of {}", texture, scene.textures.size()));
-    }
+    if (Status status = checkInputs(scene, material, who); !status) { return status; }
     if (!notNegative(material.color.value)) { return fault(who, "the colour must not be negative"); }
-    if (!notNegative(material.emission) || !inRange(material.emissionStrength, 0.0f, 3e38f)) {
+    if (!notNegative(material.emission.value) || !inRange(material.emissionStrength, 0.0f, 3e38f)) {
         return fault(who, "the emission must not be negative");
     }
-    if (!inRange(material.roughness, 0.0f, 1.0f)) {
-        return fault(who, fmt::format("the roughness is {}; expected 0 to 1", material.roughness));
+    if (!inRange(material.roughness.value, 0.0f, 1.0f)) {
+        return fault(who, fmt::format("the roughness is {}; expected 0 to 1", material.roughness.value));
     }
-    if (!inRange(material.ior, 1e-3f, 1e3f)) {
-        return fault(who, fmt::format("the index of refraction is {}; expected more than 0", material.ior));
+    if (!inRange(material.ior.value, 1e-3f, 1e3f)) {
+        return fault(who,
+                     fmt::format("the index of refraction is {}; expected more than 0", material.ior.value));
     }
     if (material.kind == MaterialKind::Conductor && !material.metal.empty() && !findMetal(material.metal)) {
         return fault(who, fmt::format("\"{}\" is not a known metal", material.metal));
     }
-    if (!notNegative(material.eta) || !notNegative(material.k)) {
+    if (!notNegative(material.eta.value) || !notNegative(material.k.value)) {
         return fault(who, "eta and k must not be negative");
     }
     if (material.kind == MaterialKind::Mixture &&
-        (!notNegative(material.mixtureWeights) || isZero(material.mixtureWeights))) {
+        (!notNegative(material.mixtureWeights.value) || isZero(material.mixtureWeights.value))) {
         return fault(who, "the mixture's weights must not be negative and not all zero");
     }
     return {};

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "engine/io/file_path.h"
+#include "engine/scene/scene_use.h"
 
 namespace glint {
 namespace {
@@ -56,7 +57,9 @@ void appendMeshFile(const MeshFile& file, const std::string& path, const Object&
         scene->textures.push_back(std::move(texture));
     }
     for (Material material : file.materials) {
-        material.color.texture += material.color.texture >= 0 ? firstTexture : 0;
+        for (int* texture : inputTextures(&material)) {
+            *texture += *texture >= 0 ? firstTexture : 0;
+        }
         scene->materials.push_back(std::move(material));
     }
     for (size_t i = 0; i < file.parts.size(); ++i) {

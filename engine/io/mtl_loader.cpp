@@ -96,7 +96,7 @@ void makeDielectric(const tinyobj::material_t& mtl, Material* out) {
     const Vec3 filter = unitColor(mtl.transmittance);
     out->color.value = maxComponent(filter) > kBlack ? filter : Vec3(1.0f);
     out->thin = mtl.ior <= 1.0f;
-    out->ior = out->thin ? 1.5f : mtl.ior;
+    out->ior.value = out->thin ? 1.5f : mtl.ior;
 }
 
 void makeConductor(const Vec3& reflectance, Material* out) {
@@ -104,27 +104,27 @@ void makeConductor(const Vec3& reflectance, Material* out) {
     out->metal.clear();
     out->color.value = Vec3(1.0f);
     const Vec3 r = glm::clamp(reflectance, Vec3(0.0f), Vec3(0.999f));
-    out->eta = (Vec3(1.0f) - r) / (Vec3(1.0f) + r);
-    out->k = 2.0f * glm::sqrt(r) / (Vec3(1.0f) + r);
+    out->eta.value = (Vec3(1.0f) - r) / (Vec3(1.0f) + r);
+    out->k.value = 2.0f * glm::sqrt(r) / (Vec3(1.0f) + r);
 }
 
 Material toGlint(const tinyobj::material_t& mtl, const std::string& name, bool hasKd) {
     Material out;
     out.name = name;
-    out.emission = glm::max(Vec3(mtl.emission[0], mtl.emission[1], mtl.emission[2]), Vec3(0.0f));
+    out.emission.value = glm::max(Vec3(mtl.emission[0], mtl.emission[1], mtl.emission[2]), Vec3(0.0f));
     out.emitsBothSides = out.emissive();
     const bool mirrorLike = mtl.illum == 3 || mtl.illum == 5;
     const Vec3 diffuse = hasKd || !mtl.diffuse_texname.empty() ? unitColor(mtl.diffuse) : Vec3(0.5f);
     const Vec3 specular = mtl.illum == 0 || mtl.illum == 1 ? Vec3(0.0f) : unitColor(mtl.specular);
     const bool isBlackBase = maxComponent(diffuse) <= kBlack && mtl.diffuse_texname.empty();
     out.color.value = diffuse;
-    out.roughness =
+    out.roughness.value =
         mirrorLike ? 0.0f : clampf(std::sqrt(2.0f / (std::max(mtl.shininess, 0.0f) + 2.0f)), 0.0f, 1.0f);
     if (isTransparent(mtl)) {
-        out.roughness = 0.0f;
+        out.roughness.value = 0.0f;
         makeDielectric(mtl, &out);
     } else if (maxComponent(specular) <= kBlack) {
-        out.roughness = 0.0f;
+        out.roughness.value = 0.0f;
     } else if (isBlackBase && mirrorLike) {
         out.kind = MaterialKind::Mirror;
         out.color.value = specular;
@@ -132,7 +132,7 @@ Material toGlint(const tinyobj::material_t& mtl, const std::string& name, bool h
         makeConductor(specular, &out);
     } else {
         out.kind = MaterialKind::Plastic;
-        out.ior = mtl.ior > 1.0f ? mtl.ior : 1.5f;
+        out.ior.value = mtl.ior > 1.0f ? mtl.ior : 1.5f;
     }
     return out;
 }

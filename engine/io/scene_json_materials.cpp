@@ -69,19 +69,19 @@ Material SceneJsonReader::readMaterial(const JsonValue& value, const std::string
     const auto takes = [keys = sceneJsonKeys(kMaterialTypes[type])](std::string_view key) {
         return std::find(keys.begin(), keys.end(), key) != keys.end();
     };
-    readColorInput(fields, &material.color);
+    readInput(fields, "color", kAlbedo, &material.color);
     if (material.kind == MaterialKind::Conductor) { readMetal(fields, &material); }
-    if (takes("ior")) { fields.number("ior", kIor, &material.ior); }
-    if (takes("roughness")) { fields.number("roughness", kUnitInterval, &material.roughness); }
+    if (takes("ior")) { readInput(fields, "ior", kIor, &material.ior); }
+    if (takes("roughness")) { readInput(fields, "roughness", kUnitInterval, &material.roughness); }
     if (takes("thin")) { fields.boolean("thin", &material.thin); }
     if (takes("weights")) {
-        fields.color("weights", kNotNegative, &material.mixtureWeights);
-        if (isZero(material.mixtureWeights)) {
+        readInput(fields, "weights", kNotNegative, &material.mixtureWeights);
+        if (isZero(material.mixtureWeights.value)) {
             errors_.add(fields.find("weights"),
                         "\"weights\" are all 0; expected [diffuse, mirror, refractive]");
         }
     }
-    fields.color("emission", kNotNegative, &material.emission);
+    readInput(fields, "emission", kNotNegative, &material.emission);
     fields.number("emissionStrength", kNotNegative, &material.emissionStrength);
     fields.boolean("emitsBothSides", &material.emitsBothSides);
     return material;
@@ -97,8 +97,8 @@ void SceneJsonReader::readMetal(const JsonFields& fields, Material* material) {
         errors_.add(eta.present() ? eta : k, "\"eta\" and \"k\" belong together; expected both");
     } else if (eta.present()) {
         material->metal.clear();
-        fields.color("eta", kPositive, &material->eta);
-        fields.color("k", kNotNegative, &material->k);
+        readInput(fields, "eta", kPositive, &material->eta);
+        readInput(fields, "k", kNotNegative, &material->k);
     } else if (metal.present() && readString(errors_, metal, "metal", &material->metal)) {
         const auto known = metalNames();
         if (std::find(known.begin(), known.end(), material->metal) == known.end()) {
@@ -109,17 +109,33 @@ void SceneJsonReader::readMetal(const JsonFields& fields, Material* material) {
     }
 }
 
-void SceneJsonReader::readColorInput(const JsonFields& fields, ColorInput* color) {
-    const JsonValue value = fields.find("color");
+void SceneJsonReader::readInput(const JsonFields& fields, std::string_view key, const NumberRange& range,
+                                ColorInput* color) {
+    const JsonValue value = fields.find(key);
     if (!value.is(JsonType::Object)) {
-        fields.color("color", kAlbedo, &color->value);
+        fields.color(key, range, &color->value);
         return;
     }
-    const JsonFields use = fieldsOf(value, "color", "textureUse");
-    use.color("fallback", kAlbedo, &color->value);
-    if (const JsonValue texture = use.require("texture"); texture.present()) {
-        color->texture = textureIndex(texture);
+    const JsonFields use = fieldsOf(value, key, "textureUse");
+    use.color("fallback", range, &color->value);
+    color->texture = textureUse(use);
+}
+
+void SceneJsonReader::readInput(const JsonFields& fields, std::string_view key, const NumberRange& range,
+                                NumberInput* number) {
+    const JsonValue value = fields.find(key);
+    if (!value.is(JsonType::Object)) {
+        fields.number(key, range, &number->value);
+        return;
     }
+    const JsonFields use = fieldsOf(value, key, "textureUse");
+    use.number("fallback", range, &number->value);
+    number->texture = textureUse(use);
+}
+
+int SceneJsonReader::textureUse(const JsonFields& use) {
+    const JsonValue texture = use.require("texture");
+    return texture.present() ? textureIndex(texture) : -1;
 }
 
 int SceneJsonReader::textureIndex(const JsonValue& value) {

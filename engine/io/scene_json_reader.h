@@ -44,7 +44,12 @@ class SceneJsonReader {
     int addTexture(const JsonValue& value, const std::string& name);
     Material readMaterial(const JsonValue& value, const std::string& name);
     void readMetal(const JsonFields& fields, Material* material);
-    void readColorInput(const JsonFields& fields, ColorInput* color);
+    /// A constant, or a texture with the constant as its fallback.
+    void readInput(const JsonFields& fields, std::string_view key, const NumberRange& range,
+                   ColorInput* color);
+    void readInput(const JsonFields& fields, std::string_view key, const NumberRange& range,
+                   NumberInput* number);
+    int textureUse(const JsonFields& use);
     int textureIndex(const JsonValue& value);
     /// A material by its name, or described in place.
     int materialIndex(const JsonValue& value, const std::string& ownerName);

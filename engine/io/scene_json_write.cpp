@@ -150,15 +150,16 @@ class SceneJsonWriter {
         json_.field("scale", texture.scale);
     }
 
-    void writeColor(const ColorInput& color) {
-        if (color.texture < 0) {
-            json_.field("color", color.value);
+    template <class Input>
+    void writeInput(std::string_view key, const Input& input) {
+        if (input.texture < 0) {
+            json_.field(key, input.value);
             return;
         }
-        json_.key("color");
+        json_.key(key);
         json_.beginObject();
-        json_.field("texture", textureNames_[static_cast<size_t>(color.texture)]);
-        json_.field("fallback", color.value);
+        json_.field("texture", textureNames_[static_cast<size_t>(input.texture)]);
+        json_.field("fallback", input.value);
         json_.endObject();
     }
 
@@ -167,26 +168,26 @@ class SceneJsonWriter {
                                           "dielectric", "plastic", "mixture"};
         const MaterialKind kind = material.kind;
         json_.field("type", kTypes[static_cast<int>(kind)]);
-        writeColor(material.color);
+        writeInput("color", material.color);
         if (kind == MaterialKind::Conductor) {
             if (material.metal.empty()) {
-                json_.field("eta", material.eta);
-                json_.field("k", material.k);
+                writeInput("eta", material.eta);
+                writeInput("k", material.k);
             } else {
                 json_.field("metal", material.metal);
             }
         }
         const bool isMixture = kind == MaterialKind::Mixture;
         if (isMixture || kind == MaterialKind::Dielectric || kind == MaterialKind::Plastic) {
-            json_.field("ior", material.ior);
+            writeInput("ior", material.ior);
         }
         if (kind == MaterialKind::Conductor || kind == MaterialKind::Dielectric ||
             kind == MaterialKind::Plastic) {
-            json_.field("roughness", material.roughness);
+            writeInput("roughness", material.roughness);
         }
         if (kind == MaterialKind::Dielectric) { json_.field("thin", material.thin); }
-        if (isMixture) { json_.field("weights", material.mixtureWeights); }
-        json_.field("emission", material.emission);
+        if (isMixture) { writeInput("weights", material.mixtureWeights); }
+        writeInput("emission", material.emission);
         json_.field("emissionStrength", material.emissionStrength);
         json_.field("emitsBothSides", material.emitsBothSides);
     }

@@ -36,7 +36,7 @@ void SceneTextReader::readMaterial() {
         } else if (tokens_.accept("specularColor")) {
             tokens_.vec3("specularColor");  // Phong's, which path tracing does not use.
         } else if (tokens_.accept("emission")) {
-            material.emission = tokens_.color("emission");
+            material.emission.value = tokens_.color("emission");
             material.emitsBothSides = true;  // The original adds it whichever side a ray meets.
         } else if (tokens_.accept("type")) {
             weightsAt = tokens_.peek();
@@ -74,9 +74,9 @@ void SceneTextReader::setScattering(const TextToken& at, const Vec3& weights, bo
         material->kind = MaterialKind::Dielectric;
     } else {
         material->kind = MaterialKind::Mixture;
-        material->mixtureWeights = weights / sum;
+        material->mixtureWeights.value = weights / sum;
     }
-    if (weights.z > 0.0f) { material->ior = hasIor ? ior : 1.0f; }
+    if (weights.z > 0.0f) { material->ior.value = hasIor ? ior : 1.0f; }
 }
 
 int SceneTextReader::addTexture(const TextToken& at, const std::string& path) {

@@ -18,8 +18,7 @@ std::vector<bool> materialsThatLackUvs(const SceneDescription& scene) {
         if (object.shape == ShapeKind::Mesh) {
             const Mesh& mesh = scene.meshes[static_cast<size_t>(object.mesh)];
             const auto material = static_cast<size_t>(object.material);
-            const bool textured = scene.materials[material].color.texture >= 0;
-            lacking[material] = lacking[material] || isLeftOut(mesh, textured);
+            lacking[material] = lacking[material] || isLeftOut(mesh, isTextured(scene.materials[material]));
         }
     }
     return lacking;
@@ -116,7 +115,9 @@ void goWithout(const Asset& asset, SceneDescription* scene) {
             break;
         case AssetKind::Texture:
             for (Material& material : scene->materials) {
-                material.color.texture = material.color.texture == index ? -1 : material.color.texture;
+                for (int* texture : inputTextures(&material)) {
+                    *texture = *texture == index ? -1 : *texture;
+                }
             }
             break;
         case AssetKind::Environment:
@@ -186,9 +187,13 @@ SceneDescription withoutLacking(const SceneDescription& draft, const SceneDescri
     const std::vector<bool> lackUvs = materialsThatLackUvs(draft);
     const size_t materials = std::min(draft.materials.size(), before.materials.size());
     for (size_t i = 0; i < materials; ++i) {
-        const int texture = draft.materials[i].color.texture;
-        const bool unread = texture >= 0 && !draft.textures[static_cast<size_t>(texture)].image.isRead();
-        if (unread || lackUvs[i]) { scene.materials[i].color.texture = before.materials[i].color.texture; }
+        const std::vector<int> known = inputTextures(before.materials[i]);
+        const std::vector<int*> textures = inputTextures(&scene.materials[i]);
+        for (size_t input = 0; input < textures.size(); ++input) {
+            const int texture = *textures[input];
+            const bool unread = texture >= 0 && !draft.textures[static_cast<size_t>(texture)].image.isRead();
+            if (unread || lackUvs[i]) { *textures[input] = known[input]; }
+        }
     }
     for (const Asset& asset : lackingAssets(draft)) {
         if (asset.kind == AssetKind::Environment) { scene.environment = before.environment; }

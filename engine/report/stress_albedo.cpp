@@ -16,7 +16,7 @@ constexpr const char* kFamily = "albedo";
 SceneDescription furnace(float albedo, int maxDepth, bool box) {
     SceneDescription scene = emptyStressScene({0.2f, -0.3f, 0.1f}, {1, 0.2f, 0.3f}, 60.0f, 16);
     Material material = diffuseMaterial(albedo);
-    material.emission = Vec3(1.0f);
+    material.emission.value = Vec3(1.0f);
     material.emitsBothSides = true;
     if (box) {
         MeshData mesh;

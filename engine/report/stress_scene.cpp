@@ -62,11 +62,11 @@ SceneDescription furnishedRoom(const Furniture& at) {
     addObject(&scene, ShapeKind::Sphere, translate(at.sphere) * scale(Vec3(0.6f)), glass(1.5f));
     Material gold = diffuseMaterial(1.0f);
     gold.kind = MaterialKind::Conductor;
-    gold.roughness = 0.3f;
+    gold.roughness.value = 0.3f;
     addMeshObject(&scene, block(at.goldLow, at.goldHigh), {}, gold);
     Material plastic = diffuseMaterial(0.4f);
     plastic.kind = MaterialKind::Plastic;
-    plastic.roughness = 0.1f;
+    plastic.roughness.value = 0.1f;
     addMeshObject(&scene, block({-0.4f, 0.0f, -0.5f}, {0.4f, 0.5f, 0.5f}),
                   translate(at.plastic) * rotate({0, 1, 0}, 0.4f), plastic);
     return scene;
@@ -78,16 +78,16 @@ Material whiteMetal(float roughness) {
     Material material = diffuseMaterial(1.0f);
     material.kind = MaterialKind::Conductor;
     material.metal.clear();
-    material.eta = Vec3(1e-4f);
-    material.k = Vec3(100.0f);
-    material.roughness = roughness;
+    material.eta.value = Vec3(1e-4f);
+    material.k.value = Vec3(100.0f);
+    material.roughness.value = roughness;
     return material;
 }
 
 Material glass(float ior) {
     Material material = diffuseMaterial(1.0f);
     material.kind = MaterialKind::Dielectric;
-    material.ior = ior;
+    material.ior.value = ior;
     return material;
 }
 

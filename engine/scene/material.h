@@ -15,6 +15,16 @@ namespace glint {
 struct ColorInput {
     Vec3 value{0.5f};
     int texture = -1;  ///< index into SceneDescription::textures, or -1
+
+    bool operator==(const ColorInput&) const = default;
+};
+
+/// A number, or an image that replaces it.
+struct NumberInput {
+    float value = 0.0f;
+    int texture = -1;  ///< index into SceneDescription::textures, or -1
+
+    bool operator==(const NumberInput&) const = default;
 };
 
 struct Material {
@@ -26,20 +36,36 @@ struct Material {
     ColorInput color;
 
     std::string metal = "gold";  ///< conductor: measured constants by name (metals.h); empty: use eta and k
-    Vec3 eta{0.2f};              ///< conductor without a metal name: index of refraction at R, G, B
-    Vec3 k{3.9f};                ///< conductor without a metal name: extinction at R, G, B
+    ColorInput eta{Vec3(0.2f)};  ///< conductor without a metal name: index of refraction at R, G, B
+    ColorInput k{Vec3(3.9f)};    ///< conductor without a metal name: extinction at R, G, B
 
-    float ior = 1.5f;  ///< dielectric, plastic, mixture: interior over exterior index of refraction, > 0
-    /// conductor, dielectric, plastic: GGX alpha in [0, 1]; below kSmoothAlpha: smooth
-    float roughness = 0.0f;
-    bool thin = false;                      ///< dielectric only
-    Vec3 mixtureWeights{1.0f, 0.0f, 0.0f};  ///< diffuse, mirror, refractive; not negative, not all zero
+    NumberInput ior{1.5f};  ///< dielectric, plastic, mixture: interior over exterior index of refraction, > 0
+    NumberInput
+        roughness;      ///< conductor, dielectric, plastic: GGX alpha in [0, 1]; below kSmoothAlpha: smooth
+    bool thin = false;  ///< dielectric only
+    /// diffuse, mirror, refractive; not negative, not all zero
+    ColorInput mixtureWeights{Vec3(1.0f, 0.0f, 0.0f)};
 
-    Vec3 emission{0.0f};            ///< radiance factor, W/(sr m^2) per channel
-    float emissionStrength = 1.0f;  ///< multiplies `emission`
-    bool emitsBothSides = false;    ///< otherwise only the side the geometric normal points to
+    ColorInput emission{Vec3(0.0f)};  ///< radiance factor, W/(sr m^2) per channel
+    float emissionStrength = 1.0f;    ///< multiplies `emission`
+    bool emitsBothSides = false;      ///< otherwise only the side the geometric normal points to
 
-    bool emissive() const { return emissionStrength > 0.0f && maxComponent(emission) > 0.0f; }
+    bool emissive() const {
+        return emissionStrength > 0.0f && (emission.texture >= 0 || maxComponent(emission.value) > 0.0f);
+    }
 };
+
+/// Calls visit(key, input) for each input of a material, with its key in scene files: a ColorInput& or
+/// a NumberInput&.
+template <class AnyMaterial, class Visit>
+void forEachInput(AnyMaterial& material, const Visit& visit) {
+    visit("color", material.color);
+    visit("eta", material.eta);
+    visit("k", material.k);
+    visit("ior", material.ior);
+    visit("roughness", material.roughness);
+    visit("weights", material.mixtureWeights);
+    visit("emission", material.emission);
+}
 
 }  // namespace glint

@@ -9,6 +9,8 @@
 namespace glint {
 namespace {
 
+void add(ContentHash& hash, float number) { hash.add(number); }
+
 void add(ContentHash& hash, const Vec2& v) {
     hash.add(v.x);
     hash.add(v.y);
@@ -57,18 +59,28 @@ void add(ContentHash& hash, const Object& object) {
     add(hash, object.objectToWorld.translation);
 }
 
+/// A constant adds no more than it did before numbers and other colours could be textured.
+template <class Input>
+void addInput(ContentHash& hash, std::string_view key, const Input& input) {
+    add(hash, input.value);
+    if (input.texture >= 0) {
+        hash.add(key);
+        hash.add(input.texture);
+    }
+}
+
 void add(ContentHash& hash, const Material& material) {
     hash.add(material.kind);
     add(hash, material.color.value);
     hash.add(material.color.texture);
     hash.add(material.metal);
-    add(hash, material.eta);
-    add(hash, material.k);
-    hash.add(material.ior);
-    hash.add(material.roughness);
+    addInput(hash, "eta", material.eta);
+    addInput(hash, "k", material.k);
+    addInput(hash, "ior", material.ior);
+    addInput(hash, "roughness", material.roughness);
     hash.add(material.thin);
-    add(hash, material.mixtureWeights);
-    add(hash, material.emission);
+    addInput(hash, "weights", material.mixtureWeights);
+    addInput(hash, "emission", material.emission);
     hash.add(material.emissionStrength);
     hash.add(material.emitsBothSides);
 }

@@ -11,6 +11,24 @@ void mark(int index, std::vector<bool>* used) {
 
 }  // namespace
 
+std::vector<int> inputTextures(const Material& material) {
+    std::vector<int> textures;
+    forEachInput(material, [&](const char*, const auto& input) { textures.push_back(input.texture); });
+    return textures;
+}
+
+std::vector<int*> inputTextures(Material* material) {
+    std::vector<int*> textures;
+    forEachInput(*material, [&](const char*, auto& input) { textures.push_back(&input.texture); });
+    return textures;
+}
+
+bool isTextured(const Material& material) {
+    bool textured = false;
+    forEachInput(material, [&](const char*, const auto& input) { textured |= input.texture >= 0; });
+    return textured;
+}
+
 std::vector<bool> usedMaterials(const SceneDescription& scene) {
     std::vector<bool> used(scene.materials.size(), false);
     for (const Object& object : scene.objects) {
@@ -23,7 +41,10 @@ std::vector<bool> usedTextures(const SceneDescription& scene) {
     std::vector<bool> used(scene.textures.size(), false);
     const std::vector<bool> materials = usedMaterials(scene);
     for (size_t i = 0; i < scene.materials.size(); ++i) {
-        if (materials[i]) { mark(scene.materials[i].color.texture, &used); }
+        if (!materials[i]) { continue; }
+        for (const int texture : inputTextures(scene.materials[i])) {
+            mark(texture, &used);
+        }
     }
     return used;
 }
@@ -41,7 +62,7 @@ std::vector<bool> texturedMeshes(const SceneDescription& scene) {
     for (const Object& object : scene.objects) {
         const auto material = static_cast<size_t>(object.material);
         if (object.shape == ShapeKind::Mesh && object.material >= 0 && material < scene.materials.size() &&
-            scene.materials[material].color.texture >= 0) {
+            isTextured(scene.materials[material])) {
             mark(object.mesh, &used);
         }
     }

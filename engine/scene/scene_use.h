@@ -1,5 +1,5 @@
 // What of a description is used at all: what no object refers to is neither read nor built, and does not
-// change the picture's fingerprint. Called by loaders, the scene builder's parts and the memory report.
+// change the picture's fingerprint.
 //
 // References that are out of range are passed over; validateScene() refuses them.
 #pragma once
@@ -9,6 +9,13 @@
 #include "engine/scene/scene.h"
 
 namespace glint {
+
+/// The texture indices of a material's inputs, in the order of forEachInput(); -1 where there is none.
+std::vector<int> inputTextures(const Material& material);
+/// The places of the same indices, for changing them.
+std::vector<int*> inputTextures(Material* material);
+/// Whether one of the inputs has a texture.
+bool isTextured(const Material& material);
 
 /// For each material whether an object has it.
 std::vector<bool> usedMaterials(const SceneDescription& scene);

@@ -185,7 +185,7 @@ class Search {
 
     void checkBrightness() {
         for (const Material& material : scene_.materials) {
-            const double radiance = static_cast<double>(maxComponent(material.emission)) *
+            const double radiance = static_cast<double>(maxComponent(material.emission.value)) *
                                     static_cast<double>(material.emissionStrength);
             if (radiance <= kBrightestRadiance) { continue; }
             warnings_.push_back(

@@ -42,7 +42,7 @@ SceneDescription fullScene() {
     object.mesh = 0;
     scene.objects.push_back(object);
     Material emitter = scene.materials.front();
-    emitter.emission = Vec3(1.0f);
+    emitter.emission.value = Vec3(1.0f);
     scene.materials.push_back(emitter);
     object.material = static_cast<int>(scene.materials.size()) - 1;
     object.objectToWorld = translate(Vec3(0.0f, 5.0f, 0.0f));

@@ -42,7 +42,7 @@ SceneDescription plainMeshes() {
         p = 0.3f * p + Vec3(0.5f, 1.8f, 0.5f);
     }
     Material emitter = diffuseMaterial(0.5f);
-    emitter.emission = Vec3(6.0f);
+    emitter.emission.value = Vec3(6.0f);
     addMeshObject(&scene, *above, Affine(), emitter);
     Light light;
     light.position = {2.0f, 2.0f, 2.0f};

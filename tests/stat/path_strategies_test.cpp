@@ -67,13 +67,13 @@ SceneDescription glossyUnderSky() {
     SceneDescription scene = corner();
     Material metal = diffuseMaterial(1.0f);
     metal.kind = MaterialKind::Conductor;
-    metal.roughness = 0.4f;
+    metal.roughness.value = 0.4f;
     Material glass = diffuseMaterial(1.0f);
     glass.kind = MaterialKind::Dielectric;
-    glass.roughness = 0.4f;
+    glass.roughness.value = 0.4f;
     Material plastic = diffuseMaterial(0.6f);
     plastic.kind = MaterialKind::Plastic;
-    plastic.roughness = 0.3f;
+    plastic.roughness.value = 0.3f;
     addObject(&scene, ShapeKind::Sphere, translate({-1.1f, 0.5f, 0}) * scale(Vec3(0.5f)), metal);
     addObject(&scene, ShapeKind::Sphere, translate({0, 0.5f, 0}) * scale(Vec3(0.5f)), glass);
     addObject(&scene, ShapeKind::Sphere, translate({1.1f, 0.5f, 0}) * scale(Vec3(0.5f)), plastic);

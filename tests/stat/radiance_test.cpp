@@ -105,7 +105,7 @@ TEST(Furnace, RepeatedEmitterTrianglesCountOnce) {
 Material shinyMaterial(MaterialKind kind, float roughness, bool thin = false) {
     Material material = diffuseMaterial(1.0f);
     material.kind = kind;
-    material.roughness = roughness;
+    material.roughness.value = roughness;
     material.thin = thin;
     material.metal.clear();
     return material;
@@ -122,7 +122,7 @@ SceneDescription whiteFurnace(const Material& material) {
 
 TEST(Furnace, WhiteMaterialsVanish) {
     Material mixture = shinyMaterial(MaterialKind::Mixture, 0.0f);
-    mixture.mixtureWeights = {1, 2, 3};
+    mixture.mixtureWeights.value = {1, 2, 3};
     const Material materials[] = {diffuseMaterial(1.0f), shinyMaterial(MaterialKind::Mirror, 0.0f),
                                   shinyMaterial(MaterialKind::Dielectric, 0.0f),
                                   shinyMaterial(MaterialKind::Dielectric, 0.0f, true), mixture};
@@ -138,8 +138,8 @@ TEST(Furnace, WhiteMaterialsVanish) {
 /// never gain.
 TEST(Furnace, RoughAndCoatedMaterialsNeverGain) {
     Material conductor = shinyMaterial(MaterialKind::Conductor, 0.5f);
-    conductor.eta = Vec3(0.01f);
-    conductor.k = Vec3(1000.0f);
+    conductor.eta.value = Vec3(0.01f);
+    conductor.k.value = Vec3(1000.0f);
     const Material materials[] = {conductor, shinyMaterial(MaterialKind::Dielectric, 0.3f),
                                   shinyMaterial(MaterialKind::Plastic, 0.0f),
                                   shinyMaterial(MaterialKind::Plastic, 0.3f)};

@@ -56,7 +56,7 @@ TEST_P(PhotonEnergy, EmittedPowerIsTheEmittersAndNothingEscapes) {
     Material emitter;
     emitter.name = "lamp";
     emitter.color.value = Vec3(0.0f);
-    emitter.emission = Vec3(2.0f);
+    emitter.emission.value = Vec3(2.0f);
     emitter.emitsBothSides = emitterCase.bothSides;
     SppmParams params;
     params.photonsPerPass = 50000;
@@ -143,7 +143,7 @@ SceneDescription openScene() {
 
 SceneDescription openSceneWithEmitter(ShapeKind shape, const Affine& transform, bool bothSides) {
     SceneDescription scene = openScene();
-    scene.materials[1].emission = Vec3(2.0f);
+    scene.materials[1].emission.value = Vec3(2.0f);
     scene.materials[1].emitsBothSides = bothSides;
     Object emitter;
     emitter.shape = shape;

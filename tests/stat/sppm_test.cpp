@@ -117,7 +117,7 @@ SceneDescription thinWall() {
     wall.color.value = Vec3(0.5f);
     Material emitter = wall;
     emitter.name = "lamp";
-    emitter.emission = Vec3(5.0f);
+    emitter.emission.value = Vec3(5.0f);
     scene.materials = {wall, emitter};
     Object plate;
     plate.shape = ShapeKind::Rectangle;

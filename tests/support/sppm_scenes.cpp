@@ -16,7 +16,7 @@ SceneDescription roughGlassBox() {
     glass.name = "rough glass";
     glass.kind = MaterialKind::Dielectric;
     glass.color.value = Vec3(1.0f);
-    glass.roughness = 0.3f;
+    glass.roughness.value = 0.3f;
     scene.materials.push_back(glass);
     for (Object& object : scene.objects) {
         if (object.shape == ShapeKind::Sphere) {

@@ -8,7 +8,7 @@ namespace {
 int addMaterial(SceneDescription* scene, MaterialKind kind, const Vec3& color, float roughness = 0.0f) {
     Material material = diffuseMaterial(color);
     material.kind = kind;
-    material.roughness = roughness;
+    material.roughness.value = roughness;
     return glint::addMaterial(scene, material);
 }
 
@@ -71,7 +71,7 @@ int addMaterialRow(SceneDescription* scene) {
     addMaterial(scene, MaterialKind::Plastic, Vec3(0.1f, 0.3f, 0.7f));
     addMaterial(scene, MaterialKind::Plastic, Vec3(0.6f, 0.1f, 0.1f), 0.15f);
     addMaterial(scene, MaterialKind::Mixture, Vec3(0.7f));
-    scene->materials.back().mixtureWeights = Vec3(1.0f, 1.0f, 2.0f);
+    scene->materials.back().mixtureWeights.value = Vec3(1.0f, 1.0f, 2.0f);
     const int count = static_cast<int>(scene->materials.size()) - first;
     for (int i = 0; i < count; ++i) {
         const Vec3 center(-2.2f + 1.1f * static_cast<float>(i % 5), 0.5f, i < 5 ? -0.7f : 0.7f);

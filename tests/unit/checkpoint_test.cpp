@@ -154,7 +154,7 @@ TEST(Checkpoint, NamesWhatDiffers) {
                     s.meshes[0].data = mesh;
                 }),
                 HasSubstr("the geometry differs"));
-    EXPECT_THAT(refusal([](SceneDescription& s) { s.materials[1].emission = Vec3(1.0f); }),
+    EXPECT_THAT(refusal([](SceneDescription& s) { s.materials[1].emission.value = Vec3(1.0f); }),
                 HasSubstr("the materials differ"));
     EXPECT_THAT(refusal([](SceneDescription& s) {
                     s.textures[0].image.bytes = std::make_shared<Image8>(Image8{1, 1, {1, 2, 4}});
@@ -214,9 +214,9 @@ TEST(Checkpoint, EveryFieldOfTheSceneCounts) {
     EXPECT_TRUE(changes([](S s) { s.materials[0].kind = MaterialKind::Plastic; }));
     EXPECT_TRUE(changes([](S s) { s.materials[0].color.texture = 1; }));
     EXPECT_TRUE(changes([](S s) { s.materials[0].metal = "silver"; }));
-    EXPECT_TRUE(changes([](S s) { s.materials[0].roughness = 0.1f; }));
+    EXPECT_TRUE(changes([](S s) { s.materials[0].roughness.value = 0.1f; }));
     EXPECT_TRUE(changes([](S s) { s.materials[0].thin = true; }));
-    EXPECT_TRUE(changes([](S s) { s.materials[0].mixtureWeights.y = 1.0f; }));
+    EXPECT_TRUE(changes([](S s) { s.materials[0].mixtureWeights.value.y = 1.0f; }));
     EXPECT_TRUE(changes([](S s) { s.materials[0].emissionStrength = 2.0f; }));
     EXPECT_TRUE(changes([](S s) { s.materials[0].emitsBothSides = true; }));
     EXPECT_TRUE(changes([](S s) { s.textures[0].flipV = true; }));

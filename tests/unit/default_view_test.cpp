@@ -60,7 +60,7 @@ TEST(DefaultView, FramesEveryCornerAtAnyScaleAndPlace) {
 TEST(DefaultView, KeepsLightAndMaterialsThatAreThere) {
     SceneDescription scene = sceneWithBox(Vec3(0), Vec3(1));
     scene.materials.resize(2);
-    scene.materials[0].emission = Vec3(1.0f);
+    scene.materials[0].emission.value = Vec3(1.0f);
     applyDefaultView(&scene);
     EXPECT_FALSE(scene.environment.emissive());
     EXPECT_EQ(scene.materials.size(), 2u);

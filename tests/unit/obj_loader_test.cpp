@@ -197,15 +197,15 @@ TEST(MtlLoader, MapsToGlintMaterials) {
 
     const Material plastic = materialOf("Kd 0.5 0.1 0.1\nKs 0.5 0.5 0.5\nNs 198\nNi 1.4\nillum 2\n");
     EXPECT_EQ(plastic.kind, MaterialKind::Plastic);
-    EXPECT_FLOAT_EQ(plastic.ior, 1.4f);
-    EXPECT_FLOAT_EQ(plastic.roughness, 0.1f);
+    EXPECT_FLOAT_EQ(plastic.ior.value, 1.4f);
+    EXPECT_FLOAT_EQ(plastic.roughness.value, 0.1f);
 
     const Material metal = materialOf("Kd 0 0 0\nKs 0.9 0.6 0.3\nNs 48\nillum 2\n");
     EXPECT_EQ(metal.kind, MaterialKind::Conductor);
     EXPECT_TRUE(metal.metal.empty());
     for (int c = 0; c < 3; ++c) {  // Fresnel reflectance at normal incidence
-        const float n = metal.eta[c];
-        const float k = metal.k[c];
+        const float n = metal.eta.value[c];
+        const float k = metal.k.value[c];
         const float r = ((n - 1) * (n - 1) + k * k) / ((n + 1) * (n + 1) + k * k);
         EXPECT_NEAR(r, (Vec3(0.9f, 0.6f, 0.3f)[c]), 1e-5f);
     }
@@ -215,7 +215,7 @@ TEST(MtlLoader, MapsToGlintMaterials) {
 
     const Material glass = materialOf("Kd 1 1 1\nNi 1.6\nd 0.1\nillum 7\n");
     EXPECT_EQ(glass.kind, MaterialKind::Dielectric);
-    EXPECT_FLOAT_EQ(glass.ior, 1.6f);
+    EXPECT_FLOAT_EQ(glass.ior.value, 1.6f);
     EXPECT_FALSE(glass.thin);
     EXPECT_EQ(glass.color.value, Vec3(1.0f));
     EXPECT_TRUE(materialOf("Kd 1 1 1\nTr 0.9\n").thin);
@@ -225,7 +225,7 @@ TEST(MtlLoader, MapsToGlintMaterials) {
     const Material emitter = materialOf("Kd 0 0 0\nKe 10 8 6\n");
     EXPECT_TRUE(emitter.emissive());
     EXPECT_TRUE(emitter.emitsBothSides);
-    EXPECT_EQ(emitter.emission, Vec3(10, 8, 6));
+    EXPECT_EQ(emitter.emission.value, Vec3(10, 8, 6));
 }
 
 size_t trianglesIn(const std::filesystem::path& folder) {

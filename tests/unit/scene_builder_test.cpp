@@ -24,7 +24,7 @@ class SceneBuilder : public testing::Test {
         description.materials.push_back({});
         description.materials.back().name = "spare";
         // The scene's own materials may share one mesh; a lamp makes light tables matter.
-        description.materials.back().emission = Vec3(1.0f);
+        description.materials.back().emission.value = Vec3(1.0f);
         Object emitter;
         emitter.name = "lamp";
         emitter.shape = ShapeKind::Sphere;
@@ -81,17 +81,17 @@ TEST_F(SceneBuilder, AColourRebuildsTheMaterialTableOnly) {
 TEST_F(SceneBuilder, FeaturesAreScannedOnlyWhenAMaterialsKindOrRoughnessBegins) {
     Material& metal = description.materials[0];
     metal.kind = MaterialKind::Conductor;
-    metal.roughness = 0.3f;
+    metal.roughness.value = 0.3f;
     const Edited rough = edit(EditKind::MaterialKind, before);
     EXPECT_TRUE(rough.report.featuresScanned);
     EXPECT_TRUE(rough.scene->features & kFeatureGlossy);
-    metal.roughness = 0.4f;
-    metal.eta *= 1.5f;
+    metal.roughness.value = 0.4f;
+    metal.eta.value *= 1.5f;
     metal.metal.clear();
     const Edited numbers = edit(EditKind::MaterialParameters | EditKind::MaterialKind, rough.scene);
     EXPECT_TRUE(numbers.report.materialsBuilt);
     EXPECT_FALSE(numbers.report.featuresScanned);
-    metal.roughness = 0.0f;
+    metal.roughness.value = 0.0f;
     const Edited smooth = edit(EditKind::MaterialParameters, numbers.scene);
     EXPECT_TRUE(smooth.report.featuresScanned);
     EXPECT_TRUE(smooth.scene->features & kFeatureSpecular);
@@ -99,11 +99,11 @@ TEST_F(SceneBuilder, FeaturesAreScannedOnlyWhenAMaterialsKindOrRoughnessBegins) 
 }
 
 TEST_F(SceneBuilder, AnEmissionRebuildsTheLightTableToo) {
-    description.materials.back().emission = Vec3(2.0f);
+    description.materials.back().emission.value = Vec3(2.0f);
     const Edited brighter = edit(EditKind::MaterialParameters, before);
     EXPECT_TRUE(brighter.report.lightsBuilt);
     EXPECT_EQ(brighter.scene->instances, before->instances) << "the same emitters, only brighter";
-    description.materials[0].emission = Vec3(1.0f);
+    description.materials[0].emission.value = Vec3(1.0f);
     const Edited more = edit(EditKind::MaterialParameters, brighter.scene);
     EXPECT_TRUE(more.report.topLevelBuilt) << "instances hold the numbers of their emitters";
 }
@@ -165,10 +165,14 @@ TEST_F(SceneBuilder, FaultsNameWhatTheyAreIn) {
     expect("object 'lamp'", [&] { description.objects.back().material = 99; });
     expect("object 'lamp'", [&] { description.objects.back().objectToWorld.linear = Mat3(0.0f); });
     expect("object 'lamp'", [&] { description.objects.back().objectToWorld.translation.x = kInfinity; });
-    expect("material 'spare'", [&] { description.materials.back().roughness = 2.0f; });
+    expect("material 'spare'", [&] { description.materials.back().roughness.value = 2.0f; });
     expect("material 'spare'",
-           [&] { description.materials.back().emission.x = std::numeric_limits<float>::quiet_NaN(); });
+           [&] { description.materials.back().emission.value.x = std::numeric_limits<float>::quiet_NaN(); });
     expect("material 'spare'", [&] { description.materials.back().color.texture = 77; });
+    expect("textures on \"roughness\"", [&] {
+        description.textures.resize(1);
+        description.materials.back().roughness.texture = 0;
+    });
     expect("camera", [&] { description.camera.target = description.camera.position; });
     expect("camera", [&] { description.camera.apertureBlades = 2; });
     expect("resolution", [&] { description.resolution.width = 0; });

@@ -86,7 +86,7 @@ TEST(SceneJson, MaterialsAndMeshesMayStandWhereTheyAreUsed) {
          "mesh": {"positions": [[0,0,0],[1,0,0],[0,1,0]], "uvs": [[0,0],[1,0],[0,1]], "triangles": [[0,1,2]]}}]})");
     ASSERT_EQ(scene.objects.size(), 1u);
     EXPECT_EQ(scene.materials.at(0).kind, MaterialKind::Dielectric);
-    EXPECT_FLOAT_EQ(scene.materials[0].ior, 1.3f);
+    EXPECT_FLOAT_EQ(scene.materials[0].ior.value, 1.3f);
     EXPECT_EQ(scene.meshes.at(0).data->triangleCount(), 1u);
 }
 

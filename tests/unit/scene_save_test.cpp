@@ -171,15 +171,15 @@ SceneDescription sceneWithEverything() {
         material.name = kind % 2 == 0 ? "twice" : "";
         material.kind = static_cast<MaterialKind>(kind);
         material.color.value = {0.1f, 1.0f / 3.0f, 0.7f};
-        material.emission = {1e20f, 0.0f, 1.0f / 7.0f};
+        material.emission.value = {1e20f, 0.0f, 1.0f / 7.0f};
         material.emitsBothSides = kind == 1;
         scene.materials.push_back(material);
     }
     scene.materials[2].metal.clear();
-    scene.materials[2].eta = {1.1f, 1.2f, 1.3f};
+    scene.materials[2].eta.value = {1.1f, 1.2f, 1.3f};
     scene.materials[3].thin = true;
-    scene.materials[4].roughness = 0.3f;
-    scene.materials[5].mixtureWeights = {0.2f, 0.3f, 0.5f};
+    scene.materials[4].roughness.value = 0.3f;
+    scene.materials[5].mixtureWeights.value = {0.2f, 0.3f, 0.5f};
     auto mesh = std::make_shared<MeshData>();
     mesh->positions = {{0, 0, 0}, {1.0f / 3.0f, 1e-30f, -0.0f}, {0, 16777216.0f, 3e38f}};
     mesh->normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};

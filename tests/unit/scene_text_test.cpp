@@ -108,9 +108,9 @@ TEST(SceneText, TypesBecomeMaterialKinds) {
     EXPECT_EQ(scene.materials[0].kind, MaterialKind::Diffuse);
     EXPECT_EQ(scene.materials[1].kind, MaterialKind::Mirror);
     EXPECT_EQ(scene.materials[2].kind, MaterialKind::Dielectric);
-    EXPECT_FLOAT_EQ(scene.materials[2].ior, 1.5f);
+    EXPECT_FLOAT_EQ(scene.materials[2].ior.value, 1.5f);
     EXPECT_EQ(scene.materials[3].kind, MaterialKind::Mixture);
-    EXPECT_EQ(scene.materials[3].mixtureWeights, Vec3(0.25f, 0.25f, 0.5f));
+    EXPECT_EQ(scene.materials[3].mixtureWeights.value, Vec3(0.25f, 0.25f, 0.5f));
 }
 
 TEST(SceneText, LightsShineOnlyWhenNothingEmits) {

@@ -62,7 +62,7 @@ TEST(MaterialTable, LooksMetalsUp) {
     ASSERT_TRUE(named);
     EXPECT_GT((*named)->materials[0].eta.y, (*named)->materials[0].eta.x);
     metal.metal = "";
-    metal.eta = Vec3(0.3f);
+    metal.eta.value = Vec3(0.3f);
     EXPECT_EQ((*build(sceneOf({metal})))->materials[0].eta, Vec3(0.3f));
     metal.metal = "coper";
     EXPECT_NE(errorOf(metal).find("did you mean 'copper'"), std::string::npos) << errorOf(metal);
@@ -71,16 +71,16 @@ TEST(MaterialTable, LooksMetalsUp) {
 TEST(MaterialTable, RefusesWhatMeansNothing) {
     Material glass = materialOf(MaterialKind::Dielectric);
     for (const float ior : {0.0f, -1.0f, std::nanf(""), std::numeric_limits<float>::infinity()}) {
-        glass.ior = ior;
+        glass.ior.value = ior;
         EXPECT_NE(errorOf(glass).find("'subject'"), std::string::npos) << ior;
     }
     Material plastic = materialOf(MaterialKind::Plastic);
-    plastic.ior = 0.9f;
+    plastic.ior.value = 0.9f;
     EXPECT_NE(errorOf(plastic), "");
     Material mixture = materialOf(MaterialKind::Mixture);
-    mixture.mixtureWeights = Vec3(0.0f);
+    mixture.mixtureWeights.value = Vec3(0.0f);
     EXPECT_NE(errorOf(mixture), "");
-    mixture.mixtureWeights = Vec3(1.0f, -0.1f, 0.0f);
+    mixture.mixtureWeights.value = Vec3(1.0f, -0.1f, 0.0f);
     EXPECT_NE(errorOf(mixture), "");
     Material diffuse = materialOf(MaterialKind::Diffuse);
     diffuse.color.value.y = std::nanf("");
@@ -92,9 +92,9 @@ TEST(MaterialTable, RefusesWhatMeansNothing) {
 
 TEST(MaterialTable, NormalisesAndClamps) {
     Material mixture = materialOf(MaterialKind::Mixture);
-    mixture.mixtureWeights = Vec3(2.0f, 1.0f, 1.0f);
+    mixture.mixtureWeights.value = Vec3(2.0f, 1.0f, 1.0f);
     mixture.color.value = Vec3(1.5f, -0.5f, 0.25f);
-    mixture.emission = Vec3(2.0f);
+    mixture.emission.value = Vec3(2.0f);
     mixture.emissionStrength = 3.0f;
     const MaterialData data = (*build(sceneOf({mixture})))->materials[0];
     EXPECT_EQ(data.mixtureProbability, Vec3(0.5f, 0.25f, 0.25f));
@@ -105,7 +105,7 @@ TEST(MaterialTable, NormalisesAndClamps) {
 
 TEST(MaterialTable, IsSharedWhileNothingChanges) {
     Material plastic = materialOf(MaterialKind::Plastic);
-    plastic.roughness = 0.2f;
+    plastic.roughness.value = 0.2f;
     SceneDescription scene = sceneOf({plastic});
     const auto first = *build(scene);
     EXPECT_EQ(*build(scene, first), first);
@@ -113,7 +113,7 @@ TEST(MaterialTable, IsSharedWhileNothingChanges) {
     const auto second = *build(scene, first);
     EXPECT_NE(second, first);
     EXPECT_EQ(second->materials[0].coatRatio[7], first->materials[0].coatRatio[7]);
-    scene.materials[0].roughness = 0.9f;
+    scene.materials[0].roughness.value = 0.9f;
     EXPECT_NE((*build(scene, second))->materials[0].coatRatio[7], first->materials[0].coatRatio[7]);
 }
 
@@ -156,12 +156,12 @@ TEST(FeatureScan, NamesExactlyWhatIsNeeded) {
     EXPECT_EQ(featuresOf(scene), FeatureMask{kFeatureSphere | kFeatureDiffuse});
 
     Material rough = materialOf(MaterialKind::Conductor);
-    rough.roughness = 0.3f;
+    rough.roughness.value = 0.3f;
     scene.materials.push_back(rough);
     EXPECT_EQ(featuresOf(scene), FeatureMask{kFeatureSphere | kFeatureDiffuse}) << "an unused material";
     scene.objects[0].material = 1;
     EXPECT_EQ(featuresOf(scene), FeatureMask{kFeatureSphere | kFeatureGlossy});
-    scene.materials[1].roughness = 0.5f * kSmoothAlpha;
+    scene.materials[1].roughness.value = 0.5f * kSmoothAlpha;
     EXPECT_EQ(featuresOf(scene), FeatureMask{kFeatureSphere | kFeatureSpecular});
 
     scene.camera.apertureDiameter = 0.1f;

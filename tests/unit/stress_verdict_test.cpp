@@ -145,7 +145,7 @@ TEST(StressSuite, FindsAPairedDifference) {
     const SceneDescription room = stressRoom();
     SceneDescription brighter = room;
     for (Material& material : brighter.materials) {
-        material.emission *= 1.02f;
+        material.emission.value *= 1.02f;
     }
     const auto same = measurePathsAgainst(room, room, 8, {});
     const auto other = measurePathsAgainst(brighter, room, 8, {});

@@ -49,8 +49,8 @@ TEST(SceneDiff, EachChangeIsTheSmallestEdit) {
     EXPECT_EQ(kindOf([](S& s) { s.sppm.radiusWorld = 0.1f; }), EditKind::SppmParameters);
     EXPECT_EQ(kindOf([](S& s) { s.sppm.lookup = PhotonLookupKind::Tree; }), EditKind::SppmParameters);
     EXPECT_EQ(kindOf([](S& s) { s.materials[1].color.value = Vec3(0.1f); }), EditKind::MaterialParameters);
-    EXPECT_EQ(kindOf([](S& s) { s.materials[1].emission = Vec3(1.0f); }), EditKind::MaterialParameters);
-    EXPECT_EQ(kindOf([](S& s) { s.materials[0].roughness = 0.3f; }), EditKind::MaterialParameters);
+    EXPECT_EQ(kindOf([](S& s) { s.materials[1].emission.value = Vec3(1.0f); }), EditKind::MaterialParameters);
+    EXPECT_EQ(kindOf([](S& s) { s.materials[0].roughness.value = 0.3f; }), EditKind::MaterialParameters);
     EXPECT_EQ(kindOf([](S& s) { s.materials[1].kind = MaterialKind::Mirror; }), EditKind::MaterialKind);
     EXPECT_EQ(kindOf([](S& s) { s.materials[1].color.texture = 0; }), EditKind::MaterialKind);
     EXPECT_EQ(kindOf([](S& s) { s.lights[0].strength = 2.0f; }), EditKind::Lights);

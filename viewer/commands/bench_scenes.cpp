@@ -29,7 +29,7 @@ void addObject(SceneDescription* scene, const char* name, ShapeKind shape, int m
 
 int addEmitter(SceneDescription* scene, const Vec3& radiance) {
     const int emitter = addMaterial(scene, "lamp", Vec3(0.0f));
-    scene->materials[emitter].emission = radiance;
+    scene->materials[emitter].emission.value = radiance;
     return emitter;
 }
 

@@ -24,11 +24,11 @@ std::string nameOf(const Material& material, size_t index) {
 
 /// What the list's patch shows: a lamp's light, a metal's reflectance head on, or the colour.
 Vec3 patchColor(const Material& material) {
-    if (material.emissive()) { return material.emission; }
+    if (material.emissive()) { return material.emission.value; }
     if (material.kind != MaterialKind::Conductor) { return material.color.value; }
     const auto named = findMetal(material.metal);
-    const Vec3 eta = named ? named->eta : material.eta;
-    const Vec3 k = named ? named->k : material.k;
+    const Vec3 eta = named ? named->eta : material.eta.value;
+    const Vec3 k = named ? named->k : material.k.value;
     const Vec3 k2 = k * k;
     const Vec3 less = eta - Vec3(1.0f);
     const Vec3 more = eta + Vec3(1.0f);
@@ -80,19 +80,19 @@ void drawMetal(Material* material) {
     if (ui::choice("Metal", &index, names, "Measured constants, or eta and k of one's own")) {
         // One's own constants begin with those of the metal that was shown.
         if (const auto constants = findMetal(material->metal)) {
-            material->eta = constants->eta;
-            material->k = constants->k;
+            material->eta.value = constants->eta;
+            material->k.value = constants->k;
         }
         material->metal = index == 0 ? "" : std::string(names[static_cast<size_t>(index)]);
     }
     if (index != 0) { return; }
-    ui::vector3("Eta", &material->eta,
+    ui::vector3("Eta", &material->eta.value,
                 {.format = "%.3f",
                  .speed = 0.005f,
                  .min = 0.001f,
                  .max = 20.0f,
                  .tooltip = "Index of refraction at R, G, B"});
-    ui::vector3("k", &material->k,
+    ui::vector3("k", &material->k.value,
                 {.format = "%.3f", .speed = 0.005f, .max = 20.0f, .tooltip = "Extinction at R, G, B"});
 }
 
@@ -106,7 +106,7 @@ void drawScattering(ViewerModel* model, Material* material) {
     drawTexture(model, material);
     if (conductor) { drawMetal(material); }
     if (dielectric || plastic || mixture) {
-        ui::number("IOR", &material->ior,
+        ui::number("IOR", &material->ior.value,
                    {.format = "%.3f",
                     .speed = 0.003f,
                     .min = 0.1f,
@@ -115,27 +115,27 @@ void drawScattering(ViewerModel* model, Material* material) {
     }
     if (conductor || dielectric || plastic) {
         ui::number(
-            "Roughness", &material->roughness,
+            "Roughness", &material->roughness.value,
             {.format = "%.3f", .max = 1.0f, .zeroText = "smooth", .slider = true, .tooltip = "GGX alpha"});
     }
     if (dielectric) {
         ui::toggle("Thin", &material->thin, "A sheet without thickness: light passes straight");
     }
     if (!mixture) { return; }
-    Vec3 weights = material->mixtureWeights;
+    Vec3 weights = material->mixtureWeights.value;
     if (ui::vector3("Weights", &weights,
                     {.format = "%.2f",
                      .speed = 0.005f,
                      .max = 1.0f,
                      .tooltip = "Diffuse, mirror, refractive; their ratio counts"}) &&
         maxComponent(weights) > 0.0f) {
-        material->mixtureWeights = weights;
+        material->mixtureWeights.value = weights;
     }
 }
 
 void drawEmission(Material* material) {
     ui::heading("Emission");
-    ui::color("Emission", &material->emission, 1e6f, "Radiance, linear Rec.709, W/(sr m²)");
+    ui::color("Emission", &material->emission.value, 1e6f, "Radiance, linear Rec.709, W/(sr m²)");
     ui::number(
         "Strength", &material->emissionStrength,
         {.format = "× %.3f", .speed = std::max(material->emissionStrength * 0.01f, 0.01f), .max = 1e6f});

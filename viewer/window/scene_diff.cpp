@@ -1,5 +1,7 @@
 #include "viewer/window/scene_diff.h"
 
+#include "engine/scene/scene_use.h"
+
 namespace glint {
 namespace {
 
@@ -11,10 +13,11 @@ bool sameCamera(const Camera& a, const Camera& b) {
 }
 
 bool sameParameters(const Material& a, const Material& b) {
-    return a.color.value == b.color.value && a.metal == b.metal && a.eta == b.eta && a.k == b.k &&
-           a.ior == b.ior && a.roughness == b.roughness && a.thin == b.thin &&
-           a.mixtureWeights == b.mixtureWeights && a.emission == b.emission &&
-           a.emissionStrength == b.emissionStrength && a.emitsBothSides == b.emitsBothSides;
+    return a.color.value == b.color.value && a.metal == b.metal && a.eta.value == b.eta.value &&
+           a.k.value == b.k.value && a.ior.value == b.ior.value && a.roughness.value == b.roughness.value &&
+           a.thin == b.thin && a.mixtureWeights.value == b.mixtureWeights.value &&
+           a.emission.value == b.emission.value && a.emissionStrength == b.emissionStrength &&
+           a.emitsBothSides == b.emitsBothSides;
 }
 
 EditKind materialDifferences(const std::vector<Material>& before, const std::vector<Material>& after) {
@@ -22,7 +25,7 @@ EditKind materialDifferences(const std::vector<Material>& before, const std::vec
     EditKind kinds = EditKind::None;
     for (size_t i = 0; i < before.size(); ++i) {
         const bool sameKind =
-            before[i].kind == after[i].kind && before[i].color.texture == after[i].color.texture;
+            before[i].kind == after[i].kind && inputTextures(before[i]) == inputTextures(after[i]);
         if (!sameKind) { kinds |= EditKind::MaterialKind; }
         if (!sameParameters(before[i], after[i])) { kinds |= EditKind::MaterialParameters; }
     }

@@ -8,6 +8,7 @@
 #include "engine/base/log.h"
 #include "engine/io/scene_loader.h"
 #include "engine/io/used_assets.h"
+#include "engine/scene/scene_use.h"
 #include "viewer/window/camera_controller.h"
 #include "viewer/window/scene_diff.h"
 
@@ -244,9 +245,13 @@ void ViewerModel::takeReadAssets(const SceneDescription& asked, const CompletedS
         const SceneDescription kept = withoutLacking(tried, *posted_);
         draft_.environment = kept.environment;
         for (size_t i = 0; i < draft_.materials.size(); ++i) {
-            int& texture = draft_.materials[i].color.texture;
-            const bool wasAsked = texture == asked.materials[i].color.texture;  // not a choice made since
-            texture = wasAsked ? kept.materials[i].color.texture : texture;
+            const std::vector<int> before = inputTextures(asked.materials[i]);
+            const std::vector<int> keptTextures = inputTextures(kept.materials[i]);
+            const std::vector<int*> textures = inputTextures(&draft_.materials[i]);
+            for (size_t input = 0; input < textures.size(); ++input) {
+                const bool wasAsked = *textures[input] == before[input];  // not a choice made since
+                *textures[input] = wasAsked ? keptTextures[input] : *textures[input];
+            }
         }
     }
     commitEdits(false);
