@@ -10,7 +10,7 @@
 namespace glint {
 
 struct EnvironmentTable {
-    SceneImage source;                   ///< what it was made from: compared to share it between builds
+    SceneImage source;                    ///< what it was made from: compared to share it between builds
     std::shared_ptr<const ImageF> image;  ///< the source's own floats, or its bytes made linear
     std::vector<float> rowCdf;            ///< see EnvironmentView
     std::vector<float> columnCdf;

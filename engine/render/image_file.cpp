@@ -94,8 +94,8 @@ std::map<std::string, std::string> metadata(const FilmSnapshot& snapshot, const 
     return out;
 }
 
-Result<ExrImage> layersOf(const std::string& path, const FilmSnapshot& snapshot, const SceneDescription& scene,
-                          const ImageOptions& options) {
+Result<ExrImage> layersOf(const std::string& path, const FilmSnapshot& snapshot,
+                          const SceneDescription& scene, const ImageOptions& options) {
     const size_t pixels = static_cast<size_t>(snapshot.width) * static_cast<size_t>(snapshot.height);
     if (options.aovs != 0 && (!snapshot.aovs || snapshot.aovs->pixels().size() != pixels)) {
         return errorOfImage(path, "the layers asked for were not rendered; expected them in the picture");
@@ -133,17 +133,17 @@ Status saveImage(const std::string& path, const FilmSnapshot& snapshot, const Sc
         return errorOfImage(path, fmt::format("cannot tell the format from \"{}\"; expected {}",
                                               extensionOf(path), listSavedExtensions()));
     }
-    return format->save(
-        path, {.display =
-                   [&] {
-                       return toneMapImage(snapshot.radiance.data(), snapshot.width, snapshot.height,
-                                           options.exposureStops, options.toneMap, options.threads);
-                   },
-               .radiance =
-                   [&] {
-                       return ImageF{snapshot.width, snapshot.height, snapshot.radiance};
-                   },
-               .layers = [&] { return layersOf(path, snapshot, scene, options); }});
+    return format->save(path, {.display =
+                                   [&] {
+                                       return toneMapImage(snapshot.radiance.data(), snapshot.width,
+                                                           snapshot.height, options.exposureStops,
+                                                           options.toneMap, options.threads);
+                                   },
+                               .radiance =
+                                   [&] {
+                                       return ImageF{snapshot.width, snapshot.height, snapshot.radiance};
+                                   },
+                               .layers = [&] { return layersOf(path, snapshot, scene, options); }});
 }
 
 }  // namespace glint

@@ -172,7 +172,8 @@ uint64_t BenchRaysReport::disagreementCount() const {
 }
 
 Result<BenchRaysReport> measureRays(const BenchRaysOptions& options) {
-    const MeshGenerator source{.name = options.generator, .triangles = options.triangles, .seed = options.seed};
+    const MeshGenerator source{
+        .name = options.generator, .triangles = options.triangles, .seed = options.seed};
     auto data = generateMesh(source);
     if (!data) { return data.error(); }
 
