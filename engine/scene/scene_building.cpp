@@ -26,7 +26,7 @@ Material diffuseMaterial(const Vec3& color) {
 
 Material emissiveMaterial(const Vec3& radiance, bool bothSides) {
     Material material = diffuseMaterial(0.0f);
-    material.emission = radiance;
+    material.emission.value = radiance;
     material.emitsBothSides = bothSides;
     return material;
 }
