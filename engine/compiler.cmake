@@ -63,7 +63,7 @@ set(warning_flags -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
     -Wdouble-promotion -Wundef -Werror)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # GCC 12 sees overlapping and endless copies in "text" + std::string (GCC bugs 105329 and 105651).
-    list(APPEND warning_flags -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds)
+    list(APPEND warning_flags -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds)
     if(GLINT_SANITIZE)
         # The sanitizers' own checks look like uses of uninitialised variables to it.
         list(APPEND warning_flags -Wno-maybe-uninitialized)
