@@ -35,7 +35,7 @@ struct Reference {
 
 Reference loadReference() {
     Reference out;
-    const std::string path = GLINT_SOURCE_DIR "/tests/image/caustic_reference.exr";
+    const std::string path = GLINT_SOURCE_DIR "/tests/data/references/caustic_reference.exr";
     const auto file = loadExr(path);
     EXPECT_TRUE(file) << "the reference is part of the repository";
     if (!file) { return out; }

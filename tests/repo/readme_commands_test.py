@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Runs the commands of README.md, so that none of them goes stale: readme_commands_test.py ROOT PROGRAM.
+"""Runs the commands of all Markdown pages, so that none goes stale: readme_commands_test.py ROOT PROGRAM.
 
 Each line of a fenced ```sh block is run in a scratch folder that mirrors the repository by links, with
 build/release/glint being PROGRAM. A block that opens a window or takes long has a comment before it,
 <!-- not run by the tests: WHY -->; of its commands only the program and the repository's files that they name must exist.
+A page's blocks run in their order, each page in a folder of its own.
 """
 import os
 import re
@@ -12,6 +13,9 @@ import subprocess
 import sys
 import tempfile
 from pathlib import Path
+
+sys.dont_write_bytecode = True
+from markdown_pages import pages_of  # noqa: E402
 
 BLOCK = re.compile(r"(<!-- not run by the tests: [^>]+ -->\n)?```sh\n(.*?)```", re.DOTALL)
 TOP_LEVEL = {"assets", "cuda", "engine", "scenes", "shaders", "tests", "third_party", "viewer", "run", "test"}
@@ -74,22 +78,25 @@ def failure(command, folder):
     return f"exit {done.returncode}\n{done.stdout[-2000:]}" if done.returncode != 0 else None
 
 
-def main():
-    root, program = Path(sys.argv[1]).resolve(), sys.argv[2] if len(sys.argv) > 2 else ""
-    readme = (root / "README.md").read_text(encoding="utf-8")
-    failures, count = list(unknown_commands(readme, program)) if program else [], 0
+def failures_of_page(name, text, root, program):
     with tempfile.TemporaryDirectory() as scratch:
         folder = Path(scratch)
         mirror(root, program, folder)
-        for command, is_run in commands(readme):
-            count += 1
+        for command, is_run in commands(text):
             problems = list(missing_files(command, folder))
             if is_run and not problems:
                 problems = [problem for problem in [failure(command, folder)] if problem]
-            print(f"{'FAIL' if problems else 'ok' if is_run else 'ok, not run'}: {command}", flush=True)
-            failures += [f"{command}: {problem}" for problem in problems]
-    if count == 0:
-        failures.append("README.md has no command")
+            print(f"{'FAIL' if problems else 'ok' if is_run else 'ok, not run'}: {name}: {command}", flush=True)
+            yield from (f"{name}: {command}: {problem}" for problem in problems)
+
+
+def main():
+    root, program = Path(sys.argv[1]).resolve(), sys.argv[2] if len(sys.argv) > 2 else ""
+    pages = pages_of(root)
+    failures = list(unknown_commands(pages["README.md"], program)) if program else []
+    for name, text in pages.items():
+        if BLOCK.search(text):
+            failures += failures_of_page(name, text, root, program)
     print("\n".join(failures))
     return 1 if failures else 0
 

@@ -228,28 +228,6 @@ TEST(MtlLoader, MapsToGlintMaterials) {
     EXPECT_EQ(emitter.emission.value, Vec3(10, 8, 6));
 }
 
-size_t trianglesIn(const std::filesystem::path& folder) {
-    size_t sum = 0;
-    const auto begin = std::chrono::steady_clock::now();
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        const Result<MeshFile> scene = loadObj(entry.path().string());
-        EXPECT_TRUE(scene) << scene.error().format();
-        for (const MeshPart& part : scene ? scene->parts : std::vector<MeshPart>{}) {
-            sum += part.mesh->triangleCount();
-        }
-    }
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    fmt::print("{}: {} triangles in {:.3f} s\n", folder.filename().string(), sum, seconds.count());
-    return sum;
-}
-
-TEST(ObjLoader, SeedMeshesLoadWhole) {
-    const std::filesystem::path meshes = std::filesystem::path(GLINT_SHARED_DIR) / "seed-scenes" / "mesh";
-    if (!std::filesystem::exists(meshes)) { GTEST_SKIP() << "the seed scenes are not at " << meshes; }
-    EXPECT_EQ(trianglesIn(meshes / "sibenik"), 75165u);
-    EXPECT_EQ(trianglesIn(meshes / "living_room"), 167288u);
-}
-
 TEST(ObjLoader, HalfAMillionTrianglesAreTimed) {
     constexpr int kSide = 500;
     std::string text;

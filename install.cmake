@@ -1,0 +1,14 @@
+# What `cmake --install` copies: the program, its scenes with their schema, and what a user reads. Shaders are in the
+# program, fonts are the distribution's, and scenes name their files relative to themselves, so nothing has to be found.
+
+include(GNUInstallDirs)
+
+install(TARGETS glint RUNTIME)
+install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/glint FILES_MATCHING PATTERN *.json)
+
+# Pages keep their places among each other, so that links between them hold.
+foreach(page IN ITEMS README.md scenes/README.md viewer/commands/README.md viewer/window/README.md)
+    get_filename_component(folder ${page} DIRECTORY)
+    install(FILES ${page} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder})
+endforeach()
+install(DIRECTORY assets DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -1,0 +1,82 @@
+// Scenes that are not part of the repository, in ../shared/seed-scenes: text scenes are read or say what they
+// lack, large meshes are read whole, and what was saved renders the same. Skipped where the folder is missing.
+#include <filesystem>
+#include <map>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/io/obj_loader.h"
+#include "engine/io/scene_loader.h"
+#include "tests/support/film_bits.h"
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+class SeedScenes : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (!fs::exists(folder_)) { GTEST_SKIP() << folder_ << " is not here"; }
+    }
+
+    const fs::path folder_ = fs::path(GLINT_SHARED_DIR) / "seed-scenes";
+};
+
+TEST_F(SeedScenes, TextScenesAreReadOrNameWhatTheyLack) {
+    const std::map<std::string, std::string> lacking = {{"scene08_core", "bare curves"},
+                                                        {"scene09_norm", "RevSurface"},
+                                                        {"scene10_wineglass", "RevSurface"},
+                                                        {"scene10_wineglass_720p", "RevSurface"},
+                                                        {"scene12", "jupyter.png"},
+                                                        {"scene16_global", "world_cloud.jpg"},
+                                                        {"scene16_global_diff", "world_cloud.jpg"},
+                                                        {"scene17_bump", "bump maps"},
+                                                        {"scene19_sibenik", "bump maps"},
+                                                        {"scene21_livingroom", "Ceramic.obj"}};
+    int count = 0;
+    for (const auto& entry : fs::directory_iterator(folder_ / "testcases")) {
+        const std::string name = entry.path().stem().string();
+        const auto strict = loadScene(entry.path().string());
+        const auto expected = lacking.find(name);
+        if (expected == lacking.end()) {
+            EXPECT_TRUE(strict.ok()) << strict.error().format();
+        } else {
+            EXPECT_FALSE(strict.ok()) << name;
+            EXPECT_THAT(strict.ok() ? "" : strict.error().format(), testing::HasSubstr(expected->second));
+        }
+        const auto lenient = loadScene(entry.path().string(), {.allowMissing = true});
+        EXPECT_TRUE(lenient.ok()) << lenient.error().format();
+        ++count;
+    }
+    EXPECT_EQ(count, 29);
+}
+
+TEST_F(SeedScenes, SavedAndLoadedAgainRenderTheSame) {
+    for (const char* name : {"scene03_sphere", "scene04_axes", "scene06_bunny_1k", "scene11_smallpt",
+                             "scene18_dof", "scene21_livingroom"}) {
+        test::expectSameFilmWhenSaved((folder_ / "testcases" / name).string() + ".txt");
+    }
+    test::expectSameFilmWhenSaved((folder_ / "mesh" / "bunny_1k_vn.obj").string());
+}
+
+size_t trianglesIn(const fs::path& folder) {
+    size_t sum = 0;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        const Result<ObjScene> scene = loadObj(entry.path().string());
+        EXPECT_TRUE(scene) << scene.error().format();
+        for (const ObjPart& part : scene ? scene->parts : std::vector<ObjPart>{}) {
+            sum += part.mesh->triangleCount();
+        }
+    }
+    return sum;
+}
+
+TEST_F(SeedScenes, LargeMeshesLoadWhole) {
+    EXPECT_EQ(trianglesIn(folder_ / "mesh" / "sibenik"), 75165u);
+    EXPECT_EQ(trianglesIn(folder_ / "mesh" / "living_room"), 167288u);
+}
+
+}  // namespace
+}  // namespace glint
