@@ -1,10 +1,10 @@
 // `glint bench`: one subcommand per figure. A new benchmark adds its line to kBenchmarks.
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "engine/base/parallel.h"
 #include "engine/builders/scene_builder.h"
 #include "viewer/commands/bench.h"
+#include "viewer/commands/command_line.h"
 #include "viewer/commands/json_output.h"
 
 namespace glint {
@@ -22,13 +22,12 @@ struct BenchRun {
     std::string json;
 };
 
-CLI::Option* declare(CLI::App* command, const BenchOption& option, BenchOptions* values) {
+Option declare(const Command& command, const BenchOption& option, BenchOptions* values) {
     return std::visit(
         [&](auto member) {
             auto& value = values->*member;
-            CLI::Option* declared = command->add_option(option.name, value, option.help);
-            if (value != std::decay_t<decltype(value)>()) { declared->capture_default_str(); }
-            return declared;
+            const Option declared = command.option(option.name, &value, option.help);
+            return value != std::decay_t<decltype(value)>() ? declared.showDefault() : declared;
         },
         option.member);
 }
@@ -59,17 +58,17 @@ int runBenchmark(BenchRun run) {
     return report->isWrong ? kExitFailed : kExitDone;
 }
 
-void addBenchmark(CLI::App* bench, Benchmark benchmark, int* exitCode) {
+void addBenchmark(const Command& bench, Benchmark benchmark) {
     const auto run = std::make_shared<BenchRun>(BenchRun{std::move(benchmark), {}, ""});
     run->options = run->benchmark.defaults;
-    CLI::App* command = bench->add_subcommand(run->benchmark.name, run->benchmark.about);
+    const Command command = bench.subcommand(run->benchmark.name, run->benchmark.about);
     for (const BenchOption& option : run->benchmark.options) {
-        CLI::Option* declared = declare(command, option, &run->options);
-        if (option.least < option.most) { declared->check(CLI::Range(option.least, option.most)); }
-        if (!option.choices.empty()) { declared->check(CLI::IsMember(option.choices)); }
+        const Option declared = declare(command, option, &run->options);
+        if (option.least < option.most) { declared.range(option.least, option.most); }
+        if (!option.choices.empty()) { declared.oneOf(option.choices); }
     }
-    addJsonOption(*command, &run->json);
-    command->callback([run, exitCode] { *exitCode = runBenchmark(*run); });
+    addJsonOption(command, &run->json);
+    command.onRun([run] { return runBenchmark(*run); });
 }
 
 }  // namespace
@@ -88,13 +87,13 @@ BenchOption trianglesOption() {
     return {"--triangles", &BenchOptions::triangles, "Of the mesh", 100, 50'000'000};
 }
 
-void addBenchCommand(CLI::App& app, int* exitCode) {
-    CLI::App* bench = app.add_subcommand(
+void addBenchCommand(const Command& program) {
+    const Command bench = program.subcommand(
         "bench", "Measures speed: rays, paths, photon passes, latency, loading, threads, kernels");
-    bench->require_subcommand(1);
-    bench->footer("Figures are only worth something on a machine that does nothing else.");
+    bench.needsSubcommand();
+    bench.footer("Figures are only worth something on a machine that does nothing else.");
     for (const auto& benchmark : kBenchmarks) {
-        addBenchmark(bench, benchmark(), exitCode);
+        addBenchmark(bench, benchmark());
     }
 }
 

@@ -7,11 +7,9 @@
 
 #include "engine/base/result.h"
 
-namespace CLI {
-class App;
-}
-
 namespace glint {
+
+class Command;
 
 enum ExitCode : int {
     kExitDone = 0,
@@ -24,14 +22,14 @@ enum ExitCode : int {
 /// Prints the command's one error message to standard error and gives back the exit code.
 int reportError(const Error& error, int exitCode);
 
-/// Each adds a subcommand to `app`; when the user chose it, *exitCode is set by running it.
-void addViewCommand(CLI::App& app, int* exitCode);
-void addRenderCommand(CLI::App& app, int* exitCode);
-void addInfoCommand(CLI::App& app, int* exitCode);
-void addConvergeCommand(CLI::App& app, int* exitCode);
-void addConvertCommand(CLI::App& app, int* exitCode);
-void addDiffCommand(CLI::App& app, int* exitCode);
-void addStressCommand(CLI::App& app, int* exitCode);
-void addBenchCommand(CLI::App& app, int* exitCode);
+/// Each adds a command to the program, which runs when the user chose it.
+void addViewCommand(const Command& program);
+void addRenderCommand(const Command& program);
+void addInfoCommand(const Command& program);
+void addConvergeCommand(const Command& program);
+void addConvertCommand(const Command& program);
+void addDiffCommand(const Command& program);
+void addStressCommand(const Command& program);
+void addBenchCommand(const Command& program);
 
 }  // namespace glint

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <fstream>
 
-#include <CLI/CLI.hpp>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -14,6 +13,7 @@
 #include "engine/base/parallel.h"
 #include "engine/builders/scene_builder.h"
 #include "engine/io/scene_loader.h"
+#include "viewer/commands/command_line.h"
 #include "viewer/commands/commands.h"
 #include "viewer/commands/converge_options.h"
 #include "viewer/commands/converge_output.h"
@@ -138,14 +138,14 @@ class ConvergeRun {
 
 }  // namespace
 
-void addConvergeCommand(CLI::App& app, int* exitCode) {
-    CLI::App* command = app.add_subcommand(
+void addConvergeCommand(const Command& program) {
+    const Command command = program.subcommand(
         "converge", "Error against run time for path tracing, photon mapping and variants");
     const auto options = std::make_shared<ConvergeOptions>();
-    addConvergeOptions(*command, options.get());
-    command->callback([command, options, exitCode] {
-        options->command = commandAsWritten(*command);
-        *exitCode = ConvergeRun(*options).run();
+    addConvergeOptions(command, options.get());
+    command.onRun([command, options] {
+        options->command = commandAsWritten(command);
+        return ConvergeRun(*options).run();
     });
 }
 

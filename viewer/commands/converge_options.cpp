@@ -2,12 +2,11 @@
 
 #include <algorithm>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "engine/io/importer.h"
+#include "viewer/commands/command_line.h"
 #include "viewer/commands/json_output.h"
-#include "viewer/commands/option_checks.h"
 #include "viewer/commands/render_options.h"
 
 namespace glint {
@@ -27,117 +26,108 @@ Examples:
 Seconds are render seconds: evaluating, saving and building take none. OUT gets index.html, plot.svg, plot.png,
 curve.csv, summary.csv, summary.json, reference.exr and pictures/. Ctrl-C writes them with what has been measured.)";
 
-void addReferenceOptions(CLI::App& command, ConvergeOptions* o) {
+void addReferenceOptions(const Command& command, ConvergeOptions* o) {
     const std::string group = "What errors are measured against";
-    command.add_option("--reference", o->reference, "An EXR picture of this scene, with its standard error")
-        ->type_name("REF.exr")
-        ->group(group);
+    command.option("--reference", &o->reference, "An EXR picture of this scene, with its standard error")
+        .typeName("REF.exr")
+        .group(group);
     command
-        .add_option("--make-reference", o->makeReference,
-                    "Render one until its standard error is a tenth of the smallest error to be reported, "
-                    "but at most for "
-                    "SECONDS, and say how far it came; OUT/reference.exr is used again by the next run")
-        ->check(aboveZero())
-        ->type_name("SECONDS")
-        ->group(group);
+        .option("--make-reference", &o->makeReference,
+                "Render one until its standard error is a tenth of the smallest error to be reported, "
+                "but at most for "
+                "SECONDS, and say how far it came; OUT/reference.exr is used again by the next run")
+        .aboveZero()
+        .typeName("SECONDS")
+        .group(group);
     command
-        .add_option("--reference-variant", o->referenceVariant,
-                    "What --make-reference renders with; the scene's own integrator by default")
-        ->type_name("VARIANT")
-        ->group(group);
+        .option("--reference-variant", &o->referenceVariant,
+                "What --make-reference renders with; the scene's own integrator by default")
+        .typeName("VARIANT")
+        .group(group);
     command
-        .add_flag("--any-reference", o->anyReference,
-                  "Take a reference that says it shows another scene, and warn in all outputs")
-        ->group(group);
+        .flag("--any-reference", &o->anyReference,
+              "Take a reference that says it shows another scene, and warn in all outputs")
+        .group(group);
     command
-        .add_flag("--subtract-reference", o->subtractReference,
-                  "Fits and times without the reference's own error: sqrt(MSE - its MSE)")
-        ->group(group);
+        .flag("--subtract-reference", &o->subtractReference,
+              "Fits and times without the reference's own error: sqrt(MSE - its MSE)")
+        .group(group);
 }
 
-void addMeasuringOptions(CLI::App& command, ConvergeOptions* o) {
+void addMeasuringOptions(const Command& command, ConvergeOptions* o) {
     const std::string group = "What is measured";
-    command.add_option("--integrators", o->integrators, "The variants to compare, see below")
-        ->type_name("VARIANT,...")
-        ->capture_default_str()
-        ->group(group);
+    command.option("--integrators", &o->integrators, "The variants to compare, see below")
+        .typeName("VARIANT,...")
+        .showDefault()
+        .group(group);
     command
-        .add_option(
-            "--time", o->seconds,
+        .option(
+            "--time", &o->seconds,
             fmt::format("Render seconds of each variant and seed; {:g} by default", kDefaultConvergeSeconds))
-        ->check(aboveZero())
-        ->type_name("SECONDS")
-        ->group(group);
-    command.add_option("--passes", o->passes, "Passes instead of seconds")
-        ->check(CLI::Range(1u, 1u << 30))
-        ->type_name("N")
-        ->group(group);
+        .aboveZero()
+        .typeName("SECONDS")
+        .group(group);
+    command.option("--passes", &o->passes, "Passes instead of seconds")
+        .range(1u, 1u << 30)
+        .typeName("N")
+        .group(group);
+    command.option("--seeds", &o->seeds, "Independent renders of each variant: mean and spread are over them")
+        .range(1, 1000)
+        .showDefault()
+        .group(group);
+    command.option("--points", &o->points, "Measurements of each render, evenly on a logarithmic scale")
+        .range(2, 200)
+        .showDefault()
+        .group(group);
+    command.option("--pictures", &o->images, "Pictures of each variant: of the end, a tenth, a hundredth ...")
+        .range(0, 8)
+        .showDefault()
+        .group(group);
     command
-        .add_option("--seeds", o->seeds, "Independent renders of each variant: mean and spread are over them")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str()
-        ->group(group);
-    command.add_option("--points", o->points, "Measurements of each render, evenly on a logarithmic scale")
-        ->check(CLI::Range(2, 200))
-        ->capture_default_str()
-        ->group(group);
-    command
-        .add_option("--pictures", o->images, "Pictures of each variant: of the end, a tenth, a hundredth ...")
-        ->check(CLI::Range(0, 8))
-        ->capture_default_str()
-        ->group(group);
-    command
-        .add_option("--picture-times", o->imageTimes,
-                    "Pictures at these seconds (with --passes: passes) instead, and at the end")
-        ->delimiter(',')
-        ->check(aboveZero())
-        ->type_name("T,...")
-        ->expected(1, 32)
-        ->excludes("--pictures")
-        ->group(group);
-    command.add_option("--exposure", o->exposure, "Stops at which pictures are shown and SSIM and FLIP look")
-        ->check(between(-60.0, 60.0))
-        ->group(group);
+        .option("--picture-times", &o->imageTimes,
+                "Pictures at these seconds (with --passes: passes) instead, and at the end")
+        .commaSeparated(1, 32)
+        .aboveZero()
+        .typeName("T,...")
+        .excludes("--pictures")
+        .group(group);
+    command.option("--exposure", &o->exposure, "Stops at which pictures are shown and SSIM and FLIP look")
+        .between(-60.0, 60.0)
+        .group(group);
 }
 
-void addSceneOptions(CLI::App& command, ConvergeOptions* o) {
+void addSceneOptions(const Command& command, ConvergeOptions* o) {
     const std::string group = "Instead of the scene's own settings";
-    command.add_option("--size", o->size, "Picture size in pixels")->type_name("WxH")->group(group);
-    command.add_option("--depth", o->depth, "Most scattering events along a path")
-        ->check(CLI::Range(0, 1 << 20))
-        ->group(group);
-    command.add_option("--seed", o->seed, "The first seed; a reference's own seeds are left out")
-        ->group(group);
+    command.option("--size", &o->size, "Picture size in pixels").typeName("WxH").group(group);
+    command.option("--depth", &o->depth, "Most scattering events along a path")
+        .range(0, 1 << 20)
+        .group(group);
+    command.option("--seed", &o->seed, "The first seed; a reference's own seeds are left out").group(group);
 }
 
 }  // namespace
 
-void addConvergeOptions(CLI::App& command, ConvergeOptions* o) {
-    command.add_option("scene", o->scene, "The scene: " + listImporters())->required()->type_name("SCENE");
-    command.add_option("-o,--out", o->out, "The folder for everything that is written")
-        ->required()
-        ->type_name("DIR");
+void addConvergeOptions(const Command& command, ConvergeOptions* o) {
+    command.option("scene", &o->scene, "The scene: " + listImporters()).required().typeName("SCENE");
+    command.option("-o,--out", &o->out, "The folder for everything that is written")
+        .required()
+        .typeName("DIR");
     addReferenceOptions(command, o);
     addMeasuringOptions(command, o);
     addSceneOptions(command, o);
-    command.add_option("--threads", o->threads, "Render threads; all by default")->check(CLI::Range(1, 1024));
-    command.add_option("--backend", o->backend, "cpu or cuda")->check(CLI::IsMember({"cpu", "cuda"}));
-    command.add_flag("--overwrite", o->overwrite, "Replace an earlier run's files in DIR");
-    command.add_flag("--allow-missing", o->allowMissing,
-                     "Render what can be rendered when parts are missing");
+    command.option("--threads", &o->threads, "Render threads; all by default").range(1, 1024);
+    command.option("--backend", &o->backend, "cpu or cuda").oneOf({"cpu", "cuda"});
+    command.flag("--overwrite", &o->overwrite, "Replace an earlier run's files in DIR");
+    command.flag("--allow-missing", &o->allowMissing, "Render what can be rendered when parts are missing");
     addJsonOption(command, &o->json);
     command.footer(fmt::format(fmt::runtime(kFooter), variantHelp()));
 }
 
-std::string commandAsWritten(const CLI::App& command) {
+std::string commandAsWritten(const Command& command) {
     std::string text = "glint converge";
-    for (const CLI::Option* option : command.get_options()) {
-        if (option->count() == 0 || option->get_name() == "--help") { continue; }
-        const bool named = option->get_positional() || option->get_lnames().empty();
-        if (!named) { text += " --" + option->get_lnames().front(); }
-        if (option->get_items_expected_max() > 0) {
-            text += " " + quotedForShell(fmt::format("{}", fmt::join(option->results(), ",")));
-        }
+    for (const GivenOption& option : command.given()) {
+        if (option.name.starts_with("-")) { text += " " + option.name; }
+        if (option.takesValue) { text += " " + quotedForShell(option.value); }
     }
     return text;
 }

@@ -10,11 +10,9 @@
 #include "engine/report/convergence_run.h"
 #include "engine/scene/scene.h"
 
-namespace CLI {
-class App;
-}
-
 namespace glint {
+
+class Command;
 
 struct ConvergeOptions {
     std::string scene;
@@ -43,10 +41,10 @@ struct ConvergeOptions {
     std::string command;  ///< as written, quoted for a shell
 };
 
-void addConvergeOptions(CLI::App& command, ConvergeOptions* options);
+void addConvergeOptions(const Command& command, ConvergeOptions* options);
 
 /// "glint converge scenes/cornell.json --time 10 ...": every option that was given.
-std::string commandAsWritten(const CLI::App& command);
+std::string commandAsWritten(const Command& command);
 
 /// Seconds when neither --time nor --passes is given.
 constexpr double kDefaultConvergeSeconds = 10.0;

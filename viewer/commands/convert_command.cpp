@@ -1,11 +1,11 @@
 // `glint convert IN OUT.json`: any readable scene as Glint's own JSON.
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "engine/base/log.h"
 #include "engine/io/file_path.h"
 #include "engine/io/scene_json.h"
 #include "engine/io/scene_loader.h"
+#include "viewer/commands/command_line.h"
 #include "viewer/commands/commands.h"
 #include "viewer/commands/output_files.h"
 
@@ -38,14 +38,13 @@ int runConvert(const ConvertOptions& options) {
 
 }  // namespace
 
-void addConvertCommand(CLI::App& app, int* exitCode) {
-    CLI::App* command = app.add_subcommand("convert", "Writes any readable scene as Glint's own JSON");
+void addConvertCommand(const Command& program) {
+    const Command command = program.subcommand("convert", "Writes any readable scene as Glint's own JSON");
     const auto options = std::make_shared<ConvertOptions>();
-    command->add_option("in", options->in, "The scene to read")->required()->type_name("IN");
-    command->add_option("out", options->out, "The file to write, OUT.json")->required()->type_name("OUT");
-    command->add_flag("--allow-missing", options->allowMissing,
-                      "Convert what is there when parts are missing");
-    command->callback([options, exitCode] { *exitCode = runConvert(*options); });
+    command.option("in", &options->in, "The scene to read").required().typeName("IN");
+    command.option("out", &options->out, "The file to write, OUT.json").required().typeName("OUT");
+    command.flag("--allow-missing", &options->allowMissing, "Convert what is there when parts are missing");
+    command.onRun([options] { return runConvert(*options); });
 }
 
 }  // namespace glint

@@ -7,17 +7,16 @@
 #include <map>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "engine/base/log.h"
 #include "engine/io/image_io.h"
 #include "engine/report/metric_table.h"
+#include "viewer/commands/command_line.h"
 #include "viewer/commands/commands.h"
 #include "viewer/commands/diff_maps.h"
 #include "viewer/commands/json_output.h"
-#include "viewer/commands/option_checks.h"
 
 namespace glint {
 namespace {
@@ -202,85 +201,68 @@ int runDiff(const DiffOptions& options) {
     return allWithin(options, *metrics) ? kExitDone : kExitBeyondLimit;
 }
 
-void addLimitOptions(CLI::App* command, DiffOptions* options) {
+void addLimitOptions(const Command& command, DiffOptions* options) {
     for (const MetricInfo& metric : metricTable()) {
         const std::string text =
             metric.largerIsBetter ? fmt::format("Exit code 3 when {} is below this", metric.name)
             : metric.isSigned
                 ? fmt::format("Exit code 3 when the {} is larger than this either way", metric.name)
                 : fmt::format("Exit code 3 when {} is above this", metric.name);
-        command
-            ->add_option_function<double>(
-                limitOption(metric),
-                [options, &metric](double limit) {
-                    options->limits[metric.key] = limit;
-                    options->metrics.hdrFlip = options->metrics.hdrFlip || &metric == findMetric("hdr_flip");
-                },
-                text)
-            ->type_name("X")
-            ->check(metric.largerIsBetter ? between(-1.0, 1.0) : between(0.0, 1e300))
-            ->group("Limits");
+        const auto limit = [options, &metric](double value) {
+            options->limits[metric.key] = value;
+            options->metrics.hdrFlip = options->metrics.hdrFlip || &metric == findMetric("hdr_flip");
+        };
+        command.optionNumber(limitOption(metric), limit, text)
+            .typeName("X")
+            .between(metric.largerIsBetter ? -1.0 : 0.0, metric.largerIsBetter ? 1.0 : 1e300)
+            .group("Limits");
     }
 }
 
 }  // namespace
 
-void addDiffCommand(CLI::App& app, int* exitCode) {
-    CLI::App* command = app.add_subcommand("diff", "How far a picture is from a reference");
+void addDiffCommand(const Command& program) {
+    const Command command = program.subcommand("diff", "How far a picture is from a reference");
     const auto options = std::make_shared<DiffOptions>();
-    command->add_option("picture", options->test, "The picture in question")->required()->type_name("A");
-    command->add_option("reference", options->reference, "What it should be")->required()->type_name("B");
-    command->add_option("--maps", options->maps, "Write error maps in false colours into the folder DIR")
-        ->type_name("DIR")
-        ->check(CLI::Validator(
-            [](std::string& folder) {
-                return folder.empty() ? std::string("expected a folder's name") : std::string();
-            },
-            ""));
+    command.option("picture", &options->test, "The picture in question").required().typeName("A");
+    command.option("reference", &options->reference, "What it should be").required().typeName("B");
+    command.option("--maps", &options->maps, "Write error maps in false colours into the folder DIR")
+        .typeName("DIR")
+        .notEmpty("expected a folder's name");
     command
-        ->add_option_function<std::vector<std::string>>(
+        .optionEach(
             "--map-range",
-            [options](const std::vector<std::string>& ranges) {
-                for (const std::string& range : ranges) {
-                    if (const Status added = addMapRange(range, &options->ranges); !added) {
-                        throw CLI::ValidationError("--map-range", added.error().message);
-                    }
-                }
-            },
+            [options](const std::string& range) { return addMapRange(range, &options->ranges); },
             "What a map's colours span, so that several maps can be compared: absolute=LOW:HIGH, "
             "relative-squared=LOW:HIGH or signed=LIMIT; chosen from the picture by default")
-        ->type_name("MAP=RANGE")
-        ->allow_extra_args(false)
-        ->needs("--maps");
-    addJsonOption(*command, &options->json);
+        .typeName("MAP=RANGE")
+        .oneValueEach()
+        .needs("--maps");
+    addJsonOption(command, &options->json);
     MetricOptions& metrics = options->metrics;
-    command->add_option("--epsilon", metrics.relativeEpsilon, "Added to the denominators of relative errors")
-        ->type_name("X")
-        ->check(aboveZero())
-        ->capture_default_str();
+    command.option("--epsilon", &metrics.relativeEpsilon, "Added to the denominators of relative errors")
+        .typeName("X")
+        .aboveZero()
+        .showDefault();
     command
-        ->add_option("--trim", metrics.trimmedShare,
-                     "Share of the worst pixels that relMSE trimmed leaves out")
-        ->type_name("SHARE")
-        ->check(between(0.0, 0.999))
-        ->capture_default_str();
-    command->add_option("--exposure", metrics.exposureStops, "Stops, for SSIM and FLIP only")
-        ->type_name("STOPS")
-        ->check(between(-60.0, 60.0))
-        ->capture_default_str();
-    command
-        ->add_option("--pixels-per-degree", metrics.pixelsPerDegree, "Of the viewer's visual angle, for FLIP")
-        ->type_name("N")
-        ->check(between(1.0, 1000.0))
-        ->capture_default_str();
-    command->add_flag("--hdr-flip", metrics.hdrFlip,
-                      "Also HDR-FLIP, over a range of exposures; takes several times as long");
-    command->add_option("--threads", metrics.threads, "Default: all")
-        ->type_name("N")
-        ->check(CLI::Range(1, 1024));
+        .option("--trim", &metrics.trimmedShare, "Share of the worst pixels that relMSE trimmed leaves out")
+        .typeName("SHARE")
+        .between(0.0, 0.999)
+        .showDefault();
+    command.option("--exposure", &metrics.exposureStops, "Stops, for SSIM and FLIP only")
+        .typeName("STOPS")
+        .between(-60.0, 60.0)
+        .showDefault();
+    command.option("--pixels-per-degree", &metrics.pixelsPerDegree, "Of the viewer's visual angle, for FLIP")
+        .typeName("N")
+        .between(1.0, 1000.0)
+        .showDefault();
+    command.flag("--hdr-flip", &metrics.hdrFlip,
+                 "Also HDR-FLIP, over a range of exposures; takes several times as long");
+    command.option("--threads", &metrics.threads, "Default: all").typeName("N").range(1, 1024);
     addLimitOptions(command, options.get());
-    command->footer(kFooter);
-    command->callback([options, exitCode] { *exitCode = runDiff(*options); });
+    command.footer(kFooter);
+    command.onRun([options] { return runDiff(*options); });
 }
 
 }  // namespace glint

@@ -1,5 +1,4 @@
 // `glint info SCENE`: what it holds, what it needs, what is left out, memory by part.
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -7,6 +6,7 @@
 #include "engine/io/scene_loader.h"
 #include "engine/render/photon_store.h"
 #include "engine/render/sppm_state.h"
+#include "viewer/commands/command_line.h"
 #include "viewer/commands/commands.h"
 #include "viewer/commands/json_output.h"
 #include "viewer/commands/memory_table.h"
@@ -106,15 +106,15 @@ int runInfo(const InfoOptions& options) {
 
 }  // namespace
 
-void addInfoCommand(CLI::App& app, int* exitCode) {
-    CLI::App* command = app.add_subcommand("info", "What a scene holds, needs and leaves out");
+void addInfoCommand(const Command& program) {
+    const Command command = program.subcommand("info", "What a scene holds, needs and leaves out");
     const auto options = std::make_shared<InfoOptions>();
-    command->add_option("scene", options->scene, "The scene")->required()->type_name("SCENE");
-    command->add_flag("--allow-missing", options->allowMissing, "Go on when parts of the scene are missing");
-    command->add_flag("--memory", options->memory,
-                      "Memory by part: used, and not allocated because nothing needs it");
-    addJsonOption(*command, &options->json);
-    command->callback([options, exitCode] { *exitCode = runInfo(*options); });
+    command.option("scene", &options->scene, "The scene").required().typeName("SCENE");
+    command.flag("--allow-missing", &options->allowMissing, "Go on when parts of the scene are missing");
+    command.flag("--memory", &options->memory,
+                 "Memory by part: used, and not allocated because nothing needs it");
+    addJsonOption(command, &options->json);
+    command.onRun([options] { return runInfo(*options); });
 }
 
 }  // namespace glint

@@ -1,19 +1,18 @@
 // nlohmann writes numbers so that they read back exactly, and infinities as null.
 #include "viewer/commands/json_output.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "engine/io/atomic_file.h"
-#include "viewer/commands/option_checks.h"
+#include "viewer/commands/command_line.h"
 
 namespace glint {
 
-void addJsonOption(CLI::App& command, std::string* target) {
-    command.add_option("--json", *target, "Write the report as JSON to FILE; - is standard output")
-        ->type_name("FILE")
-        ->check(writableFile());
+void addJsonOption(const Command& command, std::string* target) {
+    command.option("--json", target, "Write the report as JSON to FILE; - is standard output")
+        .typeName("FILE")
+        .writableFile();
 }
 
 Status writeJson(const std::string& target, const nlohmann::ordered_json& report) {

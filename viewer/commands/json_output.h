@@ -8,14 +8,12 @@
 
 #include "engine/base/result.h"
 
-namespace CLI {
-class App;
-}
-
 namespace glint {
 
+class Command;
+
 /// Adds `--json FILE` (`-`: standard output) to a command.
-void addJsonOption(CLI::App& command, std::string* target);
+void addJsonOption(const Command& command, std::string* target);
 
 /// Nothing to do for an empty target. Numbers that JSON cannot hold (infinite, not a number) become null.
 Status writeJson(const std::string& target, const nlohmann::ordered_json& report);

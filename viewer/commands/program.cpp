@@ -11,6 +11,7 @@
 
 #include "engine/base/log.h"
 #include "engine/base/nearest_name.h"
+#include "viewer/commands/command_line.h"
 #include "viewer/commands/commands.h"
 
 namespace glint {
@@ -23,15 +24,15 @@ Exit codes: 0 done, 1 the input or the options are wrong, 2 the run failed, 3 a 
 130 interrupted after saving.
 `glint COMMAND --help` explains a command.)";
 
-void addCommands(CLI::App& app, int* exitCode) {
-    addViewCommand(app, exitCode);
-    addRenderCommand(app, exitCode);
-    addInfoCommand(app, exitCode);
-    addConvergeCommand(app, exitCode);
-    addConvertCommand(app, exitCode);
-    addDiffCommand(app, exitCode);
-    addStressCommand(app, exitCode);
-    addBenchCommand(app, exitCode);
+void addCommands(const Command& program) {
+    addViewCommand(program);
+    addRenderCommand(program);
+    addInfoCommand(program);
+    addConvergeCommand(program);
+    addConvertCommand(program);
+    addDiffCommand(program);
+    addStressCommand(program);
+    addBenchCommand(program);
 }
 
 /// Long and short names of the options of `app`, with their dashes.
@@ -130,7 +131,7 @@ int parseAndRun(std::vector<std::string> arguments) {
     app.add_flag_callback(
            "--verbose", [] { setLogLevel(LogLevel::Debug); }, "Log everything")
         ->trigger_on_parse();
-    addCommands(app, &exitCode);
+    addCommands(Command(&app, &exitCode));
     addViewWhereItIsMeant(app, &arguments);
     std::ranges::reverse(arguments);  // CLI11 takes them from the back.
     try {

@@ -2,12 +2,12 @@
 // to render_run.
 #include <chrono>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "engine/base/log.h"
 #include "engine/io/image_formats.h"
 #include "engine/io/scene_loader.h"
+#include "viewer/commands/command_line.h"
 #include "viewer/commands/commands.h"
 #include "viewer/commands/output_files.h"
 #include "viewer/commands/render_run.h"
@@ -68,14 +68,14 @@ int runCommand(const RenderCommandOptions& options) {
 
 }  // namespace
 
-void addRenderCommand(CLI::App& app, int* exitCode) {
-    CLI::App* command = app.add_subcommand("render", "Renders a scene to a picture, without a window");
+void addRenderCommand(const Command& program) {
+    const Command command = program.subcommand("render", "Renders a scene to a picture, without a window");
     const auto options = std::make_shared<RenderCommandOptions>();
-    addRenderOptions(*command, options.get());
-    command->footer(kFooter);
-    command->callback([command, options, exitCode] {
-        options->sceneOptions = sceneOptionsAsWritten(*command);
-        *exitCode = runCommand(*options);
+    addRenderOptions(command, options.get());
+    command.footer(kFooter);
+    command.onRun([command, options] {
+        options->sceneOptions = sceneOptionsAsWritten(command);
+        return runCommand(*options);
     });
 }
 

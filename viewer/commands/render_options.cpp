@@ -1,10 +1,8 @@
-// Names are ours (tables below), ranges CLI11's.
 #include "viewer/commands/render_options.h"
 
 #include <array>
 #include <charconv>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -12,8 +10,8 @@
 #include "engine/builders/scene_validation.h"
 #include "engine/io/image_formats.h"
 #include "engine/io/importer.h"
+#include "viewer/commands/command_line.h"
 #include "viewer/commands/json_output.h"
-#include "viewer/commands/option_checks.h"
 
 namespace glint {
 namespace {
@@ -34,124 +32,114 @@ constexpr std::string_view kStandardError = "standard-error";
 constexpr std::string_view kBias = "bias";
 constexpr std::string_view kErrorBound = "error-bound";
 
-void addLimits(CLI::App& command, RenderCommandOptions* o) {
+void addLimits(const Command& command, RenderCommandOptions* o) {
     command
-        .add_option(
-            "--passes", o->limits.passes,
-            fmt::format("Stop after N passes (samples per pixel); {} without any limit", kDefaultPasses))
-        ->check(aboveZero())
-        ->type_name("N")
-        ->group("When to stop");
-    command.add_option("--time", o->limits.renderSeconds, "Stop after SECONDS of rendering")
-        ->check(aboveZero())
-        ->type_name("SECONDS")
-        ->group("When to stop");
+        .option("--passes", &o->limits.passes,
+                fmt::format("Stop after N passes (samples per pixel); {} without any limit", kDefaultPasses))
+        .aboveZero()
+        .typeName("N")
+        .group("When to stop");
+    command.option("--time", &o->limits.renderSeconds, "Stop after SECONDS of rendering")
+        .aboveZero()
+        .typeName("SECONDS")
+        .group("When to stop");
     command
-        .add_option("--error", o->limits.relativeError,
-                    "Stop when the error is below E with 95 %; relative, such as 0.01")
-        ->check(aboveZero())
-        ->type_name("E")
-        ->group("When to stop");
+        .option("--error", &o->limits.relativeError,
+                "Stop when the error is below E with 95 %; relative, such as 0.01")
+        .aboveZero()
+        .typeName("E")
+        .group("When to stop");
 }
 
-void addSettings(CLI::App& command, RenderCommandOptions* o) {
+void addSettings(const Command& command, RenderCommandOptions* o) {
     const std::string group = kSettingsGroup;
-    command.add_option("--size", o->size, "Picture size in pixels")->type_name("WxH")->group(group);
-    command.add_option("--seed", o->seed, "Seed of the random numbers")->group(group);
-    command.add_option("--depth", o->depth, "Most scattering events along a path")
-        ->check(CLI::Range(0, 1 << 20))
-        ->group(group);
-    command.add_option("--filter", o->filter, "Reconstruction filter")
-        ->check(CLI::IsMember({"box", "gaussian", "blackman-harris"}))
-        ->group(group);
-    command.add_option("--filter-radius", o->filterRadius, "Half the filter's width in pixels")
-        ->check(between(0.001, 16.0))
-        ->group(group);
-    command.add_option("--sampler", o->sampler, "Points: sobol (low discrepancy) or independent")
-        ->check(CLI::IsMember({"sobol", "independent"}))
-        ->group(group);
-    command.add_option("--camera-position", o->cameraPosition, "Where the camera stands, metres")
-        ->type_name("X,Y,Z")
-        ->delimiter(',')
-        ->expected(3)
-        ->group(group);
-    command.add_option("--camera-target", o->cameraTarget, "What it looks at")
-        ->type_name("X,Y,Z")
-        ->delimiter(',')
-        ->expected(3)
-        ->group(group);
-    command.add_option("--fov", o->fov, "Vertical field of view, degrees")
-        ->check(between(0.001, 179.9))
-        ->group(group);
-    command.add_option("--aperture", o->aperture, "Aperture diameter, metres; 0: a pinhole")
-        ->check(between(0.0, 1e30))
-        ->group(group);
-    command.add_option("--focus", o->focus, "Focal distance, metres")->check(aboveZero())->group(group);
+    command.option("--size", &o->size, "Picture size in pixels").typeName("WxH").group(group);
+    command.option("--seed", &o->seed, "Seed of the random numbers").group(group);
+    command.option("--depth", &o->depth, "Most scattering events along a path")
+        .range(0, 1 << 20)
+        .group(group);
+    command.option("--filter", &o->filter, "Reconstruction filter")
+        .oneOf({"box", "gaussian", "blackman-harris"})
+        .group(group);
+    command.option("--filter-radius", &o->filterRadius, "Half the filter's width in pixels")
+        .between(0.001, 16.0)
+        .group(group);
+    command.option("--sampler", &o->sampler, "Points: sobol (low discrepancy) or independent")
+        .oneOf({"sobol", "independent"})
+        .group(group);
+    command.option("--camera-position", &o->cameraPosition, "Where the camera stands, metres")
+        .typeName("X,Y,Z")
+        .commaSeparated(3, 3)
+        .group(group);
+    command.option("--camera-target", &o->cameraTarget, "What it looks at")
+        .typeName("X,Y,Z")
+        .commaSeparated(3, 3)
+        .group(group);
+    command.option("--fov", &o->fov, "Vertical field of view, degrees").between(0.001, 179.9).group(group);
+    command.option("--aperture", &o->aperture, "Aperture diameter, metres; 0: a pinhole")
+        .between(0.0, 1e30)
+        .group(group);
+    command.option("--focus", &o->focus, "Focal distance, metres").aboveZero().group(group);
 }
 
-void addPhotonOptions(CLI::App& command, RenderCommandOptions* o) {
+void addPhotonOptions(const Command& command, RenderCommandOptions* o) {
     const std::string group = "Photon mapping, instead of the scene's own settings";
-    command.add_option("--integrator", o->integrator, "path: path tracing; sppm: progressive photon mapping")
-        ->check(CLI::IsMember({"path", "sppm"}))
-        ->group(group);
-    command.add_option("--photons", o->photons, "Photons in a pass")
-        ->check(CLI::Range(1u, 1u << 30))
-        ->type_name("N")
-        ->group(group);
-    command.add_option("--radius", o->radius, "First radius: metres, or auto:K for K pixel footprints")
-        ->type_name("R|auto:K")
-        ->group(group);
-    command.add_option("--alpha", o->alpha, "Share of each pass's photons that is kept, between 0 and 1")
-        ->type_name("A")
-        ->group(group);
-    command.add_option("--direct", o->direct, "Direct light: sampled, or left to the photons")
-        ->check(CLI::IsMember({"sampled", "photons"}))
-        ->group(group);
-    command.add_option("--lookup", o->lookup, "How photons are found")
-        ->check(CLI::IsMember({"grid", "tree"}))
-        ->group(group);
-    command.add_option("--memory", o->memoryMiB, "Budget for photons and statistics; 0: no limit")
-        ->check(CLI::Range(0u, 1u << 22))
-        ->type_name("MiB")
-        ->group(group);
+    command.option("--integrator", &o->integrator, "path: path tracing; sppm: progressive photon mapping")
+        .oneOf({"path", "sppm"})
+        .group(group);
+    command.option("--photons", &o->photons, "Photons in a pass")
+        .range(1u, 1u << 30)
+        .typeName("N")
+        .group(group);
+    command.option("--radius", &o->radius, "First radius: metres, or auto:K for K pixel footprints")
+        .typeName("R|auto:K")
+        .group(group);
+    command.option("--alpha", &o->alpha, "Share of each pass's photons that is kept, between 0 and 1")
+        .typeName("A")
+        .group(group);
+    command.option("--direct", &o->direct, "Direct light: sampled, or left to the photons")
+        .oneOf({"sampled", "photons"})
+        .group(group);
+    command.option("--lookup", &o->lookup, "How photons are found").oneOf({"grid", "tree"}).group(group);
+    command.option("--memory", &o->memoryMiB, "Budget for photons and statistics; 0: no limit")
+        .range(0u, 1u << 22)
+        .typeName("MiB")
+        .group(group);
 }
 
-void addImageOptions(CLI::App& command, RenderCommandOptions* o) {
+void addImageOptions(const Command& command, RenderCommandOptions* o) {
     const std::string group = "The picture";
-    command.add_option("-o,--output", o->output, "Picture to write: " + listSavedExtensions())
-        ->type_name("OUT")
-        ->group(group);
-    command.add_option("--exposure", o->exposure, "PNG: exposure in stops")
-        ->check(between(-100.0, 100.0))
-        ->group(group);
-    command.add_option("--tone", o->tone, "PNG: tone map")
-        ->check(CLI::IsMember({"clamp", "srgb", "filmic", "reinhard"}))
-        ->group(group);
+    command.option("-o,--output", &o->output, "Picture to write: " + listSavedExtensions())
+        .typeName("OUT")
+        .group(group);
+    command.option("--exposure", &o->exposure, "PNG: exposure in stops").between(-100.0, 100.0).group(group);
+    command.option("--tone", &o->tone, "PNG: tone map")
+        .oneOf({"clamp", "srgb", "filmic", "reinhard"})
+        .group(group);
     command
-        .add_option("--aov", o->aovs,
-                    "EXR: more layers: albedo, normal, geometric-normal, depth, object-id, material-id, "
-                    "standard-error, bias, error-bound")
-        ->type_name("NAME,...")
-        ->delimiter(',')
-        ->group(group);
-    command.add_flag("--exr-float", o->exrFloat, "EXR: 32-bit instead of 16-bit colours")->group(group);
+        .option("--aov", &o->aovs,
+                "EXR: more layers: albedo, normal, geometric-normal, depth, object-id, material-id, "
+                "standard-error, bias, error-bound")
+        .typeName("NAME,...")
+        .commaSeparated()
+        .group(group);
+    command.flag("--exr-float", &o->exrFloat, "EXR: 32-bit instead of 16-bit colours").group(group);
 }
 
-void addCheckpointOptions(CLI::App& command, RenderCommandOptions* o) {
+void addCheckpointOptions(const Command& command, RenderCommandOptions* o) {
     const std::string group = "Going on later";
-    command.add_option("--checkpoint", o->checkpoint, "Save the film here, at the end and when interrupted")
-        ->type_name("FILE")
-        ->group(group);
+    command.option("--checkpoint", &o->checkpoint, "Save the film here, at the end and when interrupted")
+        .typeName("FILE")
+        .group(group);
     command
-        .add_option(
-            "--checkpoint-every", o->checkpointEvery,
-            "N: every N passes write a numbered picture (OUT-000050.png), and the checkpoint where one "
-            "is named; Ts: the checkpoint every T seconds")
-        ->type_name("N|Ts")
-        ->group(group);
-    command.add_option("--resume", o->resume, "Go on from this checkpoint, bit for bit")
-        ->type_name("FILE")
-        ->group(group);
+        .option("--checkpoint-every", &o->checkpointEvery,
+                "N: every N passes write a numbered picture (OUT-000050.png), and the checkpoint where one "
+                "is named; Ts: the checkpoint every T seconds")
+        .typeName("N|Ts")
+        .group(group);
+    command.option("--resume", &o->resume, "Go on from this checkpoint, bit for bit")
+        .typeName("FILE")
+        .group(group);
 }
 
 /// Metres, "auto", or "auto:K".
@@ -218,36 +206,35 @@ std::string quotedForShell(const std::string& word) {
     return quoted + "'";
 }
 
-std::string sceneOptionsAsWritten(const CLI::App& command) {
+std::string sceneOptionsAsWritten(const Command& command) {
     std::string all;
-    for (const CLI::Option* option : command.get_options()) {
-        if (option->get_group() == kSettingsGroup && option->count() > 0) {
-            all += fmt::format(" {} {}", option->get_name(),
-                               quotedForShell(fmt::format("{}", fmt::join(option->results(), ","))));
+    for (const GivenOption& option : command.given()) {
+        if (option.group == kSettingsGroup) {
+            all += fmt::format(" {} {}", option.name, quotedForShell(option.value));
         }
     }
     return all;
 }
 
-void addRenderOptions(CLI::App& command, RenderCommandOptions* o) {
-    command.add_option("scene", o->scene, "The scene: " + listImporters())->required()->type_name("SCENE");
+void addRenderOptions(const Command& command, RenderCommandOptions* o) {
+    command.option("scene", &o->scene, "The scene: " + listImporters()).required().typeName("SCENE");
     addImageOptions(command, o);
     addLimits(command, o);
     addSettings(command, o);
     addPhotonOptions(command, o);
     addCheckpointOptions(command, o);
-    command.add_flag("--allow-missing", o->allowMissing,
-                     "Render what can be rendered when parts of the scene are missing");
-    command.add_option("--threads", o->threads, "Render threads; all by default")->check(CLI::Range(1, 1024));
-    command.add_option("--backend", o->backend, "cpu or cuda");
+    command.flag("--allow-missing", &o->allowMissing,
+                 "Render what can be rendered when parts of the scene are missing");
+    command.option("--threads", &o->threads, "Render threads; all by default").range(1, 1024);
+    command.option("--backend", &o->backend, "cpu or cuda");
     command
-        .add_option("--pixel", o->pixel,
-                    "Print the path of pixel x,y in the pass given by --pass instead of rendering")
-        ->type_name("X,Y")
-        ->group("Looking into one path");
-    command.add_option("--pass", o->replayPass, "which pass, counted from 0")
-        ->type_name("N")
-        ->group("Looking into one path");
+        .option("--pixel", &o->pixel,
+                "Print the path of pixel x,y in the pass given by --pass instead of rendering")
+        .typeName("X,Y")
+        .group("Looking into one path");
+    command.option("--pass", &o->replayPass, "which pass, counted from 0")
+        .typeName("N")
+        .group("Looking into one path");
     addJsonOption(command, &o->json);
 }
 

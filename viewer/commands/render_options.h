@@ -11,11 +11,9 @@
 #include "engine/render/tonemap.h"
 #include "engine/scene/scene.h"
 
-namespace CLI {
-class App;
-}
-
 namespace glint {
+
+class Command;
 
 struct RenderCommandOptions {
     std::string scene;
@@ -51,13 +49,13 @@ struct RenderCommandOptions {
     std::string sceneOptions;  ///< all that change the scene, as written, quoted for a shell
 };
 
-void addRenderOptions(CLI::App& command, RenderCommandOptions* options);
+void addRenderOptions(const Command& command, RenderCommandOptions* options);
 
 /// A word that a POSIX shell reads back as it is.
 std::string quotedForShell(const std::string& word);
 
 /// What the user gave of the options that change size, seed, sampling and camera: " --size 64x64 --fov 30".
-std::string sceneOptionsAsWritten(const CLI::App& command);
+std::string sceneOptionsAsWritten(const Command& command);
 
 /// Passes that are rendered when no limit is given.
 constexpr uint32_t kDefaultPasses = 128;

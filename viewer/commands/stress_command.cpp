@@ -2,7 +2,6 @@
 #include <atomic>
 #include <thread>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -10,10 +9,10 @@
 #include "engine/report/stress_html.h"
 #include "engine/report/stress_suite.h"
 #include "engine/report/stress_summary.h"
+#include "viewer/commands/command_line.h"
 #include "viewer/commands/commands.h"
 #include "viewer/commands/interrupt.h"
 #include "viewer/commands/json_output.h"
-#include "viewer/commands/option_checks.h"
 #include "viewer/commands/output_files.h"
 
 namespace glint {
@@ -178,27 +177,26 @@ int runStress(const StressOptions& options) {
 
 }  // namespace
 
-void addStressCommand(CLI::App& app, int* exitCode) {
-    CLI::App* command = app.add_subcommand("stress", "Numerical stability on extreme scenes, as a table");
+void addStressCommand(const Command& program) {
+    const Command command = program.subcommand("stress", "Numerical stability on extreme scenes, as a table");
     const auto options = std::make_shared<StressOptions>();
     command
-        ->add_option("--filter", options->filter,
-                     "Only the family NAME, or the cases whose family/grade contains it")
-        ->type_name("NAME");
-    command->add_flag("--quick", options->quick, "Fewer cases and samples, for automatic runs");
-    command->add_flag("--list", options->list, "List the cases and run none");
-    command->add_flag("--summary", options->summary,
-                      "Print one Markdown row for each family instead of the cases");
-    command->add_option("--html", options->html, "Write the table as one self-contained page to FILE")
-        ->type_name("FILE")
-        ->check(writableFile());
-    addJsonOption(*command, &options->json);
-    command->add_option("--threads", options->threads, "Render threads; all by default")
-        ->check(CLI::Range(1, 1024));
-    command->footer(
+        .option("--filter", &options->filter,
+                "Only the family NAME, or the cases whose family/grade contains it")
+        .typeName("NAME");
+    command.flag("--quick", &options->quick, "Fewer cases and samples, for automatic runs");
+    command.flag("--list", &options->list, "List the cases and run none");
+    command.flag("--summary", &options->summary,
+                 "Print one Markdown row for each family instead of the cases");
+    command.option("--html", &options->html, "Write the table as one self-contained page to FILE")
+        .typeName("FILE")
+        .writableFile();
+    addJsonOption(command, &options->json);
+    command.option("--threads", &options->threads, "Render threads; all by default").range(1, 1024);
+    command.footer(
         "Exit codes: 0 every case is as good as documented, 1 the options are wrong, 2 a file could not be\n"
         "written, 3 a case is worse than documented, 130 interrupted (what was measured is written).");
-    command->callback([options, exitCode] { *exitCode = runStress(*options); });
+    command.onRun([options] { return runStress(*options); });
 }
 
 }  // namespace glint

@@ -5,14 +5,13 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "engine/io/file_path.h"
 #include "engine/io/image_formats.h"
 #include "engine/io/scene_loader.h"
+#include "viewer/commands/command_line.h"
 #include "viewer/commands/commands.h"
-#include "viewer/commands/option_checks.h"
 #include "viewer/commands/output_files.h"
 #include "viewer/make_backend.h"
 #if GLINT_HAS_VIEWER
@@ -142,30 +141,28 @@ int runCommand(const ViewCommandOptions&) {
 
 }  // namespace
 
-void addViewCommand(CLI::App& app, int* exitCode) {
-    CLI::App* command = app.add_subcommand("view", "Open a scene in the window and watch it converge");
+void addViewCommand(const Command& program) {
+    const Command command = program.subcommand("view", "Open a scene in the window and watch it converge");
     auto options = std::make_shared<ViewCommandOptions>();
     // The last one counts: `run` gives defaults before the user's own options.
-    command->option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    command->add_option("SCENE", options->scene, "Scene to open");
-    command->add_flag("--headless", options->headless, "Draw the same window in memory, without a display");
-    command->add_option("--size", options->size, "Size of the window in pixels, as 1280x720");
-    command
-        ->add_option("--scale", options->scale, "Size of text and controls, 1 or 2; the screen's by default")
-        ->check(CLI::Range(0.5, 4.0));
-    command->add_option("--passes", options->passes, "Stop after so many passes; headless 64 by default");
-    command->add_option("--screenshot", options->screenshot, "PNG of the whole window at the end (headless)");
-    command->add_option("--output", options->output,
-                        "The picture at the end (headless): " + listSavedExtensions());
-    command->add_option("--script", options->script, "Play input from a file");
-    command->add_option("--json", options->json, "Frame times to a file, or - for standard output")
-        ->check(writableFile());
-    command->add_option("--backend", options->backend, "cpu or cuda");
-    command->add_option("--threads", options->threads, "Threads that render; 0: all")
-        ->check(CLI::Range(0, 1024));
-    command->add_flag("--allow-missing", options->allowMissing, "Open scenes with missing parts");
-    command->footer(kFooter);
-    command->callback([options, exitCode] { *exitCode = runCommand(*options); });
+    command.lastCounts();
+    command.option("SCENE", &options->scene, "Scene to open");
+    command.flag("--headless", &options->headless, "Draw the same window in memory, without a display");
+    command.option("--size", &options->size, "Size of the window in pixels, as 1280x720");
+    command.option("--scale", &options->scale, "Size of text and controls, 1 or 2; the screen's by default")
+        .range(0.5, 4.0);
+    command.option("--passes", &options->passes, "Stop after so many passes; headless 64 by default");
+    command.option("--screenshot", &options->screenshot, "PNG of the whole window at the end (headless)");
+    command.option("--output", &options->output,
+                   "The picture at the end (headless): " + listSavedExtensions());
+    command.option("--script", &options->script, "Play input from a file");
+    command.option("--json", &options->json, "Frame times to a file, or - for standard output")
+        .writableFile();
+    command.option("--backend", &options->backend, "cpu or cuda");
+    command.option("--threads", &options->threads, "Threads that render; 0: all").range(0, 1024);
+    command.flag("--allow-missing", &options->allowMissing, "Open scenes with missing parts");
+    command.footer(kFooter);
+    command.onRun([options] { return runCommand(*options); });
 }
 
 }  // namespace glint
