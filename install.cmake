@@ -7,7 +7,7 @@ install(TARGETS glint RUNTIME)
 install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/glint FILES_MATCHING PATTERN *.json)
 
 # Pages keep their places among each other, so that links between them hold.
-foreach(page IN ITEMS README.md scenes/README.md viewer/commands/README.md viewer/window/README.md)
+foreach(page IN ITEMS README.md CHANGELOG.md scenes/README.md viewer/commands/README.md viewer/window/README.md)
     get_filename_component(folder ${page} DIRECTORY)
     install(FILES ${page} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder})
 endforeach()
