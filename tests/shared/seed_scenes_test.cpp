@@ -64,9 +64,9 @@ TEST_F(SeedScenes, SavedAndLoadedAgainRenderTheSame) {
 size_t trianglesIn(const fs::path& folder) {
     size_t sum = 0;
     for (const auto& entry : fs::directory_iterator(folder)) {
-        const Result<ObjScene> scene = loadObj(entry.path().string());
+        const Result<MeshFile> scene = loadObj(entry.path().string());
         EXPECT_TRUE(scene) << scene.error().format();
-        for (const ObjPart& part : scene ? scene->parts : std::vector<ObjPart>{}) {
+        for (const MeshPart& part : scene ? scene->parts : std::vector<MeshPart>{}) {
             sum += part.mesh->triangleCount();
         }
     }
