@@ -1,6 +1,6 @@
-// A grey Cornell box beside another renderer's picture of it (tests/data/references): block means agree within
-// the noise of both. The significance is 1e-6 a block; the reference's noise comes from the difference of its
-// two seeds.
+// A grey Cornell box beside another renderer's picture of it (tests/data/references): block means agree
+// within the noise of both. The significance is 1e-6 a block; the reference's noise comes from the difference
+// of its two seeds.
 
 #include <gtest/gtest.h>
 
