@@ -4,16 +4,16 @@
 // changes its size, and the assertions here ask for the new entry.
 #pragma once
 
-#include "engine/kernels/bvh_nodes.h"
 #include "engine/kernels/scene_view.h"
+#include "engine/kernels/triangle_cluster.h"
 
 namespace glint {
 
 /// Calls visit(pointer, count) with a reference to each pointer of a mesh.
 template <class Visit>
 void forEachArray(MeshView& mesh, Visit&& visit) {
-    static_assert(sizeof(MeshView) == 104, "list a new array of MeshView below");
-    visit(mesh.nodes, size_t{mesh.nodeCount});
+    static_assert(sizeof(MeshView) == 120, "list a new array of MeshView below");
+    visit(mesh.accelerator.data, mesh.accelerator.bytes);
     visit(mesh.clusters, size_t{mesh.clusterCount});
     visit(mesh.clusterPrimitives, size_t{mesh.triangleCount});
     visit(mesh.positions, size_t{mesh.vertexCount});
@@ -44,10 +44,10 @@ void forEachArray(EnvironmentView& environment, Visit&& visit) {
 /// The scene's own arrays but for the tables of meshes and textures, whose entries hold pointers themselves.
 template <class Visit>
 void forEachArray(SceneView& view, Visit&& visit) {
-    static_assert(sizeof(GeometryView) == 104 && sizeof(LightView) == 112, "list a new array below");
+    static_assert(sizeof(GeometryView) == 112 && sizeof(LightView) == 112, "list a new array below");
     const auto visitView = [&](auto& array) { visit(array.data, size_t{array.count}); };
     visitView(view.geometry.instances);
-    visitView(view.geometry.topNodes);
+    visit(view.geometry.topLevel.data, view.geometry.topLevel.bytes);
     visitView(view.geometry.topInstances);
     visitView(view.geometry.planes);
     visitView(view.materials);

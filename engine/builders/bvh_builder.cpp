@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "engine/base/check.h"
 #include "engine/base/parallel.h"
 #include "engine/builders/box_lanes.h"
 
@@ -182,6 +183,18 @@ BinaryTree buildBinaryTree(HugeVector<BuildPrimitive>* primitives, const BvhOpti
     builder.build(0, 0, count, builder.extentOf(0, count));
     tree.count = builder.nodeCount();
     return tree;
+}
+
+HugeVector<WideNode> buildBvh(HugeVector<BuildPrimitive>* primitives, const LeafOptions& leafOptions,
+                              const PackLeaves& packLeaves) {
+    BvhOptions options{leafOptions};
+    HugeVector<WideNode> nodes = collapseTree(buildBinaryTree(primitives, options), packLeaves);
+    if (traversalStackNeed(nodes) > kTraversalStackSize) {
+        options.balanced = true;
+        nodes = collapseTree(buildBinaryTree(primitives, options), packLeaves);
+    }
+    GLINT_CHECK_OP(traversalStackNeed(nodes), <=, uint32_t{kTraversalStackSize});
+    return nodes;
 }
 
 }  // namespace glint

@@ -2,6 +2,7 @@
 // Benthin and Boulos 2008, "Getting Rid of Packets").
 #include <algorithm>
 
+#include "engine/base/check.h"
 #include "engine/builders/bvh_builder.h"
 
 namespace glint {
@@ -9,11 +10,13 @@ namespace {
 
 class Collapser {
   public:
-    Collapser(const BinaryTree& tree, const EmitLeaf& emitLeaf) : tree_(tree), emitLeaf_(emitLeaf) {}
+    explicit Collapser(const BinaryTree& tree) : tree_(tree) {}
 
-    HugeVector<WideNode> run() {
+    HugeVector<WideNode> run(const PackLeaves& packLeaves) {
         nodes_.reserve(tree_.count / 6 + 1);
+        leaves_.reserve(tree_.count / 2 + 1);
         collapse(0);
+        referTo(packLeaves(leaves_));
         return std::move(nodes_);
     }
 
@@ -32,10 +35,28 @@ class Collapser {
         nodes_.push_back(emptyNode());
         for (int i = 0; i < count; ++i) {
             const BinaryNode& child = tree_.nodes[children[i]];
-            const uint32_t reference = child.leaf() ? emitLeaf_(child) : collapse(children[i]);
+            const uint32_t reference = child.leaf() ? addLeaf(child) : collapse(children[i]);
             setChild(&nodes_[index], i, child.bounds(), reference);
         }
         return index;
+    }
+
+    /// A leaf for now refers to its place in leaves_.
+    uint32_t addLeaf(const BinaryNode& leaf) {
+        leaves_.push_back({leaf.begin, leaf.end});
+        return kLeafBit | static_cast<uint32_t>(leaves_.size() - 1);
+    }
+
+    void referTo(const std::vector<LeafRange>& items) {
+        for (WideNode& node : nodes_) {
+            for (uint32_t& child : node.child) {
+                if (!isLeaf(child)) { continue; }
+                const LeafRange& range = items[child & ~kLeafBit];
+                GLINT_CHECK_OP(range.end - range.begin, <=, kMaxLeafItems);
+                GLINT_CHECK_OP(range.end - 1, <=, kMaxLeafFirst);
+                child = makeLeaf(range.begin, range.end - range.begin);
+            }
+        }
     }
 
     int largestInner(const uint32_t* children, int count) const {
@@ -70,16 +91,16 @@ class Collapser {
     }
 
     const BinaryTree& tree_;
-    const EmitLeaf& emitLeaf_;
     HugeVector<WideNode> nodes_;
+    std::vector<LeafRange> leaves_;
 };
 
 bool used(const WideNode& node, int slot) { return node.bounds[0][slot] <= node.bounds[1][slot]; }
 
 }  // namespace
 
-HugeVector<WideNode> collapseTree(const BinaryTree& tree, const EmitLeaf& emitLeaf) {
-    return Collapser(tree, emitLeaf).run();
+HugeVector<WideNode> collapseTree(const BinaryTree& tree, const PackLeaves& packLeaves) {
+    return Collapser(tree).run(packLeaves);
 }
 
 uint32_t traversalStackNeed(const HugeVector<WideNode>& nodes) {

@@ -2,6 +2,7 @@
 
 #include "engine/builders/material_table.h"
 #include "engine/kernels/bsdf/bsdf.h"
+#include "engine/kernels/shapes/shape_facts.h"
 #include "engine/scene/scene_use.h"
 
 namespace glint {
@@ -9,18 +10,8 @@ namespace {
 
 FeatureMask objectFeatures(const SceneDescription& scene, const Object& object) {
     FeatureMask mask = object.frontOnly ? kFeatureFrontOnly : 0u;
-    switch (object.shape) {
-        case ShapeKind::Sphere:
-            return mask | kFeatureSphere;
-        case ShapeKind::Plane:
-            return mask | kFeaturePlane;
-        case ShapeKind::Rectangle:
-        case ShapeKind::Disc:
-            return mask | kFeatureFlat;
-        case ShapeKind::Mesh:
-            break;
-    }
-    mask |= kFeatureMesh;
+    mask |= featureOf(object.shape);
+    if (object.shape != ShapeKind::Mesh) { return mask; }
     mask |= object.objectToWorld == Affine{} ? 0u : kFeatureTransforms;
     if (object.mesh >= 0 && static_cast<size_t>(object.mesh) < scene.meshes.size()) {
         const auto& data = scene.meshes[static_cast<size_t>(object.mesh)].data;

@@ -1,6 +1,4 @@
 // The placed shapes of a scene and the top-level acceleration structure over them.
-//
-// Called by the scene builder whenever an object or a mesh changed.
 #pragma once
 
 #include <memory>
@@ -14,7 +12,7 @@ namespace glint {
 struct InstanceTable {
     std::vector<InstanceData> instances;  ///< same indices as SceneDescription::objects
     std::vector<MeshView> meshes;         ///< same indices as SceneDescription::meshes
-    HugeVector<WideNode> topNodes;        ///< over all finite instances that are not empty
+    Accelerator topLevel;                 ///< over all finite instances that are not empty
     std::vector<uint32_t> topInstances;
     std::vector<uint32_t> planes;
     Bounds bounds;  ///< of the finite instances; a single point at 0 when there are none

@@ -7,81 +7,13 @@
 #include "engine/base/parallel.h"
 #include "engine/builders/light_tree_builder.h"
 #include "engine/builders/repeated_triangles.h"
-#include "engine/kernels/geometry_view.h"
+#include "engine/kernels/shapes/shape_facts.h"
 #include "engine/math/color.h"
 
 namespace glint {
 namespace {
 
 Vec3 emittedRadiance(const Material& material) { return material.emission.value * material.emissionStrength; }
-
-/// The transform keeps angles: a sphere stays a sphere.
-bool isSimilarity(const Mat3& m) {
-    constexpr double kTolerance = 1e-5;
-    const glm::dvec3 x(m[0]), y(m[1]), z(m[2]);
-    const double size = glm::dot(x, x);
-    return std::abs(glm::dot(y, y) - size) <= kTolerance * size &&
-           std::abs(glm::dot(z, z) - size) <= kTolerance * size &&
-           std::abs(glm::dot(x, y)) <= kTolerance * size && std::abs(glm::dot(y, z)) <= kTolerance * size &&
-           std::abs(glm::dot(z, x)) <= kTolerance * size;
-}
-
-/// The unit normal in world space of an object's +z side.
-Vec3 worldNormal(const Affine& objectToWorld, const Vec3& normalObject) {
-    const glm::dmat3 inverseTranspose = glm::transpose(glm::inverse(glm::dmat3(objectToWorld.linear)));
-    return Vec3(glm::normalize(inverseTranspose * glm::dvec3(normalObject)));
-}
-
-/// Twice the area of the triangle (or the area of the parallelogram) that two edges span.
-float crossLength(const Vec3& a, const Vec3& b) {
-    return static_cast<float>(glm::length(glm::cross(glm::dvec3(a), glm::dvec3(b))));
-}
-
-EmitterData sphereEmitter(const Affine& m) {
-    EmitterData e;
-    e.tag = isSimilarity(m.linear) ? EmitterTag::Sphere : EmitterTag::Ellipsoid;
-    e.position = m.translation;
-    // An ellipsoid only needs a bound: the Frobenius norm is never below the largest half axis.
-    const float squares =
-        lengthSquared(m.linear[0]) + lengthSquared(m.linear[1]) + lengthSquared(m.linear[2]);
-    e.radiusWorld = std::sqrt(e.tag == EmitterTag::Sphere ? squares / 3.0f : squares);
-    return e;
-}
-
-EmitterData flatEmitter(const Affine& m, ShapeKind shape) {
-    EmitterData e;
-    e.position = m.translation;
-    e.axisU = m.linear[0];
-    e.axisV = m.linear[1];
-    e.direction = worldNormal(m, {0, 0, 1});
-    const float span = crossLength(e.axisU, e.axisV);
-    if (shape == ShapeKind::Disc) {
-        e.tag = EmitterTag::Disc;
-        e.area = kPi * span;
-    } else {
-        const float skew = absDot(e.axisU, e.axisV) / (glm::length(e.axisU) * glm::length(e.axisV));
-        e.tag = skew < 1e-5f ? EmitterTag::Rectangle : EmitterTag::Parallelogram;
-        e.area = 4.0f * span;
-    }
-    return e;
-}
-
-EmitterData triangleEmitter(const Affine& m, const MeshData& mesh, uint32_t triangle, bool mirrored) {
-    const uint32_t* index = mesh.indices.data() + 3 * static_cast<size_t>(triangle);
-    const Vec3 v0 = m.point(mesh.positions[index[0]]);
-    EmitterData e;
-    e.tag = EmitterTag::Triangle;
-    e.position = v0;
-    e.axisU = m.point(mesh.positions[index[1]]) - v0;
-    e.axisV = m.point(mesh.positions[index[2]]) - v0;
-    e.area = 0.5f * crossLength(e.axisU, e.axisV);
-    const glm::dvec3 n = glm::cross(glm::dvec3(e.axisU), glm::dvec3(e.axisV));
-    const double length = glm::length(n);
-    // Under mirroring the edges turn the other way round while the front stays the front.
-    if (length > 0.0) { e.direction = Vec3((mirrored ? -n : n) / length); }
-    if (!(length > 0.0)) { e.area = 0.0f; }
-    return e;
-}
 
 /// 1 - cos as 2 sin^2 of the half: keeps its digits for narrow angles.
 float oneMinusCosine(float angleDeg) {
@@ -97,37 +29,19 @@ EmitterData pointlikeEmitter(const Light& light) {
     e.direction = length > 0.0f ? light.direction / length : Vec3(0, -1, 0);
     switch (light.kind) {
         case LightKind::Point:
-            e.tag = EmitterTag::Point;
+            e.kind = EmitterKind::Point;
             break;
         case LightKind::Spot:
-            e.tag = EmitterTag::Spot;
+            e.kind = EmitterKind::Spot;
             break;
         case LightKind::Directional:
-            e.tag = EmitterTag::Directional;
+            e.kind = EmitterKind::Directional;
             break;
     }
     e.oneMinusCosOuter = oneMinusCosine(light.coneAngleDeg);
     e.oneMinusCosInner = oneMinusCosine(std::min(light.coneFalloffStartDeg, light.coneAngleDeg));
-    if (e.tag == EmitterTag::Directional) { e.area = luminance(e.radiance); }
+    if (e.kind == EmitterKind::Directional) { e.area = luminance(e.radiance); }
     return e;
-}
-
-void boundFlat(const EmitterData& e, LightNode* node) {
-    node->axis = e.direction;
-    node->cosNormals = 1.0f;
-    node->intensity *= e.area;
-    if (e.tag != EmitterTag::Triangle) {
-        node->radius = e.tag == EmitterTag::Disc
-                           ? std::sqrt(lengthSquared(e.axisU) + lengthSquared(e.axisV))
-                           : std::max(glm::length(e.axisU + e.axisV), glm::length(e.axisU - e.axisV));
-        return;
-    }
-    Bounds box;
-    box.grow(e.position);
-    box.grow(e.position + e.axisU);
-    box.grow(e.position + e.axisV);
-    node->center = box.center();
-    node->radius = 0.5f * glm::length(box.extent());
 }
 
 /// Where, which way and how strongly a single light shines.
@@ -136,24 +50,19 @@ LightNode leafNode(const EmitterData& e) {
     node.center = e.position;
     node.intensity = luminance(e.radiance);
     node.bothSides = e.emitsBothSides;
-    switch (e.tag) {
-        case EmitterTag::Sphere:
-        case EmitterTag::Ellipsoid:
-            node.radius = e.radiusWorld;
-            node.intensity *= kPi * square(e.radiusWorld);
+    switch (e.kind) {
+        case EmitterKind::Shape:
+            visitShape<void, kAllFeatures>(e.shape,
+                                           [&](auto shape) { decltype(shape)::boundEmitter(e, &node); });
             break;
-        case EmitterTag::Rectangle:
-        case EmitterTag::Parallelogram:
-        case EmitterTag::Disc:
-        case EmitterTag::Triangle:
-            boundFlat(e, &node);
-            break;
-        case EmitterTag::Spot:
+        case EmitterKind::Spot:
             node.axis = e.direction;
             node.cosNormals = 1.0f - e.oneMinusCosOuter;
             node.cosEmission = 0.999f;
             break;
-        default:
+        case EmitterKind::Point:
+        case EmitterKind::Directional:
+        case EmitterKind::Environment:
             break;
     }
     node.radius *= 1.0f + 1e-6f;
@@ -180,25 +89,21 @@ class TableBuilder {
     void addObject(size_t index) {
         const Object& object = scene_.objects[index];
         const Material& material = scene_.materials[static_cast<size_t>(object.material)];
-        if (!material.emissive() || object.shape == ShapeKind::Plane) { return; }
+        if (!material.emissive() || !isFiniteShape(object.shape)) { return; }
         if (object.shape == ShapeKind::Mesh && !scene_.meshes[static_cast<size_t>(object.mesh)].data) {
             return;
         }
         const size_t first = table_->emitters.size();
         table_->firstEmitter[index] = static_cast<uint32_t>(first);
-        switch (object.shape) {
-            case ShapeKind::Sphere:
-                table_->emitters.push_back(sphereEmitter(object.objectToWorld));
-                break;
-            case ShapeKind::Mesh:
-                addMesh(object, *scene_.meshes[static_cast<size_t>(object.mesh)].data,
-                        material.emitsBothSides);
-                break;
-            default:
-                table_->emitters.push_back(flatEmitter(object.objectToWorld, object.shape));
-                break;
+        if (object.shape == ShapeKind::Mesh) {
+            addMesh(object, *scene_.meshes[static_cast<size_t>(object.mesh)].data, material.emitsBothSides);
+        } else {
+            table_->emitters.push_back(visitShape<EmitterData, kAnalyticOnly<kAllFeatures>>(
+                object.shape,
+                [&](auto shape) { return decltype(shape)::makeEmitter(object.objectToWorld); }));
         }
         for (size_t i = first; i < table_->emitters.size(); ++i) {
+            table_->emitters[i].shape = object.shape;
             table_->emitters[i].radiance = emittedRadiance(material);
             table_->emitters[i].emitsBothSides = material.emitsBothSides && !object.frontOnly;
             table_->emitters[i].instance = static_cast<uint32_t>(index);
@@ -213,7 +118,8 @@ class TableBuilder {
         parallelChunks(mesh.triangleCount(), 1 << 14, threads_, [&](int64_t begin, int64_t end) {
             for (int64_t i = begin; i < end; ++i) {
                 EmitterData& e = table_->emitters[first + static_cast<size_t>(i)];
-                e = triangleEmitter(object.objectToWorld, mesh, static_cast<uint32_t>(i), mirrored);
+                e = MeshShape::makeEmitter(object.objectToWorld, mesh.positions.data(),
+                                           mesh.indices.data() + 3 * i, mirrored);
                 e.original = static_cast<uint32_t>(first) + original[static_cast<size_t>(i)];
                 if (original[static_cast<size_t>(i)] != i) { e.area = 0.0f; }
             }
@@ -251,7 +157,7 @@ void addEnvironment(const SceneDescription& scene, const LightTable* previous, i
     table->environmentIrradiance = luminance(table->environmentRadiance) * mean * kPi;
     if (!(table->environmentIrradiance > 0.0f)) { return; }
     EmitterData e;
-    e.tag = EmitterTag::Environment;
+    e.kind = EmitterKind::Environment;
     table->emitters.push_back(e);
 }
 
@@ -276,9 +182,7 @@ FeatureMask LightTable::features() const {
         mask |= kFeatureAreaLights;
     }
     for (const EmitterData& e : emitters) {
-        const bool delta =
-            e.tag == EmitterTag::Point || e.tag == EmitterTag::Spot || e.tag == EmitterTag::Directional;
-        if (delta) { mask |= kFeatureDeltaLights; }
+        if (isDeltaLight(e.kind)) { mask |= kFeatureDeltaLights; }
     }
     if (maxComponent(environmentRadiance) > 0.0f) {
         mask |= environment ? kFeatureEnvironmentImage : kFeatureEnvironmentConstant;

@@ -2,10 +2,10 @@
 #include "engine/builders/mesh_builder.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "engine/base/check.h"
 #include "engine/base/parallel.h"
-#include "engine/builders/bvh_builder.h"
 
 namespace glint {
 namespace {
@@ -22,11 +22,6 @@ Bounds paddedBounds(const MeshData& mesh, uint32_t triangle) {
     const Vec3 pad(maxComponent(b.extent()) * kBoxPadding);
     return {b.lo - pad, b.hi + pad};
 }
-
-/// Primitives [begin, end) of one leaf.
-struct LeafRange {
-    uint32_t begin, end;
-};
 
 /// Packs triangles into clusters, one after the other.
 class ClusterPacker {
@@ -83,26 +78,27 @@ class ClusterPacker {
     const HugeVector<BuildPrimitive>& primitives_;
 };
 
-/// Fills mesh->clusters from the leaves, in their order, and returns the reference to each leaf's clusters.
-std::vector<uint32_t> packLeaves(const std::vector<LeafRange>& leaves,
-                                 const HugeVector<BuildPrimitive>& primitives, int threads, BuiltMesh* mesh) {
+/// Fills mesh->clusters from the leaves, in their order, and returns each leaf's clusters.
+std::vector<LeafRange> packLeaves(const std::vector<LeafRange>& leaves,
+                                  const HugeVector<BuildPrimitive>& primitives, int threads,
+                                  BuiltMesh* mesh) {
     constexpr size_t kChunk = 2048;
     const size_t chunks = (leaves.size() + kChunk - 1) / kChunk;
     const ClusterPacker packer(*mesh->data, primitives);
     std::vector<std::vector<TriangleCluster>> packed(chunks);
-    std::vector<uint32_t> references(leaves.size());  // at first the number of clusters
+    std::vector<LeafRange> contents(leaves.size());  // at first counted from 0
     parallelChunks(static_cast<int64_t>(chunks), 1, threads, [&](int64_t chunk, int64_t) {
         const size_t c = static_cast<size_t>(chunk);
         packed[c].reserve(kChunk + kChunk / 4);
         for (size_t i = c * kChunk; i < std::min(leaves.size(), (c + 1) * kChunk); ++i) {
-            references[i] = packer.pack(leaves[i], &packed[c]);
+            contents[i] = {0, packer.pack(leaves[i], &packed[c])};
         }
     });
     std::vector<size_t> first(chunks + 1, 0);
     for (size_t c = 0; c < chunks; ++c) {
         first[c + 1] = first[c] + packed[c].size();
     }
-    GLINT_CHECK_OP(first[chunks], <=, size_t{kMaxLeafFirst});
+    GLINT_CHECK_OP(first[chunks], <=, size_t{std::numeric_limits<uint32_t>::max()});
     mesh->clusters.resize(first[chunks]);
     parallelChunks(static_cast<int64_t>(chunks), 1, threads, [&](int64_t chunk, int64_t) {
         const size_t c = static_cast<size_t>(chunk);
@@ -110,13 +106,11 @@ std::vector<uint32_t> packLeaves(const std::vector<LeafRange>& leaves,
                   mesh->clusters.begin() + static_cast<ptrdiff_t>(first[c]));
         uint32_t next = static_cast<uint32_t>(first[c]);
         for (size_t i = c * kChunk; i < std::min(leaves.size(), (c + 1) * kChunk); ++i) {
-            const uint32_t count = references[i];
-            GLINT_CHECK_OP(count, <=, kMaxLeafItems);
-            references[i] = makeLeaf(next, count);
-            next += count;
+            contents[i] = {next, next + contents[i].end};
+            next = contents[i].end;
         }
     });
-    return references;
+    return contents;
 }
 
 HugeVector<BuildPrimitive> trianglePrimitives(const MeshData& data, int threads) {
@@ -137,31 +131,11 @@ uint32_t leafTriangles(const MeshData& data) {
     return shared ? 6 : 2;
 }
 
-void buildAcceleration(BuiltMesh* mesh, HugeVector<BuildPrimitive>* primitives, const BvhOptions& options) {
-    const BinaryTree tree = buildBinaryTree(primitives, options);
-    std::vector<LeafRange> leaves;
-    leaves.reserve(tree.count / 2 + 1);
-    mesh->nodes = collapseTree(tree, [&](const BinaryNode& leaf) {
-        leaves.push_back({leaf.begin, leaf.end});
-        return kLeafBit | static_cast<uint32_t>(leaves.size() - 1);
-    });
-    const std::vector<uint32_t> references = packLeaves(leaves, *primitives, options.threads, mesh);
-    for (WideNode& node : mesh->nodes) {
-        for (uint32_t& child : node.child) {
-            if (isLeaf(child)) { child = references[child & ~kLeafBit]; }
-        }
-    }
-    mesh->clusterPrimitives.resize(primitives->size());
-    for (size_t i = 0; i < primitives->size(); ++i) {
-        mesh->clusterPrimitives[i] = (*primitives)[i].index;
-    }
-}
-
 }  // namespace
 
 MeshView BuiltMesh::view() const {
     MeshView v;
-    v.nodes = nodes.data();
+    v.accelerator = accelerator.view;
     v.clusters = clusters.data();
     v.clusterPrimitives = clusterPrimitives.data();
     v.positions = data->positions.data();
@@ -171,14 +145,13 @@ MeshView BuiltMesh::view() const {
     v.colors = data->colors.empty() ? nullptr : data->colors.data();
     v.triangleCount = data->triangleCount();
     v.vertexCount = static_cast<uint32_t>(data->positions.size());
-    v.nodeCount = static_cast<uint32_t>(nodes.size());
     v.clusterCount = static_cast<uint32_t>(clusters.size());
     v.bounds = bounds;
     return v;
 }
 
 size_t BuiltMesh::accelerationBytes() const {
-    return nodes.size() * sizeof(WideNode) + clusters.size() * sizeof(TriangleCluster) +
+    return accelerator.view.bytes + clusters.size() * sizeof(TriangleCluster) +
            clusterPrimitives.size() * sizeof(uint32_t);
 }
 
@@ -191,15 +164,15 @@ std::shared_ptr<const BuiltMesh> buildMesh(std::shared_ptr<const MeshData> data,
         mesh->bounds.grow(mesh->data->positions[index]);
     }
 
-    BvhOptions options;
-    options.leafPrimitives = leafTriangles(*mesh->data);
-    options.threads = threads;
-    buildAcceleration(mesh.get(), &primitives, options);
-    if (traversalStackNeed(mesh->nodes) > kTraversalStackSize) {
-        options.balanced = true;
-        buildAcceleration(mesh.get(), &primitives, options);
+    const LeafOptions options{leafTriangles(*mesh->data), threads};
+    mesh->accelerator = buildAccelerator(AcceleratorKind::Bvh, &primitives, options,
+                                         [&](const std::vector<LeafRange>& leaves) {
+                                             return packLeaves(leaves, primitives, threads, mesh.get());
+                                         });
+    mesh->clusterPrimitives.resize(primitives.size());
+    for (size_t i = 0; i < primitives.size(); ++i) {
+        mesh->clusterPrimitives[i] = primitives[i].index;
     }
-    GLINT_CHECK_OP(traversalStackNeed(mesh->nodes), <=, uint32_t{kTraversalStackSize});
     return mesh;
 }
 

@@ -1,20 +1,20 @@
 // One mesh made ready for rays: its triangles with an acceleration structure in object space.
 //
-// Called by the scene builder for every mesh that is new. The vertex arrays are shared with the MeshData.
+// The vertex arrays are shared with the MeshData.
 #pragma once
 
 #include <memory>
 #include <vector>
 
-#include "engine/base/huge_pages.h"
-#include "engine/kernels/bvh_nodes.h"
+#include "engine/builders/accelerator.h"
+#include "engine/kernels/triangle_cluster.h"
 #include "engine/scene/mesh_data.h"
 
 namespace glint {
 
 struct BuiltMesh {
     std::shared_ptr<const MeshData> data;
-    HugeVector<WideNode> nodes;  ///< empty when the mesh has no triangles or no object places it
+    Accelerator accelerator;  ///< empty when the mesh has no triangles or no object places it
     HugeVector<TriangleCluster> clusters;
     std::vector<uint32_t> clusterPrimitives;
     Bounds bounds;  ///< of the vertices that triangles use

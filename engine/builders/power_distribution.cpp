@@ -8,38 +8,26 @@
 namespace glint {
 namespace {
 
-/// Knud Thomsen's approximation of an ellipsoid's surface (2004, relative error below 1.1 %), good enough to
-/// choose by. Exact powers are not needed: the probability is divided out.
-float ellipsoidArea(const Mat3& linear) {
-    constexpr float kPower = 1.6075f;
-    const float a = std::pow(glm::length(linear[0]), kPower);
-    const float b = std::pow(glm::length(linear[1]), kPower);
-    const float c = std::pow(glm::length(linear[2]), kPower);
-    return 4.0f * kPi * std::pow((a * b + a * c + b * c) / 3.0f, 1.0f / kPower);
-}
-
 float emitterPower(const SceneView& scene, const EmitterData& e) {
     const float radiance = luminance(e.radiance);
     const float exitance = kPi * radiance * (e.emitsBothSides ? 2.0f : 1.0f);
     const float sceneDisc = kPi * square(scene.sceneRadius);
-    switch (e.tag) {
-        case EmitterTag::Sphere:
-            return exitance * 4.0f * kPi * square(e.radiusWorld);
-        case EmitterTag::Ellipsoid:
-            return exitance * ellipsoidArea(scene.geometry.instances[e.instance].objectToWorld.linear);
-        case EmitterTag::Point:
+    switch (e.kind) {
+        case EmitterKind::Shape:
+            return visitShape<float, kAllFeatures>(
+                e.shape, [&](auto shape) { return decltype(shape)::power(scene.geometry, e, exitance); });
+        case EmitterKind::Point:
             return radiance * 4.0f * kPi;
-        case EmitterTag::Spot:
+        case EmitterKind::Spot:
             return radiance * kTwoPi * (0.5f * (e.oneMinusCosInner + e.oneMinusCosOuter));
-        case EmitterTag::Directional:
+        case EmitterKind::Directional:
             return radiance * sceneDisc;
-        case EmitterTag::Environment:
-            // environmentIrradiance is pi times the mean luminance; the whole sphere of directions brings
-            // four times that.
-            return 4.0f * scene.lights.environmentIrradiance * sceneDisc;
-        default:
-            return exitance * e.area;
+        case EmitterKind::Environment:
+            break;
     }
+    // environmentIrradiance is pi times the mean luminance; the whole sphere of directions brings four times
+    // that.
+    return 4.0f * scene.lights.environmentIrradiance * sceneDisc;
 }
 
 }  // namespace

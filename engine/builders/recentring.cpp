@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "engine/kernels/shapes/shape_facts.h"
 #include "engine/scene/object_box.h"
 
 namespace glint {
@@ -42,7 +43,7 @@ class Search {
         const WideBox box = sceneBox(0);
         if (box.empty() || !isFar(box)) { return Vec3(0.0f); }
         for (const Object& object : scene_.objects) {
-            if (object.shape != ShapeKind::Plane) { continue; }
+            if (isFiniteShape(object.shape)) { continue; }
             const double distance = planeDistance(object.objectToWorld, box.center());
             if (!(box.distanceFromOrigin() > kFarSizes * distance)) { return Vec3(0.0f); }
         }

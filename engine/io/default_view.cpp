@@ -4,43 +4,10 @@
 
 #include <cmath>
 
+#include "engine/scene/object_box.h"
+
 namespace glint {
 namespace {
-
-Bounds meshBounds(const MeshData& mesh) {
-    Bounds bounds;
-    for (const Vec3& p : mesh.positions) {
-        bounds.grow(p);
-    }
-    return bounds;
-}
-
-/// In object space; empty for planes, which have no end.
-Bounds shapeBounds(const SceneDescription& scene, const Object& object) {
-    switch (object.shape) {
-        case ShapeKind::Sphere:
-            return {Vec3(-1.0f), Vec3(1.0f)};
-        case ShapeKind::Rectangle:
-        case ShapeKind::Disc:
-            return {Vec3(-1.0f, -1.0f, 0.0f), Vec3(1.0f, 1.0f, 0.0f)};
-        case ShapeKind::Plane:
-            return {};
-        case ShapeKind::Mesh:
-            break;
-    }
-    const bool known = object.mesh >= 0 && static_cast<size_t>(object.mesh) < scene.meshes.size();
-    const MeshData* mesh = known ? scene.meshes[static_cast<size_t>(object.mesh)].data.get() : nullptr;
-    return mesh != nullptr ? meshBounds(*mesh) : Bounds{};
-}
-
-Bounds sceneBounds(const SceneDescription& scene) {
-    Bounds bounds;
-    for (const Object& object : scene.objects) {
-        const Bounds shape = shapeBounds(scene, object);
-        if (!shape.empty()) { bounds.grow(transformBounds(object.objectToWorld, shape)); }
-    }
-    return bounds;
-}
 
 bool hasLight(const SceneDescription& scene) {
     for (const Object& object : scene.objects) {

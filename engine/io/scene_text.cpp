@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "engine/io/scene_text_reader.h"
+#include "engine/scene/object_box.h"
 
 namespace glint {
 
@@ -230,18 +231,7 @@ void SceneTextReader::useLights() {
 }
 
 Vec3 SceneTextReader::sceneCenter() const {
-    Bounds bounds;
-    for (const Object& object : scene_.objects) {
-        Bounds local;
-        if (object.shape == ShapeKind::Sphere) {
-            local = {Vec3(-1.0f), Vec3(1.0f)};
-        } else if (object.shape == ShapeKind::Mesh) {
-            for (const Vec3& p : scene_.meshes[static_cast<size_t>(object.mesh)].data->positions) {
-                local.grow(p);
-            }
-        }
-        if (!local.empty()) { bounds.grow(transformBounds(object.objectToWorld, local)); }
-    }
+    const Bounds bounds = sceneBounds(scene_);
     return bounds.empty() ? scene_.camera.target : bounds.center();
 }
 

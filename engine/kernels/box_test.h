@@ -1,7 +1,7 @@
 // One ray against the eight boxes of a node: the slab test, in one SIMD and one scalar body that give the
 // same bits.
 //
-// Called by intersect.h for every visited node. Conservative (Ize 2013, "Robust BVH Ray Traversal", JCGT
+// Conservative (Ize 2013, "Robust BVH Ray Traversal", JCGT
 // 2(2)): a box that the exact ray touches is never missed; one that it just misses may be reported.
 #pragma once
 

@@ -1,13 +1,9 @@
-// Memory layout of the acceleration structures: wide nodes and clusters of triangles. Plain data, host and
-// device alike.
-//
-// Built by engine/builders/bvh_builder and mesh_builder, read by box_test.h, triangle.h and intersect.h.
-// Nothing but layout belongs here.
+// Memory layout of bounding volume hierarchies: wide nodes. Plain data, host and device alike.
 #pragma once
 
 #include <cstdint>
 
-#include "engine/kernels/geometry_view.h"
+#include "engine/base/host_device.h"
 
 namespace glint {
 
@@ -40,19 +36,5 @@ GLINT_HD constexpr uint32_t makeLeaf(uint32_t first, uint32_t count) {
 GLINT_HD constexpr bool isLeaf(uint32_t child) { return (child & kLeafBit) != 0; }
 GLINT_HD constexpr uint32_t leafFirst(uint32_t child) { return child & kMaxLeafFirst; }
 GLINT_HD constexpr uint32_t leafCount(uint32_t child) { return ((child >> 27) & 15u) + 1; }
-
-constexpr int kClusterVertices = 8;
-constexpr int kClusterTriangles = 8;
-
-/// Up to eight neighbouring triangles that share up to eight vertices: 128 bytes, two cache lines, instead of
-/// the 288 that eight separate triangles need. Vertices are exact copies, so that edges stay watertight
-/// across clusters. A triangle that is not used has three equal indices: no ray meets it.
-struct alignas(64) TriangleCluster {
-    float position[3][kClusterVertices];   ///< x, y, z of each vertex
-    uint8_t vertex[3][kClusterTriangles];  ///< the three corners of each triangle, in the mesh's order
-    uint32_t firstPrimitive;               ///< into MeshView::clusterPrimitives
-    uint32_t count;                        ///< triangles in use
-};
-static_assert(sizeof(TriangleCluster) == 128);
 
 }  // namespace glint

@@ -13,7 +13,7 @@ namespace glint {
 using FeatureMask = uint32_t;
 
 enum Feature : FeatureMask {
-    kFeatureSphere = 1u << 0,
+    kFeatureCurved = 1u << 0,  ///< sphere
     kFeaturePlane = 1u << 1,
     kFeatureFlat = 1u << 2,  ///< rectangle, disc
     kFeatureMesh = 1u << 3,
@@ -35,8 +35,10 @@ enum Feature : FeatureMask {
     kFeatureManyLights = 1u << 19,  ///< the light tree is used; otherwise a table of powers is enough
     kFeatureDepthOfField = 1u << 20,
     kFeatureIndependentSampler = 1u << 21,
+    kFeatureTangents = 1u << 22,  ///< surface points have dpdu and dpdv
 };
 
+/// All that a scene can ask for. Tangents cost time, and no scene asks for them.
 constexpr FeatureMask kAllFeatures = (1u << 22) - 1;
 constexpr FeatureMask kMaterialFeatures = kFeatureDiffuse | kFeatureSpecular | kFeatureDielectric |
                                           kFeatureGlossy | kFeaturePlastic | kFeatureMixture;

@@ -1,7 +1,9 @@
 // Geometry as kernels see it: flat arrays of instances, meshes and acceleration structures. Plain data.
 //
-// Filled by engine/build, read by intersect.h and surface.h. Never points into a SceneDescription.
+// Never points into a SceneDescription.
 #pragma once
+
+#include <cstddef>
 
 #include "engine/base/kinds.h"
 #include "engine/base/view.h"
@@ -11,10 +13,28 @@
 
 namespace glint {
 
-struct WideNode;         // bvh_nodes.h
-struct TriangleCluster;  // bvh_nodes.h
+struct TriangleCluster;  // triangle_cluster.h
 
 constexpr uint32_t kNone = 0xffffffffu;
+
+/// Acceleration structures that a scene can be built with.
+enum class AcceleratorKind : uint8_t {
+    Bvh,  ///< wide nodes (bvh_nodes.h)
+};
+
+/// An acceleration structure: which kind it is, and its nodes as one piece of memory, aligned to 64 bytes,
+/// that only code for that kind looks into.
+struct AcceleratorView {
+    const std::byte* data = nullptr;
+    size_t bytes = 0;  ///< 0: no ray meets anything
+    AcceleratorKind kind = AcceleratorKind::Bvh;
+
+    GLINT_HD bool empty() const { return bytes == 0; }
+    template <class Node>
+    GLINT_HD const Node* as() const {
+        return reinterpret_cast<const Node*>(data);
+    }
+};
 
 enum InstanceFlag : uint8_t {
     kInstanceFrontOnly = 1u << 0,
@@ -35,8 +55,8 @@ struct InstanceData {
 
 /// One mesh in object space. Optional arrays are null when the mesh does not have them.
 struct MeshView {
-    const WideNode* nodes = nullptr;            ///< nodes[0] is the root; none when the mesh has no triangles
-    const TriangleCluster* clusters = nullptr;  ///< leaf contents
+    AcceleratorView accelerator;                  ///< over the clusters; empty when there are no triangles
+    const TriangleCluster* clusters = nullptr;    ///< leaf contents
     const uint32_t* clusterPrimitives = nullptr;  ///< triangle numbers, cluster by cluster
     const Vec3* positions = nullptr;
     const uint32_t* indices = nullptr;
@@ -45,7 +65,6 @@ struct MeshView {
     const Vec3* colors = nullptr;
     uint32_t triangleCount = 0;
     uint32_t vertexCount = 0;
-    uint32_t nodeCount = 0;
     uint32_t clusterCount = 0;
     Bounds bounds;
 };
@@ -53,8 +72,8 @@ struct MeshView {
 struct GeometryView {
     View<InstanceData> instances;  ///< same indices as SceneDescription::objects
     View<MeshView> meshes;
-    View<WideNode> topNodes;      ///< over all finite instances
-    View<uint32_t> topInstances;  ///< leaf contents of topNodes: indices into instances
+    AcceleratorView topLevel;     ///< over all finite instances
+    View<uint32_t> topInstances;  ///< leaf contents of topLevel: indices into instances
     View<uint32_t> planes;        ///< infinite instances, tested one by one
     Bounds bounds;                ///< of the finite instances; a single point at 0 when there are none
 };

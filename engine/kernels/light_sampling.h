@@ -1,11 +1,11 @@
 // Light sampling: one light and one point on it for a place, and the density with which a direction found
-// otherwise would have been sampled. Called by the path kernel.
+// otherwise would have been sampled.
 #pragma once
 
 #include "engine/kernels/environment.h"
-#include "engine/kernels/light_sampling_shapes.h"
 #include "engine/kernels/light_tree.h"
 #include "engine/kernels/scene_view.h"
+#include "engine/kernels/shapes/shapes.h"
 
 namespace glint {
 
@@ -30,67 +30,44 @@ GLINT_HD inline float spotFalloff(const EmitterData& e, float oneMinusCos) {
     return t * t * (3.0f - 2.0f * t);
 }
 
+/// A point of an emissive shape as seen from `from`.
+template <FeatureMask kMask>
 GLINT_HD inline EmitterPoint sampleEmitterShape(const SceneView& view, const EmitterData& e, const Vec3& from,
                                                 const Vec2& u) {
-    switch (e.tag) {
-        case EmitterTag::Sphere:
-            return sampleSphereEmitter(e, from, u);
-        case EmitterTag::Ellipsoid:
-            return sampleEllipsoid(view.geometry.instances[e.instance], from, u);
-        case EmitterTag::Rectangle:
-            return sampleRectangle(e, from, u);
-        case EmitterTag::Parallelogram:
-            return sampleFlatByArea(e, from, 2.0f * u.x - 1.0f, 2.0f * u.y - 1.0f);
-        case EmitterTag::Disc:
-            return sampleDiscEmitter(e, from, u);
-        case EmitterTag::Triangle:
-            return sampleTriangleEmitter(e, from, u);
-        default:
-            return {};
-    }
+    return visitShape<EmitterPoint, kMask>(
+        e.shape, [&](auto shape) { return decltype(shape)::sampleFrom(view.geometry, e, from, u); });
 }
 
 /// Density per solid angle at `from` with which sampleEmitterShape() finds the point `p` of the emitter.
+template <FeatureMask kMask>
 GLINT_HD inline float pdfEmitterShape(const SceneView& view, const EmitterData& e, const Vec3& from,
                                       const Vec3& p) {
-    switch (e.tag) {
-        case EmitterTag::Sphere:
-            return pdfSphereDirection(viewSphereEmitter(e, from));
-        case EmitterTag::Ellipsoid:
-            return pdfEllipsoid(view.geometry.instances[e.instance], from, p);
-        case EmitterTag::Rectangle:
-            return pdfRectangle(e, from, p);
-        case EmitterTag::Triangle:
-            return pdfTriangleEmitter(e, from, p);
-        case EmitterTag::Parallelogram:
-        case EmitterTag::Disc:
-            return areaToSolidAngle(1.0f / e.area, from, p, e.direction);
-        default:
-            return 0.0f;
-    }
+    return visitShape<float, kMask>(
+        e.shape, [&](auto shape) { return decltype(shape)::pdfFrom(view.geometry, e, from, p); });
 }
 
+template <FeatureMask kMask>
 GLINT_HD inline LightSample sampleAreaLight(const SceneView& view, const EmitterData& e, const Vec3& from,
                                             const Vec2& u) {
     LightSample s;
-    const EmitterPoint point = sampleEmitterShape(view, e, from, u);
+    const EmitterPoint point = sampleEmitterShape<kMask>(view, e, from, u);
     const Vec3 d = point.p - from;
     const float distance2 = lengthSquared(d);
-    if (!(point.pdfSolidAngle > 0.0f) || !(distance2 > 0.0f)) { return s; }
+    if (!(point.pdf > 0.0f) || !(distance2 > 0.0f)) { return s; }
     s.wiWorld = d * (1.0f / std::sqrt(distance2));
     if (!e.emitsBothSides && glm::dot(s.wiWorld, point.normal) >= 0.0f) { return s; }
     s.point = point.p;
     s.pointError = point.pError;
     s.pointNormal = point.normal;
     s.radiance = e.radiance;
-    s.pdfSolidAngle = point.pdfSolidAngle;
+    s.pdfSolidAngle = point.pdf;
     return s;
 }
 
 GLINT_HD inline LightSample sampleDeltaLight(const EmitterData& e, const Vec3& from) {
     LightSample s;
     s.isDelta = true;
-    if (e.tag == EmitterTag::Directional) {
+    if (e.kind == EmitterKind::Directional) {
         s.wiWorld = -e.direction;
         s.radiance = e.radiance;
         s.isInfinite = true;
@@ -103,15 +80,11 @@ GLINT_HD inline LightSample sampleDeltaLight(const EmitterData& e, const Vec3& f
     s.wiWorld = d * (1.0f / std::sqrt(distance2));
     s.point = e.position;
     s.radiance = e.radiance * (1.0f / distance2);
-    if (e.tag == EmitterTag::Spot) {
+    if (e.kind == EmitterKind::Spot) {
         s.radiance *= spotFalloff(e, 0.5f * lengthSquared(s.wiWorld + e.direction));
     }
     s.pdfSolidAngle = isZero(s.radiance) ? 0.0f : 1.0f;
     return s;
-}
-
-GLINT_HD constexpr bool isDeltaLight(EmitterTag tag) {
-    return tag == EmitterTag::Point || tag == EmitterTag::Spot || tag == EmitterTag::Directional;
 }
 
 /// A sample of one given light, as if it had been chosen with certainty.
@@ -121,10 +94,10 @@ GLINT_HD inline LightSample sampleEmitter(const SceneView& view, const LightCont
     constexpr bool kEnvironment =
         hasFeature<kMask>(kFeatureEnvironmentConstant) || hasFeature<kMask>(kFeatureEnvironmentImage);
     if constexpr (hasFeature<kMask>(kFeatureDeltaLights)) {
-        if (isDeltaLight(e.tag)) { return sampleDeltaLight(e, at.p); }
+        if (isDeltaLight(e.kind)) { return sampleDeltaLight(e, at.p); }
     }
     if constexpr (kEnvironment) {
-        if (e.tag == EmitterTag::Environment) {
+        if (e.kind == EmitterKind::Environment) {
             LightSample s;
             const DirectionSample direction = sampleEnvironment<kMask>(view.lights, at, u);
             s.wiWorld = direction.wiWorld;
@@ -134,7 +107,7 @@ GLINT_HD inline LightSample sampleEmitter(const SceneView& view, const LightCont
             return s;
         }
     }
-    if constexpr (hasFeature<kMask>(kFeatureAreaLights)) { return sampleAreaLight(view, e, at.p, u); }
+    if constexpr (hasFeature<kMask>(kFeatureAreaLights)) { return sampleAreaLight<kMask>(view, e, at.p, u); }
     return {};
 }
 
@@ -156,8 +129,9 @@ GLINT_HD inline float pdfLightSurface(const SceneView& view, const LightContext&
                                       const Vec3& p) {
     if (emitter == kNone) { return 0.0f; }
     const float probability = lightProbability<kMask>(view.lights, at, emitter);
-    return probability > 0.0f ? probability * pdfEmitterShape(view, view.lights.emitters[emitter], at.p, p)
-                              : 0.0f;
+    return probability > 0.0f
+               ? probability * pdfEmitterShape<kMask>(view, view.lights.emitters[emitter], at.p, p)
+               : 0.0f;
 }
 
 /// Density with which sampleLight() finds the unit direction wiWorld by way of the environment.
@@ -167,7 +141,7 @@ GLINT_HD inline float pdfLightEnvironment(const SceneView& view, const LightCont
     const LightView& lights = view.lights;
     if (lights.emitters.count == 0) { return 0.0f; }
     const uint32_t last = lights.emitters.count - 1;
-    if (lights.emitters[last].tag != EmitterTag::Environment) { return 0.0f; }
+    if (lights.emitters[last].kind != EmitterKind::Environment) { return 0.0f; }
     const float probability = lightProbability<kMask>(lights, at, last);
     return probability > 0.0f ? probability * pdfEnvironment<kMask>(lights, at, wiWorld) : 0.0f;
 }

@@ -71,7 +71,7 @@ struct LightChoice {
 
 GLINT_HD inline float infiniteImportance(const LightView& lights, const EmitterData& e,
                                          const LightContext& at) {
-    if (e.tag == EmitterTag::Environment) { return lights.environmentIrradiance; }
+    if (e.kind == EmitterKind::Environment) { return lights.environmentIrradiance; }
     const float cosine = -glm::dot(at.n, e.direction);
     return e.area *
            (at.bothSides ? std::fabs(cosine) : maxf(cosine, 0.0f));  // area: the irradiance's luminance

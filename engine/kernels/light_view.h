@@ -4,23 +4,23 @@
 // to sample a light, except for ellipsoids, which use their instance's.
 #pragma once
 
+#include "engine/base/kinds.h"
 #include "engine/base/view.h"
 #include "engine/math/vec.h"
 
 namespace glint {
 
-enum class EmitterTag : uint8_t {
-    Sphere,         ///< sampled by solid angle
-    Ellipsoid,      ///< a sphere under a transform that is not a similarity: by solid angle in object space
-    Rectangle,      ///< right angles: by solid angle
-    Parallelogram,  ///< a sheared rectangle: by area
-    Disc,           ///< circular or elliptical: by area
-    Triangle,
+enum class EmitterKind : uint8_t {
+    Shape,  ///< of EmitterData::shape; for meshes, one triangle
     Point,
     Spot,
     Directional,
     Environment,
 };
+
+GLINT_HD constexpr bool isDeltaLight(EmitterKind kind) {
+    return kind == EmitterKind::Point || kind == EmitterKind::Spot || kind == EmitterKind::Directional;
+}
 
 /// One light that can be chosen. Area emitters stand in the order of SceneDescription::objects, the triangles
 /// of an emissive mesh in order and without gaps (degenerate ones included, with area 0).
@@ -40,7 +40,10 @@ struct EmitterData {
     uint32_t instance = 0;          ///< area emitters: index into GeometryView::instances
     /// triangle: the emitter that this one repeats and that is sampled in its stead, or its own index
     uint32_t original = 0;
-    EmitterTag tag = EmitterTag::Point;
+    EmitterKind kind = EmitterKind::Shape;
+    ShapeKind shape = ShapeKind::Sphere;
+    /// the transform keeps the shape's angles: a sphere stays a sphere, a rectangle a rectangle
+    bool keepsAngles = false;
     bool emitsBothSides = false;
 };
 

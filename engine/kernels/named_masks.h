@@ -7,7 +7,7 @@
 
 namespace glint {
 
-constexpr FeatureMask kAnalyticShapes = kFeatureSphere | kFeaturePlane | kFeatureFlat;
+constexpr FeatureMask kAnalyticShapes = kFeatureCurved | kFeaturePlane | kFeatureFlat;
 constexpr FeatureMask kMeshes = kFeatureMesh | kFeatureMeshNormals | kFeatureMeshColors;
 constexpr FeatureMask kSmoothMaterials =
     kFeatureDiffuse | kFeatureSpecular | kFeatureDielectric | kFeatureMixture;

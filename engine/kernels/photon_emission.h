@@ -31,55 +31,19 @@ struct EmittedPhoton {
 
 namespace detail {
 
-/// A point on an area emitter, uniform by area, with its density. `side` chooses the side of two-sided ones.
-GLINT_HD inline SurfacePoint emitterSurface(const SceneView& view, const EmitterData& e, const Vec2& u,
-                                            float* pdfArea) {
-    EmitterPoint point;
-    *pdfArea = 1.0f / e.area;
-    switch (e.tag) {
-        case EmitterTag::Sphere:
-            point = spherePoint(e, sampleSphere(u));
-            *pdfArea = 1.0f / (2.0f * kTwoPi * square(e.radiusWorld));
-            break;
-        case EmitterTag::Ellipsoid: {
-            const InstanceData& instance = view.geometry.instances[e.instance];
-            const Vec3 onSphere = sampleSphere(u);
-            point = ellipsoidPoint(instance, onSphere);
-            // World area over the unit sphere's: |det M| |M^-T n|.
-            const float stretch = std::fabs(instance.objectToWorld.determinant()) *
-                                  glm::length(transformNormal(instance.worldToObject.linear, onSphere));
-            *pdfArea = 1.0f / (2.0f * kTwoPi * stretch);
-            break;
-        }
-        case EmitterTag::Disc: {
-            const Vec2 d = sampleDisc(u);
-            point = flatEmitterPoint(e, d.x, d.y);
-            break;
-        }
-        case EmitterTag::Triangle: {
-            const Vec2 b = sampleTriangle(u);
-            point = flatEmitterPoint(e, b.x, b.y);
-            break;
-        }
-        default:
-            point = flatEmitterPoint(e, 2.0f * u.x - 1.0f, 2.0f * u.y - 1.0f);
-            break;
-    }
+/// Cosine-distributed from a point uniform by area: radiance * pi / pdfArea, whatever was sampled. A
+/// two-sided emitter picks its side by stretching u.
+template <FeatureMask kMask>
+GLINT_HD inline EmittedPhoton emitFromArea(const SceneView& view, const EmitterData& e, const Vec2& uPoint,
+                                           const Vec2& uDirection) {
+    EmittedPhoton photon;
+    const EmitterPoint point = visitShape<EmitterPoint, kMask>(
+        e.shape, [&](auto shape) { return decltype(shape)::sampleArea(view.geometry, e, uPoint); });
+    if (!(point.pdf > 0.0f) || !std::isfinite(point.pdf)) { return photon; }
     SurfacePoint surface{};
     surface.p = point.p;
     surface.pError = point.pError;
     surface.ng = point.normal;
-    return surface;
-}
-
-/// Cosine-distributed from a point uniform by area: radiance * pi / pdfArea, whatever was sampled. A
-/// two-sided emitter picks its side by stretching u.
-GLINT_HD inline EmittedPhoton emitFromArea(const SceneView& view, const EmitterData& e, const Vec2& uPoint,
-                                           const Vec2& uDirection) {
-    EmittedPhoton photon;
-    float pdfArea = 0.0f;
-    const SurfacePoint surface = emitterSurface(view, e, uPoint, &pdfArea);
-    if (!(pdfArea > 0.0f) || !std::isfinite(pdfArea)) { return photon; }
     Vec2 u = uDirection;
     float side = 1.0f;
     if (e.emitsBothSides) {
@@ -88,14 +52,14 @@ GLINT_HD inline EmittedPhoton emitFromArea(const SceneView& view, const EmitterD
     }
     const Vec3 direction = Frame::fromNormal(side * surface.ng).toWorld(sampleCosineHemisphere(u));
     photon.ray = spawnRay(surface, direction);
-    photon.flux = e.radiance * (kPi / pdfArea * (e.emitsBothSides ? 2.0f : 1.0f));
+    photon.flux = e.radiance * (kPi / point.pdf * (e.emitsBothSides ? 2.0f : 1.0f));
     return photon;
 }
 
 GLINT_HD inline EmittedPhoton emitFromPoint(const EmitterData& e, const Vec2& uDirection) {
     EmittedPhoton photon;
     photon.ray.origin = e.position;
-    if (e.tag == EmitterTag::Spot) {
+    if (e.kind == EmitterKind::Spot) {
         const Vec3 local = sampleCone(uDirection, e.oneMinusCosOuter);
         photon.ray.direction = Frame::fromNormal(e.direction).toWorld(local);
         photon.flux =
@@ -144,20 +108,20 @@ GLINT_HD inline EmittedPhoton emitPhoton(const SceneView& view, const PowerDistr
     if (!(probability > 0.0f)) { return {}; }
     const EmitterData& e = view.lights.emitters[static_cast<uint32_t>(chosen)];
     EmittedPhoton photon;
-    switch (e.tag) {
-        case EmitterTag::Environment:
+    switch (e.kind) {
+        case EmitterKind::Environment:
             photon = detail::emitFromEnvironment<kMask>(view, uPoint, uDirection);
             break;
-        case EmitterTag::Point:
-        case EmitterTag::Spot:
+        case EmitterKind::Point:
+        case EmitterKind::Spot:
             photon = detail::emitFromPoint(e, uDirection);
             break;
-        case EmitterTag::Directional:
+        case EmitterKind::Directional:
             photon.ray = detail::rayFromFarAway(view, e.direction, uPoint);
             photon.flux = e.radiance * (kPi * square(view.sceneRadius));
             break;
-        default:
-            photon = detail::emitFromArea(view, e, uPoint, uDirection);
+        case EmitterKind::Shape:
+            photon = detail::emitFromArea<kMask>(view, e, uPoint, uDirection);
             break;
     }
     photon.emitter = static_cast<uint32_t>(chosen);

@@ -31,6 +31,17 @@ GLINT_HD inline Affine operator*(const Affine& a, const Affine& b) {
 /// not normalised. It keeps the side under mirroring (a normal stays on the side where it was).
 GLINT_HD inline Vec3 transformNormal(const Mat3& inverseLinear, const Vec3& n) { return n * inverseLinear; }
 
+/// |M| * v, entry by entry.
+GLINT_HD inline Vec3 absMultiply(const Mat3& m, const Vec3& v) {
+    return absVec(m[0]) * v.x + absVec(m[1]) * v.y + absVec(m[2]) * v.z;
+}
+
+/// The lengths of the rows: half the extents of the unit sphere's image.
+inline Vec3 rowLengths(const Mat3& m) {
+    return {glm::length(Vec3(m[0].x, m[1].x, m[2].x)), glm::length(Vec3(m[0].y, m[1].y, m[2].y)),
+            glm::length(Vec3(m[0].z, m[1].z, m[2].z))};
+}
+
 /// The inverse, computed in double. The caller checks isInvertible() first.
 Affine inverse(const Affine& a);
 

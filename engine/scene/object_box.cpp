@@ -2,7 +2,25 @@
 
 #include <glm/ext/matrix_double3x3.hpp>
 
+#include "engine/kernels/shapes/shape_facts.h"
+
 namespace glint {
+
+Bounds sceneBounds(const SceneDescription& scene) {
+    Bounds all;
+    for (const Object& object : scene.objects) {
+        Bounds vertices;
+        const auto mesh = static_cast<size_t>(object.mesh);
+        if (object.shape == ShapeKind::Mesh && mesh < scene.meshes.size() && scene.meshes[mesh].data) {
+            for (const Vec3& p : scene.meshes[mesh].data->positions) {
+                vertices.grow(p);
+            }
+        }
+        const Bounds local = objectBounds(object.shape, vertices);
+        if (!local.empty()) { all.grow(transformBounds(object.objectToWorld, local)); }
+    }
+    return all;
+}
 
 WideBox meshBox(const MeshData& mesh, size_t step) {
     WideBox box;
@@ -13,12 +31,10 @@ WideBox meshBox(const MeshData& mesh, size_t step) {
 }
 
 WideBox placedBox(ShapeKind shape, const Affine& objectToWorld, const WideBox& meshBox) {
-    WideBox local{glm::dvec3(-1.0), glm::dvec3(1.0)};
-    if (shape == ShapeKind::Plane) { return {}; }
-    if (shape == ShapeKind::Mesh) {
-        local = meshBox;
-    } else if (shape != ShapeKind::Sphere) {
-        local.lo.z = local.hi.z = 0.0;
+    WideBox local = meshBox;
+    if (shape != ShapeKind::Mesh) {
+        const Bounds bounds = objectBounds(shape, {});
+        local = {glm::dvec3(bounds.lo), glm::dvec3(bounds.hi)};
     }
     if (local.empty()) { return {}; }
     WideBox box;

@@ -1,6 +1,5 @@
-// Boxes of placed objects in double, for the questions where float's steps matter.
-//
-// Called by the stability warnings and by the builder's choice of an origin. Kernels have their own boxes.
+// Boxes of placed objects, as seen from the description: in float for views, in double for the questions
+// where float's steps matter.
 #pragma once
 
 #include <algorithm>
@@ -42,11 +41,15 @@ struct WideBox {
     glm::dvec3 center() const { return 0.5 * (lo + hi); }
 };
 
+/// Of all finite objects, meshes by all of their vertices; empty when there is none. Meshes that have not
+/// been read, and indices out of range, are passed over.
+Bounds sceneBounds(const SceneDescription& scene);
+
 /// Of the vertices that triangles use; every `step`-th of their corners only.
 WideBox meshBox(const MeshData& mesh, size_t step = 1);
 
-/// What `objectToWorld` makes of a shape that fills `meshBox` (meshes) or is canonical; empty for planes,
-/// which have no end, and for empty meshes.
+/// What `objectToWorld` makes of the shape's box in object space, which is `meshBox` for meshes; empty for
+/// shapes without an end and for empty meshes.
 WideBox placedBox(ShapeKind shape, const Affine& objectToWorld, const WideBox& meshBox);
 
 }  // namespace glint

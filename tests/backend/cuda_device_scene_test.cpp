@@ -110,7 +110,7 @@ TEST(CudaDeviceScene, TheListedLengthsAreTheBuildersOwn) {
     size_t acceleration = 0;
     forEachArray(view, [&](const auto* pointer, size_t count) {
         const void* array = pointer;
-        if (array == mesh.nodes.data()) { EXPECT_EQ(count, mesh.nodes.size()); }
+        if (array == view.accelerator.data) { EXPECT_EQ(count, mesh.accelerator.view.bytes); }
         if (array == mesh.clusters.data()) { EXPECT_EQ(count, mesh.clusters.size()); }
         if (array == mesh.clusterPrimitives.data()) { EXPECT_EQ(count, mesh.clusterPrimitives.size()); }
         const bool isVertexData = array == view.positions || array == view.indices || array == view.normals ||
@@ -146,7 +146,7 @@ TEST(CudaDeviceScene, AMaterialEditCopiesTheMaterialsAndKeepsTheRest) {
     ASSERT_TRUE(upload.scene.update(second));
     const SceneView now = upload.scene.view();
     EXPECT_EQ(now.materials[1].color.x, 0.11f);
-    EXPECT_EQ(now.geometry.topNodes.data, before.geometry.topNodes.data);
+    EXPECT_EQ(now.geometry.topLevel.data, before.geometry.topLevel.data);
     EXPECT_EQ(now.lights.environment.texels, before.lights.environment.texels);
     const UploadReport& report = upload.scene.lastUpload();
     EXPECT_EQ(report.arraysCopied, 1u);
@@ -164,7 +164,7 @@ TEST(CudaDeviceScene, ATransformCopiesInstancesAndLightsButNoMesh) {
     description.objects.back().objectToWorld.translation.y += 1.0f;
     ASSERT_TRUE(upload.scene.update(build(description, EditKind::ObjectTransform, first.get())));
     const SceneView now = upload.scene.view();
-    EXPECT_EQ(now.geometry.meshes[0].nodes, meshBefore.nodes);
+    EXPECT_EQ(now.geometry.meshes[0].accelerator.data, meshBefore.accelerator.data);
     EXPECT_EQ(now.geometry.meshes[0].positions, meshBefore.positions);
     EXPECT_EQ(now.lights.environment.texels, texelsBefore);
     EXPECT_EQ(now.geometry.instances[now.geometry.instances.count - 1].objectToWorld.translation.y,

@@ -11,9 +11,9 @@ from pathlib import Path
 SEES = {
     "engine/base": "",
     "engine/math": "base",
-    "engine/scene": "base math",
-    "engine/io": "base math scene",
     "engine/kernels": "base math",
+    "engine/scene": "base math kernels",
+    "engine/io": "base math scene",
     "engine/builders": "base math scene io kernels",
     "engine/render": "base math scene io kernels builders",
     "engine/report": "base math scene io kernels builders render",

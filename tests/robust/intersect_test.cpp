@@ -1,6 +1,8 @@
 // The two-level traversal against brute force and against what is exactly known: nothing may slip through.
 #include "engine/kernels/intersect.h"
 
+#include <span>
+
 #include <gtest/gtest.h>
 
 #include "tests/support/geometry_scene.h"
@@ -174,7 +176,9 @@ TEST(Intersect, ScalarAndSimdBodiesGiveTheSameBits) {
         if (i % 4 == 0) { ray.direction[i % 3] = 0.0f; }
         const BoxRay box = makeBoxRay(ray);
         const ShearRay shear = makeShearRay(ray);
-        for (const WideNode& node : mesh->nodes) {
+        const auto* nodes = mesh->accelerator.view.as<WideNode>();
+        const size_t nodeCount = mesh->accelerator.view.bytes / sizeof(WideNode);
+        for (const WideNode& node : std::span(nodes, nodeCount)) {
             alignas(32) float simd[kNodeWidth];
             float scalar[kNodeWidth];
             const uint32_t hits = boxHitsSimd(node, box, 0.0f, 2.0f, simd);

@@ -3,6 +3,7 @@
 #include "engine/builders/bvh_builder.h"
 
 #include <cstring>
+#include <span>
 
 #include <gtest/gtest.h>
 
@@ -13,8 +14,13 @@ namespace {
 
 using namespace testing_support;
 
+std::span<const WideNode> nodesOf(const BuiltMesh& mesh) {
+    const AcceleratorView& view = mesh.accelerator.view;
+    return {view.as<WideNode>(), view.bytes / sizeof(WideNode)};
+}
+
 void checkSubtree(const BuiltMesh& mesh, uint32_t index, const Bounds& outer, std::vector<int>* seen) {
-    const WideNode& node = mesh.nodes[index];
+    const WideNode& node = nodesOf(mesh)[index];
     for (int i = 0; i < kNodeWidth; ++i) {
         if (node.bounds[0][i] > node.bounds[1][i]) { continue; }
         const Bounds box{Vec3(node.bounds[0][i], node.bounds[2][i], node.bounds[4][i]),
@@ -50,7 +56,8 @@ void checkMesh(const BuiltMesh& mesh) {
     for (int count : seen) {
         ASSERT_EQ(count, 1);
     }
-    EXPECT_LE(traversalStackNeed(mesh.nodes), uint32_t{kTraversalStackSize});
+    const std::span<const WideNode> nodes = nodesOf(mesh);
+    EXPECT_LE(traversalStackNeed({nodes.begin(), nodes.end()}), uint32_t{kTraversalStackSize});
 }
 
 template <class Vector>
@@ -70,7 +77,7 @@ TEST(BvhBuilder, TheResultDoesNotDependOnTheThreads) {
     const auto one = buildMesh(data, 1);
     for (int threads : {2, 3, 5}) {
         const auto more = buildMesh(data, threads);
-        EXPECT_TRUE(sameBytes(one->nodes, more->nodes)) << threads;
+        EXPECT_TRUE(sameBytes(nodesOf(*one), nodesOf(*more))) << threads;
         EXPECT_TRUE(sameBytes(one->clusters, more->clusters)) << threads;
         EXPECT_EQ(one->clusterPrimitives, more->clusterPrimitives) << threads;
     }

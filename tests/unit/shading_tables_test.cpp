@@ -153,21 +153,21 @@ TEST(TextureTable, RefusesTexturesWithoutPixels) {
 
 TEST(FeatureScan, NamesExactlyWhatIsNeeded) {
     SceneDescription scene = sceneOf({materialOf(MaterialKind::Diffuse)});
-    EXPECT_EQ(featuresOf(scene), FeatureMask{kFeatureSphere | kFeatureDiffuse});
+    EXPECT_EQ(featuresOf(scene), FeatureMask{kFeatureCurved | kFeatureDiffuse});
 
     Material rough = materialOf(MaterialKind::Conductor);
     rough.roughness.value = 0.3f;
     scene.materials.push_back(rough);
-    EXPECT_EQ(featuresOf(scene), FeatureMask{kFeatureSphere | kFeatureDiffuse}) << "an unused material";
+    EXPECT_EQ(featuresOf(scene), FeatureMask{kFeatureCurved | kFeatureDiffuse}) << "an unused material";
     scene.objects[0].material = 1;
-    EXPECT_EQ(featuresOf(scene), FeatureMask{kFeatureSphere | kFeatureGlossy});
+    EXPECT_EQ(featuresOf(scene), FeatureMask{kFeatureCurved | kFeatureGlossy});
     scene.materials[1].roughness.value = 0.5f * kSmoothAlpha;
-    EXPECT_EQ(featuresOf(scene), FeatureMask{kFeatureSphere | kFeatureSpecular});
+    EXPECT_EQ(featuresOf(scene), FeatureMask{kFeatureCurved | kFeatureSpecular});
 
     scene.camera.apertureDiameter = 0.1f;
     scene.options.sampler = SamplerKind::Independent;
     scene.objects[0].frontOnly = true;
-    const FeatureMask needed = kFeatureSphere | kFeatureSpecular | kFeatureDepthOfField | kFeatureFrontOnly;
+    const FeatureMask needed = kFeatureCurved | kFeatureSpecular | kFeatureDepthOfField | kFeatureFrontOnly;
     EXPECT_EQ(featuresOf(scene), needed);
     EXPECT_EQ(neededFeatures(needed, SamplerKind::Independent), needed | kFeatureIndependentSampler);
     EXPECT_EQ(neededFeatures(needed, SamplerKind::Sobol), needed);

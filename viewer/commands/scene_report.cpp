@@ -22,7 +22,7 @@ struct FeatureName {
     const char* name;
 };
 constexpr std::array<FeatureName, 22> kFeatureNames{
-    {{kFeatureSphere, "spheres"},
+    {{kFeatureCurved, "spheres"},
      {kFeaturePlane, "planes"},
      {kFeatureFlat, "rectangles and discs"},
      {kFeatureMesh, "meshes"},

@@ -107,24 +107,4 @@ float apertureForFStop(const Camera& camera, float stop) {
     return stop > 0.0f && std::isfinite(stop) ? focalLength / stop : 0.0f;
 }
 
-Bounds sceneBounds(const SceneDescription& scene) {
-    Bounds all;
-    for (const Object& object : scene.objects) {
-        Bounds local;
-        if (object.shape == ShapeKind::Plane) { continue; }
-        if (object.shape == ShapeKind::Mesh) {
-            const size_t mesh = static_cast<size_t>(object.mesh);
-            if (mesh >= scene.meshes.size() || !scene.meshes[mesh].data) { continue; }
-            for (const Vec3& p : scene.meshes[mesh].data->positions) {
-                local.grow(p);
-            }
-        } else {
-            const float depth = object.shape == ShapeKind::Sphere ? 1.0f : 0.0f;
-            local = {Vec3{-1.0f, -1.0f, -depth}, Vec3{1.0f, 1.0f, depth}};
-        }
-        if (!local.empty()) { all.grow(transformBounds(object.objectToWorld, local)); }
-    }
-    return all;
-}
-
 }  // namespace glint

@@ -31,7 +31,4 @@ float fStop(const Camera& camera);
 /// Aperture diameter in metres for an f-stop; 0 for an infinite one.
 float apertureForFStop(const Camera& camera, float fStop);
 
-/// Of all finite objects; empty when there is none.
-Bounds sceneBounds(const SceneDescription& scene);
-
 }  // namespace glint

@@ -1,8 +1,8 @@
 // Rectangles and triangles projected onto the unit sphere: their solid angle, and uniform directions
 // inside them.
 //
-// Called by light_sampling_shapes.h. The sums of angles keep about six digits after the point: callers take
-// another way for solid angles below some hundredths of a steradian.
+// The sums of angles keep about six digits after the point: below some hundredths of a steradian there are
+// better ways.
 #pragma once
 
 #include "engine/math/vec.h"

@@ -1,6 +1,5 @@
-// Walking a tree of wide nodes from near to far, for one ray, with an explicit stack. Both levels use it.
-//
-// Called by intersect.h only. Knows nothing of what leaves hold.
+// Walking a tree of wide nodes from near to far, for one ray, with an explicit stack. Knows nothing of what
+// leaves hold.
 #pragma once
 
 #include <bit>
@@ -75,11 +74,9 @@ GLINT_HD inline StackEntry* pushSorted(const WideNode& node, uint32_t mask, cons
 #endif
 }
 
-/// Visits the leaves that the ray may meet, roughly from near to far. `visitLeaf(first, count, &tMax)`
-/// answers whether it found a hit, and lowers tMax to it; with kAnyHit the first hit ends the walk. ray.tMin
-/// must not be negative.
+/// traverse() (accelerator.h) of wide nodes; nodes[0] is the root.
 template <bool kAnyHit, class VisitLeaf>
-GLINT_HD inline bool traverse(const WideNode* nodes, const Ray& ray, VisitLeaf&& visitLeaf) {
+GLINT_HD inline bool traverseBvh(const WideNode* nodes, const Ray& ray, VisitLeaf&& visitLeaf) {
     const BoxRay box = makeBoxRay(ray);
     float tMax = ray.tMax;
     bool found = false;

@@ -1,0 +1,25 @@
+// Where a ray meets the scene, and the ray as an instance sees it.
+#pragma once
+
+#include "engine/kernels/geometry_view.h"
+#include "engine/math/ray.h"
+
+namespace glint {
+
+/// A distance along a ray that means: it meets nothing.
+constexpr float kNoHit = -1.0f;
+
+struct Hit {
+    float t;
+    uint32_t instance;
+    uint32_t primitive;  ///< triangle number within the mesh; 0 for other shapes
+    Vec2 barycentric;    ///< weights of a triangle's second and third vertex; 0 for other shapes
+};
+
+/// A ray in an instance's object space; t keeps its meaning.
+GLINT_HD inline Ray toObjectSpace(const InstanceData& instance, const Ray& ray) {
+    return {instance.worldToObject.point(ray.origin), instance.worldToObject.vector(ray.direction), ray.tMin,
+            ray.tMax};
+}
+
+}  // namespace glint

@@ -1,0 +1,64 @@
+// All shapes, and the one place that tells them apart.
+//
+// A shape is a struct in a header of its own. Analytic ones, which need no data but their transform, have:
+//   kFeature, kIsFinite          the mask's bit that compiles them in; whether they have an end
+//   intersect<kFrontOnly>(ray)   the nearest t in (tMin, tMax) of a ray in object space, or kNoHit
+//   surface<kMask>(pRough)       the surface near a point in object space: position and error, normals, uv
+//   tangents(p)                  dp/du and dp/dv there
+//   bounds(), worldBounds(m)     boxes in object and, as tight as it gets, in world space
+//   makeEmitter(m), boundEmitter(e, node), power(geometry, e, exitance)
+//                                what light sampling keeps of an emissive one; where and how strongly it
+//                                shines (the node's intensity comes in as radiance); exitance times area
+//   sampleArea(geometry, e, u)            a point uniform by area: where a photon starts
+//   sampleFrom(geometry, e, from, u)      a point as seen from a place, with its density per solid angle
+//   pdfFrom(geometry, e, from, p)         the density with which sampleFrom() finds p. Which way samples a
+//                                         shape depends on the shape and on `from` alone, so that it is right
+//                                         for points that were found otherwise, too
+// Meshes have the same, but with their data.
+#pragma once
+
+#include "engine/kernels/shapes/disc.h"
+#include "engine/kernels/shapes/mesh.h"
+#include "engine/kernels/shapes/plane.h"
+#include "engine/kernels/shapes/rectangle.h"
+#include "engine/kernels/shapes/sphere.h"
+
+namespace glint {
+
+/// All shapes but meshes.
+template <FeatureMask kMask>
+constexpr FeatureMask kAnalyticOnly = kMask & ~FeatureMask{kFeatureMesh};
+
+namespace detail {
+
+template <class Result, FeatureMask kMask, class Shape, class Visit>
+GLINT_HD inline Result visitOne(Visit&& visit) {
+    if constexpr ((kMask & Shape::kFeature) != 0) {
+        return visit(Shape{});
+    } else {
+        __builtin_unreachable();
+    }
+}
+
+}  // namespace detail
+
+/// visit(shape) with the struct of the shape. `kind` must be one that the mask has; nothing is compiled for
+/// the others.
+template <class Result, FeatureMask kMask, class Visit>
+GLINT_HD inline Result visitShape(ShapeKind kind, Visit&& visit) {
+    switch (kind) {
+        case ShapeKind::Sphere:
+            return detail::visitOne<Result, kMask, SphereShape>(visit);
+        case ShapeKind::Plane:
+            return detail::visitOne<Result, kMask, PlaneShape>(visit);
+        case ShapeKind::Rectangle:
+            return detail::visitOne<Result, kMask, RectangleShape>(visit);
+        case ShapeKind::Disc:
+            return detail::visitOne<Result, kMask, DiscShape>(visit);
+        case ShapeKind::Mesh:
+            return detail::visitOne<Result, kMask, MeshShape>(visit);
+    }
+    __builtin_unreachable();
+}
+
+}  // namespace glint
