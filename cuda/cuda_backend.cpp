@@ -13,6 +13,7 @@
 #include "cuda/device_memory.h"
 #include "cuda/device_scene.h"
 #include "cuda/paced_launches.h"
+#include "engine/render/sppm_integrator.h"
 #include "engine/render/variant_choice.h"
 
 namespace glint {
@@ -39,20 +40,25 @@ class CudaBackend final : public Backend {
         return scene_.update(std::move(scene));
     }
 
-    Result<bool> renderPass(const PassParams& params, const std::atomic<bool>& stop,
-                            std::vector<PixelSample>* out) override {
-        return render(params, stop, &CudaVariant::path, &pathPacer_, out);
-    }
+    Result<Integrator*> integrator(IntegratorKind kind) override;
 
     Result<bool> renderAovPass(const PassParams& params, const std::atomic<bool>& stop,
                                std::vector<AovSample>* out) override {
         return render(params, stop, &CudaVariant::aov, &aovPacer_, out);
     }
 
-    Result<bool> renderSppmPass(const SppmParams& params, const std::atomic<bool>& stop, SppmState* state,
-                                std::vector<PixelSample>* direct) override;
+    Result<bool> renderPaths(const PassParams& params, const std::atomic<bool>& stop,
+                             std::vector<PixelSample>* out) {
+        return render(params, stop, &CudaVariant::path, &pathPacer_, out);
+    }
+
+    Result<bool> renderPhotons(const SppmParams& params, const std::atomic<bool>& stop, SppmState* state,
+                               std::vector<PixelSample>* direct);
 
   private:
+    class Paths;
+    class Photons;
+
     template <class Sample>
     Result<bool> render(const PassParams& params, const std::atomic<bool>& stop,
                         Kernel<ImageLaunch<Sample>> CudaVariant::*kernel, ChunkPacer* pacer,
@@ -68,7 +74,50 @@ class CudaBackend final : public Backend {
     ChunkPacer pathPacer_;
     ChunkPacer aovPacer_;
     std::optional<CudaSppm> sppm_;  ///< made by the first SPPM pass
+    std::unique_ptr<Integrator> paths_;
+    std::unique_ptr<Integrator> photons_;
 };
+
+class CudaBackend::Paths final : public Integrator {
+  public:
+    explicit Paths(CudaBackend* backend) : backend_(backend) {}
+
+    Result<bool> renderPass(const PassParams& params, const std::atomic<bool>& stop, ImageStatistics*,
+                            std::vector<PixelSample>* samples) override {
+        return backend_->renderPaths(params, stop, samples);
+    }
+
+  private:
+    CudaBackend* backend_;
+};
+
+class CudaBackend::Photons final : public SppmIntegrator {
+  public:
+    explicit Photons(CudaBackend* backend) : backend_(backend) {}
+
+  protected:
+    Result<bool> renderPhotons(const SppmParams& params, const std::atomic<bool>& stop, SppmState* state,
+                               std::vector<PixelSample>* direct) override {
+        return backend_->renderPhotons(params, stop, state, direct);
+    }
+
+  private:
+    CudaBackend* backend_;
+};
+
+Result<Integrator*> CudaBackend::integrator(IntegratorKind kind) {
+    if (kind == IntegratorKind::PathTracing) {
+        if (!paths_) { paths_ = std::make_unique<Paths>(this); }
+        return paths_.get();
+    }
+    if (kind == IntegratorKind::Sppm) {
+        if (!photons_) { photons_ = std::make_unique<Photons>(this); }
+        return photons_.get();
+    }
+    return Error{fmt::format("CUDA has no kernels for {}: choose another integrator, or render on the CPU.",
+                             integratorInfo(kind).key),
+                 {}};
+}
 
 template <class Sample>
 Result<bool> CudaBackend::render(const PassParams& params, const std::atomic<bool>& stop,
@@ -87,8 +136,8 @@ Result<bool> CudaBackend::render(const PassParams& params, const std::atomic<boo
     return true;
 }
 
-Result<bool> CudaBackend::renderSppmPass(const SppmParams& params, const std::atomic<bool>& stop,
-                                         SppmState* state, std::vector<PixelSample>* direct) {
+Result<bool> CudaBackend::renderPhotons(const SppmParams& params, const std::atomic<bool>& stop,
+                                        SppmState* state, std::vector<PixelSample>* direct) {
     if (Status s = prepare(params.pass, sizeof(PixelSample)); !s) { return s.error(); }
     if (!sppm_) { sppm_.emplace(*device_); }
     const SceneView host = host_->view();

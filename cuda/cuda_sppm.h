@@ -32,7 +32,7 @@ class CudaSppm {
     /// Forgets what was made for the scene before.
     void sceneChanged() { power_.reset(); }
 
-    /// As Backend::renderSppmPass(); `image` is device memory for one sample a pixel.
+    /// As SppmIntegrator::renderPhotons(); `image` is device memory for one sample a pixel.
     Result<bool> renderPass(const Scene& scene, const SppmParams& params, const std::atomic<bool>& stop,
                             PixelSample* image, SppmState* state, std::vector<PixelSample>* direct);
 

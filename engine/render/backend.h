@@ -1,4 +1,4 @@
-// The one virtual seam of the renderer: who runs the kernels. A call per pass, never per ray.
+// The one virtual seam of the renderer: who runs the kernels.
 #pragma once
 
 #include <atomic>
@@ -10,8 +10,8 @@
 #include "engine/builders/built_scene.h"
 #include "engine/kernels/pass.h"
 #include "engine/render/film.h"
+#include "engine/render/integrator.h"
 #include "engine/render/memory_use.h"
-#include "engine/render/sppm_state.h"
 
 namespace glint {
 
@@ -32,20 +32,14 @@ class Backend {
     /// What passes have made the back end allocate and it still holds, on the host; the scene not included.
     virtual MemoryUse memory() const { return {}; }
 
-    /// Renders one path for each pixel into `out`, which is resized as needed. Checks `stop` at least once a
-    /// tile; returns false when it stopped early, and `out` is then to be thrown away.
-    virtual Result<bool> renderPass(const PassParams& params, const std::atomic<bool>& stop,
-                                    std::vector<PixelSample>* out) = 0;
+    /// Made at the first call, and the back end's own from then on. Error: it has no kernels for it.
+    virtual Result<Integrator*> integrator(IntegratorKind kind) = 0;
 
-    /// The same for the first-hit pictures, with the same camera rays.
+    /// Renders the first-hit pictures into `out`, an entry a pixel, which is resized as needed; with the
+    /// camera rays of params.pass. Checks `stop` at least once a tile; returns false when it stopped early,
+    /// and `out` is then to be thrown away.
     virtual Result<bool> renderAovPass(const PassParams& params, const std::atomic<bool>& stop,
                                        std::vector<AovSample>* out) = 0;
-
-    /// One SPPM pass: direct light and emission into `direct`, one sample a pixel, photons into `state`,
-    /// which must have the pass's resolution and params.pass.pass passes. False: stopped early, and `state`
-    /// has not changed. Error: not enough memory, or this back end does not do SPPM.
-    virtual Result<bool> renderSppmPass(const SppmParams& params, const std::atomic<bool>& stop,
-                                        SppmState* state, std::vector<PixelSample>* direct);
 };
 
 /// Which of the kernels compiled ahead of time run. Both give the same bits; the full one is for measuring

@@ -1,7 +1,7 @@
-// A render on disk that can be gone on with: the film and SPPM's statistics to the last bit, and what they
-// are of.
+// A render on disk that can be gone on with: the film and the integrator's statistics to the last bit, and
+// what they are of.
 //
-// Used by the window, `glint render` and the tests. The file is described in checkpoint.cpp. It holds
+// The file is described in checkpoint.cpp and checkpoint_sections.h. It holds
 // fingerprints of the scene, not the scene: resuming needs the scene file, and says what differs when it is
 // not the same one.
 #pragma once
@@ -31,7 +31,7 @@ Status saveCheckpoint(const std::string& path, const SessionCapture& capture);
 
 /// About the size of a checkpoint of a picture of this size in memory while it is written; what is left out
 /// are settings, faults and the convergence curve.
-size_t checkpointBytes(int width, int height, bool sppm);
+size_t checkpointBytes(int width, int height, IntegratorKind integrator);
 
 /// The film and statistics to go on with. Error: not a checkpoint, another format version, cut off or
 /// damaged, or the scene or a setting differs from the checkpoint's: each difference is named ("maxDepth is 8

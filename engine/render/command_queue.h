@@ -6,7 +6,6 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
 #include <condition_variable>
 #include <functional>
 #include <future>
@@ -15,17 +14,9 @@
 #include <vector>
 
 #include "engine/render/render_session.h"
+#include "engine/render/session_clock.h"
 
 namespace glint {
-
-using SessionClock = std::chrono::steady_clock;
-
-inline double secondsBetween(SessionClock::time_point from, SessionClock::time_point to) {
-    return std::chrono::duration<double>(to - from).count();
-}
-inline double secondsSince(SessionClock::time_point from) {
-    return secondsBetween(from, SessionClock::now());
-}
 
 using CapturePromise = std::promise<std::optional<SessionCapture>>;
 

@@ -9,7 +9,7 @@
 #include "engine/math/color.h"
 #include "engine/render/error_sums.h"
 #include "engine/render/film.h"
-#include "engine/render/sppm_state.h"
+#include "engine/render/image_statistics.h"
 
 namespace glint {
 namespace {
@@ -26,13 +26,13 @@ constexpr double kBiasSpread = 0.5;
 
 double square(double x) { return x * x; }
 
-ErrorSums sumPixels(const Film& film, const SppmState* sppm, int threads) {
+ErrorSums sumPixels(const Film& film, const ImageStatistics* statistics, int threads) {
     const auto pixels = static_cast<int64_t>(film.pixels().size());
     std::vector<ErrorSums> partial(static_cast<size_t>((pixels + kChunkPixels - 1) / kChunkPixels));
     parallelChunks(pixels, kChunkPixels, threads, [&](int64_t begin, int64_t end) {
         ErrorSums& sums = partial[static_cast<size_t>(begin / kChunkPixels)];
         for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
-            sums.add(pixelError(film, sppm, i), pixelLuminance(film, sppm, i));
+            sums.add(pixelError(film, statistics, i), pixelLuminance(film, statistics, i));
         }
     });
     for (size_t i = 1; i < partial.size(); ++i) {
@@ -98,11 +98,13 @@ std::vector<float> blurred(const std::vector<float>& values, int width, int heig
 
 }  // namespace
 
-ErrorEstimate estimateError(const Film& film, const SppmState* sppm, int threads) {
-    sppm = sppm && sppm->passes > 0 ? sppm : nullptr;
+ErrorEstimate estimateError(const Film& film, const ImageStatistics* statistics, int threads) {
+    statistics = statistics && statistics->passCount() > 0 ? statistics : nullptr;
     ErrorEstimate estimate;
-    if (film.passes() < 2 || film.pixels().empty() || (sppm && sppm->passes < 2)) { return estimate; }
-    const ErrorSums sums = sumPixels(film, sppm, threads);
+    if (film.passes() < 2 || film.pixels().empty() || (statistics && statistics->passCount() < 2)) {
+        return estimate;
+    }
+    const ErrorSums sums = sumPixels(film, statistics, threads);
     const auto pixels = static_cast<double>(film.pixels().size());
     const TrimmedErrors total = withoutWorst(sums, kTrimmedShare * pixels);
     if (!(total.noise > 0.0)) { return {.relative = 0.0, .low = 0.0, .high = 0.0}; }
@@ -116,32 +118,33 @@ ErrorEstimate estimateError(const Film& film, const SppmState* sppm, int threads
     return estimate;
 }
 
-PixelError pixelError(const Film& film, const SppmState* sppm, size_t index) {
+PixelError pixelError(const Film& film, const ImageStatistics* statistics, size_t index) {
     PixelError error;
     const FilmPixel& pixel = film.pixels()[index];
     if (pixel.count > 1) {
         const double n = pixel.count;
         error.variance = std::max(0.0, pixel.luminanceM2) / ((n - 1.0) * n);
-    } else if (!sppm) {
+    } else if (!statistics) {
         error.variance = std::numeric_limits<double>::infinity();
     }
-    if (sppm) {
-        error.photonVariance = square(sppm->photonStandardError(index));
+    if (statistics) {
+        error.photonVariance = square(statistics->standardErrorOf(index));
         error.variance += error.photonVariance;
-        error.bias = static_cast<double>(sppm->pixels[index].bias);
+        error.bias = statistics->biasOf(index);
     }
     error.variance *= film.calibration().factorOf(error.variance * film.passes());
     return error;
 }
 
-std::vector<float> errorBounds(const Film& film, const SppmState* sppm, int threads) {
-    sppm = sppm && sppm->passes > 0 ? sppm : nullptr;
+std::vector<float> errorBounds(const Film& film, const ImageStatistics* statistics, int threads) {
+    statistics = statistics && statistics->passCount() > 0 ? statistics : nullptr;
     const size_t pixels = film.pixels().size();
-    std::vector<float> variance(pixels), photonVariance(sppm ? pixels : 0), biasSquared(sppm ? pixels : 0);
+    std::vector<float> variance(pixels), photonVariance(statistics ? pixels : 0),
+        biasSquared(statistics ? pixels : 0);
     for (size_t i = 0; i < pixels; ++i) {
-        const PixelError error = pixelError(film, sppm, i);
+        const PixelError error = pixelError(film, statistics, i);
         variance[i] = static_cast<float>(error.variance);
-        if (sppm) {
+        if (statistics) {
             photonVariance[i] = static_cast<float>(error.photonVariance);
             biasSquared[i] = static_cast<float>(square(error.bias) - 3.0 * error.photonVariance);
         }
@@ -156,13 +159,13 @@ std::vector<float> errorBounds(const Film& film, const SppmState* sppm, int thre
     for (size_t i = 0; i < pixels; ++i) {
         double bias = 0.0;
         double total = static_cast<double>(variances[i]);
-        if (sppm) {
+        if (statistics) {
             // The bias' estimate is noisy: it counts as far as the neighbourhood's biases stand out of that
             // noise (the mean and variance of a normal prior's posterior).
             const double prior = std::max(0.0, static_cast<double>(biasesSquared[i]));
             const double noise = 3.0 * static_cast<double>(photonVariances[i]);
             const double trust = prior > 0.0 ? prior / (prior + noise) : 0.0;
-            const double own = trust * std::abs(static_cast<double>(sppm->pixels[i].bias));
+            const double own = trust * std::abs(statistics->biasOf(i));
             bias = kHigherOrders * std::max(own, std::sqrt(prior));
             total += trust * noise;
         }
@@ -171,10 +174,10 @@ std::vector<float> errorBounds(const Film& film, const SppmState* sppm, int thre
     return bounds;
 }
 
-double pixelLuminance(const Film& film, const SppmState* sppm, size_t index) {
+double pixelLuminance(const Film& film, const ImageStatistics* statistics, size_t index) {
     const std::array<double, 3>& mean = film.pixels()[index].mean;
     double sum = 0.2126 * mean[0] + 0.7152 * mean[1] + 0.0722 * mean[2];
-    if (sppm) { sum += static_cast<double>(luminance(sppm->photonRadiance(index))); }
+    if (statistics) { sum += static_cast<double>(luminance(statistics->radianceOf(index))); }
     return sum;
 }
 

@@ -12,7 +12,7 @@
 namespace glint {
 
 class Film;
-struct SppmState;
+class ImageStatistics;
 
 /// Of the whole picture: root of the mean squared error of the pixels' luminances over the picture's mean
 /// luminance. The kTrimmedShare of the pixels with the largest squared errors is left out, as relMseTrimmed
@@ -28,8 +28,9 @@ struct ErrorEstimate {
 
 constexpr double kTrimmedShare = 0.001;
 
-/// `sppm` is null or empty for path tracing. The same bits for any number of threads (0: all).
-ErrorEstimate estimateError(const Film& film, const SppmState* sppm, int threads = 0);
+/// `statistics` are null, or empty, where the integrator has none. The same bits for any number of threads
+/// (0: all).
+ErrorEstimate estimateError(const Film& film, const ImageStatistics* statistics, int threads = 0);
 
 /// What is known of one pixel's luminance.
 struct PixelError {
@@ -38,13 +39,13 @@ struct PixelError {
     /// SPPM: estimate of the photons' bias, signed; its own variance is about three times photonVariance
     double bias = 0.0;
 };
-PixelError pixelError(const Film& film, const SppmState* sppm, size_t index);
+PixelError pixelError(const Film& film, const ImageStatistics* statistics, size_t index);
 
 /// Of direct light and photons together.
-double pixelLuminance(const Film& film, const SppmState* sppm, size_t index);
+double pixelLuminance(const Film& film, const ImageStatistics* statistics, size_t index);
 
 /// For each pixel, what the true luminance lies within with 90 %: picture +- bound. Variances are averaged
 /// over 5 x 5 pixels first: a pixel that has missed a rare bright path does not know its own.
-std::vector<float> errorBounds(const Film& film, const SppmState* sppm, int threads = 0);
+std::vector<float> errorBounds(const Film& film, const ImageStatistics* statistics, int threads = 0);
 
 }  // namespace glint

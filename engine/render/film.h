@@ -67,8 +67,8 @@ class Film {
   private:
     void recordFaults(const std::vector<PixelSample>& samples, size_t begin, uint32_t passIndex);
 
-    friend struct FilmCheckpoint;  // checkpoint.cpp reads and writes all members exactly
-    friend class NoiseCalibrator;  // noise_calibration.cpp compares the picture with its waypoint
+    friend struct FilmCheckpoint;  // reads and writes all members exactly
+    friend class NoiseCalibrator;  // noise_calibration.cpp compares the picture with half of its passes
 
     int width_ = 0;
     int height_ = 0;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/render/film.h"
+#include "engine/render/integrator_map.h"
 #include "engine/scene/integrator_kind.h"
 
 namespace glint {
@@ -14,14 +15,8 @@ namespace glint {
 /// Counts the edits and restarts that were posted to a session, from 1. 0: none yet.
 using EditTicket = uint64_t;
 
-/// A picture of numbers that an integrator has beside its radiance; 1 value a pixel.
-struct IntegratorMap {
-    std::string_view name;  ///< a constant of the integrator, such as kRadiusMap
-    std::vector<float> values;
-};
-
 struct FilmSnapshot {
-    EditTicket ticket = 0;  ///< of the newest edit that it shows
+    EditTicket ticket = 0;  ///< of the newest edit that it answers
     int width = 0;          ///< smaller than the film's while something moves
     int height = 0;
     int previewScale = 1;  ///< film pixels per snapshot pixel in each direction; 1: full resolution

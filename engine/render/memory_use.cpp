@@ -9,7 +9,7 @@
 #include "engine/builders/mesh_builder.h"
 #include "engine/builders/texture_table.h"
 #include "engine/render/film.h"
-#include "engine/render/sppm_state.h"
+#include "engine/render/integrator.h"
 #include "engine/scene/scene_use.h"
 
 namespace glint {
@@ -86,12 +86,7 @@ MemoryUse plannedMemory(const SceneDescription& scene, IntegratorKind integrator
     use[MemoryPart::Film] = Film::bytesFor(width, height);
     use[MemoryPart::PassSamples] = pixels * sizeof(PixelSample);
     if (aovs) { use[MemoryPart::Aovs] = AovFilm::bytesFor(width, height) + pixels * sizeof(AovSample); }
-    if (integrator == IntegratorKind::Sppm) {
-        const SppmMemory plan = planSppmMemory(scene);
-        use[MemoryPart::SppmStatistics] = SppmState::bytesFor(width, height);
-        use[MemoryPart::SppmVisiblePoints] = plan.pixelBytes - SppmState::bytesFor(width, height);
-        use[MemoryPart::Photons] = plan.photonBytes;
-    }
+    integratorType(integrator).addPlannedMemory(scene, &use);
     return use;
 }
 

@@ -16,7 +16,7 @@
 #include "engine/render/error_estimate.h"
 #include "engine/render/error_sums.h"
 #include "engine/render/film.h"
-#include "engine/render/sppm_state.h"
+#include "engine/render/image_statistics.h"
 
 namespace glint {
 namespace {
@@ -59,8 +59,11 @@ int NoiseCalibration::classOf(double variancePerPass) const {
 
 class NoiseCalibrator {
   public:
-    NoiseCalibrator(const SppmState* sppm, double alpha, int threads, Film* film)
-        : sppm_(sppm), film_(*film), threads_(threads), photonShare_(std::pow(2.0, alpha) - 1.0) {}
+    NoiseCalibrator(const ImageStatistics* statistics, double decay, int threads, Film* film)
+        : statistics_(statistics),
+          film_(*film),
+          threads_(threads),
+          photonShare_(std::pow(2.0, decay) - 1.0) {}
 
     void run() {
         NoiseCalibration next;
@@ -68,13 +71,13 @@ class NoiseCalibrator {
         next.meanLuminance = meanLuminance();
         if (film_.calibration_.passes * 2 == film_.passes_) {
             setFactors(sumClasses(next), &next);
-            next.correlatedPixels = sppm_ ? correlatedPixels() : 1.0;
+            next.correlatedPixels = statistics_ ? correlatedPixels() : 1.0;
         } else {
             next.factors.fill(1.0);
         }
         parallelChunks(pixels(), kChunkPixels, threads_, [&](int64_t begin, int64_t end) {
             for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
-                film_.pixels_[i].halfSampleMean = static_cast<float>(pixelLuminance(film_, sppm_, i));
+                film_.pixels_[i].halfSampleMean = static_cast<float>(pixelLuminance(film_, statistics_, i));
             }
         });
         film_.calibration_ = next;
@@ -89,7 +92,7 @@ class NoiseCalibrator {
         parallelChunks(pixels(), kChunkPixels, threads_, [&](int64_t begin, int64_t end) {
             double sum = 0.0;
             for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
-                sum += pixelLuminance(film_, sppm_, i);
+                sum += pixelLuminance(film_, statistics_, i);
             }
             partial[static_cast<size_t>(begin / kChunkPixels)] = sum;
         });
@@ -101,14 +104,14 @@ class NoiseCalibrator {
     }
 
     double difference(size_t i) const {
-        return pixelLuminance(film_, sppm_, i) - static_cast<double>(film_.pixels_[i].halfSampleMean);
+        return pixelLuminance(film_, statistics_, i) - static_cast<double>(film_.pixels_[i].halfSampleMean);
     }
 
     /// Variance of the pixel's mean as if passes were independent: the whole's, and the photons' share.
     std::pair<double, double> independentVariance(size_t i) const {
         const FilmPixel& pixel = film_.pixels_[i];
         const double direct = pixel.count > 1 ? square(film_.standardError(pixel)) : 0.0;
-        const double photons = sppm_ ? square(sppm_->photonStandardError(i)) : 0.0;
+        const double photons = statistics_ ? square(statistics_->standardErrorOf(i)) : 0.0;
         return {direct + photons, photons};
     }
 
@@ -180,15 +183,17 @@ class NoiseCalibrator {
         return sum;
     }
 
-    const SppmState* sppm_;
+    const ImageStatistics* statistics_;
     Film& film_;
     int threads_;
     double photonShare_;
 };
 
-void calibrateNoise(const SppmState* sppm, double alpha, int threads, Film* film) {
+void calibrateNoise(const ImageStatistics* statistics, double decay, int threads, Film* film) {
     if (film->passes() >= 2 && std::has_single_bit(film->passes()) && !film->pixels().empty()) {
-        NoiseCalibrator(sppm && sppm->passes > 0 ? sppm : nullptr, alpha, threads, film).run();
+        NoiseCalibrator(statistics && statistics->passCount() > 0 ? statistics : nullptr, decay, threads,
+                        film)
+            .run();
     }
 }
 

@@ -16,7 +16,7 @@
 namespace glint {
 
 class Film;
-struct SppmState;
+class ImageStatistics;
 
 struct NoiseCalibration {
     /// A class for each power of two of the variance of one pass' luminance, relative to the squared mean
@@ -39,8 +39,8 @@ struct NoiseCalibration {
 };
 
 /// To be called after every committed pass. Does something at powers of two of passes: from the second on it
-/// remembers the picture, from the fourth on it compares. `sppm` is null or empty for path tracing; `alpha`
-/// is SPPM's. The same bits for any number of threads.
-void calibrateNoise(const SppmState* sppm, double alpha, int threads, Film* film);
+/// remembers the picture, from the fourth on it compares. `statistics` are null, or empty, where the
+/// integrator has none; their variance falls like passes^-decay. The same bits for any number of threads.
+void calibrateNoise(const ImageStatistics* statistics, double decay, int threads, Film* film);
 
 }  // namespace glint

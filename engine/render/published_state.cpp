@@ -14,34 +14,40 @@ bool rests(SessionState state) {
 }  // namespace
 
 void PublishedState::show(std::shared_ptr<const FilmSnapshot> snapshot) {
+    std::map<IntegratorKind, std::shared_ptr<const FilmSnapshot>> dropped;
     const std::lock_guard lock(mutex_);
-    // The old picture's memory is freed after the lock.
+    // The memory of old pictures is freed after the lock.
     snapshot_.swap(snapshot);
-    if (other_ && (other_->ticket != snapshot_->ticket || other_->integrator == snapshot_->integrator)) {
-        other_.reset();
+    for (auto beside = beside_.begin(); beside != beside_.end();) {
+        const auto now = beside++;
+        if (now->second->ticket != snapshot_->ticket || now->first == snapshot_->integrator) {
+            dropped.insert(beside_.extract(now));
+        }
     }
 }
 
-void PublishedState::showOther(std::shared_ptr<const FilmSnapshot> snapshot) {
+void PublishedState::showBeside(std::shared_ptr<const FilmSnapshot> snapshot) {
     const std::lock_guard lock(mutex_);
-    other_.swap(snapshot);
+    beside_[snapshot->integrator].swap(snapshot);
 }
 
 std::shared_ptr<const FilmSnapshot> PublishedState::snapshot(IntegratorKind integrator) const {
     const std::lock_guard lock(mutex_);
     if (snapshot_ && snapshot_->integrator == integrator) { return snapshot_; }
-    return other_ && other_->integrator == integrator ? other_ : nullptr;
+    const auto found = beside_.find(integrator);
+    return found != beside_.end() ? found->second : nullptr;
 }
 
 void PublishedState::setCurve(IntegratorKind integrator, std::shared_ptr<const ConvergenceCurve> curve) {
     const std::lock_guard lock(mutex_);
-    // The old curve's memory is freed after the lock.
-    curves_[static_cast<size_t>(integrator)].swap(curve);
+    curves_[integrator].swap(curve);
 }
 
 std::shared_ptr<const ConvergenceCurve> PublishedState::curve(IntegratorKind integrator) const {
+    static const auto kEmpty = std::make_shared<const ConvergenceCurve>();
     const std::lock_guard lock(mutex_);
-    return curves_[static_cast<size_t>(integrator)];
+    const auto found = curves_.find(integrator);
+    return found != curves_.end() ? found->second : kEmpty;
 }
 
 void PublishedState::set(const SessionStatus& status, uint64_t messages) {

@@ -1,8 +1,8 @@
 // What the render thread shows to the controlling thread: the newest picture and the status. Thread-safe.
 #pragma once
 
-#include <array>
 #include <condition_variable>
+#include <map>
 #include <memory>
 #include <mutex>
 
@@ -16,8 +16,9 @@ class PublishedState {
     /// `messages`: everything asked for up to Commands::messages has been taken into account.
     void set(const SessionStatus& status, uint64_t messages);
 
-    /// The picture of the integrator that is not shown; dropped with the first picture of another edit.
-    void showOther(std::shared_ptr<const FilmSnapshot> snapshot);
+    /// The picture of an integrator beside the one that is shown; dropped with the first picture of another
+    /// edit.
+    void showBeside(std::shared_ptr<const FilmSnapshot> snapshot);
 
     void setCurve(IntegratorKind integrator, std::shared_ptr<const ConvergenceCurve> curve);
     /// Never null.
@@ -34,9 +35,8 @@ class PublishedState {
     mutable std::mutex mutex_;
     mutable std::condition_variable changed_;
     std::shared_ptr<const FilmSnapshot> snapshot_;
-    std::shared_ptr<const FilmSnapshot> other_;
-    std::array<std::shared_ptr<const ConvergenceCurve>, 2> curves_{
-        std::make_shared<const ConvergenceCurve>(), std::make_shared<const ConvergenceCurve>()};
+    std::map<IntegratorKind, std::shared_ptr<const FilmSnapshot>> beside_;
+    std::map<IntegratorKind, std::shared_ptr<const ConvergenceCurve>> curves_;
     SessionStatus status_;
     uint64_t messages_ = 0;
 };

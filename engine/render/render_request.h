@@ -18,6 +18,9 @@ struct StopLimits {
     bool operator==(const StopLimits&) const = default;
 };
 
+/// AOVs are complete after so many passes.
+constexpr uint32_t kAovPasses = 64;
+
 /// Holds until another one is asked for. None of it ever restarts a film.
 struct RenderRequest {
     StopLimits limits{};

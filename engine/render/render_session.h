@@ -22,10 +22,10 @@
 
 namespace glint {
 
-/// What is needed to go on exactly where a render stopped (io/checkpoint.h saves and loads it).
+/// What is needed to go on exactly where a render stopped (checkpoint.h saves and loads it).
 struct ResumePoint {
     Film film;
-    SppmState sppm{};  ///< empty for path tracing
+    std::unique_ptr<ImageStatistics> statistics{};  ///< null where the integrator has none
     double renderSeconds = 0.0;
     ConvergenceCurve curve{};
 };
@@ -34,7 +34,7 @@ struct ResumePoint {
 struct SessionCapture {
     std::shared_ptr<const SceneDescription> scene;
     Film film{};
-    SppmState sppm{};  ///< empty for path tracing
+    std::shared_ptr<const ImageStatistics> statistics{};  ///< null where the integrator has none
     AovFilm aovs{};
     double renderSeconds = 0.0;
     ConvergenceCurve curve{};
@@ -88,8 +88,6 @@ class RenderSession {
     using Capture = SessionCapture;
     std::future<std::optional<Capture>> captureLater();
     std::optional<Capture> capture();
-
-    static constexpr uint32_t kAovPasses = 64;
 
   private:
     class Impl;

@@ -38,7 +38,6 @@ struct SessionCounters {
 struct SessionStatus {
     SessionState state = SessionState::Empty;
     IntegratorKind integrator = IntegratorKind::PathTracing;  ///< that is shown; all figures are its own
-    uint32_t photonsPerPass = 0;   ///< SPPM: what the memory budget allows of what the scene asks for
     EditTicket ticket = 0;         ///< of the newest edit that was taken: it was built, or refused
     EditTicket refusedTicket = 0;  ///< of the newest edit that was refused
     uint32_t passes = 0;

@@ -17,7 +17,7 @@ struct SnapshotRequest {
 /// Everything of `film`, and of SPPM's statistics where there are any (may be null), with extras where asked
 /// for; ticket, scale, seconds and AOVs are the caller's. A pixel without samples is black; a standard
 /// error that is not known yet is infinite.
-std::shared_ptr<FilmSnapshot> makeSnapshot(const Film& film, const SppmState* sppm,
+std::shared_ptr<FilmSnapshot> makeSnapshot(const Film& film, const ImageStatistics* statistics,
                                            const SnapshotRequest& request, int threads);
 
 /// The same of a capture, with its integrator, seconds and relative error.

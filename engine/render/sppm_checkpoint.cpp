@@ -1,10 +1,13 @@
 // Field by field, since the padding and order of SppmPixel are the compiler's.
-#include "engine/render/sppm_checkpoint.h"
-
 #include <cmath>
+
+#include "engine/render/film.h"
+#include "engine/render/sppm_state.h"
 
 namespace glint {
 namespace {
+
+constexpr size_t kBytesPerPixel = 5 * sizeof(double) + 2 * sizeof(float);
 
 bool plausible(const SppmPixel& pixel) {
     const auto fine = [](double x) { return std::isfinite(x) && x >= 0.0; };
@@ -13,13 +16,14 @@ bool plausible(const SppmPixel& pixel) {
 
 }  // namespace
 
-void writeSppmState(const SppmState& state, ByteWriter* out) {
-    out->reserve(out->bytes().size() + state.pixels.size() * kSppmCheckpointBytesPerPixel + 64);
-    out->write(static_cast<uint32_t>(state.width));
-    out->write(static_cast<uint32_t>(state.height));
-    out->write(state.passes);
-    out->write(state.emittedPhotons);
-    for (const SppmPixel& pixel : state.pixels) {
+size_t SppmState::sectionBytes(size_t pixelCount) const { return pixelCount * kBytesPerPixel; }
+
+void SppmState::write(ByteWriter* out) const {
+    out->write(static_cast<uint32_t>(width));
+    out->write(static_cast<uint32_t>(height));
+    out->write(passes);
+    out->write(emittedPhotons);
+    for (const SppmPixel& pixel : pixels) {
         out->write(pixel.radiusSquared);
         out->write(pixel.photonCount);
         for (const double flux : pixel.flux) {
@@ -30,19 +34,17 @@ void writeSppmState(const SppmState& state, ByteWriter* out) {
     }
 }
 
-bool readSppmState(ByteReader in, const Film& film, SppmState* state) {
-    const auto width = in.read<uint32_t>();
-    const auto height = in.read<uint32_t>();
-    const auto passes = in.read<uint32_t>();
-    const auto emitted = in.read<uint64_t>();
-    if (in.failed() || width != static_cast<uint32_t>(film.width()) ||
-        height != static_cast<uint32_t>(film.height()) || passes != film.passes() ||
-        in.left() != uint64_t{width} * height * kSppmCheckpointBytesPerPixel) {
+bool SppmState::read(ByteReader in, const Film& film) {
+    const auto columns = in.read<uint32_t>();
+    const auto rows = in.read<uint32_t>();
+    SppmState out(film.width(), film.height());
+    out.passes = in.read<uint32_t>();
+    out.emittedPhotons = in.read<uint64_t>();
+    if (in.failed() || columns != static_cast<uint32_t>(film.width()) ||
+        rows != static_cast<uint32_t>(film.height()) || out.passes != film.passes() ||
+        in.left() != out.pixels.size() * kBytesPerPixel) {
         return false;
     }
-    SppmState out(film.width(), film.height());
-    out.passes = passes;
-    out.emittedPhotons = emitted;
     for (SppmPixel& pixel : out.pixels) {
         pixel.radiusSquared = in.read<double>();
         pixel.photonCount = in.read<double>();
@@ -53,7 +55,7 @@ bool readSppmState(ByteReader in, const Film& film, SppmState* state) {
         pixel.passM2 = in.read<float>();
         if (!plausible(pixel)) { return false; }
     }
-    *state = std::move(out);
+    *this = std::move(out);
     return !in.failed();
 }
 

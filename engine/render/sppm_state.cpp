@@ -14,20 +14,34 @@ namespace glint {
 SppmState::SppmState(int columns, int rows)
     : width(columns), height(rows), pixels(static_cast<size_t>(columns) * static_cast<size_t>(rows)) {}
 
-void SppmState::clear() {
+void SppmState::reset(int columns, int rows) {
+    if (columns != width || rows != height) {
+        *this = SppmState(columns, rows);
+        return;
+    }
     passes = 0;
     emittedPhotons = 0;
     std::ranges::fill(pixels, SppmPixel{});
 }
 
-Vec3 SppmState::photonRadiance(size_t index) const {
-    return glint::photonRadiance(pixels[index], static_cast<double>(emittedPhotons));
+Vec3 SppmState::radianceOf(size_t pixel) const {
+    return photonRadiance(pixels[pixel], static_cast<double>(emittedPhotons));
 }
 
-double SppmState::photonStandardError(size_t index) const {
+double SppmState::standardErrorOf(size_t pixel) const {
     if (passes < 2) { return std::numeric_limits<double>::infinity(); }
     const double n = passes;
-    return std::sqrt(static_cast<double>(pixels[index].passM2) / (n - 1.0) / n);
+    return std::sqrt(static_cast<double>(pixels[pixel].passM2) / (n - 1.0) / n);
+}
+
+std::vector<IntegratorMap> SppmState::maps() const {
+    IntegratorMap radii{kRadiusMap, std::vector<float>(pixels.size())};
+    IntegratorMap counts{kPhotonCountMap, std::vector<float>(pixels.size())};
+    for (size_t i = 0; i < pixels.size(); ++i) {
+        radii.values[i] = static_cast<float>(std::sqrt(pixels[i].radiusSquared));
+        counts.values[i] = static_cast<float>(pixels[i].photonCount);
+    }
+    return {std::move(radii), std::move(counts)};
 }
 
 SppmMemory planSppmMemory(const SceneDescription& scene) {

@@ -1,8 +1,8 @@
 // What SPPM carries from pass to pass: the statistics of every pixel and how many photons were emitted
 // for them.
 //
-// Belongs to the render session, changes only when a whole pass is committed, and goes into checkpoints as
-// it is.
+// Checkpoint payload: u32 width, u32 height, u32 passes, u64 emitted photons, then per pixel f64 squared
+// radius, f64 N, 3 f64 tau, f32 bias and f32 M2 of the passes' own estimates.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "engine/kernels/sppm_view.h"
-#include "engine/render/film.h"
+#include "engine/render/image_statistics.h"
 #include "engine/scene/scene.h"
 
 namespace glint {
@@ -19,7 +19,7 @@ namespace glint {
 inline constexpr std::string_view kRadiusMap = "radius";
 inline constexpr std::string_view kPhotonCountMap = "photon count";
 
-struct SppmState {
+struct SppmState final : ImageStatistics {
     int width = 0;
     int height = 0;
     uint32_t passes = 0;
@@ -29,20 +29,30 @@ struct SppmState {
     SppmState() = default;
     SppmState(int width, int height);
 
-    void clear();
+    std::unique_ptr<ImageStatistics> clone() const override { return std::make_unique<SppmState>(*this); }
+    void reset(int columns, int rows) override;
+    uint32_t passCount() const override { return passes; }
+    Vec3 radianceOf(size_t pixel) const override;
+    double standardErrorOf(size_t pixel) const override;
+    double biasOf(size_t pixel) const override { return static_cast<double>(pixels[pixel].bias); }
+    std::vector<IntegratorMap> maps() const override;
+    size_t bytes() const override { return pixels.capacity() * sizeof(SppmPixel); }
+    MemoryPart memoryPart() const override { return MemoryPart::SppmStatistics; }
+    Section section() const override { return {"SPPM", "photon statistics"}; }
+    size_t sectionBytes(size_t pixelCount) const override;
+    void write(ByteWriter* out) const override;
+    bool read(ByteReader in, const Film& film) override;
 
-    /// Radiance that the photons brought to pixel `index`; added to the film's mean it makes the picture.
-    Vec3 photonRadiance(size_t index) const;
-    /// Standard error of the photons' part of the pixel's luminance, from the spread of the passes' own
-    /// estimates. Infinite with fewer than two passes.
-    double photonStandardError(size_t index) const;
-
-    size_t bytes() const { return pixels.capacity() * sizeof(SppmPixel); }
     /// What the statistics of a picture of this size allocate.
     static size_t bytesFor(int width, int height) {
         return static_cast<size_t>(width) * static_cast<size_t>(height) * sizeof(SppmPixel);
     }
 };
+
+/// Null when they are another integrator's, or null.
+inline const SppmState* asSppm(const ImageStatistics* statistics) {
+    return dynamic_cast<const SppmState*>(statistics);
+}
 
 /// What a render with these settings needs beyond the film, computed before anything is allocated.
 struct SppmMemory {

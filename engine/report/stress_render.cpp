@@ -9,6 +9,8 @@
 #include "engine/math/color.h"
 #include "engine/render/backend.h"
 #include "engine/render/pass_params.h"
+#include "engine/render/path_pass.h"
+#include "engine/render/sppm_integrator.h"
 #include "engine/render/sppm_state.h"
 
 namespace glint {
@@ -56,11 +58,11 @@ class Renderer {
     }
 
     Result<bool> pass(const PassParams& params, const StressEffort& effort) {
-        return backend_->renderPass(params, effort.stop != nullptr ? *effort.stop : never_, &samples);
+        return renderPathPass(*backend_, params, effort.stop != nullptr ? *effort.stop : never_, &samples);
     }
 
     Result<bool> photonPass(const SppmParams& params, const StressEffort& effort, SppmState* state) {
-        return backend_->renderSppmPass(params, effort.stop != nullptr ? *effort.stop : never_, state,
+        return renderSppmPass(*backend_, params, effort.stop != nullptr ? *effort.stop : never_, state,
                                         &samples);
     }
 
@@ -143,7 +145,7 @@ Result<std::vector<double>> photonImage(Renderer* renderer, SppmParams params, u
         }
     }
     for (size_t i = 0; i < count; ++i) {
-        image[i] += static_cast<double>(luminance(state.photonRadiance(i)));
+        image[i] += static_cast<double>(luminance(state.radianceOf(i)));
     }
     return image;
 }

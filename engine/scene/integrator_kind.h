@@ -12,10 +12,13 @@ namespace glint {
 
 /// X(enumerator, key, short name, display name). The key is the name in scene files, reports and on the
 /// command line; the short name is understood wherever a key is, and stands in convergence runs. The display
-/// name is for people..
-#define GLINT_INTEGRATORS(X)                     \
+/// name is for people. render/integrator.h says what else an integrator is made of.
+// clang-format off
+#define GLINT_INTEGRATORS(X) \
     X(PathTracing, "path", "pt", "Path tracing") \
-    X(Sppm, "sppm", "sppm", "SPPM")
+    X(Sppm, "sppm", "sppm", "SPPM") \
+    X(AmbientOcclusion, "ao", "ao", "Ambient occlusion")
+// clang-format on
 
 enum class IntegratorKind : uint8_t {
 #define GLINT_ENUMERATOR(kind, key, shortName, displayName) kind,

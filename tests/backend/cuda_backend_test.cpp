@@ -10,6 +10,7 @@
 #include "cuda/cuda_variant.h"
 #include "engine/render/cpu_variants.h"
 #include "engine/render/pass_params.h"
+#include "engine/render/path_pass.h"
 #include "tests/support/host_cuda.h"
 #include "tests/support/test_scenes.h"
 #include "tests/support/variant_tables.h"
@@ -67,7 +68,7 @@ TEST_P(CudaScenes, SamplesEqualTheCpusBitForBit) {
     const std::atomic<bool> stop{false};
     for (params.pass = 0; params.pass < 2; ++params.pass) {
         std::vector<PixelSample> samples;
-        ASSERT_TRUE(cuda.backend->renderPass(params, stop, &samples));
+        ASSERT_TRUE(renderPathPass(*cuda.backend, params, stop, &samples));
         const auto expected = cpuSamples<PixelSample>(*scene, params, mask, &KernelVariant::renderTile);
         EXPECT_EQ(countDifferences(samples, expected), 0u);
         Vec3 sum(0.0f);
@@ -99,13 +100,13 @@ TEST(CudaBackend, TheSmallestVariantRuns) {
     std::vector<PixelSample> out;
     const SceneDescription cornell = test::cornellBox();
     ASSERT_TRUE(cuda.backend->setScene(build(cornell)));
-    ASSERT_TRUE(cuda.backend->renderPass(passParamsOf(cornell), stop, &out));
+    ASSERT_TRUE(renderPathPass(*cuda.backend, passParamsOf(cornell), stop, &out));
     EXPECT_EQ(cuda.control->lastVariant, "diffuse shapes");
     EXPECT_EQ(cuda.backend->kernelName(SamplerKind::Sobol), "diffuse shapes");
     // A setting of the pass can ask for more than the scene.
     PassParams independent = passParamsOf(cornell);
     independent.sampler = SamplerKind::Independent;
-    ASSERT_TRUE(cuda.backend->renderPass(independent, stop, &out));
+    ASSERT_TRUE(renderPathPass(*cuda.backend, independent, stop, &out));
     EXPECT_EQ(cuda.control->lastVariant, "full");
 }
 
@@ -119,7 +120,7 @@ TEST(CudaBackend, AStopDiscardsThePassAfterTheLaunchInFlight) {
     std::atomic<bool> stop{false};
     cuda.control->onLaunch = [&] { stop = true; };
     std::vector<PixelSample> out;
-    const auto finished = cuda.backend->renderPass(passParamsOf(description), stop, &out);
+    const auto finished = renderPathPass(*cuda.backend, passParamsOf(description), stop, &out);
     ASSERT_TRUE(finished);
     EXPECT_FALSE(*finished);
     EXPECT_EQ(cuda.control->launches, 1);
@@ -131,13 +132,13 @@ TEST(CudaBackend, AFailedLaunchIsAnErrorAndTheNextPassMayWork) {
     const SceneDescription description = test::cornellBox();
     const std::atomic<bool> stop{false};
     std::vector<PixelSample> out;
-    EXPECT_FALSE(cuda.backend->renderPass(passParamsOf(description), stop, &out)) << "without a scene";
+    EXPECT_FALSE(renderPathPass(*cuda.backend, passParamsOf(description), stop, &out)) << "without a scene";
     ASSERT_TRUE(cuda.backend->setScene(build(description)));
     cuda.control->failLaunch = 0;
-    const auto failed = cuda.backend->renderPass(passParamsOf(description), stop, &out);
+    const auto failed = renderPathPass(*cuda.backend, passParamsOf(description), stop, &out);
     ASSERT_FALSE(failed);
     EXPECT_EQ(failed.error().message, "the test device failed");
-    EXPECT_TRUE(cuda.backend->renderPass(passParamsOf(description), stop, &out));
+    EXPECT_TRUE(renderPathPass(*cuda.backend, passParamsOf(description), stop, &out));
 }
 
 TEST(CudaBackend, AImageThatDoesNotFitIsAnErrorBeforeItIsTaken) {
@@ -149,7 +150,7 @@ TEST(CudaBackend, AImageThatDoesNotFitIsAnErrorBeforeItIsTaken) {
     const int allocations = cuda.control->allocations;
     const std::atomic<bool> stop{false};
     std::vector<PixelSample> out;
-    const auto failed = cuda.backend->renderPass(passParamsOf(description), stop, &out);
+    const auto failed = renderPathPass(*cuda.backend, passParamsOf(description), stop, &out);
     ASSERT_FALSE(failed);
     EXPECT_NE(failed.error().message.find("picture needs"), std::string::npos) << failed.error().message;
     EXPECT_EQ(cuda.control->allocations, allocations);
@@ -161,7 +162,7 @@ TEST(CudaBackend, GivesAllMemoryBack) {
     const std::atomic<bool> stop{false};
     std::vector<PixelSample> out;
     ASSERT_TRUE(cuda.backend->setScene(build(description)));
-    ASSERT_TRUE(cuda.backend->renderPass(passParamsOf(description), stop, &out));
+    ASSERT_TRUE(renderPathPass(*cuda.backend, passParamsOf(description), stop, &out));
     EXPECT_GT(cuda.control->taken(), 0u);
     cuda.backend.reset();
     EXPECT_EQ(cuda.control->taken(), 0u);

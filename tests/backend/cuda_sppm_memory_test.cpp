@@ -6,7 +6,9 @@
 #if GLINT_HAS_CUDA
 
 #include "engine/render/pass_params.h"
+#include "engine/render/path_pass.h"
 #include "engine/render/photon_store.h"
+#include "engine/render/sppm_integrator.h"
 #include "engine/render/sppm_state.h"
 #include "tests/support/host_cuda.h"
 #include "tests/support/photon_passes.h"
@@ -37,11 +39,11 @@ struct CudaSppmMemory : testing::Test {
         ASSERT_TRUE(cuda.backend->setScene(build(description)));
         // The picture's own samples are the path tracer's business.
         std::vector<PixelSample> out;
-        ASSERT_TRUE(cuda.backend->renderPass(params.pass, stop, &out));
+        ASSERT_TRUE(renderPathPass(*cuda.backend, params.pass, stop, &out));
     }
     Result<bool> renderPass() {
         params.pass.pass = photons.state.passes;
-        return cuda.backend->renderSppmPass(params, stop, &photons.state, &photons.direct);
+        return renderSppmPass(*cuda.backend, params, stop, &photons.state, &photons.direct);
     }
 };
 
@@ -51,7 +53,7 @@ TEST_F(CudaSppmMemory, PathTracingAloneTakesNothingForPhotons) {
     ASSERT_TRUE(paths.backend->setScene(build(description)));
     const size_t scene = paths.control->taken();
     std::vector<PixelSample> out;
-    ASSERT_TRUE(paths.backend->renderPass(params.pass, stop, &out));
+    ASSERT_TRUE(renderPathPass(*paths.backend, params.pass, stop, &out));
     EXPECT_EQ(paths.control->taken(), scene + pixels * sizeof(PixelSample));
 }
 
@@ -93,7 +95,7 @@ TEST_F(CudaSppmMemory, AFailedAllocationIsAnErrorAndTheNextPassMayWork) {
         Photons own{SppmState(200, 150)};
         params.pass.pass = 0;
         fresh.control->failAllocation = failing;
-        const auto done = fresh.backend->renderSppmPass(params, stop, &own.state, &own.direct);
+        const auto done = renderSppmPass(*fresh.backend, params, stop, &own.state, &own.direct);
         fresh.control->failAllocation = -1;
         if (done) { break; }
         ++failures;
@@ -146,7 +148,7 @@ TEST_F(CudaSppmMemory, MorePhotonsThanAnyStoreHoldsIsAnErrorOnBoth) {
     const auto cpu = makeCpuBackend(2);
     ASSERT_TRUE(cpu->setScene(build(description)));
     for (Backend* const backend : {cpu.get(), cuda.backend.get()}) {
-        const auto done = backend->renderSppmPass(params, stop, &photons.state, &photons.direct);
+        const auto done = renderSppmPass(*backend, params, stop, &photons.state, &photons.direct);
         ASSERT_FALSE(done) << backend->name();
         EXPECT_THAT(done.error().message, HasSubstr("fewer photons a pass"));
         EXPECT_EQ(photons.state.passes, 0u);

@@ -13,6 +13,7 @@
 #include "engine/render/pass_params.h"
 #include "engine/render/photon_store.h"
 #include "engine/render/render_session.h"
+#include "engine/render/sppm_integrator.h"
 #include "tests/support/host_cuda.h"
 #include "tests/support/photon_passes.h"
 #include "tests/support/session_render.h"
@@ -176,7 +177,7 @@ TEST(CudaSppm, AStopAtAnyStageLeavesTheStatisticsAlone) {
             state.passes = 2;
         }
         const SppmState untouched = state;
-        const auto done = cuda.backend->renderSppmPass(large, stop, &state, &photons.direct);
+        const auto done = renderSppmPass(*cuda.backend, large, stop, &state, &photons.direct);
         ASSERT_TRUE(done) << done.error().message;
         EXPECT_FALSE(*done) << step;
         EXPECT_EQ(differingPixels(state, untouched), 0u) << step;
@@ -202,7 +203,7 @@ TEST(CudaSppm, AFailureOfAnyLaunchLeavesTheStatisticsAlone) {
     const std::atomic<bool> stop{false};
     for (int launch = 0; launch < launches; ++launch) {
         cuda.control->failLaunch = launch;
-        const auto done = cuda.backend->renderSppmPass(params, stop, &photons.state, &photons.direct);
+        const auto done = renderSppmPass(*cuda.backend, params, stop, &photons.state, &photons.direct);
         ASSERT_FALSE(done) << launch;
         EXPECT_EQ(done.error().message, "the test device failed");
         EXPECT_EQ(differingPixels(photons.state, before), 0u) << launch;
@@ -226,7 +227,7 @@ TEST(CudaSppm, GoesOnFromTheCpusStatisticsAndBack) {
     renderPasses(*cpu, params, 1, &photons);
     expectSame(photons, render(*cpu, params, 5));
     // The host may clear its statistics between passes.
-    photons.state.clear();
+    photons.state.reset(photons.state.width, photons.state.height);
     renderPasses(*cuda.backend, params, 2, &photons);
     expectSame(photons, render(*cpu, params, 2));
 }
@@ -244,8 +245,8 @@ TEST(CudaSppm, ASessionResumedFromACheckpointEqualsTheCpusWithoutABreak) {
     HostCuda second;
     const SessionCapture resumed =
         test::renderSession(std::move(second.backend), scene, 4, 2, std::move(*loaded));
-    EXPECT_EQ(resumed.sppm.passes, 4u);
-    EXPECT_EQ(differingPixels(resumed.sppm, whole.sppm), 0u);
+    EXPECT_EQ(photonsOf(resumed).passes, 4u);
+    EXPECT_EQ(differingPixels(photonsOf(resumed), photonsOf(whole)), 0u);
     for (size_t i = 0; i < whole.film.pixels().size(); ++i) {
         ASSERT_EQ(resumed.film.pixels()[i].mean, whole.film.pixels()[i].mean) << i;
     }
@@ -268,8 +269,8 @@ TEST(CudaSppm, ASwitchOfIntegratorsAndBackLosesNothing) {
     renderTo(IntegratorKind::Sppm, 4, EditKind::Integrator);
     const auto capture = session.capture();
     ASSERT_TRUE(capture);
-    EXPECT_EQ(capture->sppm.passes, 4u);
-    EXPECT_EQ(differingPixels(capture->sppm, whole.sppm), 0u);
+    EXPECT_EQ(photonsOf(*capture).passes, 4u);
+    EXPECT_EQ(differingPixels(photonsOf(*capture), photonsOf(whole)), 0u);
 }
 
 TEST(CudaSppm, TheSmallestVariantRuns) {
@@ -298,7 +299,7 @@ TEST(CudaSppm, TheTreeIsRefusedByName) {
     Photons photons{SppmState(37, 29)};
     const std::atomic<bool> stop{false};
     const auto done =
-        cuda.backend->renderSppmPass(sppmParamsOf(description), stop, &photons.state, &photons.direct);
+        renderSppmPass(*cuda.backend, sppmParamsOf(description), stop, &photons.state, &photons.direct);
     ASSERT_FALSE(done);
     EXPECT_THAT(done.error().message, HasSubstr("choose \"grid\""));
 }

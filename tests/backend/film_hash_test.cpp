@@ -46,11 +46,13 @@ std::string fingerprint(const SessionCapture& capture) {
         hash.add(pixel.luminanceM2);
         hash.add(pixel.count);
     }
-    for (const SppmPixel& pixel : capture.sppm.pixels) {
-        hash.add(pixel.radiusSquared);
-        hash.add(pixel.photonCount);
-        for (const double flux : pixel.flux) {
-            hash.add(flux);
+    if (const SppmState* photons = asSppm(capture.statistics.get())) {
+        for (const SppmPixel& pixel : photons->pixels) {
+            hash.add(pixel.radiusSquared);
+            hash.add(pixel.photonCount);
+            for (const double flux : pixel.flux) {
+                hash.add(flux);
+            }
         }
     }
     return hash.finish().hex();

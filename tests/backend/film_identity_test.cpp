@@ -6,6 +6,7 @@
 
 #include "engine/builders/scene_builder.h"
 #include "engine/render/pass_params.h"
+#include "engine/render/path_pass.h"
 #include "engine/render/render_session.h"
 #include "tests/support/film_bits.h"
 #include "tests/support/test_scenes.h"
@@ -73,8 +74,8 @@ TEST(FilmIdentity, AStoppedPassLeavesNoTrace) {
     ASSERT_TRUE(backend->setScene(*built).ok());
     const std::atomic<bool> stopped{true};
     std::vector<PixelSample> samples;
-    EXPECT_FALSE(*backend->renderPass(passParamsOf(scene), stopped, &samples));
-    EXPECT_FALSE(makeCpuBackend(1)->renderPass(passParamsOf(scene), kNever, &samples).ok())
+    EXPECT_FALSE(*renderPathPass(*backend, passParamsOf(scene), stopped, &samples));
+    EXPECT_FALSE(renderPathPass(*makeCpuBackend(1), passParamsOf(scene), kNever, &samples).ok())
         << "there is no scene";
 }
 

@@ -40,19 +40,21 @@ bool sameBits(const SppmPixel& a, const SppmPixel& b) {
 }
 
 void expectSame(const SessionCapture& a, const SessionCapture& b) {
+    const SppmState& ofA = photonsOf(a);
+    const SppmState& ofB = photonsOf(b);
     EXPECT_EQ(a.film.passes(), b.film.passes());
-    EXPECT_EQ(a.sppm.passes, b.sppm.passes);
-    EXPECT_EQ(a.sppm.emittedPhotons, b.sppm.emittedPhotons);
+    EXPECT_EQ(ofA.passes, ofB.passes);
+    EXPECT_EQ(ofA.emittedPhotons, ofB.emittedPhotons);
     ASSERT_EQ(a.film.pixels().size(), b.film.pixels().size());
-    ASSERT_EQ(a.sppm.pixels.size(), b.sppm.pixels.size());
+    ASSERT_EQ(ofA.pixels.size(), ofB.pixels.size());
     size_t different = 0;
-    for (size_t i = 0; i < a.sppm.pixels.size(); ++i) {
+    for (size_t i = 0; i < ofA.pixels.size(); ++i) {
         const FilmPixel& p = a.film.pixels()[i];
         const FilmPixel& q = b.film.pixels()[i];
         const bool same = std::memcmp(p.mean.data(), q.mean.data(), sizeof p.mean) == 0 &&
                           std::memcmp(&p.luminanceM2, &q.luminanceM2, sizeof p.luminanceM2) == 0 &&
                           p.count == q.count && p.halfSampleMean == q.halfSampleMean &&
-                          sameBits(a.sppm.pixels[i], b.sppm.pixels[i]);
+                          sameBits(ofA.pixels[i], ofB.pixels[i]);
         different += same ? 0 : 1;
     }
     EXPECT_EQ(different, 0u);
@@ -72,7 +74,7 @@ TEST(SppmResume, SixPassesAreThreeAndThreeMoreToTheLastBit) {
     for (const PhotonLookupKind lookup : {PhotonLookupKind::Grid, PhotonLookupKind::Tree}) {
         const SceneDescription scene = photonScene(lookup);
         const SessionCapture whole = renderTo(6, scene, 2);
-        EXPECT_EQ(whole.sppm.passes, 6u);
+        EXPECT_EQ(photonsOf(whole).passes, 6u);
         EXPECT_EQ(whole.curve.points().size(), 5u);
         EXPECT_EQ(whole.film.calibration().passes, 4u);
         for (const int threads : {1, 2}) {
@@ -82,10 +84,11 @@ TEST(SppmResume, SixPassesAreThreeAndThreeMoreToTheLastBit) {
             ASSERT_TRUE(saveCheckpoint(path, half));
             Result<ResumePoint> loaded = loadCheckpoint(path, scene);
             ASSERT_TRUE(loaded) << loaded.error().format();
-            expectSame(
-                SessionCapture{
-                    .scene = half.scene, .film = loaded->film, .sppm = loaded->sppm, .curve = loaded->curve},
-                half);
+            expectSame(SessionCapture{.scene = half.scene,
+                                      .film = loaded->film,
+                                      .statistics = loaded->statistics->clone(),
+                                      .curve = loaded->curve},
+                       half);
             expectSame(renderTo(6, scene, threads, std::move(*loaded)), whole);
         }
     }
@@ -128,15 +131,20 @@ TEST(SppmResume, ACheckpointWithoutItsStatisticsIsRefused) {
     const TempFolder folder;
     const std::string path = folder.path("a.checkpoint");
     SessionCapture capture = renderTo(2, photonScene(), 2);
-    capture.sppm.passes = 1;  // the film says 2
+    const auto photons = std::make_shared<SppmState>(photonsOf(capture));
+    capture.statistics = photons;
+    photons->passes = 1;  // the film says 2
     ASSERT_TRUE(saveCheckpoint(path, capture));
     EXPECT_THAT(loadCheckpoint(path, photonScene()).error().format(),
                 HasSubstr("its photon statistics cannot be read"));
-    capture.sppm.passes = 2;
-    capture.sppm.pixels[5].radiusSquared = std::numeric_limits<double>::infinity();
+    photons->passes = 2;
+    photons->pixels[5].radiusSquared = std::numeric_limits<double>::infinity();
     ASSERT_TRUE(saveCheckpoint(path, capture));
     EXPECT_FALSE(loadCheckpoint(path, photonScene()));
-    capture.sppm = {};
+    *photons = {};
+    ASSERT_TRUE(saveCheckpoint(path, capture));
+    EXPECT_FALSE(loadCheckpoint(path, photonScene()));
+    capture.statistics = nullptr;
     ASSERT_TRUE(saveCheckpoint(path, capture));
     EXPECT_FALSE(loadCheckpoint(path, photonScene()));
 }
@@ -145,7 +153,7 @@ TEST(SppmSnapshot, OfACaptureHasTheErrorOfBothParts) {
     const SessionCapture capture = renderTo(3, photonScene(), 2);
     const auto image = makeSnapshot(capture, {}, 1);
     EXPECT_EQ(image->integrator, IntegratorKind::Sppm);
-    EXPECT_EQ(image->relativeError, estimateError(capture.film, &capture.sppm).relative);
+    EXPECT_EQ(image->relativeError, estimateError(capture.film, capture.statistics.get()).relative);
     EXPECT_NE(image->relativeError, estimateError(capture.film, nullptr).relative);
     EXPECT_EQ(image->renderSeconds, capture.renderSeconds);
 }

@@ -6,24 +6,20 @@
 #include <thread>
 #include <utility>
 
+#include "engine/render/sppm_state.h"
+
 namespace glint::test {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-class FakeBackend final : public Backend {
+/// The same picture by every integrator; where it has photons, every pixel has a visible point of radius 1.
+class FakeIntegrator final : public Integrator {
   public:
-    explicit FakeBackend(std::shared_ptr<FakeControl> control) : control_(std::move(control)) {}
-
-    std::string name() const override { return "fake"; }
-
-    Status setScene(std::shared_ptr<const BuiltScene>) override {
-        ++control_->scenes;
-        return control_->failScenes ? Status(Error{"the scene does not fit", {}}) : Status();
-    }
+    explicit FakeIntegrator(std::shared_ptr<FakeControl> control) : control_(std::move(control)) {}
 
     Result<bool> renderPass(const PassParams& params, const std::atomic<bool>& stop,
-                            std::vector<PixelSample>* out) override {
+                            ImageStatistics* statistics, std::vector<PixelSample>* out) override {
         {
             const std::lock_guard lock(control_->mutex);
             control_->begun.push_back(params);
@@ -41,28 +37,14 @@ class FakeBackend final : public Backend {
                 sample = {fakeRadiance(x, y, params.pass, params.seed), SampleFault::None, 3};
             }
         }
-        ++control_->passes;
-        return true;
-    }
-
-    /// The film's part is the path tracer's picture; every pixel has a visible point of radius 1.
-    Result<bool> renderSppmPass(const SppmParams& params, const std::atomic<bool>& stop, SppmState* state,
-                                std::vector<PixelSample>* direct) override {
-        Result<bool> done = renderPass(params.pass, stop, direct);
-        if (!done || !*done) { return done; }
-        for (SppmPixel& pixel : state->pixels) {
-            pixel.radiusSquared = 1.0;
+        if (auto* photons = dynamic_cast<SppmState*>(statistics)) {
+            for (SppmPixel& pixel : photons->pixels) {
+                pixel.radiusSquared = 1.0;
+            }
+            ++photons->passes;
+            photons->emittedPhotons += 1000;
         }
-        ++state->passes;
-        state->emittedPhotons += params.photonsPerPass;
-        return true;
-    }
-
-    Result<bool> renderAovPass(const PassParams& params, const std::atomic<bool>& stop,
-                               std::vector<AovSample>* out) override {
-        if (stop) { return false; }
-        out->assign(static_cast<size_t>(params.width) * params.height, AovSample{});
-        ++control_->aovPasses;
+        ++control_->passes;
         return true;
     }
 
@@ -79,6 +61,33 @@ class FakeBackend final : public Backend {
     }
 
     std::shared_ptr<FakeControl> control_;
+};
+
+class FakeBackend final : public Backend {
+  public:
+    explicit FakeBackend(std::shared_ptr<FakeControl> control)
+        : control_(std::move(control)), integrator_(control_) {}
+
+    std::string name() const override { return "fake"; }
+
+    Status setScene(std::shared_ptr<const BuiltScene>) override {
+        ++control_->scenes;
+        return control_->failScenes ? Status(Error{"the scene does not fit", {}}) : Status();
+    }
+
+    Result<Integrator*> integrator(IntegratorKind) override { return &integrator_; }
+
+    Result<bool> renderAovPass(const PassParams& params, const std::atomic<bool>& stop,
+                               std::vector<AovSample>* out) override {
+        if (stop) { return false; }
+        out->assign(static_cast<size_t>(params.width) * params.height, AovSample{});
+        ++control_->aovPasses;
+        return true;
+    }
+
+  private:
+    std::shared_ptr<FakeControl> control_;
+    FakeIntegrator integrator_;
 };
 
 Result<std::shared_ptr<const BuiltScene>> fakeBuild(FakeControl& control, const SceneEdit& edit,

@@ -9,6 +9,7 @@
 #include "engine/io/scene_loader.h"
 #include "engine/render/backend.h"
 #include "engine/render/pass_params.h"
+#include "engine/render/path_pass.h"
 #include "tests/support/temp_folder.h"
 
 namespace glint::test {
@@ -28,7 +29,7 @@ Film renderPasses(const SceneDescription& scene, uint32_t passes, int threads) {
     PassParams params = passParamsOf(scene);
     std::vector<PixelSample> samples;
     for (params.pass = 0; params.pass < passes; ++params.pass) {
-        EXPECT_TRUE(*backend->renderPass(params, kNever, &samples));
+        EXPECT_TRUE(*renderPathPass(*backend, params, kNever, &samples));
         film.commit(samples, params.pass, threads);
     }
     return film;

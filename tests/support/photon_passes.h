@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/render/backend.h"
+#include "engine/render/sppm_integrator.h"
 #include "engine/render/sppm_state.h"
 
 namespace glint::test {
@@ -24,7 +25,7 @@ inline void renderPasses(Backend& backend, SppmParams params, uint32_t passes, P
     const std::atomic<bool> stop{false};
     for (uint32_t i = 0; i < passes; ++i) {
         params.pass.pass = photons->state.passes;
-        const auto done = backend.renderSppmPass(params, stop, &photons->state, &photons->direct);
+        const auto done = renderSppmPass(backend, params, stop, &photons->state, &photons->direct);
         ASSERT_TRUE(done) << done.error().message;
         ASSERT_TRUE(*done);
     }

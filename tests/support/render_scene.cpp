@@ -7,6 +7,7 @@
 #include "engine/builders/scene_builder.h"
 #include "engine/render/backend.h"
 #include "engine/render/pass_params.h"
+#include "engine/render/path_pass.h"
 
 namespace glint::test {
 
@@ -32,7 +33,7 @@ Film renderFilm(const SceneDescription& scene, uint32_t passes, DirectLightTag d
     std::vector<PixelSample> samples;
     for (uint32_t pass = 0; pass < passes; ++pass) {
         params.pass = pass;
-        if (!backend->renderPass(params, stop, &samples)) {
+        if (!renderPathPass(*backend, params, stop, &samples)) {
             ADD_FAILURE() << "pass " << pass << " failed";
             break;
         }

@@ -20,4 +20,11 @@ SessionCapture renderSession(std::unique_ptr<Backend> backend, const SceneDescri
     return capture ? std::move(*capture) : SessionCapture{.scene = shared};
 }
 
+const SppmState& photonsOf(const SessionCapture& capture) {
+    static const SppmState kNone;
+    const SppmState* photons = asSppm(capture.statistics.get());
+    EXPECT_NE(photons, nullptr);
+    return photons != nullptr ? *photons : kNone;
+}
+
 }  // namespace glint::test

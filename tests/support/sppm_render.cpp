@@ -8,6 +8,7 @@
 #include "engine/render/backend.h"
 #include "engine/render/film.h"
 #include "engine/render/pass_params.h"
+#include "engine/render/path_pass.h"
 
 namespace glint::test {
 namespace {
@@ -53,7 +54,7 @@ SppmRender renderSppm(const SceneDescription& scene, SppmParams params, uint32_t
     }
     result.image = imageOf(film);
     for (size_t i = 0; i < result.image.size(); ++i) {
-        result.image[i] += result.state.photonRadiance(i);
+        result.image[i] += result.state.radianceOf(i);
     }
     result.lastPass = sppm.stats();
     return result;
@@ -70,7 +71,7 @@ std::vector<Vec3> renderPaths(const SceneDescription& scene, uint32_t seed, uint
     const std::atomic<bool> stop{false};
     for (uint32_t pass = 0; pass < passes; ++pass) {
         params.pass = pass;
-        if (!backend->renderPass(params, stop, &samples)) { throw std::runtime_error("a pass failed"); }
+        if (!renderPathPass(*backend, params, stop, &samples)) { throw std::runtime_error("a pass failed"); }
         film.commit(samples, pass, 1);
     }
     return imageOf(film);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/render/sppm_state.h"
 #include "tests/support/fake_backend.h"
 
 namespace glint {
@@ -112,7 +113,7 @@ TEST(ComparingSession, TheOtherImageCarriesWhatIsAskedForToo) {
     EXPECT_EQ(other->map(kPhotonCountMap).size(), 64u);
     EXPECT_EQ(other->standardError.size(), 64u);
     ASSERT_NE(other->aovs, nullptr);
-    EXPECT_EQ(other->aovs->passes(), RenderSession::kAovPasses);
+    EXPECT_EQ(other->aovs->passes(), kAovPasses);
     EXPECT_TRUE(bench.session.snapshot()->maps.empty()) << "path tracing has no photons";
 }
 

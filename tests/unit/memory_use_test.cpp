@@ -20,6 +20,7 @@ TEST(MemoryUse, NotCounted) { GTEST_SKIP() << "the thread sanitizer brings its o
 #include "engine/render/checkpoint.h"
 #include "engine/render/memory_use.h"
 #include "engine/render/render_session.h"
+#include "engine/render/sppm_state.h"
 #include "tests/support/render_scene.h"
 #include "tests/support/temp_folder.h"
 #include "tests/support/test_scenes.h"
@@ -276,7 +277,7 @@ TEST(MemoryUse, ACheckpointsPeakIsItsSize) {
     const size_t before = largeBytes;
     largePeak = before;
     ASSERT_TRUE(saveCheckpoint(folder.path("a.glintckp"), capture).ok());
-    const size_t file = checkpointBytes(kSize, kSize, false);
+    const size_t file = checkpointBytes(kSize, kSize, IntegratorKind::PathTracing);
     EXPECT_GE(largePeak - before, file);
     EXPECT_LE(largePeak - before, file + file / 8 + 256 * 1024);
 }

@@ -179,7 +179,7 @@ TEST(Session, AovsAndStandardErrorsComeOnRequestAlsoWhenFinished) {
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
     const auto snapshot = bench.session->snapshot();
     ASSERT_NE(snapshot->aovs, nullptr);
-    EXPECT_EQ(snapshot->aovs->passes(), RenderSession::kAovPasses);
+    EXPECT_EQ(snapshot->aovs->passes(), kAovPasses);
     EXPECT_EQ(snapshot->standardError.size(), 64u);
     EXPECT_EQ(bench.session->status().passes, 4u);
 }
@@ -210,7 +210,7 @@ TEST(Session, LayersThatAnEditKeepsHaveTheImagesSizeAfterPreviews) {
         const auto snapshot = bench.session->snapshot();
         ASSERT_NE(snapshot->aovs, nullptr);
         EXPECT_EQ(snapshot->aovs->width(), 64);
-        EXPECT_EQ(snapshot->aovs->passes(), RenderSession::kAovPasses);
+        EXPECT_EQ(snapshot->aovs->passes(), kAovPasses);
     }
 }
 

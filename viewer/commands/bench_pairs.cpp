@@ -36,7 +36,7 @@ bool samePixel(const SppmPixel& a, const SppmPixel& b) {
 }
 
 double channelOf(const Film& film, const SppmState& sppm, size_t pixel, int channel) {
-    const double photons = sppm.passes > 0 ? static_cast<double>(sppm.photonRadiance(pixel)[channel]) : 0.0;
+    const double photons = sppm.passes > 0 ? static_cast<double>(sppm.radianceOf(pixel)[channel]) : 0.0;
     return film.pixels()[pixel].mean[static_cast<size_t>(channel)] + photons;
 }
 

@@ -6,6 +6,7 @@
 
 #include "engine/builders/power_distribution.h"
 #include "engine/render/cpu_sppm.h"
+#include "engine/render/film.h"
 #include "engine/render/pass_params.h"
 #include "viewer/commands/bench.h"
 #include "viewer/commands/bench_scenes.h"

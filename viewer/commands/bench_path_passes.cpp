@@ -2,6 +2,7 @@
 
 #include <atomic>
 
+#include "engine/render/path_pass.h"
 #include "viewer/commands/bench_statistics.h"
 
 namespace glint {
@@ -17,7 +18,7 @@ double PathPasses::render(uint32_t pass) {
     static const std::atomic<bool> never{false};
     params_.pass = pass;
     const Stopwatch stopwatch;
-    (void)backend_->renderPass(params_, never, &samples_);
+    (void)renderPathPass(*backend_, params_, never, &samples_);
     film_.commit(samples_, pass, threads_);
     return stopwatch.seconds();
 }

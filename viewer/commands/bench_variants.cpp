@@ -10,6 +10,8 @@
 #include "engine/render/backend.h"
 #include "engine/render/cpu_variants.h"
 #include "engine/render/pass_params.h"
+#include "engine/render/path_pass.h"
+#include "engine/render/sppm_integrator.h"
 #include "engine/render/sppm_kernel.h"
 #include "viewer/commands/bench.h"
 #include "viewer/commands/bench_pairs.h"
@@ -47,8 +49,8 @@ class KernelRun {
         const Stopwatch stopwatch;
         const double processorBefore = processorSeconds();
         const auto done = integrator_ == IntegratorKind::Sppm
-                              ? backend_->renderSppmPass(params_, never, &sppm_, &samples_)
-                              : backend_->renderPass(params_.pass, never, &samples_);
+                              ? renderSppmPass(*backend_, params_, never, &sppm_, &samples_)
+                              : renderPathPass(*backend_, params_.pass, never, &samples_);
         const double processor = processorSeconds() - processorBefore;
         const double wall = stopwatch.seconds();
         if (pass > 0) { wallSeconds_.push_back(wall); }

@@ -1,5 +1,7 @@
 #include "viewer/commands/memory_table.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -37,9 +39,12 @@ std::string cell(uint64_t bytes) { return bytes == 0 ? "-" : formatBytes(bytes);
 
 MemoryTable memoryTableOf(const SceneDescription& scene, const BuiltScene& built, const LeftOnDisk& left) {
     const IntegratorKind integrator = scene.options.integrator;
-    const bool sppm = integrator == IntegratorKind::Sppm;
     const MemoryUse planned = plannedMemory(scene, integrator, false);
-    MemoryUse most = plannedMemory(scene, IntegratorKind::Sppm, true);
+    MemoryUse most;
+    for (const IntegratorInfo& info : kIntegratorTable) {
+        const MemoryUse of = plannedMemory(scene, info.kind, true);
+        std::ranges::transform(most.bytes, of.bytes, most.bytes.begin(), std::ranges::max);
+    }
     most[MemoryPart::VertexShading] = leftOutUvBytes(scene);
     most[MemoryPart::Textures] = left.textures;
     most[MemoryPart::Environment] = left.environment;
@@ -58,7 +63,7 @@ MemoryTable memoryTableOf(const SceneDescription& scene, const BuiltScene& built
     table.heldUnused = unused.total();
     table.notAllocated = most.total() - planned.total();
     table.checkpointPeak = used[MemoryPart::Film] + used[MemoryPart::SppmStatistics] +
-                           checkpointBytes(scene.resolution.width, scene.resolution.height, sppm);
+                           checkpointBytes(scene.resolution.width, scene.resolution.height, integrator);
     return table;
 }
 

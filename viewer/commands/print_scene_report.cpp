@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "engine/render/photon_store.h"
+#include "engine/render/sppm_state.h"
 
 namespace glint {
 namespace {

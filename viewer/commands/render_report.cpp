@@ -7,12 +7,13 @@
 
 #include "engine/base/log.h"
 #include "engine/render/error_estimate.h"
+#include "engine/render/sppm_state.h"
 #include "viewer/commands/json_output.h"
 
 namespace glint {
 namespace {
 
-bool isSppm(const RenderReport& r) { return r.capture.scene->options.integrator == IntegratorKind::Sppm; }
+IntegratorKind integratorOf(const RenderReport& r) { return r.capture.scene->options.integrator; }
 
 double pathCount(const Film& film) { return static_cast<double>(film.pixels().size()) * film.passes(); }
 
@@ -28,8 +29,8 @@ void printSummary(const RenderReport& r, const ErrorEstimate& error) {
     fmt::print("{}: {}x{}, {} passes in {:.2f} s ({:.2f} Mpaths/s, {}, kernel {}), relative error {}\n",
                r.options.output, film.width(), film.height(), film.passes(), seconds,
                pathCount(film) / seconds * 1e-6, r.status.backend, r.status.kernel, describe(error));
-    if (isSppm(r)) {
-        const auto emitted = static_cast<double>(r.capture.sppm.emittedPhotons);
+    if (const SppmState* photons = asSppm(r.capture.statistics.get())) {
+        const auto emitted = static_cast<double>(photons->emittedPhotons);
         fmt::print("photons: {} a pass, {:.4g} in all ({:.3f} M/s)\n", r.photonsPerPass, emitted,
                    emitted / seconds * 1e-6);
     }
@@ -42,7 +43,7 @@ void reportFaults(const RenderReport& r) {
     if (dropped == 0) { return; }
     fmt::print(stderr, "{} samples were dropped: {} not a number, {} infinite, {} negative\n", dropped,
                counts[1], counts[2], counts[3]);
-    if (!film.faults().empty() && !isSppm(r)) {
+    if (!film.faults().empty() && integratorOf(r) == IntegratorKind::PathTracing) {
         const FaultRecord& first = film.faults().front();
         fmt::print(stderr, "  look into the first with: glint render {}{} --pixel {},{} --pass {}\n",
                    quotedForShell(r.options.scene), r.options.sceneOptions, first.x, first.y, first.pass);
@@ -94,7 +95,7 @@ nlohmann::ordered_json jsonReport(const RenderReport& r, const ErrorEstimate& er
     }
     nlohmann::ordered_json report = {{"scene", r.options.scene},
                                      {"output", r.options.output},
-                                     {"integrator", isSppm(r) ? "sppm" : "path"},
+                                     {"integrator", integratorInfo(integratorOf(r)).key},
                                      {"width", film.width()},
                                      {"height", film.height()},
                                      {"passes", film.passes()},
@@ -118,11 +119,11 @@ nlohmann::ordered_json jsonReport(const RenderReport& r, const ErrorEstimate& er
                                        {"negative", film.faultCounts()[3]}}},
                                      {"dropped_samples", faults},
                                      {"firefly_clamp", r.capture.scene->options.fireflyClamp}};
-    if (isSppm(r)) {
+    if (const SppmState* photons = asSppm(r.capture.statistics.get())) {
         report["sppm"] = {{"photons_per_pass", r.photonsPerPass},
                           {"photons_asked", r.capture.scene->sppm.photonsPerPass},
-                          {"emitted_photons", r.capture.sppm.emittedPhotons},
-                          {"bytes", r.capture.sppm.bytes()}};
+                          {"emitted_photons", photons->emittedPhotons},
+                          {"bytes", photons->bytes()}};
     }
     return report;
 }
@@ -130,7 +131,7 @@ nlohmann::ordered_json jsonReport(const RenderReport& r, const ErrorEstimate& er
 }  // namespace
 
 Status reportRender(const RenderReport& r) {
-    const ErrorEstimate error = estimateError(r.capture.film, &r.capture.sppm, r.options.threads);
+    const ErrorEstimate error = estimateError(r.capture.film, r.capture.statistics.get(), r.options.threads);
     if (!jsonTakesOutput(r.options.json)) {
         printSummary(r, error);
         printTimeToError(r);

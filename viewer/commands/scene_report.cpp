@@ -12,6 +12,7 @@
 #include "engine/io/used_assets.h"
 #include "engine/render/cpu_variants.h"
 #include "engine/render/sppm_kernel.h"
+#include "engine/render/sppm_state.h"
 #include "engine/scene/scene_use.h"
 
 namespace glint {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/render/sppm_state.h"
+
 namespace glint {
 namespace {
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/render/sppm_state.h"
 #include "viewer/panels/units.h"
 #include "viewer/window/shown_image_source.h"
 

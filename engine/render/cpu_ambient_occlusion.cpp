@@ -1,0 +1,58 @@
+// Ambient occlusion: a preview of shapes that needs neither light nor materials.
+#include "engine/builders/instance_builder.h"
+#include "engine/kernels/ambient_occlusion_kernel.h"
+#include "engine/render/cpu_context.h"
+#include "engine/render/integrator.h"
+
+namespace glint {
+namespace {
+
+/// Of the diagonal of the box around what has an end.
+constexpr float kRadiusShare = 0.1f;
+
+/// World units; infinite for a scene without finite objects.
+float radiusOf(const BuiltScene& scene) {
+    const Bounds& bounds = scene.instances->bounds;
+    const float diagonal = glm::length(bounds.extent());
+    return diagonal > 0.0f ? kRadiusShare * diagonal : kInfinity;
+}
+
+class CpuAmbientOcclusion final : public Integrator {
+  public:
+    explicit CpuAmbientOcclusion(const CpuContext& cpu) : cpu_(cpu) {}
+
+    Result<bool> renderPass(const PassParams& params, const std::atomic<bool>& stop, ImageStatistics*,
+                            std::vector<PixelSample>* samples) override {
+        if (!cpu_.scene) { return noScene(); }
+        const SceneView view = cpu_.scene->view();
+        const float radius = radiusOf(*cpu_.scene);
+        return renderTiles(cpu_, params, stop, samples, [&](const PixelRect& tile) {
+            for (int y = tile.y0; y < tile.y1; ++y) {
+                PixelSample* row =
+                    samples->data() + static_cast<size_t>(y) * static_cast<size_t>(params.width);
+                for (int x = tile.x0; x < tile.x1; ++x) {
+                    row[x] = traceAmbientOcclusion<kAllFeatures>(view, params, radius, x, y);
+                }
+            }
+        });
+    }
+
+  private:
+    const CpuContext& cpu_;
+};
+
+class AmbientOcclusion final : public IntegratorType {
+  public:
+    std::unique_ptr<Integrator> makeOnCpu(const CpuContext& cpu) const override {
+        return std::make_unique<CpuAmbientOcclusion>(cpu);
+    }
+};
+
+}  // namespace
+
+const IntegratorType& typeOfAmbientOcclusion() {
+    static const AmbientOcclusion kType;
+    return kType;
+}
+
+}  // namespace glint

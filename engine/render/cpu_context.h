@@ -1,0 +1,60 @@
+// What the CPU's integrators share: the scene, and the loop over the tiles of a picture. Belongs to the CPU
+// back end.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <new>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "engine/base/result.h"
+#include "engine/builders/built_scene.h"
+#include "engine/render/backend.h"
+#include "engine/render/cpu_variants.h"
+
+namespace glint {
+
+struct CpuContext {
+    int threads = 1;
+    KernelChoice choice = KernelChoice::Specialised;
+    std::shared_ptr<const BuiltScene> scene{};  ///< null before the first
+
+    /// What the scene asks of the kernels.
+    FeatureMask features() const { return choice == KernelChoice::Full ? kAllFeatures : scene->features; }
+    /// The path tracer and the first-hit pictures that run.
+    const KernelVariant& variant(SamplerKind sampler) const {
+        return chooseVariant(kernelVariants(), features(), sampler);
+    }
+};
+
+/// Calls tile(PixelRect) for every tile of the pass, on all threads, until `stop` is raised. Returns false
+/// when it was. `image` gets an entry a pixel. Error: there is no memory for it.
+template <class Sample, class Tile>
+Result<bool> renderTiles(const CpuContext& cpu, const PassParams& params, const std::atomic<bool>& stop,
+                         std::vector<Sample>* image, const Tile& tile) {
+    try {
+        image->resize(static_cast<size_t>(params.width) * static_cast<size_t>(params.height));
+    } catch (const std::bad_alloc&) {
+        return Error{
+            fmt::format("not enough memory for a picture of {}x{} pixels", params.width, params.height), {}};
+    }
+    // Small enough that even paths of 100 microseconds let a stop through within a few milliseconds.
+    constexpr int kTileSize = 8;
+    const int columns = (params.width + kTileSize - 1) / kTileSize;
+    const int rows = (params.height + kTileSize - 1) / kTileSize;
+#pragma omp parallel for schedule(dynamic, 1) num_threads(cpu.threads)
+    for (int index = 0; index < columns * rows; ++index) {
+        if (stop.load(std::memory_order_relaxed)) { continue; }
+        const int x = index % columns * kTileSize;
+        const int y = index / columns * kTileSize;
+        tile(PixelRect{x, y, std::min(x + kTileSize, params.width), std::min(y + kTileSize, params.height)});
+    }
+    return !stop.load();
+}
+
+inline Error noScene() { return {"there is no scene to render", {}}; }
+
+}  // namespace glint
