@@ -156,6 +156,15 @@ TEST(CudaBackend, AImageThatDoesNotFitIsAnErrorBeforeItIsTaken) {
     EXPECT_EQ(cuda.control->allocations, allocations);
 }
 
+TEST(CudaBackend, SaysWhichIntegratorsItHasNoKernelsFor) {
+    HostCuda cuda;
+    EXPECT_TRUE(cuda.backend->integrator(IntegratorKind::PathTracing));
+    EXPECT_TRUE(cuda.backend->integrator(IntegratorKind::Sppm));
+    const auto missing = cuda.backend->integrator(IntegratorKind::AmbientOcclusion);
+    ASSERT_FALSE(missing);
+    EXPECT_NE(missing.error().message.find("no kernels for ao"), std::string::npos);
+}
+
 TEST(CudaBackend, GivesAllMemoryBack) {
     HostCuda cuda;
     const SceneDescription description = test::meshInstances();
