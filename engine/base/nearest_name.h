@@ -1,7 +1,6 @@
 // "Unknown key 'colr'; did you mean 'color'?": the nearest of a list of known names.
 //
-// Called by the loaders, by metal and generator look-ups and by the options' errors. Not for anything
-// per pixel.
+// Not for anything per pixel.
 #pragma once
 
 #include <span>

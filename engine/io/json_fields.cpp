@@ -13,16 +13,8 @@
 namespace glint {
 namespace {
 
-/// A value as a message shows it: short ones as written, others by their type.
-std::string shown(const JsonValue& value) {
-    const bool isShort =
-        value.raw().size() <= 24 && value.type() != JsonType::Object && value.type() != JsonType::Array;
-    if (!isShort) { return std::string(describe(value.type())); }
-    return value.is(JsonType::String) ? fmt::format("\"{}\"", value.raw()) : std::string(value.raw());
-}
-
 bool wrong(JsonErrors& errors, const JsonValue& value, std::string_view what, std::string_view expected) {
-    return errors.add(value, fmt::format("\"{}\" is {}; expected {}", what, shown(value), expected));
+    return errors.add(value, fmt::format("\"{}\" is {}; expected {}", what, shownValue(value), expected));
 }
 
 bool readHexColor(JsonErrors& errors, const JsonValue& value, std::string_view what, Vec3* out) {
@@ -41,6 +33,13 @@ bool readHexColor(JsonErrors& errors, const JsonValue& value, std::string_view w
 
 }  // namespace
 
+std::string shownValue(const JsonValue& value) {
+    const bool isShort =
+        value.raw().size() <= 24 && value.type() != JsonType::Object && value.type() != JsonType::Array;
+    if (!isShort) { return std::string(describe(value.type())); }
+    return value.is(JsonType::String) ? fmt::format("\"{}\"", value.raw()) : std::string(value.raw());
+}
+
 bool expectType(JsonErrors& errors, const JsonValue& value, std::string_view what, JsonType type) {
     return value.is(type) || wrong(errors, value, what, describe(type));
 }
@@ -52,7 +51,7 @@ bool readNumber(JsonErrors& errors, const JsonValue& value, std::string_view wha
     if (parseFloat(value.raw(), &number) != NumberParse::Ok) {
         return wrong(errors, value, what, "a number that a 32-bit float can hold, up to 3.4e38");
     }
-    if (!range.contains(number)) { return wrong(errors, value, what, range.expected); }
+    if (!range.contains(static_cast<double>(number))) { return wrong(errors, value, what, range.expected); }
     *out = number;
     return true;
 }
@@ -94,7 +93,7 @@ bool readColor(JsonErrors& errors, const JsonValue& value, std::string_view what
     return true;
 }
 
-bool readInteger(JsonErrors& errors, const JsonValue& value, std::string_view what, int64_t lo, int64_t hi,
+bool readInteger(JsonErrors& errors, const JsonValue& value, std::string_view what, const NumberRange& range,
                  int64_t* out) {
     int64_t number = 0;
     bool isInteger = value.is(JsonType::Number);
@@ -104,8 +103,8 @@ bool readInteger(JsonErrors& errors, const JsonValue& value, std::string_view wh
         const auto [stop, code] = std::from_chars(text.data(), end, number);
         isInteger = stop == end && code == std::errc();
     }
-    if (!isInteger || number < lo || number > hi) {
-        return wrong(errors, value, what, fmt::format("a whole number from {} to {}", lo, hi));
+    if (!isInteger || !range.contains(static_cast<double>(number))) {
+        return wrong(errors, value, what, range.wholeNumbers());
     }
     *out = number;
     return true;
@@ -119,16 +118,16 @@ bool readString(JsonErrors& errors, const JsonValue& value, std::string_view wha
 }
 
 JsonFields::JsonFields(JsonErrors& errors, const JsonValue& object, std::string_view what,
-                       std::span<const std::string_view> keys)
-    : errors_(errors), what_(what), keys_(keys) {
+                       std::vector<std::string_view> keys)
+    : errors_(errors), what_(what), keys_(std::move(keys)) {
     if (errors.failed() || !expectType(errors, object, what, JsonType::Object)) { return; }
     object_ = object;
     for (JsonValue key = object.first(); key.present(); key = object.next(object.next(key))) {
         const std::string name = key.string();
-        if (std::find(keys.begin(), keys.end(), name) == keys.end()) {
-            const std::string hint = didYouMean(name, keys);
+        if (std::ranges::find(keys_, name) == keys_.end()) {
+            const std::string hint = didYouMean(name, keys_);
             errors.add(key, fmt::format("unknown key \"{}\" of {}{}; expected {}", name.substr(0, 60), what,
-                                        hint, joinNames(keys)));
+                                        hint, joinNames(keys_)));
         }
     }
 }
@@ -146,14 +145,6 @@ JsonValue JsonFields::find(std::string_view key) const {
     return {};
 }
 
-bool JsonFields::hasAny(std::initializer_list<std::string_view> keys) const {
-    if (!object_.present()) { return false; }
-    for (JsonValue key = object_.first(); key.present(); key = object_.next(object_.next(key))) {
-        if (std::find(keys.begin(), keys.end(), key.string()) != keys.end()) { return true; }
-    }
-    return false;
-}
-
 JsonValue JsonFields::require(std::string_view key) const {
     const JsonValue value = find(key);
     if (!value.present() && object_.present()) {
@@ -164,6 +155,12 @@ JsonValue JsonFields::require(std::string_view key) const {
 
 void JsonFields::number(std::string_view key, const NumberRange& range, float* out) const {
     if (const JsonValue value = find(key); value.present()) { readNumber(errors_, value, key, range, out); }
+}
+
+void JsonFields::vec2(std::string_view key, Vec2* out) const {
+    if (const JsonValue value = find(key); value.present()) {
+        readNumbers(errors_, value, key, kAnyNumber, 2, &out->x);
+    }
 }
 
 void JsonFields::vec3(std::string_view key, Vec3* out) const {
@@ -192,17 +189,17 @@ void JsonFields::string(std::string_view key, std::string* out) const {
     if (const JsonValue value = find(key); value.present()) { readString(errors_, value, key, out); }
 }
 
-int JsonFields::word(std::string_view key, std::span<const std::string_view> names) const {
+int JsonFields::word(std::string_view key, std::span<const std::string_view> words) const {
     const JsonValue value = find(key);
     std::string text;
     if (!value.present() || !readString(errors_, value, key, &text)) { return -1; }
-    const auto found = std::find(names.begin(), names.end(), text);
-    if (found == names.end()) {
+    const auto found = std::find(words.begin(), words.end(), text);
+    if (found == words.end()) {
         errors_.add(value, fmt::format("unknown \"{}\" \"{}\"{}; expected {}", key, text.substr(0, 60),
-                                       didYouMean(text, names), joinNames(names)));
+                                       didYouMean(text, words), joinNames(words)));
         return -1;
     }
-    return static_cast<int>(found - names.begin());
+    return static_cast<int>(found - words.begin());
 }
 
 }  // namespace glint

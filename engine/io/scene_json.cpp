@@ -4,22 +4,12 @@
 #include <fmt/format.h>
 
 #include "engine/base/nearest_name.h"
-#include "engine/io/scene_json_keys.h"
-#include "engine/io/scene_json_reader.h"
+#include "engine/io/scene_json_fields.h"
 
 namespace glint {
 namespace {
 
-constexpr int64_t kMaxSide = 32768;
 constexpr int64_t kMaxPixels = int64_t{1} << 28;
-constexpr int64_t kMaxPhotonsPerPass = int64_t{1} << 30;
-constexpr int64_t kMaxMemoryBudgetMiB = int64_t{1} << 22;
-constexpr NumberRange kAlphaRange{
-    .lo = 0.0f, .hi = 1.0f, .openLo = true, .openHi = true, .expected = "a number between 0 and 1"};
-constexpr NumberRange kRadiusRange{
-    .lo = 0.0f, .hi = 1e18f, .expected = "a radius in metres, or 0 for an automatic one"};
-constexpr NumberRange kFootprintRange{
-    .lo = 0.0f, .hi = 1e6f, .openLo = true, .expected = "a number above 0 and up to 1e6"};
 
 }  // namespace
 
@@ -30,7 +20,9 @@ SceneJsonReader::SceneJsonReader(std::shared_ptr<const JsonDocument> document, c
 
 Result<SceneDescription> SceneJsonReader::read() {
     const JsonValue root(document_.get());
-    readRoot(fieldsOf(root, "the scene", "scene"));
+    std::vector<std::string_view> keys = fieldKeys<SceneDescription>();
+    keys.insert(keys.begin(), {"$schema", "glint"});
+    readRoot(fieldsOf(root, "the scene", std::move(keys)));
     if (errors_.failed()) { return errors_.error(); }
     return std::move(scene_);
 }
@@ -38,11 +30,10 @@ Result<SceneDescription> SceneJsonReader::read() {
 void SceneJsonReader::readRoot(const JsonFields& root) {
     int version = 1;
     root.require("glint");
-    root.integer("glint", 1, 1, &version);
+    root.integer("glint", {.lo = 1, .hi = 1}, &version);
     std::string schema;
     root.string("$schema", &schema);
-    root.string("title", &scene_.title);
-    root.string("description", &scene_.description);
+    readFields(root, ~0u, &scene_);
     readResolution(root.find("resolution"));
     readCamera(root.find("camera"));
     readRender(root.find("render"));
@@ -62,8 +53,12 @@ void SceneJsonReader::readResolution(const JsonValue& value) {
         return;
     }
     int64_t size[2] = {};
-    forEachItem(errors_, value, [&](const JsonValue& item, size_t i) {
-        readInteger(errors_, item, i == 0 ? "width" : "height", 1, kMaxSide, &size[i]);
+    JsonValue item = value.first();
+    int i = 0;
+    forEachField<Resolution>([&](const auto& field) {
+        if (errors_.failed()) { return; }
+        readInteger(errors_, item, field.key, field.traits.range, &size[i++]);
+        item = value.next(item);
     });
     if (size[0] * size[1] > kMaxPixels) {
         errors_.add(value, fmt::format("{} x {} pixels are too many; expected at most {} in all", size[0],
@@ -75,11 +70,8 @@ void SceneJsonReader::readResolution(const JsonValue& value) {
 
 void SceneJsonReader::readCamera(const JsonValue& value) {
     if (!value.present()) { return; }
-    const JsonFields fields = fieldsOf(value, "camera", "camera");
     Camera& camera = scene_.camera;
-    fields.vec3("position", &camera.position);
-    fields.vec3("target", &camera.target);
-    fields.direction("up", &camera.up);
+    readFields(fieldsOf(value, "camera", fieldKeys<Camera>()), ~0u, &camera);
     const Vec3 view = camera.target - camera.position;
     if (isZero(view)) {
         errors_.add(value,
@@ -88,71 +80,15 @@ void SceneJsonReader::readCamera(const JsonValue& value) {
         errors_.add(value,
                     "the camera looks along \"up\"; expected an \"up\" that is not parallel to the view");
     }
-    camera.focalDistance = glm::length(view);
-    fields.number("verticalFovDeg",
-                  {.lo = 0.0f,
-                   .hi = 180.0f,
-                   .openLo = true,
-                   .openHi = true,
-                   .expected = "an angle between 0 and 180 degrees"},
-                  &camera.verticalFovDeg);
-    fields.number("horizontalScale", kPositive, &camera.horizontalScale);
-    fields.number("apertureDiameter", kNotNegative, &camera.apertureDiameter);
-    fields.number("focalDistance", kPositive, &camera.focalDistance);
-    fields.integer("apertureBlades", 0, 64, &camera.apertureBlades);
-    if (camera.apertureBlades == 1 || camera.apertureBlades == 2) {
-        errors_.add(fields.find("apertureBlades"),
-                    "\"apertureBlades\" is less than 3; expected 0 (round) or 3 to 64");
-    }
-    fields.number("bladeRotationDeg", kAnyNumber, &camera.bladeRotationDeg);
 }
 
 void SceneJsonReader::readRender(const JsonValue& value) {
     if (!value.present()) { return; }
-    const JsonFields fields = fieldsOf(value, "render", "render");
-    RenderOptions& options = scene_.options;
-    constexpr std::pair<std::string_view, IntegratorKind> kIntegrators[] = {
-        {"path", IntegratorKind::PathTracing}, {"sppm", IntegratorKind::Sppm}};
-    constexpr std::pair<std::string_view, FilterKind> kFilters[] = {
-        {"box", FilterKind::Box},
-        {"gaussian", FilterKind::Gaussian},
-        {"blackman-harris", FilterKind::BlackmanHarris}};
-    constexpr std::pair<std::string_view, SamplerKind> kSamplers[] = {
-        {"sobol", SamplerKind::Sobol}, {"independent", SamplerKind::Independent}};
-    fields.choice("integrator", kIntegrators, &options.integrator);
-    fields.integer("maxDepth", 0, 1 << 16, &options.maxDepth);
-    fields.integer("rouletteStartDepth", 0, 1 << 16, &options.rouletteStartDepth);
-    fields.choice("filter", kFilters, &options.filter);
-    if (options.filter == FilterKind::Box) { options.filterRadius = 0.5f; }
-    fields.number(
-        "filterRadiusPixels",
-        {.lo = 0.0f, .hi = 16.0f, .openLo = true, .expected = "a radius above 0 and up to 16 pixels"},
-        &options.filterRadius);
-    fields.choice("sampler", kSamplers, &options.sampler);
-    fields.integer("seed", 0, 0xFFFFFFFFll, &options.seed);
-    fields.number("fireflyClamp", kNotNegative, &options.fireflyClamp);
-    readSppm(fields.find("sppm"));
-}
-
-void SceneJsonReader::readSppm(const JsonValue& value) {
-    if (!value.present()) { return; }
-    const JsonFields fields = fieldsOf(value, "sppm", "sppm");
-    SppmOptions& sppm = scene_.sppm;
-    constexpr std::pair<std::string_view, bool> kDirectLights[] = {{"sampled", true}, {"photons", false}};
-    constexpr std::pair<std::string_view, PhotonLookupKind> kLookups[] = {{"grid", PhotonLookupKind::Grid},
-                                                                          {"tree", PhotonLookupKind::Tree}};
-    fields.integer("photonsPerPass", 1, kMaxPhotonsPerPass, &sppm.photonsPerPass);
-    fields.number("alpha", kAlphaRange, &sppm.alpha);
-    fields.number("radius", kRadiusRange, &sppm.radiusWorld);
-    fields.number("radiusFootprints", kFootprintRange, &sppm.radiusFootprints);
-    fields.number("storeRoughness", kUnitInterval, &sppm.storeRoughness);
-    fields.choice("directLight", kDirectLights, &sppm.sampleDirectLight);
-    fields.choice("lookup", kLookups, &sppm.lookup);
-    fields.integer("memoryBudgetMiB", 0, kMaxMemoryBudgetMiB, &sppm.memoryBudgetMiB);
-}
-
-JsonFields SceneJsonReader::fieldsOf(const JsonValue& value, std::string_view what, std::string_view kind) {
-    return JsonFields(errors_, value, what, sceneJsonKeys(kind));
+    const JsonFields fields = fieldsOf(value, "render", fieldKeys<RenderOptions>(~0u, {"sppm"}));
+    readFields(fields, ~0u, &scene_.options);
+    if (const JsonValue sppm = fields.find("sppm"); sppm.present()) {
+        readFields(fieldsOf(sppm, "sppm", fieldKeys<SppmOptions>()), ~0u, &scene_.sppm);
+    }
 }
 
 int SceneJsonReader::typeOf(const JsonValue& value, std::string_view what,

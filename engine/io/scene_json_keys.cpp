@@ -1,103 +1,60 @@
-// The table of JSON keys. A key added here goes into scenes/glint.schema.json and the reader and writer
-// beside it.
 #include "engine/io/scene_json_keys.h"
 
 #include "engine/base/check.h"
 
 namespace glint {
-namespace {
 
-using Keys = std::string_view[];
+std::span<const JsonForm> jsonForms() {
+    constexpr std::string_view kVec3 = R"("$ref": "#/definitions/vec3")";
+    constexpr std::string_view kVec3Array = R"("type": "array", "items": { "$ref": "#/definitions/vec3" })";
+    constexpr std::string_view kNumber = R"("type": "number")";
+    static const std::vector<JsonForm> kForms{
+        {"textureUse",
+         "",
+         R"("texture")",
+         {{"texture", R"("description": "A texture's name, or the texture itself.", )"
+                      R"("anyOf": [{ "type": "string" }, { "$ref": "#/definitions/texture" }])"},
+          {"fallback", R"("description": "Used where the file is missing and --allow-missing is given.", )"
+                       R"("$ref": "#/definitions/radiance")"}}},
+        {"meshInline",
+         "",
+         R"("positions", "triangles")",
+         {{"positions", kVec3Array},
+          {"triangles", R"("description": "[a, b, c]: positions from 0, counter-clockwise from the front.", )"
+                        R"("type": "array", "minItems": 1, "items": { "type": "array", "minItems": 3, )"
+                        R"("maxItems": 3, "items": { "type": "integer", "minimum": 0 } })"},
+          {"normals", kVec3Array},
+          {"uvs", R"("type": "array", "items": { "$ref": "#/definitions/vec2" })"},
+          {"colors", kVec3Array}}},
+        {"transformStep",
+         "One of these.",
+         "",
+         {{"translate", kVec3},
+          {"scale", R"("anyOf": [{ "type": "number" }, { "$ref": "#/definitions/vec3" }])"},
+          {"rotate", R"("$ref": "#/definitions/rotation")"},
+          {"rotateXDeg", kNumber},
+          {"rotateYDeg", kNumber},
+          {"rotateZDeg", kNumber},
+          {"matrix", R"("description": "Three rows of four numbers, one after the other; the fourth is the )"
+                     R"(translation.", "type": "array", "minItems": 12, "maxItems": 12, )"
+                     R"("items": { "type": "number" })"}}},
+        {"rotation", "Right-handed.", R"("axis", "angleDeg")", {{"axis", kVec3}, {"angleDeg", kNumber}}},
+        {"environmentFile",
+         "",
+         R"("file")",
+         {{"file", R"("description": "HDR or EXR; relative to the scene's folder.", "type": "string")"}}}};
+    return kForms;
+}
 
-constexpr Keys kScene = {"$schema", "glint",  "title",      "description", "resolution",
-                         "camera",  "render", "textures",   "materials",   "meshes",
-                         "objects", "lights", "environment"};
-constexpr Keys kCamera = {"position",       "target",          "up",
-                          "verticalFovDeg", "horizontalScale", "apertureDiameter",
-                          "focalDistance",  "apertureBlades",  "bladeRotationDeg"};
-constexpr Keys kRender = {"integrator", "maxDepth", "rouletteStartDepth", "filter", "filterRadiusPixels",
-                          "sampler",    "seed",     "fireflyClamp",       "sppm"};
-constexpr Keys kSppm = {"photonsPerPass", "alpha",       "radius", "radiusFootprints",
-                        "storeRoughness", "directLight", "lookup", "memoryBudgetMiB"};
-constexpr Keys kTexture = {"file", "encoding", "flipV", "scale"};
-constexpr Keys kTextureUse = {"texture", "fallback"};
-
-constexpr Keys kDiffuse = {"type", "color", "emission", "emissionStrength", "emitsBothSides"};
-constexpr Keys kConductor = {
-    "type", "color", "metal", "eta", "k", "roughness", "emission", "emissionStrength", "emitsBothSides"};
-constexpr Keys kDielectric = {
-    "type", "color", "ior", "roughness", "thin", "emission", "emissionStrength", "emitsBothSides"};
-constexpr Keys kPlastic = {"type",          "color", "ior", "roughness", "emission", "emissionStrength",
-                           "emitsBothSides"};
-constexpr Keys kMixture = {"type",          "color", "ior", "weights", "emission", "emissionStrength",
-                           "emitsBothSides"};
-
-constexpr Keys kMeshFile = {"file", "part"};
-constexpr Keys kMeshGenerator = {"generator", "triangleCount", "seed"};
-constexpr Keys kMeshInline = {"positions", "triangles", "normals", "uvs", "colors"};
-
-constexpr Keys kSphere = {"type", "name", "material", "frontOnly", "transform", "center", "radius"};
-constexpr Keys kPlane = {"type", "name", "material", "frontOnly", "transform", "point", "normal"};
-constexpr Keys kRectangle = {"type",      "name",   "material", "frontOnly",
-                             "transform", "center", "edgeU",    "edgeV"};
-constexpr Keys kDisc = {"type", "name", "material", "frontOnly", "transform", "center", "normal", "radius"};
-constexpr Keys kMesh = {"type", "name", "material", "frontOnly", "transform", "mesh"};
-
-constexpr Keys kTransformStep = {"translate",  "scale",      "rotate", "rotateXDeg",
-                                 "rotateYDeg", "rotateZDeg", "matrix"};
-constexpr Keys kRotation = {"axis", "angleDeg"};
-
-constexpr Keys kPointLight = {"type", "name", "position", "color", "intensity"};
-constexpr Keys kSpotLight = {"type",  "name",      "position",     "direction",
-                             "color", "intensity", "coneAngleDeg", "coneFalloffStartDeg"};
-constexpr Keys kDirectionalLight = {"type", "name", "direction", "color", "irradiance"};
-
-constexpr Keys kEnvironment = {"color", "strength", "image", "rotationDeg"};
-constexpr Keys kEnvironmentFile = {"file"};
-constexpr Keys kSky = {"generator",       "zenith",        "horizon",      "ground", "sun",
-                       "sunElevationDeg", "sunAzimuthDeg", "sunRadiusDeg", "width"};
-
-constexpr JsonKind kKinds[] = {
-    {"scene", kScene},
-    {"camera", kCamera},
-    {"render", kRender},
-    {"sppm", kSppm},
-    {"texture", kTexture},
-    {"textureUse", kTextureUse},
-    {"diffuse", kDiffuse},
-    {"mirror", kDiffuse},
-    {"conductor", kConductor},
-    {"dielectric", kDielectric},
-    {"plastic", kPlastic},
-    {"mixture", kMixture},
-    {"meshFile", kMeshFile},
-    {"meshGenerator", kMeshGenerator},
-    {"meshInline", kMeshInline},
-    {"sphere", kSphere},
-    {"plane", kPlane},
-    {"rectangle", kRectangle},
-    {"disc", kDisc},
-    {"mesh", kMesh},
-    {"transformStep", kTransformStep},
-    {"rotation", kRotation},
-    {"point", kPointLight},
-    {"spot", kSpotLight},
-    {"directional", kDirectionalLight},
-    {"environment", kEnvironment},
-    {"environmentFile", kEnvironmentFile},
-    {"sky", kSky},
-};
-
-}  // namespace
-
-std::span<const JsonKind> sceneJsonKinds() { return kKinds; }
-
-std::span<const std::string_view> sceneJsonKeys(std::string_view kind) {
-    for (const JsonKind& known : kKinds) {
-        if (known.name == kind) { return known.keys; }
+std::vector<std::string_view> formKeys(std::string_view name) {
+    std::vector<std::string_view> keys;
+    for (const JsonForm& form : jsonForms()) {
+        for (const JsonKey& key : form.keys) {
+            if (form.name == name) { keys.push_back(key.key); }
+        }
     }
-    GLINT_CHECK(!"the kind is in the table");
-    return {};
+    GLINT_CHECK(!keys.empty());
+    return keys;
 }
 
 }  // namespace glint

@@ -4,21 +4,9 @@
 #include <fmt/format.h>
 
 #include "engine/base/nearest_name.h"
-#include "engine/io/scene_json_keys.h"
-#include "engine/io/scene_json_reader.h"
-#include "engine/scene/metals.h"
+#include "engine/io/scene_json_fields.h"
 
 namespace glint {
-namespace {
-
-/// In the order of MaterialKind.
-constexpr std::string_view kMaterialTypes[] = {"diffuse",    "mirror",  "conductor",
-                                               "dielectric", "plastic", "mixture"};
-constexpr NumberRange kAlbedo{.lo = 0.0f, .hi = 1.0f, .expected = "a reflectance from 0 to 1 per channel"};
-constexpr NumberRange kIor{.lo = 0.01f, .hi = 100.0f, .expected = "an index of refraction from 0.01 to 100"};
-
-}  // namespace
-
 void SceneJsonReader::readTextures(const JsonValue& value) {
     if (!value.present() || !expectType(errors_, value, "textures", JsonType::Object)) { return; }
     forEachMember(errors_, value, [&](const std::string& name, const JsonValue& texture) {
@@ -27,22 +15,12 @@ void SceneJsonReader::readTextures(const JsonValue& value) {
 }
 
 int SceneJsonReader::addTexture(const JsonValue& value, const std::string& name) {
-    const JsonFields fields = fieldsOf(value, "texture", "texture");
+    const JsonFields fields = fieldsOf(value, "texture", fieldKeys<Texture>());
     Texture texture;
     texture.name = name;
-    const JsonValue file = fields.require("file");
-    FileSource named;
-    fields.string("file", &named.path);
-    texture.image.source = named;
-    constexpr std::pair<std::string_view, ColorEncoding> kEncodings[] = {{"srgb", ColorEncoding::Srgb},
-                                                                         {"linear", ColorEncoding::Linear}};
-    fields.choice("encoding", kEncodings, &texture.encoding);
-    fields.boolean("flipV", &texture.flipV);
-    if (const JsonValue scale = fields.find("scale"); scale.present()) {
-        readNumbers(errors_, scale, "scale", kAnyNumber, 2, &texture.scale.x);
-    }
+    readFields(fields, ~0u, &texture);
     if (errors_.failed()) { return -1; }
-    texturePlaces_.push_back(file);
+    texturePlaces_.push_back(fields.find("file"));
     scene_.textures.push_back(std::move(texture));
     return static_cast<int>(scene_.textures.size()) - 1;
 }
@@ -59,35 +37,16 @@ void SceneJsonReader::readMaterials(const JsonValue& value) {
 Material SceneJsonReader::readMaterial(const JsonValue& value, const std::string& name) {
     Material material;
     material.name = name;
-    const int type = typeOf(value, "material", kMaterialTypes);
-    if (type < 0) { return material; }
-    material.kind = static_cast<MaterialKind>(type);
-    const bool isTint = material.kind == MaterialKind::Mirror || material.kind == MaterialKind::Conductor ||
-                        material.kind == MaterialKind::Dielectric;
-    material.color.value = Vec3(isTint ? 1.0f : 0.5f);
-    const JsonFields fields = fieldsOf(value, kMaterialTypes[type], kMaterialTypes[type]);
-    const auto takes = [keys = sceneJsonKeys(kMaterialTypes[type])](std::string_view key) {
-        return std::find(keys.begin(), keys.end(), key) != keys.end();
-    };
-    readInput(fields, "color", kAlbedo, &material.color);
-    if (material.kind == MaterialKind::Conductor) { readMetal(fields, &material); }
-    if (takes("ior")) { readInput(fields, "ior", kIor, &material.ior); }
-    if (takes("roughness")) { readInput(fields, "roughness", kUnitInterval, &material.roughness); }
-    if (takes("thin")) { fields.boolean("thin", &material.thin); }
-    if (takes("weights")) {
-        readInput(fields, "weights", kNotNegative, &material.mixtureWeights);
-        if (isZero(material.mixtureWeights.value)) {
-            errors_.add(fields.find("weights"),
-                        "\"weights\" are all 0; expected [diffuse, mirror, refractive]");
-        }
-    }
-    readInput(fields, "emission", kNotNegative, &material.emission);
-    fields.number("emissionStrength", kNotNegative, &material.emissionStrength);
-    fields.boolean("emitsBothSides", &material.emitsBothSides);
+    const std::optional<MaterialKind> kind = kindOf<MaterialKind>(value, "material");
+    if (!kind) { return material; }
+    material.kind = *kind;
+    const JsonFields fields = fieldsOf(value, nameOf(*kind), fieldKeys<Material>(only(*kind)));
+    if (*kind == MaterialKind::Conductor) { checkMetal(fields, &material); }
+    readFields(fields, only(*kind), &material);
     return material;
 }
 
-void SceneJsonReader::readMetal(const JsonFields& fields, Material* material) {
+void SceneJsonReader::checkMetal(const JsonFields& fields, Material* material) {
     const JsonValue metal = fields.find("metal");
     const JsonValue eta = fields.find("eta");
     const JsonValue k = fields.find("k");
@@ -97,14 +56,11 @@ void SceneJsonReader::readMetal(const JsonFields& fields, Material* material) {
         errors_.add(eta.present() ? eta : k, "\"eta\" and \"k\" belong together; expected both");
     } else if (eta.present()) {
         material->metal.clear();
-        readInput(fields, "eta", kPositive, &material->eta);
-        readInput(fields, "k", kNotNegative, &material->k);
-    } else if (metal.present() && readString(errors_, metal, "metal", &material->metal)) {
+    } else if (std::string name; metal.present() && readString(errors_, metal, "metal", &name)) {
         const auto known = metalNames();
-        if (std::find(known.begin(), known.end(), material->metal) == known.end()) {
-            errors_.add(metal,
-                        fmt::format("unknown metal \"{}\"{}; expected {}", material->metal.substr(0, 60),
-                                    didYouMean(material->metal, known), joinNames(known)));
+        if (std::ranges::find(known, name) == known.end()) {
+            errors_.add(metal, fmt::format("unknown metal \"{}\"{}; expected {}", name.substr(0, 60),
+                                           didYouMean(name, known), joinNames(known)));
         }
     }
 }
@@ -116,7 +72,7 @@ void SceneJsonReader::readInput(const JsonFields& fields, std::string_view key, 
         fields.color(key, range, &color->value);
         return;
     }
-    const JsonFields use = fieldsOf(value, key, "textureUse");
+    const JsonFields use = fieldsOf(value, key, formKeys("textureUse"));
     use.color("fallback", range, &color->value);
     color->texture = textureUse(use);
 }
@@ -128,7 +84,7 @@ void SceneJsonReader::readInput(const JsonFields& fields, std::string_view key, 
         fields.number(key, range, &number->value);
         return;
     }
-    const JsonFields use = fieldsOf(value, key, "textureUse");
+    const JsonFields use = fieldsOf(value, key, formKeys("textureUse"));
     use.number("fallback", range, &number->value);
     number->texture = textureUse(use);
 }

@@ -4,16 +4,10 @@
 #include <fmt/format.h>
 
 #include "engine/io/importer.h"
-#include "engine/io/scene_json_keys.h"
-#include "engine/io/scene_json_reader.h"
-#include "engine/scene/generated_mesh.h"
+#include "engine/io/scene_json_fields.h"
 
 namespace glint {
 namespace {
-
-/// In the order of ShapeKind.
-constexpr std::string_view kShapeTypes[] = {"sphere", "plane", "rectangle", "disc", "mesh"};
-constexpr int64_t kMaxTriangles = 100'000'000;
 
 bool hasMember(const JsonErrors& errors, const JsonValue& object, std::string_view wanted) {
     bool found = false;
@@ -36,6 +30,7 @@ void readVectors(JsonErrors& errors, const JsonValue& value, std::string_view wh
 void readIndices(JsonErrors& errors, const JsonValue& value, size_t vertexCount, std::vector<uint32_t>* out) {
     if (!value.present() || !expectType(errors, value, "triangles", JsonType::Array)) { return; }
     out->reserve(size_t{3} * value.size());
+    const NumberRange range{.lo = 0.0, .hi = static_cast<double>(vertexCount) - 1.0};
     forEachItem(errors, value, [&](const JsonValue& triangle, size_t) {
         if (!triangle.is(JsonType::Array) || triangle.size() != 3) {
             errors.add(triangle,
@@ -44,7 +39,7 @@ void readIndices(JsonErrors& errors, const JsonValue& value, size_t vertexCount,
         }
         forEachItem(errors, triangle, [&](const JsonValue& corner, size_t) {
             int64_t index = 0;
-            if (readInteger(errors, corner, "triangles", 0, static_cast<int64_t>(vertexCount) - 1, &index)) {
+            if (readInteger(errors, corner, "triangles", range, &index)) {
                 out->push_back(static_cast<uint32_t>(index));
             }
         });
@@ -57,6 +52,15 @@ void checkCount(JsonErrors& errors, const JsonValue& value, std::string_view wha
         errors.add(value, fmt::format("\"{}\" has {} entries for {} positions; expected one for each", what,
                                       count, vertexCount));
     }
+}
+
+std::vector<std::string_view> objectKeys(const ShapeForm& form) {
+    std::vector<std::string_view> keys = fieldKeys<Object>();
+    for (const PlacementKey& key : form.keys()) {
+        keys.push_back(key.key);
+    }
+    if (form.kind == ShapeKind::Mesh) { keys.push_back("mesh"); }
+    return keys;
 }
 
 }  // namespace
@@ -75,21 +79,15 @@ int SceneJsonReader::addMesh(const JsonValue& value, const std::string& name) {
     if (hasMember(errors_, value, "positions")) {
         mesh.data = readInlineMesh(value);
     } else if (hasMember(errors_, value, "generator")) {
-        const JsonFields fields = fieldsOf(value, "mesh", "meshGenerator");
-        MeshGenerator generator{.name = {}, .triangles = 10000};
-        fields.string("generator", &generator.name);
-        fields.integer("triangleCount", 1, kMaxTriangles, &generator.triangles);
-        fields.integer("seed", 0, 0xFFFFFFFFll, &generator.seed);
+        MeshGenerator generator;
+        readFields(fieldsOf(value, "mesh", fieldKeys<MeshGenerator>()), ~0u, &generator);
         if (Status known = checkMeshGenerator(generator); !known && !errors_.failed()) {
             errors_.add(value, known.error().message);
         }
         mesh.source = generator;
     } else {
-        const JsonFields fields = fieldsOf(value, "mesh", "meshFile");
-        fields.require("file");
         FileSource file;
-        fields.string("file", &file.path);
-        fields.integer("part", 0, kMaxTriangles, &file.part);
+        readFields(fieldsOf(value, "mesh", fieldKeys<FileSource>()), ~0u, &file);
         mesh.source = file;
     }
     if (errors_.failed()) { return -1; }
@@ -99,7 +97,7 @@ int SceneJsonReader::addMesh(const JsonValue& value, const std::string& name) {
 }
 
 std::shared_ptr<const MeshData> SceneJsonReader::readInlineMesh(const JsonValue& value) {
-    const JsonFields fields = fieldsOf(value, "mesh", "meshInline");
+    const JsonFields fields = fieldsOf(value, "mesh", formKeys("meshInline"));
     auto mesh = std::make_shared<MeshData>();
     readVectors<3>(errors_, fields.find("positions"), "positions", &mesh->positions);
     readVectors<3>(errors_, fields.find("normals"), "normals", &mesh->normals);
@@ -120,15 +118,14 @@ void SceneJsonReader::readObjects(const JsonValue& value) {
 }
 
 void SceneJsonReader::readObject(const JsonValue& value, size_t number) {
-    const int type = typeOf(value, "object", kShapeTypes);
-    if (type < 0) { return; }
-    const JsonFields fields = fieldsOf(value, kShapeTypes[type], kShapeTypes[type]);
+    const std::optional<ShapeKind> shape = kindOf<ShapeKind>(value, "object");
+    if (!shape) { return; }
+    const ShapeForm& form = shapeForm(*shape);
+    const JsonFields fields = fieldsOf(value, form.name, objectKeys(form));
     Object object;
-    object.shape = static_cast<ShapeKind>(type);
-    object.name = fmt::format("{} {}", kShapeTypes[type], number + 1);
-    fields.string("name", &object.name);
-    fields.boolean("frontOnly", &object.frontOnly);
-    const Affine placement = readPlacement(object.shape, fields);
+    object.name = fmt::format("{} {}", form.name, number + 1);
+    readFields(fields, ~0u, &object);
+    const Affine placement = readPlacement(form, fields);
     const JsonValue transform = fields.find("transform");
     const bool isCanonical = placement == Affine();
     const Affine outer = readTransform(transform);

@@ -12,7 +12,9 @@
 #include "engine/io/json_fields.h"
 #include "engine/io/load_options.h"
 #include "engine/io/used_assets.h"
-#include "engine/scene/scene.h"
+#include "engine/scene/field.h"
+#include "engine/scene/kind_names.h"
+#include "engine/scene/shape_forms.h"
 
 namespace glint {
 
@@ -28,7 +30,6 @@ class SceneJsonReader {
     void readResolution(const JsonValue& value);
     void readCamera(const JsonValue& value);
     void readRender(const JsonValue& value);
-    void readSppm(const JsonValue& value);
 
     // scene_json_assets.cpp: files, once it is known what uses them.
     void readAssets();
@@ -43,7 +44,8 @@ class SceneJsonReader {
     void readMaterials(const JsonValue& value);
     int addTexture(const JsonValue& value, const std::string& name);
     Material readMaterial(const JsonValue& value, const std::string& name);
-    void readMetal(const JsonFields& fields, Material* material);
+    /// Either a known "metal", or "eta" and "k".
+    void checkMetal(const JsonFields& fields, Material* material);
     /// A constant, or a texture with the constant as its fallback.
     void readInput(const JsonFields& fields, std::string_view key, const NumberRange& range,
                    ColorInput* color);
@@ -65,7 +67,7 @@ class SceneJsonReader {
     std::shared_ptr<const MeshData> readInlineMesh(const JsonValue& value);
 
     // scene_json_transform.cpp
-    Affine readPlacement(ShapeKind shape, const JsonFields& fields);
+    Affine readPlacement(const ShapeForm& form, const JsonFields& fields);
     Affine readTransform(const JsonValue& value);
     Affine readTransformStep(const JsonValue& value);
 
@@ -74,11 +76,27 @@ class SceneJsonReader {
     Light readLight(const JsonValue& value);
     void readEnvironment(const JsonValue& value);
     void readEnvironmentImage(const JsonValue& value);
-    SkySource readSky(const JsonFields& fields);
+    SkySource readSky(const JsonValue& value);
 
-    JsonFields fieldsOf(const JsonValue& value, std::string_view what, std::string_view kind);
+    // scene_json_fields.h
+    template <class Member>
+    void readValue(const JsonFields& fields, std::string_view key, const FieldTraits& traits, Member* out);
+    /// Reads all fields that some kinds of the type have, but for custom ones.
+    template <class Owner>
+    void readFields(const JsonFields& fields, uint32_t kinds, Owner* owner);
+
+    JsonFields fieldsOf(const JsonValue& value, std::string_view what, std::vector<std::string_view> keys) {
+        return {errors_, value, what, std::move(keys)};
+    }
     /// The index of the object's "type" among `kinds`, or -1 with an error.
     int typeOf(const JsonValue& value, std::string_view what, std::span<const std::string_view> kinds);
+    /// The same as a kind; nothing with an error.
+    template <class Kind>
+    std::optional<Kind> kindOf(const JsonValue& value, std::string_view what) {
+        const int index = typeOf(value, what, namesOf<Kind>());
+        if (index < 0) { return std::nullopt; }
+        return kindNames<Kind>()[static_cast<size_t>(index)].kind;
+    }
     int findName(const std::map<std::string, int>& names, const JsonValue& value, std::string_view what);
 
     std::shared_ptr<const JsonDocument> document_;

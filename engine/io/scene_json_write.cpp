@@ -1,8 +1,6 @@
 // Writes a scene as Glint JSON. Whatever the reader knows and affects the picture is written out, so that a
 // saved scene does not depend on defaults.
-#include <array>
-#include <bit>
-#include <cstdint>
+#include <cstring>
 #include <set>
 
 #include <fmt/format.h>
@@ -12,15 +10,12 @@
 #include "engine/io/file_path.h"
 #include "engine/io/json_writer.h"
 #include "engine/io/scene_json.h"
+#include "engine/scene/kind_names.h"
+#include "engine/scene/scene_fields.h"
+#include "engine/scene/shape_forms.h"
 
 namespace glint {
 namespace {
-
-/// Unlike ==, tells -0 from 0, which a file keeps apart too.
-bool sameBits(const Mat3& a, const Mat3& b) {
-    using Bits = std::array<uint32_t, 9>;
-    return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
-}
 
 /// The items' names, made different from each other and never empty.
 template <class Item>
@@ -38,6 +33,12 @@ std::vector<std::string> uniqueNames(const std::vector<Item>& items, std::string
     return names;
 }
 
+/// Unlike ==, tells -0 from 0, which a file keeps apart too.
+bool isExactIdentity(const Affine& transform) {
+    const Mat3 identity(1.0f);
+    return std::memcmp(&transform.linear, &identity, sizeof identity) == 0 && isZero(transform.translation);
+}
+
 class SceneJsonWriter {
   public:
     SceneJsonWriter(const SceneDescription& scene, std::string path)
@@ -50,20 +51,7 @@ class SceneJsonWriter {
     Result<std::string> write() {
         json_.beginObject();
         json_.field("glint", 1);
-        json_.field("title", scene_.title);
-        json_.field("description", scene_.description);
-        const float size[2] = {static_cast<float>(scene_.resolution.width),
-                               static_cast<float>(scene_.resolution.height)};
-        json_.key("resolution");
-        json_.numbers(size, 2);
-        writeCamera();
-        writeRender();
-        section("textures", scene_.textures, textureNames_, &SceneJsonWriter::writeTexture);
-        section("materials", scene_.materials, materialNames_, &SceneJsonWriter::writeMaterial);
-        section("meshes", scene_.meshes, meshNames_, &SceneJsonWriter::writeMesh);
-        writeObjects();
-        writeLights();
-        writeEnvironment();
+        writeFields(scene_);
         json_.endObject();
         if (!json_.allFinite()) {
             fail("the scene holds a number that is not finite, which cannot be saved");
@@ -78,76 +66,48 @@ class SceneJsonWriter {
 
     std::string rebased(const std::string& path) const { return rebasePath(path, scene_.path, path_); }
 
-    template <class Item>
-    void section(std::string_view key, const std::vector<Item>& items, const std::vector<std::string>& names,
-                 void (SceneJsonWriter::*writeItem)(const Item&)) {
+    template <class WriteMembers>
+    void writeObject(std::string_view key, const WriteMembers& writeMembers) {
         json_.key(key);
         json_.beginObject();
-        for (size_t i = 0; i < items.size(); ++i) {
-            json_.key(names[i]);
-            json_.beginObject();
-            (this->*writeItem)(items[i]);
-            json_.endObject();
+        writeMembers();
+        json_.endObject();
+    }
+
+    template <class Owner>
+    void writeFields(const Owner& owner) {
+        const uint32_t kinds = kindBit(owner);
+        forEachField<Owner>([&](const auto& field) {
+            const bool isSaved = field.hooks.isSaved == nullptr || field.hooks.isSaved(owner);
+            if (field.key.empty() || (field.traits.kinds & kinds) == 0 || !isSaved) { return; }
+            if constexpr (requires { writeCustom(field.key, owner); }) {
+                if (field.traits.custom) { return writeCustom(field.key, owner); }
+            }
+            write(field.key, field.traits, owner.*field.member);
+        });
+    }
+
+    template <class Value>
+    void write(std::string_view key, const FieldTraits& traits, const Value& value) {
+        if constexpr (HasFields<Value>) {
+            writeObject(key, [&] { writeFields(value); });
+        } else if constexpr (std::is_enum_v<Value>) {
+            json_.field(key, nameOf(value));
+        } else if constexpr (std::is_same_v<Value, bool>) {
+            if (traits.whenTrue.empty()) {
+                json_.field(key, value);
+            } else {
+                json_.field(key, value ? traits.whenTrue : traits.whenFalse);
+            }
+        } else if constexpr (std::is_integral_v<Value>) {
+            json_.field(key, static_cast<int64_t>(value));
+        } else if constexpr (kIsInput<Value>) {
+            writeInput(key, value);
+        } else if constexpr (std::is_same_v<Value, SceneImage>) {
+            json_.field(key, rebased(pathOf(value.source)));
+        } else if constexpr (requires { json_.value(value); }) {
+            json_.field(key, value);
         }
-        json_.endObject();
-    }
-
-    void writeCamera() {
-        const Camera& camera = scene_.camera;
-        json_.key("camera");
-        json_.beginObject();
-        json_.field("position", camera.position);
-        json_.field("target", camera.target);
-        json_.field("up", camera.up);
-        json_.field("verticalFovDeg", camera.verticalFovDeg);
-        json_.field("horizontalScale", camera.horizontalScale);
-        json_.field("apertureDiameter", camera.apertureDiameter);
-        json_.field("focalDistance", camera.focalDistance);
-        json_.field("apertureBlades", camera.apertureBlades);
-        json_.field("bladeRotationDeg", camera.bladeRotationDeg);
-        json_.endObject();
-    }
-
-    void writeRender() {
-        const RenderOptions& options = scene_.options;
-        constexpr const char* kFilters[] = {"box", "gaussian", "blackman-harris"};
-        json_.key("render");
-        json_.beginObject();
-        json_.field("integrator", options.integrator == IntegratorKind::Sppm ? "sppm" : "path");
-        json_.field("maxDepth", options.maxDepth);
-        json_.field("rouletteStartDepth", options.rouletteStartDepth);
-        json_.field("filter", kFilters[static_cast<int>(options.filter)]);
-        json_.field("filterRadiusPixels", options.filterRadius);
-        json_.field("sampler", options.sampler == SamplerKind::Sobol ? "sobol" : "independent");
-        json_.field("seed", static_cast<int64_t>(options.seed));
-        json_.field("fireflyClamp", options.fireflyClamp);
-        writeSppm(scene_.sppm);
-        json_.endObject();
-    }
-
-    void writeSppm(const SppmOptions& sppm) {
-        json_.key("sppm");
-        json_.beginObject();
-        json_.field("photonsPerPass", static_cast<int64_t>(sppm.photonsPerPass));
-        json_.field("alpha", sppm.alpha);
-        json_.field("radius", sppm.radiusWorld);
-        json_.field("radiusFootprints", sppm.radiusFootprints);
-        json_.field("storeRoughness", sppm.storeRoughness);
-        json_.field("directLight", sppm.sampleDirectLight ? "sampled" : "photons");
-        json_.field("lookup", sppm.lookup == PhotonLookupKind::Grid ? "grid" : "tree");
-        json_.field("memoryBudgetMiB", static_cast<int64_t>(sppm.memoryBudgetMiB));
-        json_.endObject();
-    }
-
-    void writeTexture(const Texture& texture) {
-        const std::string path = pathOf(texture.image.source);
-        if (path.empty()) {
-            fail(fmt::format("the texture \"{}\" is not from a file, so it cannot be saved", texture.name));
-        }
-        json_.field("file", rebased(path));
-        json_.field("encoding", texture.encoding == ColorEncoding::Srgb ? "srgb" : "linear");
-        json_.field("flipV", texture.flipV);
-        json_.field("scale", texture.scale);
     }
 
     template <class Input>
@@ -156,50 +116,76 @@ class SceneJsonWriter {
             json_.field(key, input.value);
             return;
         }
+        writeObject(key, [&] {
+            json_.field("texture", textureNames_[static_cast<size_t>(input.texture)]);
+            json_.field("fallback", input.value);
+        });
+    }
+
+    void write(std::string_view key, const FieldTraits&, const Resolution& resolution) {
+        const float size[2] = {static_cast<float>(resolution.width), static_cast<float>(resolution.height)};
         json_.key(key);
-        json_.beginObject();
-        json_.field("texture", textureNames_[static_cast<size_t>(input.texture)]);
-        json_.field("fallback", input.value);
-        json_.endObject();
+        json_.numbers(size, 2);
+    }
+    void write(std::string_view key, const FieldTraits&, const RenderOptions& options) {
+        writeObject(key, [&] {
+            writeFields(options);
+            writeObject("sppm", [&] { writeFields(scene_.sppm); });
+        });
+    }
+    void write(std::string_view key, const FieldTraits&, const std::vector<Texture>& textures) {
+        writeNamed(key, textures, textureNames_);
+    }
+    void write(std::string_view key, const FieldTraits&, const std::vector<Material>& materials) {
+        writeNamed(key, materials, materialNames_);
+    }
+    void write(std::string_view key, const FieldTraits&, const std::vector<Mesh>& meshes) {
+        writeNamed(key, meshes, meshNames_);
+    }
+    void write(std::string_view key, const FieldTraits&, const std::vector<Object>& objects) {
+        writeArray(key, objects);
+    }
+    void write(std::string_view key, const FieldTraits&, const std::vector<Light>& lights) {
+        writeArray(key, lights);
     }
 
-    void writeMaterial(const Material& material) {
-        constexpr const char* kTypes[] = {"diffuse",    "mirror",  "conductor",
-                                          "dielectric", "plastic", "mixture"};
-        const MaterialKind kind = material.kind;
-        json_.field("type", kTypes[static_cast<int>(kind)]);
-        writeInput("color", material.color);
-        if (kind == MaterialKind::Conductor) {
-            if (material.metal.empty()) {
-                writeInput("eta", material.eta);
-                writeInput("k", material.k);
-            } else {
-                json_.field("metal", material.metal);
+    template <class Item>
+    void writeNamed(std::string_view key, const std::vector<Item>& items,
+                    const std::vector<std::string>& names) {
+        writeObject(key, [&] {
+            for (size_t i = 0; i < items.size(); ++i) {
+                writeObject(names[i], [&] { writeItem(items[i]); });
             }
-        }
-        const bool isMixture = kind == MaterialKind::Mixture;
-        if (isMixture || kind == MaterialKind::Dielectric || kind == MaterialKind::Plastic) {
-            writeInput("ior", material.ior);
-        }
-        if (kind == MaterialKind::Conductor || kind == MaterialKind::Dielectric ||
-            kind == MaterialKind::Plastic) {
-            writeInput("roughness", material.roughness);
-        }
-        if (kind == MaterialKind::Dielectric) { json_.field("thin", material.thin); }
-        if (isMixture) { writeInput("weights", material.mixtureWeights); }
-        writeInput("emission", material.emission);
-        json_.field("emissionStrength", material.emissionStrength);
-        json_.field("emitsBothSides", material.emitsBothSides);
+        });
     }
 
-    void writeMesh(const Mesh& mesh) {
+    template <class Item>
+    void writeArray(std::string_view key, const std::vector<Item>& items) {
+        json_.key(key);
+        json_.beginArray();
+        for (const Item& item : items) {
+            json_.beginObject();
+            writeItem(item);
+            json_.endObject();
+        }
+        json_.endArray();
+    }
+
+    template <class Item>
+    void writeItem(const Item& item) {
+        writeFields(item);
+    }
+    void writeItem(const Texture& texture) {
+        if (pathOf(texture.image.source).empty()) {
+            fail(fmt::format("the texture \"{}\" is not from a file, so it cannot be saved", texture.name));
+        }
+        writeFields(texture);
+    }
+    void writeItem(const Mesh& mesh) {
         if (const auto* file = std::get_if<FileSource>(&mesh.source)) {
-            json_.field("file", rebased(file->path));
-            if (file->part >= 0) { json_.field("part", file->part); }
+            writeFields(FileSource{rebased(file->path), file->part});
         } else if (const auto* generator = std::get_if<MeshGenerator>(&mesh.source)) {
-            json_.field("generator", generator->name);
-            json_.field("triangleCount", static_cast<int64_t>(generator->triangles));
-            json_.field("seed", static_cast<int64_t>(generator->seed));
+            writeFields(*generator);
         } else if (!mesh.data) {
             fail(fmt::format("the mesh \"{}\" is not from a file, so it cannot be saved", mesh.name));
         } else {
@@ -231,96 +217,56 @@ class SceneJsonWriter {
         json_.endArray();
     }
 
-    void writeObjects() {
-        json_.key("objects");
-        json_.beginArray();
-        for (const Object& object : scene_.objects) {
-            json_.beginObject();
-            writeObject(object);
-            json_.endObject();
+    void writeCustom(std::string_view key, const Object& object) {
+        if (key == "material") {
+            json_.field(key, materialNames_[static_cast<size_t>(object.material)]);
+            return;
         }
-        json_.endArray();
-    }
-
-    void writeObject(const Object& object) {
-        constexpr const char* kTypes[] = {"sphere", "plane", "rectangle", "disc", "mesh"};
-        json_.field("type", kTypes[static_cast<int>(object.shape)]);
-        json_.field("name", object.name);
-        json_.field("material", materialNames_[static_cast<size_t>(object.material)]);
-        json_.field("frontOnly", object.frontOnly);
         if (object.shape == ShapeKind::Mesh) {
             json_.field("mesh", meshNames_[static_cast<size_t>(object.mesh)]);
         }
-        const Mat3& m = object.objectToWorld.linear;
-        const Vec3& t = object.objectToWorld.translation;
-        if (object.shape == ShapeKind::Sphere && m[0].x > 0.0f && sameBits(m, Mat3(m[0].x))) {
-            json_.field("center", t);
-            json_.field("radius", m[0].x);
-        } else if (!sameBits(m, Mat3(1.0f)) || !isZero(t)) {
-            const float rows[12] = {m[0].x, m[1].x, m[2].x, t.x,    m[0].y, m[1].y,
-                                    m[2].y, t.y,    m[0].z, m[1].z, m[2].z, t.z};
-            json_.key("transform");
-            json_.beginObject();
-            json_.key("matrix");
-            json_.numbers(rows, 12);
-            json_.endObject();
+        const ShapeForm& form = shapeForm(object.shape);
+        const auto values = form.valuesOf != nullptr ? form.valuesOf(object.objectToWorld) : std::nullopt;
+        if (values) {
+            writePlacement(form, *values);
+        } else if (!isExactIdentity(object.objectToWorld)) {
+            writeObject(key, [&] { writeMatrix(object.objectToWorld); });
         }
     }
 
-    void writeLights() {
-        constexpr const char* kTypes[] = {"point", "spot", "directional"};
-        json_.key("lights");
-        json_.beginArray();
-        for (const Light& light : scene_.lights) {
-            json_.beginObject();
-            json_.field("type", kTypes[static_cast<int>(light.kind)]);
-            json_.field("name", light.name);
-            if (light.kind != LightKind::Directional) { json_.field("position", light.position); }
-            if (light.kind != LightKind::Point) { json_.field("direction", light.direction); }
-            json_.field("color", light.color);
-            json_.field(light.kind == LightKind::Directional ? "irradiance" : "intensity", light.strength);
-            if (light.kind == LightKind::Spot) {
-                json_.field("coneAngleDeg", light.coneAngleDeg);
-                json_.field("coneFalloffStartDeg", light.coneFalloffStartDeg);
+    void writePlacement(const ShapeForm& form, const Placement& values) {
+        for (size_t i = 0; i < form.keys().size(); ++i) {
+            const PlacementKey& key = form.keys()[i];
+            if (key.form == PlacementForm::Length) {
+                json_.field(key.key, values[i].x);
+            } else {
+                json_.field(key.key, values[i]);
             }
-            json_.endObject();
         }
-        json_.endArray();
     }
 
-    void writeEnvironment() {
-        const Environment& environment = scene_.environment;
-        json_.key("environment");
-        json_.beginObject();
-        json_.field("color", environment.color);
-        json_.field("strength", environment.strength);
-        json_.field("rotationDeg", environment.rotationDeg);
-        if (environment.image >= 0) {
-            const SceneImage& image = scene_.environmentImages[static_cast<size_t>(environment.image)];
-            json_.key("image");
-            json_.beginObject();
+    void writeMatrix(const Affine& transform) {
+        const Mat3& m = transform.linear;
+        const Vec3& t = transform.translation;
+        const float rows[12] = {m[0].x, m[1].x, m[2].x, t.x,    m[0].y, m[1].y,
+                                m[2].y, t.y,    m[0].z, m[1].z, m[2].z, t.z};
+        json_.key("matrix");
+        json_.numbers(rows, 12);
+    }
+
+    void writeCustom(std::string_view key, const Environment& environment) {
+        if (environment.image < 0) { return; }
+        const SceneImage& image = scene_.environmentImages[static_cast<size_t>(environment.image)];
+        writeObject(key, [&] {
             if (const auto* sky = std::get_if<SkySource>(&image.source)) {
-                writeSky(*sky);
+                json_.field("generator", "sky");
+                writeFields(*sky);
             } else if (const std::string path = pathOf(image.source); !path.empty()) {
                 json_.field("file", rebased(path));
             } else {
                 fail("the environment's image is not from a file, so it cannot be saved");
             }
-            json_.endObject();
-        }
-        json_.endObject();
-    }
-
-    void writeSky(const SkySource& sky) {
-        json_.field("generator", "sky");
-        json_.field("zenith", sky.zenith);
-        json_.field("horizon", sky.horizon);
-        json_.field("ground", sky.ground);
-        json_.field("sun", sky.sun);
-        json_.field("sunElevationDeg", sky.sunElevationDeg);
-        json_.field("sunAzimuthDeg", sky.sunAzimuthDeg);
-        json_.field("sunRadiusDeg", sky.sunRadiusDeg);
-        json_.field("width", sky.width);
+        });
     }
 
     const SceneDescription& scene_;

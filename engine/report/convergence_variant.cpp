@@ -1,16 +1,14 @@
-// A key is a line of kKeys: its name, whose it is, what it expects, and how it is set.
 #include "engine/report/convergence_variant.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
+#include <functional>
 #include <optional>
-#include <span>
 
 #include <fmt/format.h>
 
 #include "engine/base/nearest_name.h"
+#include "engine/scene/field_text.h"
+#include "engine/scene/text_settings.h"
 
 namespace glint {
 namespace {
@@ -18,87 +16,43 @@ namespace {
 struct VariantKey {
     std::string_view name;
     std::optional<IntegratorKind> only;  ///< the integrator whose setting it is; nothing: of all
-    std::string_view expected;
-    bool (*set)(std::string_view value, VariantSettings* settings);
+    std::string expected;
+    std::function<bool(std::string_view value, VariantSettings* settings)> set;
 };
 
-template <class T>
-std::optional<T> numberIn(std::string_view text, T least, T most) {
-    T value{};
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool whole = problem == std::errc() && end == text.data() + text.size();
-    if (!whole || !(value >= least && value <= most)) { return std::nullopt; }
-    return value;
-}
-
-template <class T, class U>
-bool store(const std::optional<T>& value, U* target) {
-    if (value) { *target = *value; }
-    return value.has_value();
-}
-
-template <class T>
-bool choose(std::string_view value, std::string_view first, T firstMeans, std::string_view second,
-            T secondMeans, T* target) {
-    if (value != first && value != second) { return false; }
-    *target = value == first ? firstMeans : secondMeans;
-    return true;
-}
-
-bool setSampler(std::string_view value, VariantSettings* s) {
-    return choose(value, "sobol", SamplerKind::Sobol, "independent", SamplerKind::Independent,
-                  &s->options.sampler);
-}
-bool setRoulette(std::string_view value, VariantSettings* s) {
-    return store(numberIn(value, 0, 1 << 20), &s->options.rouletteStartDepth);
-}
-bool setClamp(std::string_view value, VariantSettings* s) {
-    return store(numberIn(value, 0.0f, 1e30f), &s->options.fireflyClamp);
-}
 bool setThreads(std::string_view value, VariantSettings* s) {
-    return store(numberIn(value, 1, 1024), &s->threads);
+    int64_t threads = 0;
+    if (!parseWhole(value, {.lo = 1, .hi = 1024}, &threads)) { return false; }
+    s->threads = static_cast<int>(threads);
+    return true;
 }
 bool setBackend(std::string_view value, VariantSettings* s) {
     s->backend = value;
     return value == "cpu" || value == "cuda";
 }
 bool setKernel(std::string_view value, VariantSettings* s) {
-    return choose(value, "full", true, "specialised", false, &s->fullKernel);
+    s->fullKernel = value == "full";
+    return value == "full" || value == "specialised";
 }
-bool setRadius(std::string_view value, VariantSettings* s) {
-    if (value == "auto" || value.starts_with("auto:")) {
-        s->sppm.radiusWorld = 0.0f;
-        return value == "auto" || store(numberIn(value.substr(5), 1e-6f, 1e6f), &s->sppm.radiusFootprints);
-    }
-    return store(numberIn(value, 1e-30f, 1e30f), &s->sppm.radiusWorld);
+/// The fields that are variants, and what a run has beside them.
+const std::vector<VariantKey>& variantKeys() {
+    static const std::vector<VariantKey> kKeys = [] {
+        std::vector<VariantKey> keys;
+        for (const TextSetting& setting : textSettings()) {
+            if (setting.variant.empty()) { continue; }
+            const std::string help = setting.isNumber ? ", " + setting.help : "";
+            keys.push_back({setting.variant, setting.only, setting.expected + help,
+                            [&setting](std::string_view value, VariantSettings* s) {
+                                return setting.set(value, {.options = &s->options, .sppm = &s->sppm});
+                            }});
+        }
+        keys.push_back({"threads", {}, "a whole number from 1 to 1024", setThreads});
+        keys.push_back({"backend", {}, "cpu or cuda", setBackend});
+        keys.push_back({"kernel", {}, "specialised or full", setKernel});
+        return keys;
+    }();
+    return kKeys;
 }
-bool setAlpha(std::string_view value, VariantSettings* s) {
-    return store(numberIn(value, 1e-4f, 0.9999f), &s->sppm.alpha);
-}
-bool setPhotons(std::string_view value, VariantSettings* s) {
-    return store(numberIn(value, 1u, 1u << 30), &s->sppm.photonsPerPass);
-}
-bool setLookup(std::string_view value, VariantSettings* s) {
-    return choose(value, "grid", PhotonLookupKind::Grid, "tree", PhotonLookupKind::Tree, &s->sppm.lookup);
-}
-bool setDirect(std::string_view value, VariantSettings* s) {
-    return choose(value, "sampled", true, "photons", false, &s->sppm.sampleDirectLight);
-}
-
-constexpr std::array kKeys = {
-    VariantKey{"sampler", {}, "sobol or independent", setSampler},
-    VariantKey{"roulette", {}, "the scattering event Russian roulette starts at, such as 4", setRoulette},
-    VariantKey{"clamp", {}, "the most radiance a sample may bring, such as 10; 0: off", setClamp},
-    VariantKey{"threads", {}, "a whole number from 1 to 1024", setThreads},
-    VariantKey{"backend", {}, "cpu or cuda", setBackend},
-    VariantKey{"kernel", {}, "specialised or full", setKernel},
-    VariantKey{"radius", IntegratorKind::Sppm,
-               "metres such as 0.05, auto, or auto:K such as auto:2 pixel footprints", setRadius},
-    VariantKey{"alpha", IntegratorKind::Sppm, "a number between 0 and 1, such as 0.67", setAlpha},
-    VariantKey{"photons", IntegratorKind::Sppm, "photons in a pass, such as 100000", setPhotons},
-    VariantKey{"lookup", IntegratorKind::Sppm, "grid or tree", setLookup},
-    VariantKey{"direct", IntegratorKind::Sppm, "sampled or photons", setDirect},
-};
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
     std::vector<std::string_view> parts;
@@ -128,8 +82,8 @@ bool belongs(const VariantKey& key, IntegratorKind integrator) {
 }
 
 const VariantKey* findKey(std::string_view name) {
-    const auto* found = std::ranges::find(kKeys, name, &VariantKey::name);
-    return found == kKeys.end() ? nullptr : found;
+    const auto found = std::ranges::find(variantKeys(), name, &VariantKey::name);
+    return found == variantKeys().end() ? nullptr : &*found;
 }
 
 Error inVariant(std::string_view text, std::string problem) {
@@ -138,7 +92,7 @@ Error inVariant(std::string_view text, std::string problem) {
 
 Error unknownKey(std::string_view text, std::string_view key, IntegratorKind integrator) {
     std::vector<std::string_view> known;
-    for (const VariantKey& candidate : kKeys) {
+    for (const VariantKey& candidate : variantKeys()) {
         if (belongs(candidate, integrator)) { known.push_back(candidate.name); }
     }
     return inVariant(text, fmt::format("there is no setting '{}'{}; expected one of {}", key,
@@ -217,7 +171,7 @@ Result<std::vector<ConvergenceVariant>> parseVariants(std::string_view list) {
 
 std::string variantHelp() {
     std::string help;
-    for (const VariantKey& key : kKeys) {
+    for (const VariantKey& key : variantKeys()) {
         help += fmt::format("  {:<9} {:<5} {}\n", key.name,
                             key.only ? integratorInfo(*key.only).shortName : "", key.expected);
     }

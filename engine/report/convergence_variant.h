@@ -1,8 +1,7 @@
 // What `glint converge` compares, as text: an integrator and settings that differ from the scene's own, such
 // as "sppm:radius=auto:2" or "pt:sampler=independent:threads=1".
 //
-// Read by converge_command; convergence_run applies it. It names nothing that Glint does not have: a key is
-// one line of the table in the .cpp file.
+// It names nothing that Glint does not have: most keys are fields that name a variant.
 #pragma once
 
 #include <string>

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <type_traits>
 
 #include "engine/base/kinds.h"
 #include "engine/math/vec.h"
@@ -55,17 +56,7 @@ struct Material {
     }
 };
 
-/// Calls visit(key, input) for each input of a material, with its key in scene files: a ColorInput& or
-/// a NumberInput&.
-template <class AnyMaterial, class Visit>
-void forEachInput(AnyMaterial& material, const Visit& visit) {
-    visit("color", material.color);
-    visit("eta", material.eta);
-    visit("k", material.k);
-    visit("ior", material.ior);
-    visit("roughness", material.roughness);
-    visit("weights", material.mixtureWeights);
-    visit("emission", material.emission);
-}
+template <class Value>
+constexpr bool kIsInput = std::is_same_v<Value, ColorInput> || std::is_same_v<Value, NumberInput>;
 
 }  // namespace glint

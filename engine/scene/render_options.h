@@ -8,6 +8,9 @@
 
 namespace glint {
 
+/// Half the support in pixels that a filter has unless it is given.
+constexpr float usualRadius(FilterKind filter) { return filter == FilterKind::Box ? 0.5f : 1.5f; }
+
 /// All of these but the integrator change the picture's expectation or its noise: an edit of any restarts the
 /// films. The integrator chooses between the films, which are kept side by side.
 struct RenderOptions {

@@ -1,15 +1,12 @@
-// Field by field, since padding has no defined content. A field that is added to the scene has to be
-// added here.
+// Field by field, since padding has no defined content.
 #include "engine/scene/scene_hash.h"
 
-#include <fmt/format.h>
-
+#include "engine/scene/field_text.h"
+#include "engine/scene/scene_fields.h"
 #include "engine/scene/scene_use.h"
 
 namespace glint {
 namespace {
-
-void add(ContentHash& hash, float number) { hash.add(number); }
 
 void add(ContentHash& hash, const Vec2& v) {
     hash.add(v.x);
@@ -28,61 +25,11 @@ void add(ContentHash& hash, const std::vector<T>& values) {
     hash.addBytes(values.data(), values.size() * sizeof(T));
 }
 
-void add(ContentHash& hash, const Camera& camera) {
-    add(hash, camera.position);
-    add(hash, camera.target);
-    add(hash, camera.up);
-    hash.add(camera.verticalFovDeg);
-    hash.add(camera.horizontalScale);
-    hash.add(camera.apertureDiameter);
-    hash.add(camera.focalDistance);
-    hash.add(camera.apertureBlades);
-    hash.add(camera.bladeRotationDeg);
-}
-
-void add(ContentHash& hash, const MeshData& mesh, bool isTextured) {
-    add(hash, mesh.positions);
-    add(hash, mesh.normals);
-    if (isTextured) { add(hash, mesh.uvs); }
-    add(hash, mesh.colors);
-    add(hash, mesh.indices);
-}
-
-void add(ContentHash& hash, const Object& object) {
-    hash.add(object.shape);
-    hash.add(object.mesh);
-    hash.add(object.material);
-    hash.add(object.frontOnly);
+void add(ContentHash& hash, const Affine& transform) {
     for (int column = 0; column < 3; ++column) {
-        add(hash, object.objectToWorld.linear[column]);
+        add(hash, transform.linear[column]);
     }
-    add(hash, object.objectToWorld.translation);
-}
-
-/// A constant adds no more than it did before numbers and other colours could be textured.
-template <class Input>
-void addInput(ContentHash& hash, std::string_view key, const Input& input) {
-    add(hash, input.value);
-    if (input.texture >= 0) {
-        hash.add(key);
-        hash.add(input.texture);
-    }
-}
-
-void add(ContentHash& hash, const Material& material) {
-    hash.add(material.kind);
-    add(hash, material.color.value);
-    hash.add(material.color.texture);
-    hash.add(material.metal);
-    addInput(hash, "eta", material.eta);
-    addInput(hash, "k", material.k);
-    addInput(hash, "ior", material.ior);
-    addInput(hash, "roughness", material.roughness);
-    hash.add(material.thin);
-    addInput(hash, "weights", material.mixtureWeights);
-    addInput(hash, "emission", material.emission);
-    hash.add(material.emissionStrength);
-    hash.add(material.emitsBothSides);
+    add(hash, transform.translation);
 }
 
 void add(ContentHash& hash, const SceneImage& image) {
@@ -98,28 +45,41 @@ void add(ContentHash& hash, const SceneImage& image) {
     }
 }
 
-void add(ContentHash& hash, const Texture& texture) {
-    add(hash, texture.image);
-    hash.add(texture.encoding);
-    hash.add(texture.flipV);
-    add(hash, texture.scale);
+template <class T>
+requires requires(ContentHash hash, const T& value) { hash.add(value); }
+void add(ContentHash& hash, const T& value) { hash.add(value); }
+
+/// A constant adds no more than it did before inputs other than the colour could be textured.
+template <class Input>
+void addInput(ContentHash& hash, std::string_view key, const Input& input) {
+    add(hash, input.value);
+    if (key == "color") {
+        hash.add(input.texture);
+    } else if (input.texture >= 0) {
+        hash.add(key);
+        hash.add(input.texture);
+    }
 }
 
-void add(ContentHash& hash, const Light& light) {
-    hash.add(light.kind);
-    add(hash, light.position);
-    add(hash, light.direction);
-    add(hash, light.color);
-    hash.add(light.strength);
-    hash.add(light.coneAngleDeg);
-    hash.add(light.coneFalloffStartDeg);
+template <class Owner>
+requires HasFields<Owner>
+void add(ContentHash& hash, const Owner& owner) {
+    forEachField<Owner>([&]<class Member>(const Field<Owner, Member>& field) {
+        if (!field.traits.inPicture || field.traits.alias) { return; }
+        if constexpr (kIsInput<Member>) {
+            addInput(hash, field.key, owner.*field.member);
+        } else {
+            add(hash, owner.*field.member);
+        }
+    });
 }
 
-void add(ContentHash& hash, const Environment& environment) {
-    add(hash, environment.color);
-    hash.add(environment.strength);
-    hash.add(environment.image);
-    hash.add(environment.rotationDeg);
+void add(ContentHash& hash, const MeshData& mesh, bool isTextured) {
+    add(hash, mesh.positions);
+    add(hash, mesh.normals);
+    if (isTextured) { add(hash, mesh.uvs); }
+    add(hash, mesh.colors);
+    add(hash, mesh.indices);
 }
 
 template <class T>
@@ -178,32 +138,13 @@ Hash128 hashPart(const SceneDescription& scene, ScenePart part) {
     return hash.finish();
 }
 
-const char* nameOf(IntegratorKind kind) { return kind == IntegratorKind::Sppm ? "sppm" : "path"; }
-
-const char* nameOf(FilterKind kind) {
-    switch (kind) {
-        case FilterKind::Box:
-            return "box";
-        case FilterKind::Gaussian:
-            return "gaussian";
-        case FilterKind::BlackmanHarris:
-            return "blackman-harris";
-    }
-    return "";
+template <class Owner>
+void addSettings(const Owner& owner, std::vector<Setting>* settings) {
+    forEachField<Owner>([&](const auto& field) {
+        const std::string_view name = field.traits.setting.empty() ? field.key : field.traits.setting;
+        settings->push_back({std::string(name), fieldText(field, owner)});
+    });
 }
-
-void addSettings(const SppmOptions& sppm, std::vector<Setting>* settings) {
-    settings->insert(settings->end(), {{"photonsPerPass", fmt::to_string(sppm.photonsPerPass)},
-                                       {"alpha", fmt::to_string(sppm.alpha)},
-                                       {"radius", fmt::to_string(sppm.radiusWorld)},
-                                       {"radiusFootprints", fmt::to_string(sppm.radiusFootprints)},
-                                       {"storeRoughness", fmt::to_string(sppm.storeRoughness)},
-                                       {"directLight", sppm.sampleDirectLight ? "sampled" : "photons"},
-                                       {"lookup", sppm.lookup == PhotonLookupKind::Tree ? "tree" : "grid"},
-                                       {"memoryBudgetMiB", fmt::to_string(sppm.memoryBudgetMiB)}});
-}
-
-const char* nameOf(SamplerKind kind) { return kind == SamplerKind::Independent ? "independent" : "sobol"; }
 
 }  // namespace
 
@@ -232,18 +173,10 @@ SceneHashes hashSceneParts(const SceneDescription& scene) {
 }
 
 std::vector<Setting> renderSettings(const SceneDescription& scene) {
-    const RenderOptions& options = scene.options;
-    std::vector<Setting> settings = {{"width", fmt::to_string(scene.resolution.width)},
-                                     {"height", fmt::to_string(scene.resolution.height)},
-                                     {"integrator", nameOf(options.integrator)},
-                                     {"maxDepth", fmt::to_string(options.maxDepth)},
-                                     {"rouletteStartDepth", fmt::to_string(options.rouletteStartDepth)},
-                                     {"filter", nameOf(options.filter)},
-                                     {"filterRadius", fmt::to_string(options.filterRadius)},
-                                     {"sampler", nameOf(options.sampler)},
-                                     {"seed", fmt::to_string(options.seed)},
-                                     {"fireflyClamp", fmt::to_string(options.fireflyClamp)}};
-    if (options.integrator == IntegratorKind::Sppm) { addSettings(scene.sppm, &settings); }
+    std::vector<Setting> settings;
+    addSettings(scene.resolution, &settings);
+    addSettings(scene.options, &settings);
+    if (scene.options.integrator == IntegratorKind::Sppm) { addSettings(scene.sppm, &settings); }
     return settings;
 }
 

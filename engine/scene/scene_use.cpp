@@ -13,19 +13,19 @@ void mark(int index, std::vector<bool>* used) {
 
 std::vector<int> inputTextures(const Material& material) {
     std::vector<int> textures;
-    forEachInput(material, [&](const char*, const auto& input) { textures.push_back(input.texture); });
+    forEachInput(material, [&](std::string_view, const auto& input) { textures.push_back(input.texture); });
     return textures;
 }
 
 std::vector<int*> inputTextures(Material* material) {
     std::vector<int*> textures;
-    forEachInput(*material, [&](const char*, auto& input) { textures.push_back(&input.texture); });
+    forEachInput(*material, [&](std::string_view, auto& input) { textures.push_back(&input.texture); });
     return textures;
 }
 
 bool isTextured(const Material& material) {
     bool textured = false;
-    forEachInput(material, [&](const char*, const auto& input) { textured |= input.texture >= 0; });
+    forEachInput(material, [&](std::string_view, const auto& input) { textured |= input.texture >= 0; });
     return textured;
 }
 

@@ -6,9 +6,18 @@
 
 #include <vector>
 
-#include "engine/scene/scene.h"
+#include "engine/scene/scene_fields.h"
 
 namespace glint {
+
+/// Calls visit(key, input) for each input of a material, with its key in scene files: a ColorInput& or
+/// a NumberInput&.
+template <class AnyMaterial, class Visit>
+void forEachInput(AnyMaterial& material, const Visit& visit) {
+    forEachField<Material>([&]<class Member>(const Field<Material, Member>& field) {
+        if constexpr (kIsInput<Member>) { visit(field.key, material.*field.member); }
+    });
+}
 
 /// The texture indices of a material's inputs, in the order of forEachInput(); -1 where there is none.
 std::vector<int> inputTextures(const Material& material);

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include "engine/scene/scene_diff.h"
 #include "viewer/window/camera_controller.h"
-#include "viewer/window/scene_diff.h"
 #include "viewer/window/script.h"
 
 namespace glint {

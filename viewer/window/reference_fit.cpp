@@ -9,8 +9,8 @@
 
 #include "engine/base/thread_priority.h"
 #include "engine/report/convergence_reference.h"
+#include "engine/scene/scene_diff.h"
 #include "engine/scene/scene_hash.h"
-#include "viewer/window/scene_diff.h"
 
 namespace glint {
 namespace {

@@ -9,9 +9,9 @@
 #include "engine/io/scene_loader.h"
 #include "engine/io/used_assets.h"
 #include "engine/scene/object_box.h"
+#include "engine/scene/scene_diff.h"
 #include "engine/scene/scene_use.h"
 #include "viewer/window/camera_controller.h"
-#include "viewer/window/scene_diff.h"
 
 namespace glint {
 namespace {

@@ -1,0 +1,56 @@
+#include "engine/scene/field_text.h"
+
+#include <cctype>
+#include <charconv>
+
+namespace glint {
+namespace {
+
+template <class Number>
+bool parseAll(std::string_view text, Number* out) {
+    const char* end = text.data() + text.size();
+    const auto [stop, problem] = std::from_chars(text.data(), end, *out);
+    return problem == std::errc() && stop == end;
+}
+
+}  // namespace
+
+bool parseNumber(std::string_view text, const NumberRange& range, float* out) {
+    float number = 0.0f;
+    if (!parseAll(text, &number) || !range.contains(static_cast<double>(number))) { return false; }
+    *out = number;
+    return true;
+}
+
+bool parseWhole(std::string_view text, const NumberRange& range, int64_t* out) {
+    int64_t number = 0;
+    if (!parseAll(text, &number) || !range.contains(static_cast<double>(number))) { return false; }
+    *out = number;
+    return true;
+}
+
+bool parseVector(std::string_view text, const NumberRange& range, Vec3* out) {
+    Vec3 vector(0.0f);
+    for (int axis = 0; axis < 3; ++axis) {
+        const size_t comma = std::min(text.find(','), text.size());
+        if ((comma < text.size()) != (axis < 2) ||
+            !parseNumber(text.substr(0, comma), range, &vector[axis])) {
+            return false;
+        }
+        text.remove_prefix(std::min(comma + 1, text.size()));
+    }
+    *out = vector;
+    return true;
+}
+
+std::string describeField(const FieldTraits& traits, bool capitalised) {
+    const bool both = !traits.help.empty() && !traits.unit.empty();
+    std::string text = fmt::format("{}{}{}", traits.help, both ? " " : "",
+                                   traits.unit.empty() ? "" : fmt::format("({})", traits.unit));
+    if (capitalised && !text.empty()) {
+        text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    }
+    return text;
+}
+
+}  // namespace glint

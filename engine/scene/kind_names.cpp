@@ -1,0 +1,79 @@
+#include "engine/scene/kind_names.h"
+
+#include "engine/scene/shape_forms.h"
+
+namespace glint {
+
+template <>
+std::span<const KindName<ShapeKind>> kindNames<ShapeKind>() {
+    static const std::vector<KindName<ShapeKind>> kNames = [] {
+        std::vector<KindName<ShapeKind>> names;
+        for (const ShapeForm& form : shapeForms()) {
+            names.push_back({form.name, form.kind, form.help});
+        }
+        return names;
+    }();
+    return kNames;
+}
+
+template <>
+std::span<const KindName<MaterialKind>> kindNames<MaterialKind>() {
+    static constexpr KindName<MaterialKind> kNames[] = {
+        {"diffuse", MaterialKind::Diffuse, "Lambert."},
+        {"mirror", MaterialKind::Mirror, "Perfect reflection, tinted by color."},
+        {"conductor", MaterialKind::Conductor, "A metal, by its name or by its constants."},
+        {"dielectric", MaterialKind::Dielectric, "Glass."},
+        {"plastic", MaterialKind::Plastic, "A diffuse base under a clear coat."},
+        {"mixture", MaterialKind::Mixture, "A random choice of diffuse, mirror and refractive scattering."}};
+    return kNames;
+}
+
+template <>
+std::span<const KindName<LightKind>> kindNames<LightKind>() {
+    static constexpr KindName<LightKind> kNames[] = {
+        {"point", LightKind::Point}, {"spot", LightKind::Spot}, {"directional", LightKind::Directional}};
+    return kNames;
+}
+
+template <>
+std::span<const KindName<ColorEncoding>> kindNames<ColorEncoding>() {
+    static constexpr KindName<ColorEncoding> kNames[] = {{"srgb", ColorEncoding::Srgb},
+                                                         {"linear", ColorEncoding::Linear}};
+    return kNames;
+}
+
+template <>
+std::span<const KindName<IntegratorKind>> kindNames<IntegratorKind>() {
+    static const auto kNames = [] {
+        std::vector<KindName<IntegratorKind>> names;
+        for (const IntegratorInfo& info : kIntegratorTable) {
+            names.push_back({info.key, info.kind});
+        }
+        return names;
+    }();
+    return kNames;
+}
+
+template <>
+std::span<const KindName<FilterKind>> kindNames<FilterKind>() {
+    static constexpr KindName<FilterKind> kNames[] = {{"box", FilterKind::Box},
+                                                      {"gaussian", FilterKind::Gaussian},
+                                                      {"blackman-harris", FilterKind::BlackmanHarris}};
+    return kNames;
+}
+
+template <>
+std::span<const KindName<SamplerKind>> kindNames<SamplerKind>() {
+    static constexpr KindName<SamplerKind> kNames[] = {{"sobol", SamplerKind::Sobol},
+                                                       {"independent", SamplerKind::Independent}};
+    return kNames;
+}
+
+template <>
+std::span<const KindName<PhotonLookupKind>> kindNames<PhotonLookupKind>() {
+    static constexpr KindName<PhotonLookupKind> kNames[] = {{"grid", PhotonLookupKind::Grid},
+                                                            {"tree", PhotonLookupKind::Tree}};
+    return kNames;
+}
+
+}  // namespace glint

@@ -1,0 +1,389 @@
+// The fields of every scene type, each listed once. A field that is added to a type is a line here.
+#pragma once
+
+#include "engine/scene/field.h"
+#include "engine/scene/generated_mesh.h"
+#include "engine/scene/metals.h"
+
+namespace glint {
+
+constexpr double kLargestUint32 = 4294967295.0;
+constexpr NumberRange kViewAngle{
+    .lo = 0.0, .hi = 180.0, .openLo = true, .openHi = true, .expected = "an angle between 0 and 180 degrees"};
+constexpr NumberRange kFilterRadius{
+    .lo = 0.0, .hi = 16.0, .openLo = true, .expected = "a radius above 0 and up to 16 pixels"};
+constexpr NumberRange kAlphaRange{
+    .lo = 0.0, .hi = 1.0, .openLo = true, .openHi = true, .expected = "a number between 0 and 1"};
+constexpr NumberRange kRadiusRange{
+    .lo = 0.0, .hi = 1e18f, .expected = "a radius in metres, or 0 for an automatic one"};
+constexpr NumberRange kFootprintRange{
+    .lo = 0.0, .hi = 1e6, .openLo = true, .expected = "a number above 0 and up to 1e6"};
+constexpr NumberRange kReflectance{.lo = 0.0, .hi = 1.0, .expected = "a reflectance from 0 to 1 per channel"};
+constexpr NumberRange kIor{.lo = 0.01f, .hi = 100.0, .expected = "an index of refraction from 0.01 to 100"};
+constexpr NumberRange kConeAngle{
+    .lo = 0.0, .hi = 90.0, .openLo = true, .expected = "a half angle above 0 and up to 90 degrees"};
+constexpr NumberRange kConeStart{
+    .lo = 0.0, .hi = 90.0, .expected = "a half angle from 0 to \"coneAngleDeg\""};
+constexpr NumberRange kElevation{.lo = -90.0, .hi = 90.0, .expected = "an angle from -90 to 90 degrees"};
+constexpr NumberRange kSunRadius{.lo = 0.1f, .hi = 90.0, .expected = "an angle from 0.1 to 90 degrees"};
+
+template <>
+struct FieldsOf<Camera> {
+    static constexpr EditKind kEdit = EditKind::Camera;
+    static constexpr std::tuple kList{
+        field("position", &Camera::position,
+              {.unit = "m", .help = "where the camera stands", .option = "--camera-position"}),
+        field("target", &Camera::target,
+              {.unit = "m", .help = "a point the camera looks at", .option = "--camera-target"}),
+        field("up", &Camera::up, {.form = VectorForm::Direction}),
+        field("verticalFovDeg", &Camera::verticalFovDeg,
+              {.range = kViewAngle,
+               .unit = "degrees",
+               .help = "full vertical angle of view",
+               .option = "--fov"}),
+        field("horizontalScale", &Camera::horizontalScale,
+              {.range = kPositive, .help = "widens (> 1) or narrows the view: non-square pixels"}),
+        field("apertureDiameter", &Camera::apertureDiameter,
+              {.range = kNotNegative,
+               .unit = "m",
+               .help = "aperture's diameter; 0: a pinhole, everything is sharp",
+               .option = "--aperture"}),
+        field("focalDistance", &Camera::focalDistance,
+              {.range = kPositive,
+               .unit = "m",
+               .help = "distance of the plane in focus; the target's where a scene leaves it out",
+               .option = "--focus"},
+              {.setDefault =
+                   [](Camera* camera) {
+                       camera->focalDistance = glm::length(camera->target - camera->position);
+                   }}),
+        field("apertureBlades", &Camera::apertureBlades,
+              {.range = {.lo = 0, .hi = 64}, .help = "0: a round aperture, otherwise its corners"},
+              {.holds =
+                   [](const Camera& camera) {
+                       return camera.apertureBlades != 1 && camera.apertureBlades != 2;
+                   },
+               .message = "\"apertureBlades\" is less than 3; expected 0 (round) or 3 to 64"}),
+        field("bladeRotationDeg", &Camera::bladeRotationDeg,
+              {.unit = "degrees", .help = "turns the aperture's corners; at 0 one lies to the right"})};
+};
+
+template <>
+struct FieldsOf<Resolution> {
+    static constexpr EditKind kEdit = EditKind::Resolution;
+    static constexpr std::tuple kList{
+        field("width", &Resolution::width, {.range = {.lo = 1, .hi = 32768}, .unit = "pixels"}),
+        field("height", &Resolution::height, {.range = {.lo = 1, .hi = 32768}, .unit = "pixels"})};
+};
+
+template <>
+struct FieldsOf<RenderOptions> {
+    static constexpr EditKind kEdit = EditKind::Options;
+    static constexpr std::tuple kList{
+        field("integrator", &RenderOptions::integrator,
+              {.help = "path tracing, progressive photon mapping (sppm), ambient occlusion (ao)",
+               .edit = EditKind::Integrator,
+               .option = "--integrator"}),
+        field("maxDepth", &RenderOptions::maxDepth,
+              {.range = {.lo = 0, .hi = 1 << 20},
+               .help = "most scattering events along a path",
+               .option = "--depth"}),
+        field("rouletteStartDepth", &RenderOptions::rouletteStartDepth,
+              {.range = {.lo = 0, .hi = 1 << 20},
+               .help = "the scattering event Russian roulette starts at",
+               .variant = "roulette"}),
+        field("filter", &RenderOptions::filter, {.help = "reconstruction filter", .option = "--filter"}),
+        field("filterRadiusPixels", &RenderOptions::filterRadius,
+              {.range = kFilterRadius,
+               .unit = "pixels",
+               .help = "half the filter's width",
+               .setting = "filterRadius",
+               .option = "--filter-radius"},
+              {.setDefault =
+                   [](RenderOptions* options) { options->filterRadius = usualRadius(options->filter); }}),
+        field("sampler", &RenderOptions::sampler,
+              {.help = "points: sobol (low discrepancy) or independent",
+               .option = "--sampler",
+               .variant = "sampler"}),
+        field("seed", &RenderOptions::seed,
+              {.range = {.lo = 0, .hi = kLargestUint32},
+               .help = "seed of the random numbers",
+               .option = "--seed"}),
+        field("fireflyClamp", &RenderOptions::fireflyClamp,
+              {.range = kNotNegative,
+               .help = "the most radiance a sample may bring, biased; 0: off",
+               .variant = "clamp"})};
+};
+
+template <>
+struct FieldsOf<SppmOptions> {
+    static constexpr EditKind kEdit = EditKind::SppmParameters;
+    static constexpr std::tuple kList{
+        field("photonsPerPass", &SppmOptions::photonsPerPass,
+              {.range = {.lo = 1, .hi = 1 << 30},
+               .help = "photons in a pass",
+               .option = "--photons",
+               .variant = "photons"}),
+        field("alpha", &SppmOptions::alpha,
+              {.range = kAlphaRange,
+               .help = "share of each pass's photons that is kept: smaller shrinks radii faster",
+               .option = "--alpha",
+               .variant = "alpha"}),
+        field("radius", &SppmOptions::radiusWorld,
+              {.range = kRadiusRange,
+               .unit = "m",
+               .help = "first radius; 0: automatic, from each pixel's footprint"}),
+        field("radiusFootprints", &SppmOptions::radiusFootprints,
+              {.range = kFootprintRange,
+               .help = "automatic: first radius in widths of a pixel where it meets the surface"}),
+        field("storeRoughness", &SppmOptions::storeRoughness,
+              {.range = kUnitInterval,
+               .help =
+                   "metal and glass at least this rough gather photons; sharper ones reflect or refract on"}),
+        field("directLight", &SppmOptions::sampleDirectLight,
+              {.help = "direct light: sampled, or left to the photons",
+               .option = "--direct",
+               .variant = "direct",
+               .whenTrue = "sampled",
+               .whenFalse = "photons"}),
+        field("lookup", &SppmOptions::lookup,
+              {.help = "how photons are found: hash grid or kd-tree",
+               .option = "--lookup",
+               .variant = "lookup"}),
+        field("memoryBudgetMiB", &SppmOptions::memoryBudgetMiB,
+              {.range = {.lo = 0, .hi = 1 << 22},
+               .unit = "MiB",
+               .help = "budget for photons and statistics: photons in a pass are reduced to fit; 0: no limit",
+               .option = "--memory"})};
+};
+
+template <>
+struct FieldsOf<Texture> {
+    static constexpr EditKind kEdit = EditKind::MaterialKind;
+    static constexpr std::tuple kList{
+        label("", &Texture::name),
+        field("file", &Texture::image,
+              {.help = "PNG, JPEG, BMP, TGA, HDR or EXR; relative to the scene's folder", .required = true}),
+        field("encoding", &Texture::encoding, {.help = "how 8-bit files hold colour"}),
+        field("flipV", &Texture::flipV, {.help = "counts v from the image's top row"}),
+        field("scale", &Texture::scale, {.help = "factors on u and v; the image repeats"})};
+};
+
+/// Whether `color` is a factor on a reflectance that is there without it.
+constexpr bool isTinted(MaterialKind kind) {
+    return kind == MaterialKind::Mirror || kind == MaterialKind::Conductor ||
+           kind == MaterialKind::Dielectric;
+}
+
+template <>
+struct FieldsOf<Material> {
+    static constexpr EditKind kEdit = EditKind::MaterialParameters;
+    static constexpr uint32_t kConductor = only(MaterialKind::Conductor);
+    static constexpr uint32_t kRefractive =
+        only(MaterialKind::Dielectric, MaterialKind::Plastic, MaterialKind::Mixture);
+    static constexpr uint32_t kRough =
+        only(MaterialKind::Conductor, MaterialKind::Dielectric, MaterialKind::Plastic);
+    static constexpr std::tuple kList{
+        field("type", &Material::kind, {.edit = EditKind::MaterialKind, .required = true}),
+        label("", &Material::name),
+        field("color", &Material::color,
+              {.range = kReflectance, .help = "reflectance; conductor: a factor on it"},
+              {.setDefault =
+                   [](Material* material) {
+                       material->color.value = Vec3(isTinted(material->kind) ? 1.0f : 0.5f);
+                   }}),
+        field("metal", &Material::metal,
+              {.help = "measured constants", .kinds = kConductor, .words = metalNames},
+              {.isSaved = [](const Material& material) { return !material.metal.empty(); }}),
+        field("eta", &Material::eta,
+              {.range = kPositive, .help = "index of refraction, grey or [r, g, b]", .kinds = kConductor},
+              {.isSaved = [](const Material& material) { return material.metal.empty(); }}),
+        field("k", &Material::k,
+              {.range = kNotNegative, .help = "extinction, grey or [r, g, b]", .kinds = kConductor},
+              {.isSaved = [](const Material& material) { return material.metal.empty(); }}),
+        field("ior", &Material::ior,
+              {.range = kIor, .help = "index of refraction inside over outside", .kinds = kRefractive}),
+        field("roughness", &Material::roughness,
+              {.range = kUnitInterval, .help = "GGX alpha; 0: smooth", .kinds = kRough}),
+        field("thin", &Material::thin,
+              {.help = "a sheet of no thickness: light passes straight",
+               .kinds = only(MaterialKind::Dielectric)}),
+        field("weights", &Material::mixtureWeights,
+              {.range = kNotNegative,
+               .help = "[diffuse, mirror, refractive], in any unit",
+               .kinds = only(MaterialKind::Mixture)},
+              {.holds = [](const Material& material) { return !isZero(material.mixtureWeights.value); },
+               .message = "\"weights\" are all 0; expected [diffuse, mirror, refractive]"}),
+        field("emission", &Material::emission,
+              {.range = kNotNegative, .unit = "W/(sr m^2)", .help = "radiance"}),
+        field("emissionStrength", &Material::emissionStrength,
+              {.range = kNotNegative, .help = "factor on emission"}),
+        field("emitsBothSides", &Material::emitsBothSides, {.help = "otherwise only the front side shines"})};
+};
+
+/// Of a mesh. What the picture depends on are the triangles.
+template <>
+struct FieldsOf<FileSource> {
+    static constexpr EditKind kEdit = EditKind::None;
+    static constexpr std::tuple kList{
+        field("file", &FileSource::path,
+              {.help = "OBJ or PLY; relative to the scene's folder", .inPicture = false, .required = true}),
+        field("part", &FileSource::part,
+              {.range = {.lo = 0, .hi = 100'000'000},
+               .help = "OBJ: the n-th run of faces of one material, from 0; all of them if left out",
+               .inPicture = false},
+              {.isSaved = [](const FileSource& file) { return file.part >= 0; }})};
+};
+
+template <>
+struct FieldsOf<MeshGenerator> {
+    static constexpr EditKind kEdit = EditKind::None;
+    static constexpr std::tuple kList{
+        field("generator", &MeshGenerator::name,
+              {.inPicture = false, .required = true, .words = meshGeneratorNames}),
+        field("triangleCount", &MeshGenerator::triangles,
+              {.range = {.lo = 1, .hi = 100'000'000},
+               .help = "about how many; 10000 if left out",
+               .inPicture = false},
+              {.setDefault = [](MeshGenerator* generator) { generator->triangles = 10000; }}),
+        field("seed", &MeshGenerator::seed, {.range = {.lo = 0, .hi = kLargestUint32}, .inPicture = false})};
+};
+
+template <>
+struct FieldsOf<Mesh> {
+    static constexpr EditKind kEdit = EditKind::Everything;
+    static constexpr std::tuple kList{label("", &Mesh::name), label("", &Mesh::source),
+                                      field("", &Mesh::data)};
+};
+
+/// Beside these keys stand those of shape_forms.h.
+template <>
+struct FieldsOf<Object> {
+    static constexpr EditKind kEdit = EditKind::Everything;
+    static constexpr std::tuple kList{
+        field("type", &Object::shape, {.required = true}),
+        label("name", &Object::name),
+        field("", &Object::mesh),
+        field("material", &Object::material,
+              {.help = "a material's name, or the material itself", .custom = true}),
+        field("frontOnly", &Object::frontOnly, {.help = "rays meet only the front side"}),
+        field("transform", &Object::objectToWorld, {.edit = EditKind::ObjectTransform, .custom = true})};
+};
+
+template <>
+struct FieldsOf<Light> {
+    static constexpr EditKind kEdit = EditKind::Lights;
+    static constexpr uint32_t kSpot = only(LightKind::Spot);
+    static constexpr uint32_t kPlaced = only(LightKind::Point, LightKind::Spot);
+    static constexpr std::tuple kList{
+        field("type", &Light::kind, {.required = true}),
+        label("name", &Light::name),
+        field("position", &Light::position, {.unit = "m", .kinds = kPlaced, .required = true}),
+        field("direction", &Light::direction,
+              {.form = VectorForm::Direction,
+               .help = "where the light travels",
+               .kinds = only(LightKind::Spot, LightKind::Directional)}),
+        field("color", &Light::color, {.range = kNotNegative, .form = VectorForm::Color}),
+        field("intensity", &Light::strength,
+              {.range = kNotNegative,
+               .unit = "W/sr",
+               .help = "factor on color; of a spot along its axis",
+               .kinds = kPlaced}),
+        field("irradiance", &Light::strength,
+              {.range = kNotNegative,
+               .unit = "W/m^2",
+               .help = "on a surface that faces the light, a factor on color",
+               .kinds = only(LightKind::Directional),
+               .alias = true}),
+        field("coneAngleDeg", &Light::coneAngleDeg,
+              {.range = kConeAngle,
+               .unit = "degrees",
+               .help = "half angle where the light ends",
+               .kinds = kSpot}),
+        field(
+            "coneFalloffStartDeg", &Light::coneFalloffStartDeg,
+            {.range = kConeStart,
+             .unit = "degrees",
+             .help = "half angle where it begins to fall off; three quarters of coneAngleDeg if left out",
+             .kinds = kSpot},
+            {.setDefault = [](Light* light) { light->coneFalloffStartDeg = 0.75f * light->coneAngleDeg; },
+             .holds = [](const Light& light) { return light.coneFalloffStartDeg <= light.coneAngleDeg; },
+             .message = "\"coneFalloffStartDeg\" is {}; expected a half angle from 0 to \"coneAngleDeg\""})};
+};
+
+template <>
+struct FieldsOf<Environment> {
+    static constexpr EditKind kEdit = EditKind::Lights;
+    static constexpr std::tuple kList{
+        field("color", &Environment::color,
+              {.range = kNotNegative,
+               .form = VectorForm::Color,
+               .help = "radiance, or a factor on the image; 1 if left out"}),
+        field("strength", &Environment::strength, {.range = kNotNegative, .help = "factor on color"}),
+        field("image", &Environment::image, {.help = "latitude-longitude", .custom = true}),
+        field("rotationDeg", &Environment::rotationDeg,
+              {.unit = "degrees", .help = "about +y, counter-clockwise from above"})};
+};
+
+/// What the picture depends on is the image.
+template <>
+struct FieldsOf<SkySource> {
+    static constexpr EditKind kEdit = EditKind::Everything;
+    static constexpr FieldTraits kRadiance{
+        .range = kNotNegative, .form = VectorForm::Color, .inPicture = false};
+    static constexpr std::tuple kList{
+        field("zenith", &SkySource::zenith, kRadiance),
+        field("horizon", &SkySource::horizon, kRadiance),
+        field("ground", &SkySource::ground, kRadiance),
+        field("sun", &SkySource::sun, kRadiance),
+        field("sunElevationDeg", &SkySource::sunElevationDeg,
+              {.range = kElevation, .unit = "degrees", .inPicture = false}),
+        field("sunAzimuthDeg", &SkySource::sunAzimuthDeg,
+              {.unit = "degrees", .help = "0 is +x, 90 is -z", .inPicture = false}),
+        field("sunRadiusDeg", &SkySource::sunRadiusDeg,
+              {.range = kSunRadius,
+               .unit = "degrees",
+               .help = "half the angle the sun's disc subtends",
+               .inPicture = false}),
+        field("width", &SkySource::width,
+              {.range = {.lo = 16, .hi = 8192}, .help = "pixels around, even", .inPicture = false},
+              {.holds = [](const SkySource& sky) { return sky.width % 2 == 0; },
+               .message = "\"width\" is odd; expected an even number of pixels"})};
+};
+
+/// Of meshes, the picture depends on those that an object places.
+template <>
+struct FieldsOf<SceneDescription> {
+    static constexpr EditKind kEdit = EditKind::Everything;
+    static constexpr std::tuple kList{
+        field("", &SceneDescription::path, {.inPicture = false}),
+        label("title", &SceneDescription::title, "what the scene shows, in one line"),
+        label("description", &SceneDescription::description,
+              "what to look at, or which value the picture must have"),
+        field("resolution", &SceneDescription::resolution),
+        field("camera", &SceneDescription::camera),
+        field("render", &SceneDescription::options),
+        field("", &SceneDescription::sppm),
+        field("textures", &SceneDescription::textures),
+        field("", &SceneDescription::environmentImages),
+        field("materials", &SceneDescription::materials),
+        field("meshes", &SceneDescription::meshes, {.inPicture = false}),
+        field("objects", &SceneDescription::objects),
+        field("lights", &SceneDescription::lights, {.edit = EditKind::Lights}),
+        field("environment", &SceneDescription::environment),
+        label("", &SceneDescription::warnings)};
+};
+
+/// The bit of FieldTraits::kinds that an object has.
+template <class Owner>
+uint32_t kindBit(const Owner& owner) {
+    if constexpr (std::is_same_v<Owner, Object>) {
+        return only(owner.shape);
+    } else if constexpr (requires { owner.kind; }) {
+        return only(owner.kind);
+    } else {
+        return ~0u;
+    }
+}
+
+}  // namespace glint
