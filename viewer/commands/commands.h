@@ -28,6 +28,7 @@ void addRenderCommand(const Command& program);
 void addInfoCommand(const Command& program);
 void addConvergeCommand(const Command& program);
 void addConvertCommand(const Command& program);
+void addSchemaCommand(const Command& program);
 void addDiffCommand(const Command& program);
 void addStressCommand(const Command& program);
 void addBenchCommand(const Command& program);

@@ -30,6 +30,7 @@ void addCommands(const Command& program) {
     addInfoCommand(program);
     addConvergeCommand(program);
     addConvertCommand(program);
+    addSchemaCommand(program);
     addDiffCommand(program);
     addStressCommand(program);
     addBenchCommand(program);
