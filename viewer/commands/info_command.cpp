@@ -74,7 +74,7 @@ nlohmann::ordered_json jsonReport(const SceneDescription& scene, const SceneRepo
             {"sppm_kernel", report.sppmKernel},
             {"left_out", report.leftOut},
             {"not_read", jsonOf(report.notRead)},
-            {"integrator", scene.options.integrator == IntegratorKind::Sppm ? "sppm" : "path"},
+            {"integrator", integratorInfo(scene.options.integrator).key},
             {"sppm",
              {{"photons_per_pass", report.sppm.photonsPerPass},
               {"photons_asked", scene.sppm.photonsPerPass},

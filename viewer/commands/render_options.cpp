@@ -82,11 +82,23 @@ void addSettings(const Command& command, RenderCommandOptions* o) {
     command.option("--focus", &o->focus, "Focal distance, metres").aboveZero().group(group);
 }
 
+/// Keys and short names, and "key: display name; ..." for the help.
+std::vector<std::string> integratorChoices() {
+    const std::vector<std::string_view> names = integratorNames();
+    return {names.begin(), names.end()};
+}
+
+std::string integratorHelp() {
+    std::string help;
+    for (const IntegratorInfo& info : kIntegratorTable) {
+        help += fmt::format("{}{}: {}", help.empty() ? "" : "; ", info.key, info.displayName);
+    }
+    return help;
+}
+
 void addPhotonOptions(const Command& command, RenderCommandOptions* o) {
     const std::string group = "Photon mapping, instead of the scene's own settings";
-    command.option("--integrator", &o->integrator, "path: path tracing; sppm: progressive photon mapping")
-        .oneOf({"path", "sppm"})
-        .group(group);
+    command.option("--integrator", &o->integrator, integratorHelp()).oneOf(integratorChoices()).group(group);
     command.option("--photons", &o->photons, "Photons in a pass")
         .range(1u, 1u << 30)
         .typeName("N")
@@ -163,10 +175,7 @@ Status applyRadius(const std::string& text, SppmOptions* sppm) {
 }
 
 Status applyPhotons(const RenderCommandOptions& o, SceneDescription* scene) {
-    if (!o.integrator.empty()) {
-        scene->options.integrator =
-            o.integrator == "sppm" ? IntegratorKind::Sppm : IntegratorKind::PathTracing;
-    }
+    scene->options.integrator = integratorByName(o.integrator).value_or(scene->options.integrator);
     const bool any =
         o.photons || !o.radius.empty() || o.alpha || !o.direct.empty() || !o.lookup.empty() || o.memoryMiB;
     if (any && scene->options.integrator != IntegratorKind::Sppm) {

@@ -92,7 +92,7 @@ class ReferenceErrors {
     std::optional<Error> loadError_;
     bool loading_ = false;
     std::string next_;  ///< to be loaded after the one that is being loaded
-    std::array<IntegratorState, 2> integratorStates_;
+    std::array<IntegratorState, kIntegratorTable.size()> integratorStates_;
 };
 
 /// The points as a curve without bands, for forecastError().
