@@ -51,6 +51,7 @@ void forEachArray(SceneView& view, Visit&& visit) {
     visitView(view.geometry.topInstances);
     visitView(view.geometry.planes);
     visitView(view.materials);
+    visitView(view.coats);
     visitView(view.lights.emitters);
     visitView(view.lights.nodes);
     visitView(view.lights.emitterNodes);

@@ -14,7 +14,10 @@ Vec3 BuiltScene::origin() const { return recentring ? recentring->origin : Vec3(
 SceneView BuiltScene::view() const {
     SceneView scene;
     if (instances) { scene.geometry = instances->view(); }
-    if (materials) { scene.materials = viewOf(materials->materials); }
+    if (materials) {
+        scene.materials = viewOf(materials->materials);
+        scene.coats = viewOf(materials->coats);
+    }
     if (textures) { scene.textures = viewOf(textures->textures); }
     if (lights) { scene.lights = lights->view(); }
     scene.camera = camera;

@@ -1,6 +1,8 @@
 #include "engine/builders/coat_albedo.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "engine/kernels/bsdf/plastic.h"
 
@@ -43,26 +45,31 @@ float roughCoatAlbedo(float ior, float alpha, float mu) {
     return std::fmin(sum / (kSteps * kSteps), 1.0f);
 }
 
-void tabulateCoat(MaterialData* material) {
-    const float ior = material->ior;
+CoatRow tabulateCoat(float ior, float alpha) {
+    ShadingInputs inputs;
+    inputs.ior = ior;
+    inputs.roughness = alpha;
+    CoatRow& row = inputs.coat;
     const float smoothMean = cosineMean([&](float mu) { return fresnelAt(mu, ior); }, 512);
     // What cannot get out: reciprocity of the smooth boundary, (1 - Eavg) = ior^2 (1 - Fi).
-    material->coatInternalAlbedo = clampf(1.0f - (1.0f - smoothMean) / square(ior), 0.0f, 1.0f);
-    material->coatAverageAlbedo = smoothMean;
-    if (material->alpha < kSmoothAlpha) { return; }
+    row.internalAlbedo = clampf(1.0f - (1.0f - smoothMean) / square(ior), 0.0f, 1.0f);
+    row.averageAlbedo = smoothMean;
+    if (alpha < kSmoothAlpha) {
+        std::fill(std::begin(row.ratio), std::end(row.ratio), 1.0f);
+        return row;
+    }
     for (int i = 1; i < kCoatSamples; ++i) {
         const float mu = square(static_cast<float>(i) / (kCoatSamples - 1));
         const float fresnel = fresnelAt(mu, ior);
-        material->coatRatio[i] = fresnel > 0.0f ? roughCoatAlbedo(ior, material->alpha, mu) / fresnel : 0.0f;
+        row.ratio[i] = fresnel > 0.0f ? roughCoatAlbedo(ior, alpha, mu) / fresnel : 0.0f;
     }
     // Below the first entry, within 0.06 degrees of grazing, narrow lobes have a dip that the table cannot
     // resolve: the larger value loses a little light there, the smaller would gain some.
-    const float grazing =
-        roughCoatAlbedo(ior, material->alpha, 1e-4f) / std::fmax(fresnelAt(1e-4f, ior), 1e-6f);
-    material->coatRatio[0] = std::fmax(material->coatRatio[1], grazing);
+    const float grazing = roughCoatAlbedo(ior, alpha, 1e-4f) / std::fmax(fresnelAt(1e-4f, ior), 1e-6f);
+    row.ratio[0] = std::fmax(row.ratio[1], grazing);
     // The mean of what the kernel interpolates, not of the exact albedo: energy is then conserved exactly.
-    material->coatAverageAlbedo =
-        cosineMean([&](float mu) { return detail::coatAlbedo(*material, mu); }, 512);
+    row.averageAlbedo = cosineMean([&](float mu) { return detail::coatAlbedo(inputs, mu); }, 512);
+    return row;
 }
 
 }  // namespace glint

@@ -6,9 +6,8 @@
 
 namespace glint {
 
-/// Fills coatRatio, coatAverageAlbedo and coatInternalAlbedo from ior and alpha. About 0.3 ms for a
-/// rough coat.
-void tabulateCoat(MaterialData* material);
+/// The coat of one index of refraction and GGX alpha. About 0.3 ms for a rough one.
+CoatRow tabulateCoat(float ior, float alpha);
 
 /// The share of a rough dielectric's reflection (without what passes) of light from cosine mu.
 float roughCoatAlbedo(float ior, float alpha, float mu);

@@ -9,77 +9,99 @@
 
 #include "engine/base/nearest_name.h"
 #include "engine/builders/coat_albedo.h"
+#include "engine/kernels/bsdf/bsdf.h"
 #include "engine/scene/metals.h"
 
 namespace glint {
 namespace {
 
-// Where the indices differ by less than this, a rough boundary's half vectors have no digits left; light
-// passes straight.
-constexpr float kLeastIndexDifference = 1e-3f;
-
 Error materialError(const Material& material, const std::string& what) {
     return Error{fmt::format("material '{}': {}", material.name, what), {}};
 }
 
+bool isAtLeast(float number, float least) { return std::isfinite(number) && number >= least; }
+bool isAtLeast(const Vec3& numbers, float least) {
+    return isFinite(numbers) && minComponent(numbers) >= least;
+}
+
 Status checkMaterial(const Material& material) {
-    const bool finite = isFinite(material.color.value) && isFinite(material.emission.value) &&
-                        std::isfinite(material.emissionStrength) && std::isfinite(material.roughness.value);
-    if (!finite) { return materialError(material, "colour, roughness and emission must be finite numbers"); }
-    if (!(material.ior.value > 0.0f && std::isfinite(material.ior.value))) {
-        return materialError(
-            material, fmt::format("the index of refraction is {}; expected more than 0", material.ior.value));
+    if (!isFinite(material.color.value) || !isFinite(material.emission.value) ||
+        !std::isfinite(material.emissionStrength)) {
+        return materialError(material, "colour and emission must be finite numbers");
     }
-    return {};
+    Status status;
+    forEachModelInput(
+        [&](const InputInfo& info, const auto& input) {
+            if (!status || !looksAt(material, info) || isAtLeast(input.value, info.least)) { return; }
+            status = materialError(
+                material, fmt::format("\"{}\" must be finite and at least {}", info.key, info.least));
+        },
+        material);
+    return status;
+}
+
+/// Constants that the model looks at, and the textures that replace them.
+void setInputs(const Material& material, const TextureTable& textures, MaterialData* data) {
+    forEachModelInput(
+        [&](const InputInfo& info, const auto& input, auto& value, TextureSlot& slot) {
+            if (!looksAt(material, info)) { return; }
+            value = glm::clamp(input.value, info.least, info.most);
+            slot.index = textures.packed(input.texture);
+            if (slot.index != kNone) { data->flags |= kMaterialInputTextures; }
+        },
+        material, data->inputs, data->textures);
 }
 
 Status setMetal(const Material& material, MaterialData* data) {
-    if (material.metal.empty()) {
-        if (!isFinite(material.eta.value) || !isFinite(material.k.value) ||
-            minComponent(material.eta.value) < 0.0f || minComponent(material.k.value) < 0.0f) {
-            return materialError(material, "eta and k must be finite and not negative");
-        }
-        data->eta = material.eta.value;
-        data->k = material.k.value;
-        return {};
-    }
+    if (material.metal.empty()) { return {}; }
     const std::optional<MetalConstants> metal = findMetal(material.metal);
     if (!metal) {
         const std::string hint = didYouMean(material.metal, metalNames());
         return materialError(material, fmt::format("unknown metal '{}'{}", material.metal, hint));
     }
-    data->eta = metal->eta;
-    data->k = metal->k;
+    data->inputs.eta = metal->eta;
+    data->inputs.k = metal->k;
     return {};
 }
 
-Status setMixture(const Material& material, MaterialData* data) {
+Status checkMixture(const Material& material) {
     const Vec3& weights = material.mixtureWeights.value;
-    const float sum = weights.x + weights.y + weights.z;
-    if (!(minComponent(weights) >= 0.0f && sum > 0.0f && std::isfinite(sum))) {
-        return materialError(
-            material, fmt::format("the mixture weights are {} {} {}; expected none negative, not all 0",
-                                  weights.x, weights.y, weights.z));
-    }
-    data->mixtureProbability = weights / sum;
-    return {};
+    if (!isZero(weights)) { return {}; }
+    return materialError(material, "the mixture's weights are all 0");
 }
 
-Status setCoat(const Material& material, MaterialData* data, const MaterialData* previous) {
-    if (material.ior.value < 1.0f) {
-        return materialError(material, fmt::format("the coat's index of refraction is {}; expected 1 or more",
-                                                   material.ior.value));
+Status checkCoat(const Material& material) {
+    if (material.ior.value >= 1.0f) { return {}; }
+    return materialError(material, fmt::format("the coat's index of refraction is {}; expected 1 or more",
+                                               material.ior.value));
+}
+
+/// The coat's constant row, or the first of its rows behind those in `rows`. Taken from the previous table
+/// where it has the same ones.
+void setCoat(const MaterialData* before, const std::vector<CoatRow>* rowsBefore, MaterialData* data,
+             std::vector<CoatRow>* rows) {
+    const CoatTableLayout layout = CoatTableLayout::of(*data);
+    const CoatTableLayout layoutBefore = before != nullptr ? CoatTableLayout::of(*before) : layout;
+    const bool isKnown = before != nullptr && before->kind == MaterialKind::Plastic &&
+                         layoutBefore.alphas == layout.alphas && layoutBefore.iors == layout.iors &&
+                         before->inputs.ior == data->inputs.ior &&
+                         before->inputs.roughness == data->inputs.roughness;
+    if (layout.rows() == 1) {
+        data->inputs.coat =
+            isKnown ? before->inputs.coat : tabulateCoat(data->inputs.ior, data->inputs.roughness);
+        return;
     }
-    const bool known = previous != nullptr && previous->kind == MaterialKind::Plastic &&
-                       previous->ior == data->ior && previous->alpha == data->alpha;
-    if (!known) {
-        tabulateCoat(data);
-        return {};
+    data->coatTable = static_cast<uint32_t>(rows->size());
+    if (isKnown) {
+        const auto first = rowsBefore->begin() + before->coatTable;
+        rows->insert(rows->end(), first, first + layout.rows());
+        return;
     }
-    data->coatInternalAlbedo = previous->coatInternalAlbedo;
-    data->coatAverageAlbedo = previous->coatAverageAlbedo;
-    std::copy(std::begin(previous->coatRatio), std::end(previous->coatRatio), data->coatRatio);
-    return {};
+    for (int i = 0; i < layout.rows(); ++i) {
+        rows->push_back(
+            tabulateCoat(layout.iors > 1 ? layout.ior(i / layout.alphas) : data->inputs.ior,
+                         layout.alphas > 1 ? layout.alpha(i % layout.alphas) : data->inputs.roughness));
+    }
 }
 
 uint8_t flagsOf(const Material& material) {
@@ -90,56 +112,49 @@ uint8_t flagsOf(const Material& material) {
     return static_cast<uint8_t>(flags);
 }
 
-Result<MaterialData> makeMaterial(const Material& material, uint32_t texture, const MaterialData* previous) {
+/// What only one kind of material has. Error: it makes no sense.
+Status setOwn(const Material& material, MaterialData* data) {
+    switch (material.kind) {
+        case MaterialKind::Conductor:
+            return setMetal(material, data);
+        case MaterialKind::Mixture:
+            return checkMixture(material);
+        case MaterialKind::Plastic:
+            return checkCoat(material);
+        case MaterialKind::Diffuse:
+        case MaterialKind::Mirror:
+        case MaterialKind::Dielectric:
+            break;
+    }
+    return {};
+}
+
+Result<MaterialData> makeMaterial(const Material& material, const TextureTable& textures) {
     if (const Status status = checkMaterial(material); !status) { return status.error(); }
     MaterialData data;
     data.kind = material.kind;
     data.flags = flagsOf(material);
     data.color = glm::clamp(material.color.value, Vec3(0.0f), Vec3(1.0f));
-    data.colorTexture = texture;
-    data.ior = material.ior.value;
-    data.alpha = isRough(material) ? std::fmin(material.roughness.value, 1.0f) : 0.0f;
+    data.colorTexture = textures.packed(material.color.texture);
+    setInputs(material, textures, &data);
     if (material.emissive()) {
         data.emission = glm::max(material.emission.value, Vec3(0.0f)) * material.emissionStrength;
     }
-    Status status;
-    switch (material.kind) {
-        case MaterialKind::Conductor:
-            status = setMetal(material, &data);
-            break;
-        case MaterialKind::Mixture:
-            status = setMixture(material, &data);
-            break;
-        case MaterialKind::Plastic:
-            status = setCoat(material, &data, previous);
-            break;
-        default:
-            break;
-    }
-    if (!status) { return status.error(); }
+    if (const Status status = setOwn(material, &data); !status) { return status.error(); }
+    settleConstants(&data);
     return data;
 }
 
 bool sameMaterial(const MaterialData& a, const MaterialData& b) {
-    return a.color == b.color && a.colorTexture == b.colorTexture && a.eta == b.eta && a.k == b.k &&
-           a.ior == b.ior && a.alpha == b.alpha && a.mixtureProbability == b.mixtureProbability &&
-           a.emission == b.emission && a.kind == b.kind && a.flags == b.flags;
+    bool same = a.color == b.color && a.colorTexture == b.colorTexture && a.emission == b.emission &&
+                a.kind == b.kind && a.flags == b.flags;
+    forEachModelInput([&](const InputInfo&, const auto& x, const auto& y, const TextureSlot& s,
+                          const TextureSlot& t) { same = same && x == y && s.index == t.index; },
+                      a.inputs, b.inputs, a.textures, b.textures);
+    return same;
 }
 
 }  // namespace
-
-bool isRough(const Material& material) {
-    if (material.roughness.value < kSmoothAlpha) { return false; }
-    switch (material.kind) {
-        case MaterialKind::Conductor:
-        case MaterialKind::Plastic:
-            return true;
-        case MaterialKind::Dielectric:
-            return !material.thin && std::fabs(material.ior.value - 1.0f) >= kLeastIndexDifference;
-        default:
-            return false;
-    }
-}
 
 Result<std::shared_ptr<const MaterialTable>> buildMaterialTable(
     const SceneDescription& scene, const TextureTable& textures,
@@ -147,14 +162,13 @@ Result<std::shared_ptr<const MaterialTable>> buildMaterialTable(
     auto table = std::make_shared<MaterialTable>();
     table->materials.reserve(scene.materials.size());
     for (size_t i = 0; i < scene.materials.size(); ++i) {
-        const Material& material = scene.materials[i];
-        const auto index = static_cast<size_t>(material.color.texture);
-        const bool textured = material.color.texture >= 0 && index < textures.packedIndex.size();
-        const MaterialData* before =
-            previous && i < previous->materials.size() ? &previous->materials[i] : nullptr;
-        Result<MaterialData> data =
-            makeMaterial(material, textured ? textures.packedIndex[index] : kNone, before);
+        Result<MaterialData> data = makeMaterial(scene.materials[i], textures);
         if (!data) { return data.error(); }
+        if (data->kind == MaterialKind::Plastic) {
+            const bool hasBefore = previous && i < previous->materials.size();
+            setCoat(hasBefore ? &previous->materials[i] : nullptr, hasBefore ? &previous->coats : nullptr,
+                    &*data, &table->coats);
+        }
         table->materials.push_back(*data);
     }
     if (previous && std::equal(table->materials.begin(), table->materials.end(), previous->materials.begin(),

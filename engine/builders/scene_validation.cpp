@@ -101,7 +101,7 @@ Status checkInputs(const SceneDescription& scene, const Material& material, cons
         if (!status || input.texture == -1) { return; }
         if (input.texture < -1 || input.texture >= static_cast<int>(scene.textures.size())) {
             status = fault(who, fmt::format("uses texture {} of {}", input.texture, scene.textures.size()));
-        } else if (key != "color") {
+        } else if (key == "emission") {
             status = fault(who, fmt::format("textures on \"{}\" are not rendered yet", key));
         }
     });

@@ -39,6 +39,23 @@ Result<TextureView> makeView(const Texture& texture) {
     return view;
 }
 
+/// Unless it is listed already.
+Status addTexture(const SceneDescription& scene, const Material& user, int index, TextureTable* table) {
+    const auto place = static_cast<size_t>(index);
+    if (place >= scene.textures.size()) {
+        return Error{fmt::format("material '{}' refers to texture {}; the scene has {}", user.name, index,
+                                 scene.textures.size()),
+                     {}};
+    }
+    if (table->packedIndex[place] != kNone) { return {}; }
+    Result<TextureView> view = makeView(scene.textures[place]);
+    if (!view) { return view.error(); }
+    table->packedIndex[place] = static_cast<uint32_t>(table->textures.size());
+    table->textures.push_back(*view);
+    table->images.push_back(scene.textures[place].image);
+    return {};
+}
+
 bool sameView(const TextureView& a, const TextureView& b) {
     return a.bytes == b.bytes && a.floats == b.floats && a.width == b.width && a.height == b.height &&
            a.scale == b.scale && a.encoding == b.encoding && a.flipV == b.flipV;
@@ -72,20 +89,12 @@ Result<std::shared_ptr<const TextureTable>> buildTextureTable(
     table->packedIndex.assign(scene.textures.size(), kNone);
     const std::vector<bool> used = usedMaterials(scene);
     for (size_t i = 0; i < scene.materials.size(); ++i) {
-        const int index = scene.materials[i].color.texture;
-        if (!used[i] || index < 0) { continue; }
-        if (static_cast<size_t>(index) >= scene.textures.size()) {
-            return Error{fmt::format("material '{}' refers to texture {}; the scene has {}",
-                                     scene.materials[i].name, index, scene.textures.size()),
-                         {}};
+        if (!used[i]) { continue; }
+        for (const int texture : usedTextures(scene.materials[i])) {
+            if (const Status status = addTexture(scene, scene.materials[i], texture, table.get()); !status) {
+                return status.error();
+            }
         }
-        if (table->packedIndex[static_cast<size_t>(index)] != kNone) { continue; }
-        const Texture& texture = scene.textures[static_cast<size_t>(index)];
-        Result<TextureView> view = makeView(texture);
-        if (!view) { return view.error(); }
-        table->packedIndex[static_cast<size_t>(index)] = static_cast<uint32_t>(table->textures.size());
-        table->textures.push_back(*view);
-        table->images.push_back(texture.image);
     }
     if (previous && sameTable(*table, *previous)) { return previous; }
     return std::shared_ptr<const TextureTable>(std::move(table));

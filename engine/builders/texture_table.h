@@ -19,6 +19,12 @@ struct TextureTable {
     std::vector<uint32_t> packedIndex;
     std::vector<SceneImage> images;  ///< keep the pixels alive; same indices as `textures`
 
+    /// The kernels' index of the description's texture `index`; kNone for -1 and for what is not used.
+    uint32_t packed(int index) const {
+        const bool isListed = index >= 0 && static_cast<size_t>(index) < packedIndex.size();
+        return isListed ? packedIndex[static_cast<size_t>(index)] : kNone;
+    }
+
     /// Memory of the pixels, an image that several textures share counted once.
     size_t bytes() const;
 };

@@ -18,7 +18,8 @@ std::vector<bool> materialsThatLackUvs(const SceneDescription& scene) {
         if (object.shape == ShapeKind::Mesh) {
             const Mesh& mesh = scene.meshes[static_cast<size_t>(object.mesh)];
             const auto material = static_cast<size_t>(object.material);
-            lacking[material] = lacking[material] || isLeftOut(mesh, isTextured(scene.materials[material]));
+            lacking[material] =
+                lacking[material] || isLeftOut(mesh, !usedTextures(scene.materials[material]).empty());
         }
     }
     return lacking;

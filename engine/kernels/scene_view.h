@@ -11,6 +11,7 @@ struct SceneView {
     GeometryView geometry;
     View<MaterialData> materials;
     View<TextureView> textures;
+    View<CoatRow> coats;  ///< of plastics whose roughness or index is a texture (bsdf/plastic.h)
     LightView lights;
     CameraData camera;
     Vec3 sceneCenter{0.0f};

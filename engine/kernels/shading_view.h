@@ -1,9 +1,10 @@
-// Materials, textures, lights and the camera as kernels see them. Plain data, filled by engine/build.
+// Materials, textures, lights and the camera as kernels see them. Plain data, filled by engine/builders.
 #pragma once
 
 #include "engine/base/kinds.h"
 #include "engine/base/view.h"
 #include "engine/math/frame.h"
+#include "engine/math/material_inputs.h"
 #include "engine/math/vec.h"
 
 namespace glint {
@@ -12,30 +13,49 @@ enum MaterialFlag : uint8_t {
     kMaterialThin = 1u << 0,
     kMaterialEmitsBothSides = 1u << 1,
     kMaterialEmissive = 1u << 2,
+    kMaterialInputTextures = 1u << 3,  ///< some input other than the colour is a texture
 };
 
 /// A GGX alpha below this is treated as perfectly smooth: its lobe is narrower than float directions
 /// resolve well.
 constexpr float kSmoothAlpha = 1e-4f;
 
-/// Entries of a rough coat's table.
+/// Entries of a row of a rough coat's table.
 constexpr int kCoatSamples = 32;
+
+/// What a plastic's coat of one roughness and index reflects.
+struct CoatRow {
+    float internalAlbedo = 0.0f;  ///< share of diffuse light that the coat's underside reflects
+    float averageAlbedo = 0.0f;   ///< cosine-weighted mean of the coat's albedo from outside
+    /// albedo over Fresnel at cosine (i / (kCoatSamples - 1))^2
+    float ratio[kCoatSamples] = {};
+};
+
+/// What a model computes with at a point, but for the colour.
+struct ShadingInputs : MaterialInputs<Vec3, float> {
+    CoatRow coat;  ///< plastic
+};
+
+/// An index into SceneView::textures, or none.
+struct TextureSlot {
+    static constexpr uint32_t kNone = 0xffffffffu;
+
+    TextureSlot() = default;
+    explicit TextureSlot(const Vec3&) {}
+    explicit TextureSlot(float) {}
+
+    uint32_t index = kNone;
+};
 
 struct MaterialData {
     Vec3 color{0.5f};
-    uint32_t colorTexture = 0xffffffffu;  ///< index into SceneView::textures, or none
-    Vec3 eta{1.0f};                       ///< conductor
-    Vec3 k{0.0f};                         ///< conductor
-    float ior = 1.5f;                     ///< dielectric, plastic, mixture
-    float alpha = 0.0f;                   ///< GGX; below kSmoothAlpha: smooth
-    Vec3 mixtureProbability{1, 0, 0};     ///< sums to 1
-    Vec3 emission{0.0f};                  ///< radiance, strength included
-    float coatInternalAlbedo = 0.0f;  ///< plastic: share of diffuse light that the coat's underside reflects
-    float coatAverageAlbedo = 0.0f;   ///< plastic: cosine-weighted mean of the coat's albedo from outside
+    uint32_t colorTexture = TextureSlot::kNone;         ///< index into SceneView::textures, or none
+    ShadingInputs inputs;                               ///< constants; what textures replace is not looked at
+    MaterialInputs<TextureSlot, TextureSlot> textures;  ///< none in masks without kFeatureInputTextures
+    uint32_t coatTable = TextureSlot::kNone;  ///< plastic with textures: first row in SceneView::coats
+    Vec3 emission{0.0f};                      ///< radiance, strength included
     MaterialKind kind = MaterialKind::Diffuse;
     uint8_t flags = 0;
-    /// plastic, rough: albedo over Fresnel at cosine (i / (kCoatSamples - 1))^2
-    float coatRatio[kCoatSamples] = {};
 };
 
 /// 3 bytes (sRGB or linear) or 3 floats a texel; exactly one of the pointers is set. Row 0 is the image's

@@ -86,4 +86,10 @@ GLINT_HD inline Vec3 sampleTexture(const TextureView& texture, Vec2 uv) {
     return glm::mix(top, bottom, y.weight);
 }
 
+/// Numbers at uv that are no colours: bytes count as linear, whatever the encoding.
+GLINT_HD inline Vec3 sampleNumbers(TextureView texture, Vec2 uv) {
+    texture.encoding = ColorEncoding::Linear;
+    return sampleTexture(texture, uv);
+}
+
 }  // namespace glint

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "engine/base/kinds.h"
+#include "engine/math/material_inputs.h"
 #include "engine/math/vec.h"
 
 namespace glint {
@@ -58,5 +59,10 @@ struct Material {
 
 template <class Value>
 constexpr bool kIsInput = std::is_same_v<Value, ColorInput> || std::is_same_v<Value, NumberInput>;
+
+/// Whether the material's model looks at an input.
+inline bool looksAt(const Material& material, const InputInfo& info) {
+    return (info.kinds & kindBit(material.kind)) != 0 && !(info.isReplacedByMetal && !material.metal.empty());
+}
 
 }  // namespace glint

@@ -23,10 +23,19 @@ std::vector<int*> inputTextures(Material* material) {
     return textures;
 }
 
-bool isTextured(const Material& material) {
-    bool textured = false;
-    forEachInput(material, [&](std::string_view, const auto& input) { textured |= input.texture >= 0; });
-    return textured;
+std::vector<int> usedTextures(const Material& material) {
+    std::vector<int> textures;
+    const auto add = [&](const auto& input) {
+        if (input.texture >= 0) { textures.push_back(input.texture); }
+    };
+    add(material.color);
+    add(material.emission);
+    forEachModelInput(
+        [&](const InputInfo& info, const auto& input) {
+            if (looksAt(material, info)) { add(input); }
+        },
+        material);
+    return textures;
 }
 
 std::vector<bool> usedMaterials(const SceneDescription& scene) {
@@ -42,7 +51,7 @@ std::vector<bool> usedTextures(const SceneDescription& scene) {
     const std::vector<bool> materials = usedMaterials(scene);
     for (size_t i = 0; i < scene.materials.size(); ++i) {
         if (!materials[i]) { continue; }
-        for (const int texture : inputTextures(scene.materials[i])) {
+        for (const int texture : usedTextures(scene.materials[i])) {
             mark(texture, &used);
         }
     }
@@ -62,7 +71,7 @@ std::vector<bool> texturedMeshes(const SceneDescription& scene) {
     for (const Object& object : scene.objects) {
         const auto material = static_cast<size_t>(object.material);
         if (object.shape == ShapeKind::Mesh && object.material >= 0 && material < scene.materials.size() &&
-            isTextured(scene.materials[material])) {
+            !usedTextures(scene.materials[material]).empty()) {
             mark(object.mesh, &used);
         }
     }

@@ -23,8 +23,8 @@ void forEachInput(AnyMaterial& material, const Visit& visit) {
 std::vector<int> inputTextures(const Material& material);
 /// The places of the same indices, for changing them.
 std::vector<int*> inputTextures(Material* material);
-/// Whether one of the inputs has a texture.
-bool isTextured(const Material& material);
+/// The textures of those inputs that the material's kind looks at.
+std::vector<int> usedTextures(const Material& material);
 
 /// For each material whether an object has it.
 std::vector<bool> usedMaterials(const SceneDescription& scene);

@@ -82,9 +82,9 @@ TEST(BsdfEnergy, RoughLobesLoseLittleWhenTheyAreNarrow) {
         EXPECT_GT(furnace(plasticMaterial(Vec3(1.0f), 1.5f, 0.1f), cosine, 100000, 9).mean(), 0.99);
         EXPECT_GT(furnace(dielectricMaterial(1.5f, 0.1f), cosine, 100000, 9).mean(), 0.98);
         MaterialData perfect = conductorMaterial("silver", 0.1f);
-        perfect.k = Vec3(1e4f);
+        perfect.inputs.k = Vec3(1e4f);
         EXPECT_GT(furnace(perfect, cosine, 100000, 9).mean(), 0.97);
-        perfect.alpha = 1.0f;
+        perfect.inputs.roughness = 1.0f;
         EXPECT_LT(furnace(perfect, cosine, 100000, 9).mean(), 0.95) << "documented loss of single scattering";
     }
 }
@@ -93,7 +93,7 @@ TEST(BsdfEnergy, RoughLobesLoseLittleWhenTheyAreNarrow) {
 TEST(BsdfReciprocity, HoldsForEveryMaterial) {
     Random random(11);
     for (const BsdfCase& bsdfCase : allBsdfCases()) {
-        const float eta = bsdfCase.material.ior;
+        const float eta = bsdfCase.material.inputs.ior;
         for (int i = 0; i < 300; ++i) {
             const Vec3 wo = sampleSphere(random.uniform2());
             const Bsdf<kAllFeatures> forward = testBsdf(bsdfCase.material, wo);
@@ -107,7 +107,7 @@ TEST(BsdfReciprocity, HoldsForEveryMaterial) {
             const Vec3 back = evaluate(backward, wo) / cosO;
             const float scale = !s.isTransmission ? 1.0f : (wo.z > 0.0f ? square(eta) : 1.0f / square(eta));
             // Half vectors carry rounding errors of 1e-7 in units of alpha, or of the difference of indices.
-            const float digits = std::fmax(bsdfCase.material.alpha, 1e-3f);
+            const float digits = std::fmax(bsdfCase.material.inputs.roughness, 1e-3f);
             for (int c = 0; c < 3; ++c) {
                 EXPECT_NEAR(there[c] * scale, back[c], (1e-5f + 3e-6f / digits) * 20.0f * (back[c] + 1e-3f))
                     << bsdfCase.name << " " << wo.z << " " << s.wi.z;
@@ -129,7 +129,8 @@ TEST(BsdfConsistency, SampleWeightIsEvaluateOverPdf) {
                     continue;
                 }
                 const BsdfValue value = evaluateWithPdf(bsdf, s.wi);
-                const float tolerance = 1e-4f + 1e-4f / std::fmax(bsdfCase.material.alpha, 1e-3f) * 0.2f;
+                const float tolerance =
+                    1e-4f + 1e-4f / std::fmax(bsdfCase.material.inputs.roughness, 1e-3f) * 0.2f;
                 EXPECT_NEAR(value.pdfSolidAngle / s.pdfSolidAngle, 1.0f, tolerance) << bsdfCase.name << wo.z;
                 for (int c = 0; c < 3; ++c) {
                     EXPECT_NEAR(value.value[c], s.weight[c] * value.pdfSolidAngle,

@@ -29,7 +29,7 @@ struct Histogram {
 /// Counts of kSamples samples and their expectations. The last bin holds what has no density: absorbed
 /// and specular.
 Histogram histogram(const Bsdf<kAllFeatures>& bsdf, uint64_t seed) {
-    const double smallest = std::fmax(0.1 * static_cast<double>(bsdf.material->alpha), 1e-4);
+    const double smallest = std::fmax(0.1 * static_cast<double>(bsdf.inputs().roughness), 1e-4);
     const DirectionGrid reflected(lobeAxis(bsdf, false), smallest, 16, 8);
     const DirectionGrid transmitted(lobeAxis(bsdf, true), smallest, 16, 8);
     const auto sideOf = [&](const Vec3& wi) { return glm::dot(bsdf.ngWorld, wi) > 0.0f; };

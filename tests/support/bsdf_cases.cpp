@@ -22,17 +22,17 @@ MaterialData mirrorMaterial(const Vec3& color) {
 MaterialData conductorMaterial(const std::string& metal, float alpha) {
     MaterialData data = diffuseMaterial(Vec3(1.0f));
     data.kind = MaterialKind::Conductor;
-    data.eta = findMetal(metal)->eta;
-    data.k = findMetal(metal)->k;
-    data.alpha = alpha;
+    data.inputs.eta = findMetal(metal)->eta;
+    data.inputs.k = findMetal(metal)->k;
+    data.inputs.roughness = alpha;
     return data;
 }
 
 MaterialData dielectricMaterial(float ior, float alpha, bool thin) {
     MaterialData data = diffuseMaterial(Vec3(1.0f));
     data.kind = MaterialKind::Dielectric;
-    data.ior = ior;
-    data.alpha = alpha;
+    data.inputs.ior = ior;
+    data.inputs.roughness = alpha;
     data.flags = thin ? kMaterialThin : 0;
     return data;
 }
@@ -40,17 +40,17 @@ MaterialData dielectricMaterial(float ior, float alpha, bool thin) {
 MaterialData plasticMaterial(const Vec3& color, float ior, float alpha) {
     MaterialData data = diffuseMaterial(color);
     data.kind = MaterialKind::Plastic;
-    data.ior = ior;
-    data.alpha = alpha;
-    tabulateCoat(&data);
+    data.inputs.ior = ior;
+    data.inputs.roughness = alpha;
+    data.inputs.coat = tabulateCoat(ior, alpha);
     return data;
 }
 
 MaterialData mixtureMaterial(const Vec3& color, const Vec3& probability, float ior) {
     MaterialData data = diffuseMaterial(color);
     data.kind = MaterialKind::Mixture;
-    data.mixtureProbability = probability;
-    data.ior = ior;
+    data.inputs.mixtureWeights = probability;
+    data.inputs.ior = ior;
     return data;
 }
 

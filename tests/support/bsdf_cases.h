@@ -24,6 +24,7 @@ struct MaterialScene {
 
     View<MaterialData> materials;
     View<TextureView> textures;
+    View<CoatRow> coats;
 };
 
 struct BsdfCase {

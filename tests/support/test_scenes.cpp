@@ -121,6 +121,30 @@ SceneDescription allMaterials() {
     return scene;
 }
 
+SceneDescription texturedInputs() {
+    SceneDescription scene = seenFrom({0.0f, 1.5f, 6.0f}, {0.0f, 0.4f, 0.0f});
+    scene.title = "Textures on every input of every kind of material";
+    const int emitter = addEmitterMaterial(&scene, Vec3(8.0f));
+    addObject(&scene, ShapeKind::Disc, wall({0, 4, 0}, kX, 0.5f * kPi) * scale({0.8f, 0.8f, 1}), emitter);
+    addObject(&scene, ShapeKind::Plane, rotate(kX, -0.5f * kPi),
+              addMaterial(&scene, MaterialKind::Diffuse, Vec3(0.6f)));
+    scene.textures.push_back({"numbers", checkerImage(5, 3, false), ColorEncoding::Srgb, false, Vec2(2.0f)});
+    scene.textures.push_back({"indices", checkerImage(4, 4, true), ColorEncoding::Linear, true, Vec2(1.0f)});
+    const size_t first = scene.materials.size();
+    for (const MaterialKind kind : {MaterialKind::Conductor, MaterialKind::Dielectric, MaterialKind::Plastic,
+                                    MaterialKind::Plastic, MaterialKind::Mixture}) {
+        const int material = addMaterial(&scene, kind, Vec3(0.9f, 0.7f, 0.5f), 0.2f);
+        const float x = 1.1f * (static_cast<float>(material) - static_cast<float>(first) - 2.0f);
+        addObject(&scene, ShapeKind::Sphere, translate({x, 0.5f, 0.0f}) * scale(Vec3(0.5f)), material);
+        scene.materials.back().metal.clear();
+        forEachModelInput([](const InputInfo&, auto& input) { input.texture = 1; }, scene.materials.back());
+        scene.materials.back().roughness.texture = 0;
+    }
+    scene.materials[first + 2].ior = {1.5f};
+    scene.environment.color = Vec3(0.2f, 0.3f, 0.4f);
+    return scene;
+}
+
 SceneDescription meshInstances() {
     SceneDescription scene = seenFrom({0.0f, 1.5f, 7.0f}, {0.0f, 0.0f, 0.0f});
     scene.title = "One mesh under every kind of affine transform";
@@ -209,10 +233,10 @@ SceneDescription darkness() {
 }
 
 std::vector<NamedScene> allTestScenes() {
-    return {
-        {"cornellBox", cornellBox()}, {"allMaterials", allMaterials()}, {"meshInstances", meshInstances()},
-        {"manyLights", manyLights()}, {"lampShapes", emitterShapes()},  {"whiteFurnace", whiteFurnace()},
-        {"darkness", darkness()}};
+    return {{"cornellBox", cornellBox()},         {"allMaterials", allMaterials()},
+            {"texturedInputs", texturedInputs()}, {"meshInstances", meshInstances()},
+            {"manyLights", manyLights()},         {"lampShapes", emitterShapes()},
+            {"whiteFurnace", whiteFurnace()},     {"darkness", darkness()}};
 }
 
 std::shared_ptr<const MeshData> bumpySphere(int rings, int segments, bool withColors) {

@@ -19,6 +19,9 @@ SceneDescription cornellBox();
 /// directional light, with a thin lens.
 SceneDescription allMaterials();
 
+/// A sphere of each material kind that has inputs beside its colour, all of them textures.
+SceneDescription texturedInputs();
+
 /// One mesh with normals, texture coordinates and vertex colours, placed by a rigid, a mirrored, a sheared
 /// and a non-uniform transform, one of them seen from its front only, under a rotated environment image.
 SceneDescription meshInstances();

@@ -22,10 +22,10 @@ std::vector<BsdfCase> edgeCases() {
     cases.push_back({"plastic of index 1, black", plasticMaterial(Vec3(0.0f), 1.0f, 0.0f)});
     cases.push_back({"plastic of index 0.5", plasticMaterial(Vec3(0.5f), 0.5f, 0.0f)});
     MaterialData vacuum = conductorMaterial("gold", 0.1f);
-    vacuum.eta = Vec3(1.0f);
-    vacuum.k = Vec3(0.0f);
+    vacuum.inputs.eta = Vec3(1.0f);
+    vacuum.inputs.k = Vec3(0.0f);
     cases.push_back({"conductor of vacuum", vacuum});
-    vacuum.eta = Vec3(0.0f);
+    vacuum.inputs.eta = Vec3(0.0f);
     cases.push_back({"conductor of nothing", vacuum});
     return cases;
 }

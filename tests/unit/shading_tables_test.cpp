@@ -60,10 +60,10 @@ TEST(MaterialTable, LooksMetalsUp) {
     metal.metal = "copper";
     const auto named = build(sceneOf({metal}));
     ASSERT_TRUE(named);
-    EXPECT_GT((*named)->materials[0].eta.y, (*named)->materials[0].eta.x);
+    EXPECT_GT((*named)->materials[0].inputs.eta.y, (*named)->materials[0].inputs.eta.x);
     metal.metal = "";
     metal.eta.value = Vec3(0.3f);
-    EXPECT_EQ((*build(sceneOf({metal})))->materials[0].eta, Vec3(0.3f));
+    EXPECT_EQ((*build(sceneOf({metal})))->materials[0].inputs.eta, Vec3(0.3f));
     metal.metal = "coper";
     EXPECT_NE(errorOf(metal).find("did you mean 'copper'"), std::string::npos) << errorOf(metal);
 }
@@ -97,7 +97,7 @@ TEST(MaterialTable, NormalisesAndClamps) {
     mixture.emission.value = Vec3(2.0f);
     mixture.emissionStrength = 3.0f;
     const MaterialData data = (*build(sceneOf({mixture})))->materials[0];
-    EXPECT_EQ(data.mixtureProbability, Vec3(0.5f, 0.25f, 0.25f));
+    EXPECT_EQ(data.inputs.mixtureWeights, Vec3(0.5f, 0.25f, 0.25f));
     EXPECT_EQ(data.color, Vec3(1.0f, 0.0f, 0.25f));
     EXPECT_EQ(data.emission, Vec3(6.0f));
     EXPECT_EQ(data.flags, kMaterialEmissive);
@@ -112,9 +112,9 @@ TEST(MaterialTable, IsSharedWhileNothingChanges) {
     scene.materials[0].color.value = Vec3(0.1f);
     const auto second = *build(scene, first);
     EXPECT_NE(second, first);
-    EXPECT_EQ(second->materials[0].coatRatio[7], first->materials[0].coatRatio[7]);
+    EXPECT_EQ(second->materials[0].inputs.coat.ratio[7], first->materials[0].inputs.coat.ratio[7]);
     scene.materials[0].roughness.value = 0.9f;
-    EXPECT_NE((*build(scene, second))->materials[0].coatRatio[7], first->materials[0].coatRatio[7]);
+    EXPECT_NE((*build(scene, second))->materials[0].inputs.coat.ratio[7], first->materials[0].inputs.coat.ratio[7]);
 }
 
 TEST(TextureTable, HoldsOnlyWhatIsUsed) {

@@ -1,5 +1,15 @@
-// How a surface scatters light: one interface over all materials. Host and device. bsdf/<model>.h holds what
-// one kind of material does, withModel() the choice among them.
+// How a surface scatters light: one interface over all materials. Host and device.
+//
+// bsdf/<model>.h holds what one kind of material does, withModel() the choice among them. A model is a struct
+// template on the feature mask with
+//   kFeatures                            the bits of which any compiles it in
+//   featuresOf(material)                 those that kernels for such a material need
+//   isSpecularOnly(bsdf)                 whether no lobe has a density; looks at the inputs alone
+//   hasSpecularLobe(bsdf)                whether some lobe has none; likewise
+//   visiblePointLobes(bsdf, storeAlpha)  as below
+//   evaluate(bsdf, wi, ngWi)             all lobes with a density; wi is local, ngWi its cosine with ng
+//   sample(bsdf, uLobe, u)               a local direction
+// and what it changes of BsdfModelDefaults.
 //
 // Directions are in world space, of unit length, and point away from the surface. Compiled for a feature
 // mask: a scene of diffuse surfaces only leaves nothing here but Lambert's law. Opaque materials scatter
@@ -16,11 +26,10 @@
 #include "engine/kernels/bsdf/conductor.h"
 #include "engine/kernels/bsdf/dielectric.h"
 #include "engine/kernels/bsdf/diffuse.h"
+#include "engine/kernels/bsdf/inputs_at.h"
 #include "engine/kernels/bsdf/mirror.h"
 #include "engine/kernels/bsdf/mixture.h"
 #include "engine/kernels/bsdf/plastic.h"
-#include "engine/kernels/geometry_view.h"
-#include "engine/kernels/texture.h"
 
 namespace glint {
 namespace detail {
@@ -39,23 +48,23 @@ GLINT_HD auto visitIfCompiled(Visit&& visit) {
 template <FeatureMask kMask, class Visit>
 GLINT_HD auto withModel(const MaterialData& material, Visit&& visit) {
     if constexpr (isDiffuseOnly<kMask>()) {
-        return visit(DiffuseModel{});
+        return visit(DiffuseModel<kMask>{});
     } else {
         switch (material.kind) {
             case MaterialKind::Diffuse:
-                return visitIfCompiled<DiffuseModel, kMask>(visit);
+                return visitIfCompiled<DiffuseModel<kMask>, kMask>(visit);
             case MaterialKind::Mirror:
-                return visitIfCompiled<MirrorModel, kMask>(visit);
+                return visitIfCompiled<MirrorModel<kMask>, kMask>(visit);
             case MaterialKind::Conductor:
-                return visitIfCompiled<ConductorModel, kMask>(visit);
+                return visitIfCompiled<ConductorModel<kMask>, kMask>(visit);
             case MaterialKind::Dielectric:
-                return visitIfCompiled<DielectricModel, kMask>(visit);
+                return visitIfCompiled<DielectricModel<kMask>, kMask>(visit);
             case MaterialKind::Plastic:
-                return visitIfCompiled<PlasticModel, kMask>(visit);
+                return visitIfCompiled<PlasticModel<kMask>, kMask>(visit);
             case MaterialKind::Mixture:
-                return visitIfCompiled<MixtureModel, kMask>(visit);
+                return visitIfCompiled<MixtureModel<kMask>, kMask>(visit);
         }
-        return decltype(visit(DiffuseModel{})){};
+        return decltype(visit(DiffuseModel<kMask>{})){};
     }
 }
 
@@ -91,30 +100,20 @@ GLINT_HD Vec3 usedShadingNormal(const Bsdf<kMask>& bsdf, const Vec3& wo, const V
     });
 }
 
-/// The colour at a point: the texture or else the material's, times the vertex colour.
-template <FeatureMask kMask, class Surface>
-GLINT_HD Vec3 surfaceColor(const MaterialData& material, const View<TextureView>& textures,
-                           const Surface& surface) {
-    Vec3 color = material.color;
-    if constexpr (hasFeature<kMask>(kFeatureTextures)) {
-        if (material.colorTexture < textures.count) {
-            color = glm::clamp(sampleTexture(textures[material.colorTexture], surface.uv), Vec3(0.0f),
-                               Vec3(1.0f));
-        }
-    }
-    if constexpr (hasFeature<kMask>(kFeatureMeshColors)) {
-        color *= glm::clamp(surface.vertexColor, Vec3(0.0f), Vec3(1.0f));
-    }
-    return color;
+/// Makes inputs what the material's model computes with.
+template <FeatureMask kMask>
+GLINT_HD void settle(const MaterialData& material, const View<CoatRow>& coats, ShadingInputs* inputs) {
+    withModel<kMask>(material, [&](auto model) {
+        model.settle(material, coats, inputs);
+        return true;
+    });
 }
 
-/// All lobes but the specular ones, in the local frame. ngWi: wi's cosine with the geometric normal.
 template <FeatureMask kMask>
 GLINT_HD BsdfValue evaluateLocal(const Bsdf<kMask>& bsdf, const Vec3& wi, float ngWi) {
     return withModel<kMask>(*bsdf.material, [&](auto model) { return model.evaluate(bsdf, wi, ngWi); });
 }
 
-/// A direction of the local frame.
 template <FeatureMask kMask>
 GLINT_HD BsdfSample sampleLocal(const Bsdf<kMask>& bsdf, float uLobe, Vec2 u) {
     return withModel<kMask>(*bsdf.material, [&](auto model) { return model.sample(bsdf, uLobe, u); });
@@ -122,14 +121,20 @@ GLINT_HD BsdfSample sampleLocal(const Bsdf<kMask>& bsdf, float uLobe, Vec2 u) {
 
 }  // namespace detail
 
-/// Scene: a SceneView, or anything with its materials and textures. Surface: surface.h's SurfacePoint, or
-/// anything with its ng, ns, uv, vertexColor and material.
+/// Scene: a SceneView, or anything with its materials, textures and coats. Surface: surface.h's SurfacePoint,
+/// or anything with its ng, ns, uv, vertexColor and material.
 template <FeatureMask kMask, class Scene, class Surface>
 GLINT_HD Bsdf<kMask> makeBsdf(const Scene& scene, const Surface& surface, const Vec3& woWorld,
                               TransportMode transport = TransportMode::Radiance) {
     Bsdf<kMask> bsdf;
     bsdf.material = &scene.materials[surface.material];
     bsdf.color = detail::surfaceColor<kMask>(*bsdf.material, scene.textures, surface);
+    if constexpr (hasFeature<kMask>(kFeatureInputTextures)) {
+        if ((bsdf.material->flags & kMaterialInputTextures) != 0) {
+            detail::readInputs(scene, *bsdf.material, surface.uv, &bsdf.textured);
+            detail::settle<kMask>(*bsdf.material, scene.coats, &bsdf.textured);
+        }
+    }
     const bool outside = glm::dot(surface.ng, woWorld) >= 0.0f;
     bsdf.ngWorld = outside ? surface.ng : -surface.ng;
     bsdf.nsWorld = bsdf.ngWorld;
@@ -146,7 +151,7 @@ GLINT_HD Bsdf<kMask> makeBsdf(const Scene& scene, const Surface& surface, const 
         } else {
             bsdf.woLocal.z = maxf(bsdf.woLocal.z, 0.0f);
         }
-        bsdf.eta = outside ? bsdf.material->ior : 1.0f / bsdf.material->ior;
+        bsdf.eta = outside ? bsdf.inputs().ior : 1.0f / bsdf.inputs().ior;
         bsdf.transport = transport;
     }
     return bsdf;
@@ -154,9 +159,17 @@ GLINT_HD Bsdf<kMask> makeBsdf(const Scene& scene, const Surface& surface, const 
 
 /// What a scene needs of the kernels for the sake of this material.
 GLINT_HD inline FeatureMask materialFeatures(const MaterialData& material) {
-    const FeatureMask textured = material.colorTexture != kNone ? kFeatureTextures : 0u;
-    return textured |
+    FeatureMask textures = material.colorTexture != TextureSlot::kNone ? kFeatureTextures : 0u;
+    if ((material.flags & kMaterialInputTextures) != 0) {
+        textures |= kFeatureTextures | kFeatureInputTextures;
+    }
+    return textures |
            detail::withModel<kAllFeatures>(material, [&](auto model) { return model.featuresOf(material); });
+}
+
+/// Makes a new material's constants what its model computes with.
+GLINT_HD inline void settleConstants(MaterialData* material) {
+    detail::settle<kAllFeatures>(*material, {}, &material->inputs);
 }
 
 /// True when light sampling is useless here: evaluate() is 0 for every direction.

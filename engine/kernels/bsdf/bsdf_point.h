@@ -67,14 +67,36 @@ struct BsdfLocalFrame {
 template <>
 struct BsdfLocalFrame<false> {};
 
+/// What textures replace the material's constants with; nothing where there are no such textures.
+template <bool kNeeded>
+struct BsdfTexturedInputs {
+    GLINT_HD BsdfTexturedInputs() {}
+
+    /// Set where the material has kMaterialInputTextures; nothing is spent on it elsewhere.
+    union {
+        ShadingInputs textured;
+    };
+};
+template <>
+struct BsdfTexturedInputs<false> {};
+
 /// A material at one point, seen from one direction.
 template <FeatureMask kMask>
-struct Bsdf : BsdfLocalFrame<!isDiffuseOnly<kMask>()> {
+struct Bsdf : BsdfLocalFrame<!isDiffuseOnly<kMask>()>,
+              BsdfTexturedInputs<hasFeature<kMask>(kFeatureInputTextures)> {
     const MaterialData* material = nullptr;
     Vec3 color{0.0f};    ///< texture and vertex colour included
     Vec3 ngWorld{0.0f};  ///< geometric normal on wo's side
     Vec3 nsWorld{0.0f};  ///< shading normal on wo's side
     float ngNs = 1.0f;   ///< cosine between the two; exactly 1 where they are the same
+
+    /// All but the colour, as they are at the point.
+    GLINT_HD const ShadingInputs& inputs() const {
+        if constexpr (hasFeature<kMask>(kFeatureInputTextures)) {
+            if ((material->flags & kMaterialInputTextures) != 0) { return this->textured; }
+        }
+        return material->inputs;
+    }
 };
 
 /// What a model may leave as it is.
@@ -83,6 +105,10 @@ struct BsdfModelDefaults {
     static constexpr bool kTransmitsSampledLight = false;
     /// Whether a photon leaves in any direction above the surface, however a camera path bends ns.
     static constexpr bool kPhotonsLeaveAboutNg = false;
+
+    /// Makes what textures say of the inputs something the model can compute with. Constants are settled when
+    /// the material is built.
+    static GLINT_HD void settle(const MaterialData&, const View<CoatRow>&, ShadingInputs*) {}
 
     /// The colour at the point for denoisers and previews.
     template <FeatureMask kMask>
@@ -93,7 +119,15 @@ struct BsdfModelDefaults {
 
 namespace detail {
 
-GLINT_HD inline bool isSmooth(const MaterialData& material) { return material.alpha < kSmoothAlpha; }
+GLINT_HD inline bool isSmooth(const ShadingInputs& inputs) { return inputs.roughness < kSmoothAlpha; }
+
+/// Whether a material is rough or smooth somewhere.
+GLINT_HD inline bool canBeRough(const MaterialData& material) {
+    return material.textures.roughness.index != TextureSlot::kNone || !isSmooth(material.inputs);
+}
+GLINT_HD inline bool canBeSmooth(const MaterialData& material) {
+    return material.textures.roughness.index != TextureSlot::kNone || isSmooth(material.inputs);
+}
 
 GLINT_HD inline BsdfSample specularSample(const Vec3& wi, const Vec3& weight) {
     BsdfSample sample;

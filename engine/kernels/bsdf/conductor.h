@@ -7,74 +7,63 @@
 
 namespace glint {
 
+template <FeatureMask kMask>
 struct ConductorModel : BsdfModelDefaults {
     static constexpr FeatureMask kFeatures = kFeatureSpecular | kFeatureGlossy;
 
     static GLINT_HD FeatureMask featuresOf(const MaterialData& material) {
-        return detail::isSmooth(material) ? kFeatureSpecular : kFeatureGlossy;
+        return (detail::canBeSmooth(material) ? kFeatureSpecular : 0u) |
+               (detail::canBeRough(material) ? kFeatureGlossy : 0u);
     }
 
-    template <FeatureMask kMask>
-    static GLINT_HD bool isSpecularOnly(const Bsdf<kMask>& bsdf) {
-        return detail::isSmooth(*bsdf.material);
-    }
+    static GLINT_HD bool isSpecularOnly(const Bsdf<kMask>& bsdf) { return detail::isSmooth(bsdf.inputs()); }
+    static GLINT_HD bool hasSpecularLobe(const Bsdf<kMask>& bsdf) { return detail::isSmooth(bsdf.inputs()); }
 
-    template <FeatureMask kMask>
-    static GLINT_HD bool hasSpecularLobe(const Bsdf<kMask>& bsdf) {
-        return detail::isSmooth(*bsdf.material);
-    }
-
-    template <FeatureMask kMask>
     static GLINT_HD LobeRange visiblePointLobes(const Bsdf<kMask>& bsdf, float storeAlpha) {
-        return isSpecularOnly(bsdf) || bsdf.material->alpha < storeAlpha ? LobeRange{}
-                                                                         : LobeRange{0.0f, 1.0f};
+        return isSpecularOnly(bsdf) || bsdf.inputs().roughness < storeAlpha ? LobeRange{}
+                                                                            : LobeRange{0.0f, 1.0f};
     }
 
     /// The reflectance at normal incidence.
-    template <FeatureMask kMask>
     static GLINT_HD Vec3 displayAlbedo(const Bsdf<kMask>& bsdf) {
-        return bsdf.color * fresnelConductor(1.0f, bsdf.material->eta, bsdf.material->k);
+        return bsdf.color * fresnelConductor(1.0f, bsdf.inputs().eta, bsdf.inputs().k);
     }
 
-    template <FeatureMask kMask>
     static GLINT_HD BsdfValue evaluate(const Bsdf<kMask>& bsdf, const Vec3& wi, float) {
         if constexpr (hasFeature<kMask>(kFeatureGlossy)) {
-            const MaterialData& material = *bsdf.material;
+            const ShadingInputs& in = bsdf.inputs();
             const Vec3& wo = bsdf.woLocal;
-            if (detail::isSmooth(material) || !(wi.z > 0.0f)) { return {}; }
+            if (detail::isSmooth(in) || !(wi.z > 0.0f)) { return {}; }
             const Vec3 h = glm::normalize(wo + wi);
-            const Vec3 fresnel =
-                fresnelConductor(clampf(glm::dot(wo, h), 0.0f, 1.0f), material.eta, material.k);
-            return {bsdf.color * fresnel * ggxReflection(wo, wi, h, material.alpha),
-                    ggxReflectionPdf(wo, h, material.alpha)};
+            const Vec3 fresnel = fresnelConductor(clampf(glm::dot(wo, h), 0.0f, 1.0f), in.eta, in.k);
+            return {bsdf.color * fresnel * ggxReflection(wo, wi, h, in.roughness),
+                    ggxReflectionPdf(wo, h, in.roughness)};
         }
         return {};
     }
 
-    template <FeatureMask kMask>
     static GLINT_HD BsdfSample sample(const Bsdf<kMask>& bsdf, float, Vec2 u) {
         if constexpr (hasFeature<kMask>(kFeatureGlossy)) {
-            if (!detail::isSmooth(*bsdf.material)) { return sampleRough(bsdf, u); }
+            if (!detail::isSmooth(bsdf.inputs())) { return sampleRough(bsdf, u); }
         }
         if constexpr (hasFeature<kMask>(kFeatureSpecular)) {
             const Vec3 fresnel =
-                fresnelConductor(minf(bsdf.woLocal.z, 1.0f), bsdf.material->eta, bsdf.material->k);
+                fresnelConductor(minf(bsdf.woLocal.z, 1.0f), bsdf.inputs().eta, bsdf.inputs().k);
             return detail::specularSample(detail::mirrored(bsdf.woLocal), bsdf.color * fresnel);
         }
         return {};
     }
 
   private:
-    template <FeatureMask kMask>
     static GLINT_HD BsdfSample sampleRough(const Bsdf<kMask>& bsdf, Vec2 u) {
-        const MaterialData& material = *bsdf.material;
+        const ShadingInputs& in = bsdf.inputs();
         const Vec3& wo = bsdf.woLocal;
-        const Vec3 h = sampleVisibleNormal(wo, material.alpha, u);
+        const Vec3 h = sampleVisibleNormal(wo, in.roughness, u);
         const Vec3 wi = reflect(wo, h);
         if (!(wi.z > 0.0f)) { return {}; }
-        const Vec3 fresnel = fresnelConductor(clampf(glm::dot(wo, h), 0.0f, 1.0f), material.eta, material.k);
-        return detail::nonDeltaSample(wi, bsdf.color * fresnel * ggxReflectionWeight(wo, wi, material.alpha),
-                                      ggxReflectionPdf(wo, h, material.alpha));
+        const Vec3 fresnel = fresnelConductor(clampf(glm::dot(wo, h), 0.0f, 1.0f), in.eta, in.k);
+        return detail::nonDeltaSample(wi, bsdf.color * fresnel * ggxReflectionWeight(wo, wi, in.roughness),
+                                      ggxReflectionPdf(wo, h, in.roughness));
     }
 };
 

@@ -97,57 +97,56 @@ GLINT_HD BsdfSample sampleRoughDielectric(const Bsdf<kMask>& bsdf, float alpha, 
 
 }  // namespace detail
 
+template <FeatureMask kMask>
 struct DielectricModel : BsdfModelDefaults {
     static constexpr FeatureMask kFeatures = kFeatureDielectric;
     static constexpr bool kTransmitsSampledLight = true;
 
+    /// Where the indices differ by less than this, a rough boundary's half vectors have no digits left; light
+    /// passes straight.
+    static constexpr float kLeastIndexDifference = 1e-3f;
+
+    static GLINT_HD void settle(const MaterialData&, const View<CoatRow>&, ShadingInputs* in) {
+        if (std::fabs(in->ior - 1.0f) < kLeastIndexDifference) { in->roughness = 0.0f; }
+    }
+
     static GLINT_HD FeatureMask featuresOf(const MaterialData& material) {
-        return kFeatureDielectric | (isSharp(material) ? 0u : kFeatureGlossy);
+        return kFeatureDielectric | (isThin(material) || !detail::canBeRough(material) ? 0u : kFeatureGlossy);
     }
 
-    template <FeatureMask kMask>
-    static GLINT_HD bool isSpecularOnly(const Bsdf<kMask>& bsdf) {
-        return isSharp(*bsdf.material);
-    }
+    static GLINT_HD bool isSpecularOnly(const Bsdf<kMask>& bsdf) { return isSharp(bsdf); }
+    static GLINT_HD bool hasSpecularLobe(const Bsdf<kMask>& bsdf) { return isSharp(bsdf); }
 
-    template <FeatureMask kMask>
-    static GLINT_HD bool hasSpecularLobe(const Bsdf<kMask>& bsdf) {
-        return isSharp(*bsdf.material);
-    }
-
-    template <FeatureMask kMask>
     static GLINT_HD LobeRange visiblePointLobes(const Bsdf<kMask>& bsdf, float storeAlpha) {
-        return isSpecularOnly(bsdf) || bsdf.material->alpha < storeAlpha ? LobeRange{}
-                                                                         : LobeRange{0.0f, 1.0f};
+        return isSpecularOnly(bsdf) || bsdf.inputs().roughness < storeAlpha ? LobeRange{}
+                                                                            : LobeRange{0.0f, 1.0f};
     }
 
-    template <FeatureMask kMask>
     static GLINT_HD BsdfValue evaluate(const Bsdf<kMask>& bsdf, const Vec3& wi, float) {
         if constexpr (hasFeature<kMask>(kFeatureGlossy)) {
-            if (!isSharp(*bsdf.material)) {
-                return detail::evaluateRoughDielectric(bsdf, bsdf.material->alpha, wi);
-            }
+            if (!isSharp(bsdf)) { return detail::evaluateRoughDielectric(bsdf, bsdf.inputs().roughness, wi); }
         }
         return {};
     }
 
-    template <FeatureMask kMask>
     static GLINT_HD BsdfSample sample(const Bsdf<kMask>& bsdf, float uLobe, Vec2 u) {
-        const MaterialData& material = *bsdf.material;
-        if ((material.flags & kMaterialThin) != 0) {
-            return detail::sampleThinDielectric(bsdf.color, material.ior, bsdf.woLocal, uLobe);
+        const ShadingInputs& in = bsdf.inputs();
+        if (isThin(*bsdf.material)) {
+            return detail::sampleThinDielectric(bsdf.color, in.ior, bsdf.woLocal, uLobe);
         }
         if constexpr (hasFeature<kMask>(kFeatureGlossy)) {
-            if (!detail::isSmooth(material)) {
-                return detail::sampleRoughDielectric(bsdf, material.alpha, uLobe, u);
-            }
+            if (!detail::isSmooth(in)) { return detail::sampleRoughDielectric(bsdf, in.roughness, uLobe, u); }
         }
         return detail::sampleSmoothDielectric(bsdf, uLobe);
     }
 
   private:
-    static GLINT_HD bool isSharp(const MaterialData& material) {
-        return detail::isSmooth(material) || (material.flags & kMaterialThin) != 0;
+    static GLINT_HD bool isThin(const MaterialData& material) {
+        return (material.flags & kMaterialThin) != 0;
+    }
+
+    static GLINT_HD bool isSharp(const Bsdf<kMask>& bsdf) {
+        return detail::isSmooth(bsdf.inputs()) || isThin(*bsdf.material);
     }
 };
 

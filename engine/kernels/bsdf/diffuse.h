@@ -42,33 +42,20 @@ GLINT_HD BsdfSample sampleLambert(const Bsdf<kMask>& bsdf, Vec2 u) {
 
 }  // namespace detail
 
+template <FeatureMask kMask>
 struct DiffuseModel : BsdfModelDefaults {
     static constexpr FeatureMask kFeatures = kFeatureDiffuse;
     static constexpr bool kPhotonsLeaveAboutNg = true;
 
     static GLINT_HD FeatureMask featuresOf(const MaterialData&) { return kFeatureDiffuse; }
+    static GLINT_HD bool isSpecularOnly(const Bsdf<kMask>&) { return false; }
+    static GLINT_HD bool hasSpecularLobe(const Bsdf<kMask>&) { return false; }
+    static GLINT_HD LobeRange visiblePointLobes(const Bsdf<kMask>&, float) { return {0.0f, 1.0f}; }
 
-    template <FeatureMask kMask>
-    static GLINT_HD bool isSpecularOnly(const Bsdf<kMask>&) {
-        return false;
-    }
-
-    template <FeatureMask kMask>
-    static GLINT_HD bool hasSpecularLobe(const Bsdf<kMask>&) {
-        return false;
-    }
-
-    template <FeatureMask kMask>
-    static GLINT_HD LobeRange visiblePointLobes(const Bsdf<kMask>&, float) {
-        return {0.0f, 1.0f};
-    }
-
-    template <FeatureMask kMask>
     static GLINT_HD BsdfValue evaluate(const Bsdf<kMask>& bsdf, const Vec3& wi, float ngWi) {
         return detail::evaluateLambert(bsdf.color * detail::terminator(bsdf, ngWi, wi.z), wi);
     }
 
-    template <FeatureMask kMask>
     static GLINT_HD BsdfSample sample(const Bsdf<kMask>& bsdf, float, Vec2 u) {
         return detail::sampleLambert(bsdf, u);
     }

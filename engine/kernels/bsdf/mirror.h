@@ -5,32 +5,15 @@
 
 namespace glint {
 
+template <FeatureMask kMask>
 struct MirrorModel : BsdfModelDefaults {
     static constexpr FeatureMask kFeatures = kFeatureSpecular;
-
     static GLINT_HD FeatureMask featuresOf(const MaterialData&) { return kFeatureSpecular; }
+    static GLINT_HD bool isSpecularOnly(const Bsdf<kMask>&) { return true; }
+    static GLINT_HD bool hasSpecularLobe(const Bsdf<kMask>&) { return true; }
+    static GLINT_HD LobeRange visiblePointLobes(const Bsdf<kMask>&, float) { return {}; }
+    static GLINT_HD BsdfValue evaluate(const Bsdf<kMask>&, const Vec3&, float) { return {}; }
 
-    template <FeatureMask kMask>
-    static GLINT_HD bool isSpecularOnly(const Bsdf<kMask>&) {
-        return true;
-    }
-
-    template <FeatureMask kMask>
-    static GLINT_HD bool hasSpecularLobe(const Bsdf<kMask>&) {
-        return true;
-    }
-
-    template <FeatureMask kMask>
-    static GLINT_HD LobeRange visiblePointLobes(const Bsdf<kMask>&, float) {
-        return {};
-    }
-
-    template <FeatureMask kMask>
-    static GLINT_HD BsdfValue evaluate(const Bsdf<kMask>&, const Vec3&, float) {
-        return {};
-    }
-
-    template <FeatureMask kMask>
     static GLINT_HD BsdfSample sample(const Bsdf<kMask>& bsdf, float, Vec2) {
         return detail::specularSample(detail::mirrored(bsdf.woLocal), bsdf.color);
     }

@@ -6,37 +6,38 @@
 
 namespace glint {
 
+template <FeatureMask kMask>
 struct MixtureModel : BsdfModelDefaults {
     static constexpr FeatureMask kFeatures = kFeatureMixture;
 
+    /// Weights become probabilities; without any, all is diffuse.
+    static GLINT_HD void settle(const MaterialData&, const View<CoatRow>&, ShadingInputs* in) {
+        const Vec3 weights = in->mixtureWeights;
+        const float sum = weights.x + weights.y + weights.z;
+        in->mixtureWeights = sum > 0.0f ? weights / sum : Vec3(1.0f, 0.0f, 0.0f);
+    }
+
     static GLINT_HD FeatureMask featuresOf(const MaterialData&) { return kFeatureMixture; }
 
-    template <FeatureMask kMask>
     static GLINT_HD bool isSpecularOnly(const Bsdf<kMask>& bsdf) {
-        return bsdf.material->mixtureProbability.x <= 0.0f;
+        return bsdf.inputs().mixtureWeights.x <= 0.0f;
     }
 
-    template <FeatureMask kMask>
-    static GLINT_HD bool hasSpecularLobe(const Bsdf<kMask>&) {
-        return true;
-    }
+    static GLINT_HD bool hasSpecularLobe(const Bsdf<kMask>&) { return true; }
 
-    template <FeatureMask kMask>
     static GLINT_HD LobeRange visiblePointLobes(const Bsdf<kMask>& bsdf, float) {
-        return {0.0f, bsdf.material->mixtureProbability.x};
+        return {0.0f, bsdf.inputs().mixtureWeights.x};
     }
 
-    template <FeatureMask kMask>
     static GLINT_HD BsdfValue evaluate(const Bsdf<kMask>& bsdf, const Vec3& wi, float ngWi) {
-        const float diffuse = bsdf.material->mixtureProbability.x;
+        const float diffuse = bsdf.inputs().mixtureWeights.x;
         const BsdfValue lobe =
             detail::evaluateLambert(bsdf.color * (diffuse * detail::terminator(bsdf, ngWi, wi.z)), wi);
         return {lobe.value, lobe.pdfSolidAngle * diffuse};
     }
 
-    template <FeatureMask kMask>
     static GLINT_HD BsdfSample sample(const Bsdf<kMask>& bsdf, float uLobe, Vec2 u) {
-        const Vec3& probability = bsdf.material->mixtureProbability;
+        const Vec3& probability = bsdf.inputs().mixtureWeights;
         if (uLobe < probability.x) {
             BsdfSample sample = detail::sampleLambert(bsdf, u);
             sample.pdfSolidAngle *= probability.x;

@@ -19,22 +19,46 @@ namespace detail {
 
 /// E at cosine mu. The table holds E over the smooth boundary's Fresnel reflectance, which hardly varies, at
 /// mu = (i / (n-1))^2.
-GLINT_HD inline float coatAlbedo(const MaterialData& material, float mu) {
+GLINT_HD inline float coatAlbedo(const ShadingInputs& in, float mu) {
     const float cosine = clampf(mu, 0.0f, 1.0f);
     float cosT = 0.0f;
-    const float fresnel = fresnelDielectric(cosine, material.ior, &cosT);
-    if (isSmooth(material)) { return fresnel; }
+    const float fresnel = fresnelDielectric(cosine, in.ior, &cosT);
+    if (isSmooth(in)) { return fresnel; }
     const float position = std::sqrt(cosine) * static_cast<float>(kCoatSamples - 1);
     const int index =
         position < static_cast<float>(kCoatSamples - 2) ? static_cast<int>(position) : kCoatSamples - 2;
     const float weight = position - static_cast<float>(index);
-    const float ratio = (1.0f - weight) * material.coatRatio[index] + weight * material.coatRatio[index + 1];
+    const float ratio = (1.0f - weight) * in.coat.ratio[index] + weight * in.coat.ratio[index + 1];
     return minf(fresnel * ratio, 1.0f);
 }
 
+/// Where a coat's table has a row: what is asked for lies between `first` and the next.
+struct CoatPlace {
+    int first = 0;
+    float weight = 0.0f;  ///< of the next row
+};
+
+/// x in [0, 1] over `count` rows.
+GLINT_HD inline CoatPlace coatPlace(float x, int count) {
+    if (count == 1) { return {}; }
+    const float position = x * static_cast<float>(count - 1);
+    const int first = position < static_cast<float>(count - 2) ? static_cast<int>(position) : count - 2;
+    return {first, position - static_cast<float>(first)};
+}
+
+GLINT_HD inline CoatRow mixRows(const CoatRow& a, const CoatRow& b, float weight) {
+    CoatRow row;
+    row.internalAlbedo = (1.0f - weight) * a.internalAlbedo + weight * b.internalAlbedo;
+    row.averageAlbedo = (1.0f - weight) * a.averageAlbedo + weight * b.averageAlbedo;
+    for (int i = 0; i < kCoatSamples; ++i) {
+        row.ratio[i] = (1.0f - weight) * a.ratio[i] + weight * b.ratio[i];
+    }
+    return row;
+}
+
 /// The base's reflectance of light that has entered, summed over all orders.
-GLINT_HD inline Vec3 coatedBase(const MaterialData& material, const Vec3& base) {
-    const float inside = material.coatInternalAlbedo;
+GLINT_HD inline Vec3 coatedBase(const ShadingInputs& in, const Vec3& base) {
+    const float inside = in.coat.internalAlbedo;
     return base * ((1.0f - inside) / (Vec3(1.0f) - base * inside));
 }
 
@@ -45,10 +69,10 @@ struct PlasticChoice {
     float coatProbability;
 };
 
-GLINT_HD inline PlasticChoice plasticChoice(const MaterialData& material, const Vec3& color, const Vec3& wo) {
+GLINT_HD inline PlasticChoice plasticChoice(const ShadingInputs& in, const Vec3& color, const Vec3& wo) {
     PlasticChoice choice;
-    const float reflected = coatAlbedo(material, wo.z);
-    choice.base = coatedBase(material, color);
+    const float reflected = coatAlbedo(in, wo.z);
+    choice.base = coatedBase(in, color);
     choice.enters = 1.0f - reflected;
     const float diffuse = choice.enters * maxComponent(choice.base);
     const float sum = reflected + diffuse;
@@ -57,80 +81,115 @@ GLINT_HD inline PlasticChoice plasticChoice(const MaterialData& material, const 
 }
 
 /// baseScale multiplies the base: how much of it the shadow terminator leaves.
-GLINT_HD inline BsdfValue evaluatePlastic(const MaterialData& material, const PlasticChoice& choice,
+GLINT_HD inline BsdfValue evaluatePlastic(const ShadingInputs& in, const PlasticChoice& choice,
                                           const Vec3& wo, const Vec3& wi, float baseScale) {
-    const float leaves = (1.0f - coatAlbedo(material, wi.z)) / maxf(1.0f - material.coatAverageAlbedo, 1e-6f);
+    const float leaves = (1.0f - coatAlbedo(in, wi.z)) / maxf(1.0f - in.coat.averageAlbedo, 1e-6f);
     BsdfValue result = evaluateLambert(choice.base * (choice.enters * leaves * baseScale), wi);
     result.pdfSolidAngle *= 1.0f - choice.coatProbability;
-    if (!isSmooth(material)) {
+    if (!isSmooth(in)) {
         const Vec3 h = glm::normalize(wo + wi);
         float cosT = 0.0f;
-        const float fresnel = fresnelDielectric(clampf(glm::dot(wo, h), 0.0f, 1.0f), material.ior, &cosT);
-        result.value += Vec3(fresnel * ggxReflection(wo, wi, h, material.alpha));
-        result.pdfSolidAngle += choice.coatProbability * ggxReflectionPdf(wo, h, material.alpha);
+        const float fresnel = fresnelDielectric(clampf(glm::dot(wo, h), 0.0f, 1.0f), in.ior, &cosT);
+        result.value += Vec3(fresnel * ggxReflection(wo, wi, h, in.roughness));
+        result.pdfSolidAngle += choice.coatProbability * ggxReflectionPdf(wo, h, in.roughness);
     }
     return result;
 }
 
 }  // namespace detail
 
+/// The rows of a plastic whose roughness or index is a texture: one for each pair of these where both are,
+/// one for each of one of them otherwise. Denser where the coat's albedo changes faster.
+struct CoatTableLayout {
+    int alphas = 1;
+    int iors = 1;
+
+    static GLINT_HD CoatTableLayout of(const MaterialData& material) {
+        return {material.textures.roughness.index != TextureSlot::kNone ? 24 : 1,
+                material.textures.ior.index != TextureSlot::kNone ? 16 : 1};
+    }
+
+    GLINT_HD int rows() const { return alphas * iors; }
+    GLINT_HD float alpha(int index) const {
+        return square(static_cast<float>(index) / static_cast<float>(alphas - 1));
+    }
+    /// From almost 1, where nothing is reflected that a row could be a ratio to, to 999; even in the root of
+    /// (ior - 1) / (ior + 1).
+    GLINT_HD float ior(int index) const {
+        const float x = static_cast<float>(index) / static_cast<float>(iors - 1);
+        const float t = maxf(kMostReflection * square(x), 1e-3f);
+        return (1.0f + t) / (1.0f - t);
+    }
+
+    GLINT_HD CoatRow at(const CoatRow* table, float alphaHere, float iorHere) const {
+        const detail::CoatPlace a = detail::coatPlace(std::sqrt(alphaHere), alphas);
+        const float t = minf((iorHere - 1.0f) / (iorHere + 1.0f) / kMostReflection, 1.0f);
+        const detail::CoatPlace i = detail::coatPlace(std::sqrt(t), iors);
+        const auto along = [&](int iorIndex) {
+            const CoatRow* row = table + iorIndex * alphas + a.first;
+            return alphas > 1 ? detail::mixRows(row[0], row[1], a.weight) : row[0];
+        };
+        return iors > 1 ? detail::mixRows(along(i.first), along(i.first + 1), i.weight) : along(0);
+    }
+
+  private:
+    static constexpr float kMostReflection = 0.998f;
+};
+
+template <FeatureMask kMask>
 struct PlasticModel : BsdfModelDefaults {
     static constexpr FeatureMask kFeatures = kFeaturePlastic;
 
+    static GLINT_HD void settle(const MaterialData& material, const View<CoatRow>& coats, ShadingInputs* in) {
+        in->ior = maxf(in->ior, 1.0f);
+        in->coat =
+            material.coatTable == TextureSlot::kNone
+                ? material.inputs.coat
+                : CoatTableLayout::of(material).at(coats.data + material.coatTable, in->roughness, in->ior);
+    }
+
     static GLINT_HD FeatureMask featuresOf(const MaterialData& material) {
-        return kFeaturePlastic | (detail::isSmooth(material) ? 0u : kFeatureGlossy);
+        return kFeaturePlastic | (detail::canBeRough(material) ? kFeatureGlossy : 0u);
     }
 
-    template <FeatureMask kMask>
-    static GLINT_HD bool isSpecularOnly(const Bsdf<kMask>&) {
-        return false;
-    }
+    static GLINT_HD bool isSpecularOnly(const Bsdf<kMask>&) { return false; }
+    static GLINT_HD bool hasSpecularLobe(const Bsdf<kMask>& bsdf) { return detail::isSmooth(bsdf.inputs()); }
 
-    template <FeatureMask kMask>
-    static GLINT_HD bool hasSpecularLobe(const Bsdf<kMask>& bsdf) {
-        return detail::isSmooth(*bsdf.material);
-    }
-
-    template <FeatureMask kMask>
     static GLINT_HD LobeRange visiblePointLobes(const Bsdf<kMask>& bsdf, float) {
-        if (!detail::isSmooth(*bsdf.material)) { return {0.0f, 1.0f}; }
+        if (!detail::isSmooth(bsdf.inputs())) { return {0.0f, 1.0f}; }
         return {choice(bsdf).coatProbability, 1.0f};
     }
 
-    template <FeatureMask kMask>
     static GLINT_HD BsdfValue evaluate(const Bsdf<kMask>& bsdf, const Vec3& wi, float ngWi) {
         const float baseScale = detail::terminator(bsdf, ngWi, wi.z);
         if (!(wi.z > 0.0f)) { return {}; }
-        return detail::evaluatePlastic(*bsdf.material, choice(bsdf), bsdf.woLocal, wi, baseScale);
+        return detail::evaluatePlastic(bsdf.inputs(), choice(bsdf), bsdf.woLocal, wi, baseScale);
     }
 
-    template <FeatureMask kMask>
     static GLINT_HD BsdfSample sample(const Bsdf<kMask>& bsdf, float uLobe, Vec2 u) {
-        const MaterialData& material = *bsdf.material;
+        const ShadingInputs& in = bsdf.inputs();
         const Vec3& wo = bsdf.woLocal;
         const detail::PlasticChoice chosen = choice(bsdf);
         Vec3 wi;
         if (uLobe < chosen.coatProbability) {
-            if (detail::isSmooth(material)) {
+            if (detail::isSmooth(in)) {
                 // E(wo) / coatProbability, which is 0 / 0 where the coat reflects nothing.
                 const float weight = (1.0f - chosen.enters) / chosen.coatProbability;
                 return detail::specularSample(detail::mirrored(wo), Vec3(weight));
             }
-            wi = reflect(wo, sampleVisibleNormal(wo, material.alpha, u));
+            wi = reflect(wo, sampleVisibleNormal(wo, in.roughness, u));
         } else {
             wi = sampleCosineHemisphere(u);
         }
         if (!(wi.z > 0.0f)) { return {}; }
-        const BsdfValue value =
-            detail::evaluatePlastic(material, chosen, wo, wi, detail::terminatorOf(bsdf, wi));
+        const BsdfValue value = detail::evaluatePlastic(in, chosen, wo, wi, detail::terminatorOf(bsdf, wi));
         if (!(value.pdfSolidAngle > 0.0f)) { return {}; }
         return detail::nonDeltaSample(wi, value.value / value.pdfSolidAngle, value.pdfSolidAngle);
     }
 
   private:
-    template <FeatureMask kMask>
     static GLINT_HD detail::PlasticChoice choice(const Bsdf<kMask>& bsdf) {
-        return detail::plasticChoice(*bsdf.material, bsdf.color, bsdf.woLocal);
+        return detail::plasticChoice(bsdf.inputs(), bsdf.color, bsdf.woLocal);
     }
 };
 

@@ -1,0 +1,78 @@
+// What a material's models compute with beside its colour, listed once: descriptions hold constants or
+// textures of these, tables of kernels texture indices, and models plain numbers.
+//
+// A new one is a member, a line below, and its use in a model (kernels/bsdf/).
+#pragma once
+
+#include "engine/base/host_device.h"
+#include "engine/base/kinds.h"
+#include "engine/math/vec.h"
+
+namespace glint {
+
+/// Color and Number: what stands for three numbers and for one, made from a default.
+template <class Color, class Number>
+struct MaterialInputs {
+    /// conductor without a metal name: index of refraction at R, G, B
+    Color eta{Vec3(0.2f)};
+    /// conductor without a metal name: extinction at R, G, B
+    Color k{Vec3(3.9f)};
+    /// dielectric, plastic, mixture: interior over exterior index of refraction, > 0
+    Number ior{1.5f};
+    /// conductor, dielectric, plastic: GGX alpha in [0, 1]; below kSmoothAlpha: smooth
+    Number roughness{0.0f};
+    /// mixture: diffuse, mirror, refractive; not negative, not all zero
+    Color mixtureWeights{Vec3(1.0f, 0.0f, 0.0f)};
+};
+
+/// What is true of an input whatever its value.
+struct InputInfo {
+    const char* key;                 ///< in scene files
+    float least, most;               ///< the numbers are clamped to these, those of textures included
+    uint32_t kinds;                  ///< models that look at it: kindBit()
+    bool isReplacedByMetal = false;  ///< a conductor's metal says what it is
+};
+
+constexpr uint32_t kindBit(MaterialKind kind) { return 1u << static_cast<uint32_t>(kind); }
+
+/// One input: of(set) is that of a set, which has a member for each.
+template <class Of>
+struct ModelInput {
+    InputInfo info;
+    Of of;
+
+    template <class Visit, class... Sets>
+    GLINT_HD constexpr void visitIn(const Visit& visit, Sets&... sets) const {
+        visit(info, of(sets)...);
+    }
+};
+template <class Of>
+ModelInput(InputInfo, Of) -> ModelInput<Of>;
+
+/// combine(input...) with every ModelInput.
+template <class Combine>
+GLINT_HD constexpr auto withModelInputs(const Combine& combine) {
+    constexpr uint32_t kConductor = kindBit(MaterialKind::Conductor);
+    constexpr uint32_t kDielectric = kindBit(MaterialKind::Dielectric);
+    constexpr uint32_t kPlastic = kindBit(MaterialKind::Plastic);
+    constexpr uint32_t kMixture = kindBit(MaterialKind::Mixture);
+    constexpr float kMost = 1e18f;
+    return combine(ModelInput{InputInfo{"eta", 0.0f, kMost, kConductor, true},
+                              [](auto& set) -> decltype(auto) { return (set.eta); }},
+                   ModelInput{InputInfo{"k", 0.0f, kMost, kConductor, true},
+                              [](auto& set) -> decltype(auto) { return (set.k); }},
+                   ModelInput{InputInfo{"ior", 1e-3f, 1e3f, kDielectric | kPlastic | kMixture},
+                              [](auto& set) -> decltype(auto) { return (set.ior); }},
+                   ModelInput{InputInfo{"roughness", 0.0f, 1.0f, kConductor | kDielectric | kPlastic},
+                              [](auto& set) -> decltype(auto) { return (set.roughness); }},
+                   ModelInput{InputInfo{"weights", 0.0f, kMost, kMixture},
+                              [](auto& set) -> decltype(auto) { return (set.mixtureWeights); }});
+}
+
+/// Calls visit(info, input...) for each input, with that of each of the `sets`.
+template <class Visit, class... Sets>
+GLINT_HD constexpr void forEachModelInput(const Visit& visit, Sets&... sets) {
+    withModelInputs([&](const auto&... input) { (input.visitIn(visit, sets...), ...); });
+}
+
+}  // namespace glint
