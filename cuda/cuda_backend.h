@@ -1,6 +1,6 @@
 // The CUDA back end: the path and photon kernels of engine/kernels on a GPU, behind the renderer's Backend.
 //
-// Made by viewer/make_backend.cpp. Nothing else of Glint needs nvcc or knows that there is a GPU.
+// Made by viewer/base/make_backend.cpp. Nothing else of Glint needs nvcc or knows that there is a GPU.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
 // The back ends by name, and the fall-back from CUDA: one line, and a CPU that renders.
-#include "viewer/make_backend.h"
+#include "viewer/base/make_backend.h"
 
 #include <cstdio>
 #include <filesystem>

@@ -18,11 +18,22 @@ SEES = {
     "engine/render": "base math scene io kernels builders",
     "engine/report": "base math scene io kernels builders render",
 }
+VIEWER_SEES = {
+    "viewer/base": "",
+    "viewer/model": "base",
+    "viewer/ui": "base",
+    "viewer/panels": "base model ui",
+    "viewer/window": "base model ui panels",
+    "viewer/commands": "base window",
+    "viewer": "commands",
+}
 ENGINE = set(SEES)
+VIEWER = set(VIEWER_SEES)
 ALLOWED = {layer: {layer} | {f"engine/{name}" for name in names.split()} for layer, names in SEES.items()}
+ALLOWED |= {layer: ENGINE | {"cuda", layer} | {f"viewer/{name}" for name in names.split()}
+            for layer, names in VIEWER_SEES.items()}
 ALLOWED["cuda"] = {"cuda"} | {f"engine/{name}" for name in ("base", "math", "kernels", "builders", "render")}
-ALLOWED["viewer"] = ENGINE | {"cuda", "viewer"}
-ALLOWED["tests"] = ENGINE | {"cuda", "viewer", "tests"}
+ALLOWED["tests"] = ENGINE | VIEWER | {"cuda", "tests"}
 
 # Kernels run on the GPU too: plain data, no containers, no exceptions, no input or output.
 NOT_IN_KERNELS = {
@@ -31,6 +42,7 @@ NOT_IN_KERNELS = {
     "string_view", "thread", "tuple", "unordered_map", "unordered_set", "variant", "vector",
 }
 WINDOW_HEADER = re.compile(r"^(GL/|GLFW/|imgui|backends/imgui)")
+WINDOW_FOLDERS = ("viewer/ui/", "viewer/panels/", "viewer/window/", "tests/viewer/")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
 SUFFIXES = {".h", ".cpp", ".cu", ".cuh"}
@@ -38,7 +50,7 @@ SUFFIXES = {".h", ".cpp", ".cu", ".cuh"}
 
 def layer_of(path):
     parts = path.split("/")
-    return "/".join(parts[:2]) if parts[0] == "engine" else parts[0]
+    return "/".join(parts[:2]) if parts[0] in ("engine", "viewer") and len(parts) > 2 else parts[0]
 
 
 def problem_with_include(layer, quote, target, path, root):
@@ -50,8 +62,8 @@ def problem_with_include(layer, quote, target, path, root):
             return f"{layer} must not see {layer_of(target)}"
     if layer == "engine/kernels" and quote == "<" and target in NOT_IN_KERNELS:
         return f"kernels must not use <{target}>: they run on the GPU too"
-    if WINDOW_HEADER.match(target) and not path.startswith(("viewer/window/", "viewer/panels/", "tests/viewer/")):
-        return f"<{target}> belongs in viewer/window or viewer/panels, which a build without the viewer leaves out"
+    if WINDOW_HEADER.match(target) and not path.startswith(WINDOW_FOLDERS):
+        return f"<{target}> belongs in {', '.join(WINDOW_FOLDERS[:3])}, which a build without the viewer leaves out"
     return None
 
 

@@ -12,7 +12,7 @@
 #include "engine/io/image_io.h"
 #include "engine/report/metrics.h"
 #include "tests/viewer/play_script.h"
-#include "viewer/panels/units.h"
+#include "viewer/base/units.h"
 
 namespace glint {
 namespace {

@@ -1,6 +1,6 @@
 // The errors against a reference as a film grows, restarts, goes back to a checkpoint or changes its size;
 // and the table of the curves.
-#include "viewer/window/reference_errors.h"
+#include "viewer/model/reference_errors.h"
 
 #include <chrono>
 #include <thread>
@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/io/image_io.h"
-#include "viewer/window/convergence_csv.h"
+#include "viewer/model/convergence_csv.h"
 
 namespace glint {
 namespace {
@@ -65,8 +65,8 @@ struct Bench {
 
 TEST(ReferenceErrors, AreMeasuredAtGrowingDistancesAndAtTheEnd) {
     Bench bench(0.5f);
-    ASSERT_TRUE(bench.errors.image());
-    EXPECT_DOUBLE_EQ(bench.errors.image()->mean, 0.5);
+    ASSERT_TRUE(bench.errors.loaded());
+    EXPECT_DOUBLE_EQ(bench.errors.loaded()->mean, 0.5);
     for (uint32_t pass = 2; pass <= 40; ++pass) {
         bench.observe(pass, 1.0f);
     }
@@ -130,22 +130,21 @@ TEST(ReferenceErrors, AnotherSizeIsNotCompared) {
     bench.settle();
     ASSERT_TRUE(bench.errors.loadError());
     EXPECT_THAT(bench.errors.loadError()->format(), HasSubstr("missing.exr"));
-    EXPECT_TRUE(bench.errors.image()) << "the one before stays";
+    EXPECT_TRUE(bench.errors.loaded()) << "the one before stays";
     bench.errors.clear();
-    EXPECT_FALSE(bench.errors.image());
+    EXPECT_FALSE(bench.errors.loaded());
     EXPECT_FALSE(bench.errors.loadError());
 }
 
 TEST(ConvergenceCsv, HasALineForEachPoint) {
-    CurvesOfBoth curves;
-    curves.estimates[0] = curveFrom(1.25);
-    curves.references[1].push_back({.passes = 3,
-                                    .renderSeconds = 2.5,
-                                    .relativeRmse = 0.25,
-                                    .rmseOverMean = 0.5,
-                                    .mape = 0.125,
-                                    .relativeBias = -0.0625});
-    EXPECT_EQ(convergenceCsv(curves),
+    const ReferencePoint point{.passes = 3,
+                               .renderSeconds = 2.5,
+                               .relativeRmse = 0.25,
+                               .rmseOverMean = 0.5,
+                               .mape = 0.125,
+                               .relativeBias = -0.0625};
+    EXPECT_EQ(convergenceCsv(
+                  {{IntegratorKind::PathTracing, curveFrom(1.25), {}}, {IntegratorKind::Sppm, {}, {point}}}),
               "integrator,source,passes,render_seconds,relative_error,low_90,high_90,estimated_bias,"
               "relative_rmse,rmse_over_mean,mape,relative_bias\n"
               "path,estimate,2,1.25,0.1,0,0,0,,,,\n"

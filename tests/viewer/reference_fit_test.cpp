@@ -1,5 +1,5 @@
 // Which edits make a loaded reference one of another picture, and that undoing them makes it fit again.
-#include "viewer/window/reference_fit.h"
+#include "viewer/model/reference_fit.h"
 
 #include <chrono>
 #include <functional>

@@ -59,7 +59,7 @@ class ShownImageSources : public testing::Test {
     }
     /// Whether a display shows the snapshot's noise, on that scale.
     void expectNoise(size_t side, const Snapshot& snapshot, MapScale scale) {
-        EXPECT_EQ(sources_[side].shownKind(), ShownImage::StandardError);
+        EXPECT_EQ(sources_[side].shownImage(), ShownImage::StandardError);
         const auto wanted = falseColors(*snapshot, ShownImage::StandardError, nullptr, &scale);
         const auto shown = displays_[side]->readBack();
         ASSERT_EQ(shown.size() * 4, wanted.size() * 3);
@@ -90,7 +90,7 @@ TEST_F(ShownImageSources, ALargeMapComesFromAJob) {
     EXPECT_FALSE(sources_[0].isBehind());
     show(noiseOf(snapshot));
     EXPECT_TRUE(sources_[0].isBehind());
-    EXPECT_EQ(sources_[0].shownKind(), ShownImage::Radiance) << "until the colours are there";
+    EXPECT_EQ(sources_[0].shownImage(), ShownImage::Radiance) << "until the colours are there";
     settle(noiseOf(snapshot));
     expectNoise(0, snapshot, {});
     const Snapshot next = snapshotOf(kLarge, 0.003f);

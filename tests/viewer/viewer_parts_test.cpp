@@ -1,4 +1,6 @@
-// The viewer's parts that draw nothing: which edit a change is, camera moves, and what scripts may say.
+// The viewer's parts that draw nothing: which edit a change is, what can be shown of a render, camera moves,
+// and what scripts may say.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -7,7 +9,9 @@
 #include <sys/stat.h>
 
 #include "engine/scene/scene_diff.h"
-#include "viewer/window/camera_controller.h"
+#include "viewer/model/camera_controller.h"
+#include "viewer/model/display_settings.h"
+#include "viewer/model/scene_document.h"
 #include "viewer/window/script.h"
 
 namespace glint {
@@ -63,6 +67,89 @@ TEST(SceneDiff, EachChangeIsTheSmallestEdit) {
                   s.lights[0].color.x = 3.0f;
               }),
               EditKind::Camera | EditKind::Lights);
+}
+
+TEST(SceneDocument, HandsOverEachEditOnce) {
+    SceneDocument document;
+    EXPECT_FALSE(document.isOpen());
+    document.adopt(smallScene());
+    EXPECT_EQ(document.takeEdits().kinds, EditKind::None);
+    document.draft().lights[0].strength = 2.0f;
+    document.draft().materials[0].roughness.value = 0.3f;
+    const auto before = document.posted();
+    EXPECT_EQ(document.takeEdits().kinds, EditKind::Lights | EditKind::MaterialParameters);
+    EXPECT_EQ(document.posted()->lights[0].strength, 2.0f);
+    EXPECT_NE(before->lights[0].strength, 2.0f) << "posted versions are immutable";
+    EXPECT_EQ(document.takeEdits().kinds, EditKind::None);
+}
+
+TEST(SceneDocument, FocusFollowsTheTargetWhereItWasOnIt) {
+    SceneDescription scene = smallScene();
+    scene.camera.position = {0, 0, 4};
+    scene.camera.target = {0, 0, 0};
+    scene.camera.apertureDiameter = 0.1f;
+    scene.camera.focalDistance = 4.0f;
+    SceneDocument document;
+    document.adopt(scene);
+    document.draft().camera.position.z = 3.0f;
+    EXPECT_EQ(document.takeEdits().kinds, EditKind::Camera);
+    EXPECT_EQ(document.posted()->camera.focalDistance, 3.0f);
+    scene.camera.focalDistance = 2.0f;
+    document.adopt(scene);
+    document.draft().camera.position.z = 3.0f;
+    (void)document.takeEdits();
+    EXPECT_EQ(document.posted()->camera.focalDistance, 2.0f) << "its author focused elsewhere";
+}
+
+TEST(ShownImages, TheTableIsComplete) {
+    std::vector<std::string> names;
+    for (const ShownImageInfo& info : shownImages()) {
+        names.emplace_back(info.name);
+        EXPECT_EQ(&infoOf(info.image), &info);
+        const bool hasNumbers = info.values != nullptr || info.isAgainstReference;
+        const int sources = info.isRadiance() + hasNumbers + (info.hitColor != nullptr);
+        EXPECT_EQ(sources, 1) << info.name;
+        EXPECT_EQ(info.ask != nullptr, info.values != nullptr || info.hitColor != nullptr) << info.name;
+        EXPECT_EQ(info.readout != nullptr, hasNumbers) << info.name;
+        EXPECT_EQ(info.scaleText != nullptr, hasNumbers && info.colors != MapColors::PresentOrNot)
+            << info.name;
+        EXPECT_EQ(info.hitText != nullptr, info.hitColor != nullptr) << info.name;
+        EXPECT_EQ(info.only.has_value(), info.lacking != nullptr) << info.name;
+    }
+    std::ranges::sort(names);
+    EXPECT_EQ(std::ranges::adjacent_find(names), names.end()) << "names are unique";
+}
+
+TEST(ShownImages, WhatAnIntegratorLacksIsItsRadianceAndSaysSo) {
+    FilmSnapshot snapshot;
+    snapshot.width = snapshot.height = 1;
+    snapshot.passes = 2;
+    snapshot.radiance = {1.0f, 2.0f, 3.0f};
+    snapshot.integrator = IntegratorKind::PathTracing;
+    EXPECT_EQ(availableImage(snapshot, ShownImage::Radius, nullptr), ShownImage::Radiance);
+    EXPECT_EQ(noteInstead(snapshot, ShownImage::Radius, nullptr),
+              "Path tracing has no photons: its radiance");
+    EXPECT_TRUE(carries(snapshot, ShownImage::Radius)) << "it never will have more";
+    EXPECT_EQ(pixelReadout(snapshot, ShownImage::Radius, nullptr, {0, 0}), "R 1  G 2  B 3");
+    snapshot.integrator = IntegratorKind::Sppm;
+    EXPECT_EQ(availableImage(snapshot, ShownImage::Radius, nullptr), ShownImage::Radius);
+    EXPECT_EQ(noteInstead(snapshot, ShownImage::Radius, nullptr), "");
+    EXPECT_FALSE(carries(snapshot, ShownImage::Radius)) << "not yet";
+}
+
+TEST(DisplaySettings, AnyTwoIntegratorsAreCompared) {
+    DisplaySettings display;
+    for (const IntegratorInfo& own : kIntegratorTable) {
+        EXPECT_NE(display.otherOf(own.kind), own.kind);
+        for (const IntegratorInfo& other : kIntegratorTable) {
+            if (other.kind == own.kind) { continue; }
+            display.comparedWith = other.kind;
+            EXPECT_EQ(display.otherOf(own.kind), other.kind);
+            const auto [left, right] = display.pairOf(own.kind);
+            EXPECT_LT(left, right) << "sides do not change with the scene's integrator";
+        }
+        display.comparedWith.reset();
+    }
 }
 
 TEST(CameraController, OrbitKeepsTheDistanceAndStopsShortOfThePoles) {

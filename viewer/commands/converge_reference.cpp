@@ -7,7 +7,7 @@
 
 #include "engine/io/atomic_file.h"
 #include "engine/report/convergence_pilot.h"
-#include "viewer/make_backend.h"
+#include "viewer/base/make_backend.h"
 
 namespace glint {
 namespace {

@@ -14,11 +14,11 @@
 #include "engine/render/path_replay.h"
 #include "engine/render/snapshot.h"
 #include "engine/render/sppm_state.h"
+#include "viewer/base/make_backend.h"
+#include "viewer/base/progress.h"
 #include "viewer/commands/commands.h"
 #include "viewer/commands/interrupt.h"
-#include "viewer/commands/progress.h"
 #include "viewer/commands/render_report.h"
-#include "viewer/make_backend.h"
 
 namespace glint {
 namespace {

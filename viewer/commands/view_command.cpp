@@ -10,13 +10,13 @@
 #include "engine/io/file_path.h"
 #include "engine/io/image_formats.h"
 #include "engine/io/scene_loader.h"
+#include "viewer/base/make_backend.h"
 #include "viewer/commands/command_line.h"
 #include "viewer/commands/commands.h"
 #include "viewer/commands/output_files.h"
-#include "viewer/make_backend.h"
 #if GLINT_HAS_VIEWER
+#include "viewer/base/job_queue.h"
 #include "viewer/window/app.h"
-#include "viewer/window/job_queue.h"
 #endif
 
 namespace glint {

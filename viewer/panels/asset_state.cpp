@@ -1,15 +1,15 @@
-// What the window says while a texture or an environment image that was left on the disk is being read.
-#include "viewer/panels/error_box.h"
-#include "viewer/panels/panels.h"
-#include "viewer/window/widgets.h"
+#include "viewer/panels/asset_state.h"
+
+#include "viewer/ui/error_box.h"
+#include "viewer/ui/widgets.h"
 
 namespace glint {
 
-void drawAssetState(ViewerModel* model) {
-    if (model->readingAssets()) {
+void drawAssetState(AssetReader* assets) {
+    if (assets->reading()) {
         ui::hint("Reading its file…");
-    } else if (model->assetError() && drawErrorBox("Its file cannot be used", *model->assetError())) {
-        model->dismissAssetError();
+    } else if (assets->error() && drawErrorBox("Its file cannot be used", *assets->error())) {
+        assets->dismissError();
     }
 }
 

@@ -5,16 +5,18 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "viewer/panels/panels.h"
-#include "viewer/window/camera_controller.h"
-#include "viewer/window/widgets.h"
+#include "viewer/model/camera_controller.h"
+#include "viewer/model/scene_document.h"
+#include "viewer/panels/panel.h"
+#include "viewer/ui/widgets.h"
 
 namespace glint {
 namespace {
 
 constexpr float kLargestFStop = 1000.0f;
 
-void drawView(ViewerModel* model, Camera* camera) {
+void drawView(SceneDocument* document) {
+    Camera* camera = &document->draft().camera;
     // Dragging feels alike in a doll's house and in a cathedral.
     const float speed = std::max(targetDistance(*camera) * 0.002f, 1e-6f);
     ui::vector3("Position", &camera->position,
@@ -33,15 +35,16 @@ void drawView(ViewerModel* model, Camera* camera) {
         {.format = "%.1f°", .speed = 0.1f, .min = 1.0f, .max = 170.0f, .tooltip = "Vertical, full angle"});
     const float width = ui::buttonWidth(2);
     if (ui::button("Frame", width, "Moves back or closer until everything is in the picture (F)")) {
-        const Resolution& size = model->draft().resolution;
-        frameBounds(camera, model->bounds(),
+        const Resolution& size = document->draft().resolution;
+        frameBounds(camera, document->bounds(),
                     static_cast<float>(size.width) / static_cast<float>(size.height));
     }
     ImGui::SameLine();
-    if (ui::button("Reset", width, "The scene file's camera (Home)")) { *camera = model->cameraOfFile(); }
+    if (ui::button("Reset", width, "The scene file's camera (Home)")) { *camera = document->cameraOfFile(); }
 }
 
-void drawLens(ViewerModel* model, Camera* camera) {
+void drawLens(SceneDocument* document) {
+    Camera* camera = &document->draft().camera;
     ui::heading("Lens");
     float diameterMm = camera->apertureDiameter * 1000.0f;
     const float speed = std::max(camera->focalDistance * 0.1f, 0.001f);
@@ -69,11 +72,11 @@ void drawLens(ViewerModel* model, Camera* camera) {
                     .min = 1e-6f,
                     .max = 1e9f,
                     .tooltip = "Along the view axis, to the plane that is sharp"})) {
-        model->focusFollowsTarget = false;
+        document->focusFollowsTarget = false;
     }
-    if (ui::toggle("Focus on target", &model->focusFollowsTarget,
+    if (ui::toggle("Focus on target", &document->focusFollowsTarget,
                    "Keeps the target sharp while the camera orbits, flies or comes closer") &&
-        model->focusFollowsTarget) {
+        document->focusFollowsTarget) {
         camera->focalDistance = targetDistance(*camera);
     }
     int blades = camera->apertureBlades;
@@ -94,19 +97,13 @@ void drawLens(ViewerModel* model, Camera* camera) {
                 .tooltip = "Turns the corners of the opening"});
 }
 
+void draw(SceneDocument* document) {
+    drawView(document);
+    drawLens(document);
+}
+
 }  // namespace
 
-void drawCameraPanel(ViewerModel* model) {
-    if (!ui::section("Camera", true)) { return; }
-    ImGui::PushID("camera");
-    if (model->hasScene()) {
-        drawView(model, &model->draft().camera);
-        drawLens(model, &model->draft().camera);
-    } else {
-        ui::hint("No scene is open.");
-    }
-    ImGui::PopID();
-    ui::gap();
-}
+Panel cameraPanel() { return {"Camera", true, OfParts<draw>::call, WithoutScene::Hints}; }
 
 }  // namespace glint

@@ -1,57 +1,71 @@
 // Pictures and checkpoints out, checkpoints in. Saves are atomic and run beside the render.
 #include <imgui.h>
 
-#include "viewer/panels/panels.h"
-#include "viewer/window/theme.h"
-#include "viewer/window/widgets.h"
+#include "viewer/model/display_settings.h"
+#include "viewer/model/film_files.h"
+#include "viewer/model/notice.h"
+#include "viewer/model/scene_document.h"
+#include "viewer/model/scene_files.h"
+#include "viewer/panels/panel.h"
+#include "viewer/ui/theme.h"
+#include "viewer/ui/widgets.h"
 
 namespace glint {
 
-void drawCheckpointPanel(ViewerModel* model) {
-    if (!ui::section("Checkpoint", false)) { return; }
-    ImGui::PushID("checkpoint");
-    FileSettings& files = model->files;
-    ui::text("PNG file", &files.png, "render.png", "As shown: with exposure and tone map");
-    if (ui::button("Save PNG", ui::buttonWidth(1), "Ctrl+S")) { model->savePng(); }
+namespace {
+
+void drawImages(FilmFiles* files, const DisplaySettings& display) {
+    ui::text("PNG file", &files->png, "render.png", "As shown: with exposure and tone map");
+    if (ui::button("Save PNG", ui::buttonWidth(1), "Ctrl+S")) { files->savePng(display); }
 
     ui::gap();
-    ui::text("EXR file", &files.exr, "render.exr", "Linear radiance");
-    ui::toggle("32-bit float", &files.exrFloat, "Otherwise 16-bit half");
-    ui::toggle("Layers", &files.exrLayers, "Albedo, normals, depth, ids, bias and the bound at 90 % too");
-    if (ui::button("Save EXR", ui::buttonWidth(1), "Without exposure and tone map")) { model->saveExr(); }
+    ui::text("EXR file", &files->exr, "render.exr", "Linear radiance");
+    ui::toggle("32-bit float", &files->exrFloat, "Otherwise 16-bit half");
+    ui::toggle("Layers", &files->exrLayers, "Albedo, normals, depth, ids, bias and the bound at 90 % too");
+    if (ui::button("Save EXR", ui::buttonWidth(1), "Without exposure and tone map")) { files->saveExr(); }
+}
 
+void drawCheckpoint(FilmFiles* files) {
     ui::gap();
-    ui::text("Checkpoint file", &files.checkpoint, "render.glintfilm",
+    ui::text("Checkpoint file", &files->checkpoint, "render.glintfilm",
              "A render that can be gone on with, to the last bit");
     const float half = ui::buttonWidth(2);
-    if (ui::button("Save", half, "After the pass that is running")) { model->saveCheckpointFile(); }
+    if (ui::button("Save", half, "After the pass that is running")) { files->saveCheckpointFile(); }
     ImGui::SameLine();
     if (ui::button("Resume", half, "Goes on from the file. Another scene or other settings are refused")) {
-        model->resumeCheckpoint();
+        files->resumeCheckpoint();
     }
-    ui::toggle("Automatic", &files.automatic, "Saves the checkpoint again and again while it renders");
-    ui::number("Every", &files.automaticSeconds,
+    ui::toggle("Automatic", &files->isAutomatic, "Saves the checkpoint again and again while it renders");
+    ui::number("Every", &files->automaticSeconds,
                {.format = "%.0f s",
                 .speed = 1.0f,
                 .min = 1.0f,
                 .max = 86400.0f,
                 .tooltip = "Between two automatic saves"});
-
-    ui::gap();
-    ui::text("Scene file", &files.json, "scene.json", "The scene as edited, as Glint JSON");
-    if (ui::button("Save scene", ui::buttonWidth(1), "With every edit that was made here")) {
-        model->saveSceneFile();
-    }
-
-    if (!model->fileMessage().empty()) {
-        ui::gap();
-        ImGui::PushStyleColor(ImGuiCol_Text,
-                              model->fileMessageIsError() ? theme::kTextError : theme::kTextDim);
-        ImGui::TextWrapped("%s", model->fileMessage().c_str());
-        ImGui::PopStyleColor();
-    }
-    ImGui::PopID();
-    ui::gap();
 }
+
+void drawNotice(const Notice& notice) {
+    if (notice.text().empty()) { return; }
+    ui::gap();
+    ImGui::PushStyleColor(ImGuiCol_Text, notice.isError() ? theme::kTextError : theme::kTextDim);
+    ImGui::TextWrapped("%s", notice.text().c_str());
+    ImGui::PopStyleColor();
+}
+
+void draw(FilmFiles* files, SceneFiles* scenes, const SceneDocument* document, const DisplaySettings* display,
+          const Notice* notice) {
+    drawImages(files, *display);
+    drawCheckpoint(files);
+    ui::gap();
+    ui::text("Scene file", &scenes->saved, "scene.json", "The scene as edited, as Glint JSON");
+    if (ui::button("Save scene", ui::buttonWidth(1), "With every edit that was made here")) {
+        scenes->save(document->posted());
+    }
+    drawNotice(*notice);
+}
+
+}  // namespace
+
+Panel checkpointPanel() { return {"Checkpoint", false, OfParts<draw>::call}; }
 
 }  // namespace glint

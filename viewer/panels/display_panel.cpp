@@ -1,78 +1,94 @@
 // How the picture is shown. Nothing here reaches the renderer, but for the extra pictures it is asked
 // to make.
 #include <array>
+#include <string>
 #include <string_view>
+#include <vector>
 
-#include <imgui.h>
+#include <fmt/format.h>
 
-#include "viewer/panels/panels.h"
-#include "viewer/window/widgets.h"
+#include "viewer/model/convergence_watch.h"
+#include "viewer/model/display_settings.h"
+#include "viewer/model/scene_document.h"
+#include "viewer/panels/panel.h"
+#include "viewer/ui/widgets.h"
 
 namespace glint {
 namespace {
 
 constexpr std::array<std::string_view, 4> kToneMaps{"Clamp (linear)", "sRGB", "Filmic", "Reinhard"};
-constexpr std::array<std::string_view, kShownImageCount> kImages{"Radiance",
-                                                                 "Albedo",
-                                                                 "Shading normal",
-                                                                 "Geometric normal",
-                                                                 "Depth",
-                                                                 "Object id",
-                                                                 "Material id",
-                                                                 "Standard error",
-                                                                 "Bias",
-                                                                 "Bounded at 90 %",
-                                                                 "Error against reference",
-                                                                 "SPPM radius",
-                                                                 "Photon count",
-                                                                 "Visible points"};
-
-/// Why the radiance is shown instead; nullptr when nothing is missing.
-const char* missing(const ViewerModel& model) {
-    const DisplaySettings& display = model.display;
-    const bool hasSppm = display.split || model.draft().options.integrator == IntegratorKind::Sppm;
-    if (isOfPhotons(display.shown) && !hasSppm) {
-        return "Path tracing has no photons: choose SPPM as the integrator.";
-    }
-    if (display.shown == ShownImage::Bias && !hasSppm) {
-        return "Path tracing has no bias: choose SPPM as the integrator.";
-    }
-    if (display.shown != ShownImage::ReferenceError) { return nullptr; }
-    if (!model.reference.image()) { return "Load a reference in the Convergence panel first."; }
-    return model.usableReference() ? nullptr : "The reference does not fit: see the Convergence panel.";
-}
 constexpr std::array<std::string_view, 2> kSizes{"Fit the window", "1:1 pixels"};
 
-}  // namespace
+void drawShown(DisplaySettings* display) {
+    std::vector<std::string_view> names;
+    for (const ShownImageInfo& info : shownImages()) {
+        names.emplace_back(info.name);
+    }
+    int shown = static_cast<int>(display->shown);
+    if (ui::choice("Shown", &shown, names,
+                   "The render, what the camera's first hit tells, or how far the render may be off")) {
+        display->shown = static_cast<ShownImage>(shown);
+    }
+}
 
-void drawDisplayPanel(ViewerModel* model) {
-    if (!ui::section("Display", true)) { return; }
-    ImGui::PushID("display");
-    DisplaySettings& display = model->display;
-    ui::number("Exposure", &display.exposureStops,
+/// Why the radiance is shown instead; "" when nothing is missing.
+std::string missing(const DisplaySettings& display, IntegratorKind own, const ConvergenceWatch& convergence) {
+    const ShownImageInfo& info = infoOf(display.shown);
+    const bool isOfOther = display.split && info.isOf(display.otherOf(own));
+    if (!info.isOf(own) && !isOfOther) {
+        return fmt::format("{} has no {}: choose {} as the integrator.", integratorInfo(own).displayName,
+                           info.lacking, integratorInfo(*info.only).displayName);
+    }
+    if (!info.isAgainstReference) { return ""; }
+    if (!convergence.reference.loaded()) { return "Load a reference in the Convergence panel first."; }
+    return convergence.usableReference() ? "" : "The reference does not fit: see the Convergence panel.";
+}
+
+/// The choice of the other integrator is worth a row where there are several.
+void drawComparison(DisplaySettings* display, IntegratorKind own) {
+    const auto [left, right] = display->pairOf(own);
+    const std::string tooltip =
+        fmt::format("{} left of the divider, {} right of it, at equal render time (C)",
+                    integratorInfo(left).displayName, integratorInfo(right).displayName);
+    ui::toggle("Compare", &display->split, tooltip.c_str());
+    if (!display->split || kIntegratorTable.size() < 3) { return; }
+    std::vector<std::string_view> names;
+    std::vector<IntegratorKind> kinds;
+    int index = 0;
+    for (const IntegratorInfo& info : kIntegratorTable) {
+        if (info.kind == own) { continue; }
+        if (info.kind == display->otherOf(own)) { index = static_cast<int>(kinds.size()); }
+        names.emplace_back(info.displayName);
+        kinds.push_back(info.kind);
+    }
+    if (ui::choice("Compare with", &index, names, "The other integrator of the comparison")) {
+        display->comparedWith = kinds[static_cast<size_t>(index)];
+    }
+}
+
+void draw(DisplaySettings* display, const SceneDocument* document, const ConvergenceWatch* convergence) {
+    const IntegratorKind own = document->draft().options.integrator;
+    ui::number("Exposure", &display->exposureStops,
                {.format = "%+.2f stops",
                 .min = -10.0f,
                 .max = 10.0f,
                 .slider = true,
                 .tooltip = "Doubles the brightness with each stop; never restarts ([ and ])"});
-    int toneMap = static_cast<int>(display.toneMap);
+    int toneMap = static_cast<int>(display->toneMap);
     if (ui::choice("Tone map", &toneMap, kToneMaps, "From radiance to the screen; never restarts")) {
-        display.toneMap = static_cast<ToneMap>(toneMap);
+        display->toneMap = static_cast<ToneMap>(toneMap);
     }
-    int shown = static_cast<int>(display.shown);
-    if (ui::choice("Shown", &shown, kImages,
-                   "The render, what the camera's first hit tells, or how far the render may be off")) {
-        display.shown = static_cast<ShownImage>(shown);
-    }
-    if (const char* why = missing(*model)) { ui::hint(why); }
-    ui::toggle("Compare", &display.split,
-               "Path tracing left of the divider, SPPM right of it, at equal render time (C)");
-    int size = display.pixelScale ? 1 : 0;
+    drawShown(display);
+    if (const std::string why = missing(*display, own, *convergence); !why.empty()) { ui::hint(why.c_str()); }
+    drawComparison(display, own);
+    int size = display->pixelScale ? 1 : 0;
     if (ui::choice("Size", &size, kSizes, "How large the picture is drawn; never restarts")) {
-        display.pixelScale = size == 1;
+        display->pixelScale = size == 1;
     }
-    ImGui::PopID();
-    ui::gap();
 }
+
+}  // namespace
+
+Panel displayPanel() { return {"Display", true, OfParts<draw>::call}; }
 
 }  // namespace glint

@@ -3,15 +3,14 @@
 
 #include <imgui.h>
 
-#include "viewer/panels/panels.h"
-#include "viewer/window/widgets.h"
+#include "viewer/model/scene_document.h"
+#include "viewer/panels/panel.h"
+#include "viewer/ui/widgets.h"
 
 namespace glint {
 namespace {
 
-void drawImage(RenderOptions* options, Resolution* resolution) {
-    static constexpr std::array<std::string_view, 3> kFilters{"Box", "Gaussian", "Blackman-Harris"};
-    static constexpr std::array<std::string_view, 2> kSamplers{"Sobol", "Independent"};
+void drawSize(Resolution* resolution) {
     ui::integer("Width", &resolution->width,
                 {.format = "%d px",
                  .speed = 4.0f,
@@ -24,6 +23,11 @@ void drawImage(RenderOptions* options, Resolution* resolution) {
                  .min = 16.0f,
                  .max = 16384.0f,
                  .tooltip = "Of the picture that is rendered and saved"});
+}
+
+void drawSampling(RenderOptions* options) {
+    static constexpr std::array<std::string_view, 3> kFilters{"Box", "Gaussian", "Blackman-Harris"};
+    static constexpr std::array<std::string_view, 2> kSamplers{"Sobol", "Independent"};
     ui::integer("Max depth", &options->maxDepth,
                 {.format = "%d bounces",
                  .speed = 0.1f,
@@ -63,18 +67,13 @@ void drawImage(RenderOptions* options, Resolution* resolution) {
              "The most radiance one sample may bring. Hides fireflies, and darkens the picture a little"});
 }
 
+void draw(SceneDocument* document) {
+    drawSize(&document->draft().resolution);
+    drawSampling(&document->draft().options);
+}
+
 }  // namespace
 
-void drawImagePanel(ViewerModel* model) {
-    if (!ui::section("Picture", false)) { return; }
-    ImGui::PushID("picture");
-    if (model->hasScene()) {
-        drawImage(&model->draft().options, &model->draft().resolution);
-    } else {
-        ui::hint("No scene is open.");
-    }
-    ImGui::PopID();
-    ui::gap();
-}
+Panel imagePanel() { return {"Picture", false, OfParts<draw>::call, WithoutScene::Hints}; }
 
 }  // namespace glint

@@ -7,16 +7,17 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "viewer/panels/panels.h"
-#include "viewer/window/widgets.h"
+#include "viewer/model/scene_document.h"
+#include "viewer/panels/asset_state.h"
+#include "viewer/panels/panel.h"
+#include "viewer/ui/widgets.h"
 
 namespace glint {
 namespace {
 
 constexpr std::array<std::string_view, 3> kKinds{"Point", "Spot", "Directional"};
 
-void drawEnvironment(ViewerModel* model) {
-    SceneDescription* scene = &model->draft();
+void drawEnvironment(SceneDescription* scene, AssetReader* assets) {
     Environment* environment = &scene->environment;
     ui::heading("Environment");
     ui::color("Radiance", &environment->color, 1e6f, "W/(sr m²); multiplies the image where there is one");
@@ -30,7 +31,7 @@ void drawEnvironment(ViewerModel* model) {
         const std::vector<std::string_view> views(names.begin(), names.end());
         int index = environment->image + 1;
         if (ui::choice("Image", &index, views, "Latitude and longitude")) { environment->image = index - 1; }
-        drawAssetState(model);
+        drawAssetState(assets);
     }
     ui::number("Rotation", &environment->rotationDeg,
                {.format = "%.1f°",
@@ -72,8 +73,8 @@ void drawLight(Light* light, float speed) {
     light->coneFalloffStartDeg = std::min(light->coneFalloffStartDeg, light->coneAngleDeg);
 }
 
-void drawLights(ViewerModel* model) {
-    std::vector<Light>& lights = model->draft().lights;
+void drawLights(SceneDocument* document) {
+    std::vector<Light>& lights = document->draft().lights;
     if (lights.empty()) {
         ui::hint("No point, spot or directional lights.");
         return;
@@ -83,27 +84,21 @@ void drawLights(ViewerModel* model) {
         names.push_back(lights[i].name.empty() ? fmt::format("light {}", i) : lights[i].name);
     }
     const std::vector<std::string_view> views(names.begin(), names.end());
-    model->selectedLight = std::clamp(model->selectedLight, 0, static_cast<int>(lights.size()) - 1);
-    ui::choice("Light", &model->selectedLight, views);
-    ImGui::PushID(model->selectedLight);
-    const float speed = std::max(maxComponent(model->bounds().extent()) * 0.002f, 1e-4f);
-    drawLight(&lights[static_cast<size_t>(model->selectedLight)], std::isfinite(speed) ? speed : 0.01f);
+    document->selectedLight = std::clamp(document->selectedLight, 0, static_cast<int>(lights.size()) - 1);
+    ui::choice("Light", &document->selectedLight, views);
+    ImGui::PushID(document->selectedLight);
+    const float speed = std::max(maxComponent(document->bounds().extent()) * 0.002f, 1e-4f);
+    drawLight(&lights[static_cast<size_t>(document->selectedLight)], std::isfinite(speed) ? speed : 0.01f);
     ImGui::PopID();
+}
+
+void draw(SceneDocument* document, AssetReader* assets) {
+    drawLights(document);
+    drawEnvironment(&document->draft(), assets);
 }
 
 }  // namespace
 
-void drawLightsPanel(ViewerModel* model) {
-    if (!ui::section("Lights", false)) { return; }
-    ImGui::PushID("lights");
-    if (model->hasScene()) {
-        drawLights(model);
-        drawEnvironment(model);
-    } else {
-        ui::hint("No scene is open.");
-    }
-    ImGui::PopID();
-    ui::gap();
-}
+Panel lightsPanel() { return {"Lights", false, OfParts<draw>::call, WithoutScene::Hints}; }
 
 }  // namespace glint

@@ -5,9 +5,9 @@
 #include <imgui.h>
 
 #include "engine/base/log.h"
-#include "viewer/panels/panels.h"
-#include "viewer/window/theme.h"
-#include "viewer/window/widgets.h"
+#include "viewer/panels/panel.h"
+#include "viewer/ui/theme.h"
+#include "viewer/ui/widgets.h"
 
 namespace glint {
 namespace {
@@ -27,12 +27,9 @@ void drawLine(const LogLine& line) {
     ImGui::PopStyleColor();
 }
 
-}  // namespace
-
-void drawLogPanel() {
+void draw() {
     static std::vector<LogLine> lines;
     static uint64_t seen = 0;
-    if (!ui::section("Log", false)) { return; }
     std::vector<LogLine> fresh = recentLogLines(&seen);
     const bool grew = !fresh.empty();
     if (grew) { lines = std::move(fresh); }
@@ -51,5 +48,9 @@ void drawLogPanel() {
         ImGui::SetClipboardText(all.c_str());
     }
 }
+
+}  // namespace
+
+Panel logPanel() { return {"Log", false, OfParts<draw>::call}; }
 
 }  // namespace glint

@@ -8,8 +8,10 @@
 #include <imgui.h>
 
 #include "engine/scene/metals.h"
-#include "viewer/panels/panels.h"
-#include "viewer/window/widgets.h"
+#include "viewer/model/scene_document.h"
+#include "viewer/panels/asset_state.h"
+#include "viewer/panels/panel.h"
+#include "viewer/ui/widgets.h"
 
 namespace glint {
 namespace {
@@ -35,25 +37,24 @@ Vec3 patchColor(const Material& material) {
     return material.color.value * ((less * less + k2) / (more * more + k2));
 }
 
-void drawList(ViewerModel* model) {
-    const std::vector<Material>& materials = model->draft().materials;
+void drawList(SceneDocument* document) {
+    const std::vector<Material>& materials = document->draft().materials;
     const float rows = std::min(static_cast<float>(materials.size()), 6.0f);
     const float height = rows * ImGui::GetTextLineHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
     ImGui::BeginChild("list", {0.0f, height});
     for (size_t i = 0; i < materials.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         const Vec3 swatch = patchColor(materials[i]);
-        if (ui::selectable(nameOf(materials[i], i).c_str(), static_cast<int>(i) == model->selectedMaterial,
+        if (ui::selectable(nameOf(materials[i], i).c_str(), static_cast<int>(i) == document->selectedMaterial,
                            &swatch)) {
-            model->selectedMaterial = static_cast<int>(i);
+            document->selectedMaterial = static_cast<int>(i);
         }
         ImGui::PopID();
     }
     ImGui::EndChild();
 }
 
-void drawTexture(ViewerModel* model, Material* material) {
-    const SceneDescription& scene = model->draft();
+void drawTexture(const SceneDescription& scene, AssetReader* assets, Material* material) {
     if (scene.textures.empty()) { return; }
     std::vector<std::string> names{"none"};
     for (size_t i = 0; i < scene.textures.size(); ++i) {
@@ -68,7 +69,7 @@ void drawTexture(ViewerModel* model, Material* material) {
     if (ui::choice("Texture", &index, views, "An image that replaces the colour")) {
         material->color.texture = index - 1;
     }
-    drawAssetState(model);
+    drawAssetState(assets);
 }
 
 void drawMetal(Material* material) {
@@ -96,14 +97,14 @@ void drawMetal(Material* material) {
                 {.format = "%.3f", .speed = 0.005f, .max = 20.0f, .tooltip = "Extinction at R, G, B"});
 }
 
-void drawScattering(ViewerModel* model, Material* material) {
+void drawScattering(const SceneDescription& scene, AssetReader* assets, Material* material) {
     const MaterialKind kind = material->kind;
     const bool mixture = kind == MaterialKind::Mixture;
     const bool conductor = kind == MaterialKind::Conductor;
     const bool dielectric = kind == MaterialKind::Dielectric;
     const bool plastic = kind == MaterialKind::Plastic;
     ui::color("Colour", &material->color.value, 1.0f, "Linear Rec.709. Click the patch for a picker");
-    drawTexture(model, material);
+    drawTexture(scene, assets, material);
     if (conductor) { drawMetal(material); }
     if (dielectric || plastic || mixture) {
         ui::number("IOR", &material->ior.value,
@@ -142,28 +143,26 @@ void drawEmission(Material* material) {
     ui::toggle("Both sides", &material->emitsBothSides, "Otherwise only the front shines");
 }
 
-}  // namespace
-
-void drawMaterialsPanel(ViewerModel* model) {
-    if (!ui::section("Materials", false)) { return; }
-    ImGui::PushID("materials");
-    std::vector<Material>& materials = model->draft().materials;
+void draw(SceneDocument* document, AssetReader* assets) {
+    std::vector<Material>& materials = document->draft().materials;
     if (materials.empty()) {
         ui::hint("The scene has no materials.");
-    } else {
-        model->selectedMaterial =
-            std::clamp(model->selectedMaterial, 0, static_cast<int>(materials.size()) - 1);
-        drawList(model);
-        Material& material = materials[static_cast<size_t>(model->selectedMaterial)];
-        ImGui::PushID(model->selectedMaterial);
-        int kind = static_cast<int>(material.kind);
-        if (ui::choice("Kind", &kind, kKinds)) { material.kind = static_cast<MaterialKind>(kind); }
-        drawScattering(model, &material);
-        drawEmission(&material);
-        ImGui::PopID();
+        return;
     }
+    int& selected = document->selectedMaterial;
+    selected = std::clamp(selected, 0, static_cast<int>(materials.size()) - 1);
+    drawList(document);
+    Material& material = materials[static_cast<size_t>(selected)];
+    ImGui::PushID(selected);
+    int kind = static_cast<int>(material.kind);
+    if (ui::choice("Kind", &kind, kKinds)) { material.kind = static_cast<MaterialKind>(kind); }
+    drawScattering(document->draft(), assets, &material);
+    drawEmission(&material);
     ImGui::PopID();
-    ui::gap();
 }
+
+}  // namespace
+
+Panel materialsPanel() { return {"Materials", false, OfParts<draw>::call}; }
 
 }  // namespace glint

@@ -1,29 +1,11 @@
-// The panels, top to bottom. Each draws one section and changes the model's draft or settings; none knows
-// what restarts.
-//
-// Called once a frame by viewer/window/app. One file per panel.
+// The column of panels.
 #pragma once
-
-#include "viewer/window/viewer_model.h"
 
 namespace glint {
 
-void drawScenePanel(ViewerModel* model);
-void drawRenderPanel(ViewerModel* model);
-void drawConvergencePanel(ViewerModel* model);
-void drawSppmPanel(ViewerModel* model);
-void drawCameraPanel(ViewerModel* model);
-void drawMaterialsPanel(ViewerModel* model);
-void drawLightsPanel(ViewerModel* model);
-void drawDisplayPanel(ViewerModel* model);
-void drawImagePanel(ViewerModel* model);
-void drawCheckpointPanel(ViewerModel* model);
-void drawLogPanel();
+class Workspace;
 
-/// That a file is being read which the draft uses, or why it could not be; part of other panels.
-void drawAssetState(ViewerModel* model);
-
-/// All of them.
-void drawPanels(ViewerModel* model);
+/// Draws all of them, top to bottom. They change drafts and settings, and none knows what restarts.
+void drawPanels(Workspace* workspace);
 
 }  // namespace glint

@@ -1,27 +1,31 @@
 // How the render goes: start and stop, speed, error and limits.
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "viewer/panels/panels.h"
-#include "viewer/panels/units.h"
-#include "viewer/window/theme.h"
-#include "viewer/window/widgets.h"
+#include "viewer/base/units.h"
+#include "viewer/model/fault_finder.h"
+#include "viewer/model/render_control.h"
+#include "viewer/model/scene_document.h"
+#include "viewer/panels/panel.h"
+#include "viewer/ui/theme.h"
+#include "viewer/ui/widgets.h"
 
 namespace glint {
 namespace {
 
-const char* stateText(const ViewerModel& model) {
-    switch (model.status().state) {
+const char* stateText(const RenderControl& render) {
+    switch (render.status().state) {
         case SessionState::Empty:
             return "No scene";
         case SessionState::Building:
             return "Building";
         case SessionState::Rendering:
-            return model.paused ? "Pausing" : "Rendering";
+            return render.request.paused ? "Pausing" : "Rendering";
         case SessionState::Paused:
             return "Paused";
         case SessionState::Finished:
@@ -44,35 +48,37 @@ float progress(const SessionStatus& status, const StopLimits& limits) {
     return static_cast<float>(std::min(done, 1.0));
 }
 
-void drawActions(ViewerModel* model) {
+void drawActions(RenderControl* render) {
     const float width = ui::buttonWidth(2);
-    const bool finished = model->status().state == SessionState::Finished;
+    const bool finished = render->status().state == SessionState::Finished;
     if (finished) {
         ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.5f);
         ui::button("Finished", width, "A stop limit is reached. Raise or clear it to go on.");
         ImGui::PopStyleVar();
-    } else if (ui::button(model->paused ? "Start" : "Pause", width, "Space", true)) {
-        model->paused = !model->paused;
+    } else if (ui::button(render->request.paused ? "Start" : "Pause", width, "Space", true)) {
+        render->request.paused = !render->request.paused;
     }
     ImGui::SameLine();
-    if (ui::button("Restart", width, "Throws the picture away and begins again (R)")) { model->restart(); }
+    if (ui::button("Restart", width, "Throws the picture away and begins again (R)")) { render->restart(); }
 }
 
-void drawIntegrator(ViewerModel* model) {
-    static constexpr std::array<std::string_view, 2> kIntegrators{"Path tracing", "SPPM"};
-    RenderOptions& options = model->draft().options;
-    int integrator = static_cast<int>(options.integrator);
+void drawIntegrator(RenderOptions* options) {
+    std::vector<std::string_view> names;
+    for (const IntegratorInfo& info : kIntegratorTable) {
+        names.emplace_back(info.displayName);
+    }
+    int integrator = static_cast<int>(options->integrator);
     if (ui::choice(
-            "Integrator", &integrator, kIntegrators,
+            "Integrator", &integrator, names,
             "Light followed from the camera, or photons from the lights too: for caustics. Each keeps its "
             "picture")) {
-        options.integrator = static_cast<IntegratorKind>(integrator);
+        options->integrator = static_cast<IntegratorKind>(integrator);
     }
 }
 
-void drawNumbers(const ViewerModel& model) {
-    const SessionStatus& status = model.status();
-    ui::value("State", stateText(model), "Space pauses and goes on");
+void drawNumbers(const RenderControl& render) {
+    const SessionStatus& status = render.status();
+    ui::value("State", stateText(render), "Space pauses and goes on");
     ui::value("Passes", grouped(status.passes), "Samples of each pixel so far");
     const bool isTimed = status.passesPerSecond > 0.0;
     ui::value("Speed", isTimed ? fmt::format("{:.2f} passes/s", status.passesPerSecond) : "–",
@@ -93,18 +99,19 @@ void drawNumbers(const ViewerModel& model) {
     }
 }
 
-void drawLimits(ViewerModel* model) {
+void drawLimits(RenderControl* render) {
+    StopLimits& limits = render->request.limits;
     ui::heading("Stop at");
-    int passes = static_cast<int>(model->limits.passes);
-    auto seconds = static_cast<float>(model->limits.renderSeconds);
-    auto error = static_cast<float>(model->limits.relativeError * 100.0);
+    int passes = static_cast<int>(limits.passes);
+    auto seconds = static_cast<float>(limits.renderSeconds);
+    auto error = static_cast<float>(limits.relativeError * 100.0);
     if (ui::integer("Pass limit", &passes,
                     {.format = "%d passes",
                      .speed = 1.0f,
                      .max = 1e7f,
                      .zeroText = "none",
                      .tooltip = "Never restarts anything. 0: no limit"})) {
-        model->limits.passes = static_cast<uint32_t>(passes);
+        limits.passes = static_cast<uint32_t>(passes);
     }
     if (ui::number("Time limit", &seconds,
                    {.format = "%.0f s",
@@ -112,7 +119,7 @@ void drawLimits(ViewerModel* model) {
                     .max = 1e7f,
                     .zeroText = "none",
                     .tooltip = "Render time, pauses left out. 0: no limit"})) {
-        model->limits.renderSeconds = static_cast<double>(seconds);
+        limits.renderSeconds = static_cast<double>(seconds);
     }
     if (ui::number("Error limit", &error,
                    {.format = "%.2f %%",
@@ -120,41 +127,39 @@ void drawLimits(ViewerModel* model) {
                     .max = 100.0f,
                     .zeroText = "none",
                     .tooltip = "Of the estimate; the Convergence panel's target. 0: no limit"})) {
-        model->limits.relativeError = static_cast<double>(error) / 100.0;
+        limits.relativeError = static_cast<double>(error) / 100.0;
     }
-    if (const float done = progress(model->status(), model->limits); done >= 0.0f) {
+    if (const float done = progress(render->status(), limits); done >= 0.0f) {
         ImGui::ProgressBar(done, {-FLT_MIN, ImGui::GetFontSize() * 0.45f}, "");
     }
 }
 
-void drawFaults(ViewerModel* model) {
-    const auto& counts = model->status().faultCounts;
+void drawFaults(const SessionStatus& status, FaultFinder* faults) {
+    const auto& counts = status.faultCounts;
     const uint64_t total = counts[1] + counts[2] + counts[3];
     ui::value("Dropped", total == 0 ? "none" : fmt::format("{} samples", grouped(total)),
               "Samples that were not finite or negative: counted, left out, and never clamped");
     if (total == 0) { return; }
     ui::hint(
         fmt::format("{} not a number, {} infinite, {} negative", counts[1], counts[2], counts[3]).c_str());
-    if (ui::button("Find the first", ui::buttonWidth(1))) { model->findFault(); }
-    if (model->replayCommand().empty()) { return; }
-    std::string command = model->replayCommand();
+    if (ui::button("Find the first", ui::buttonWidth(1))) { faults->find(); }
+    if (faults->replayCommand().empty()) { return; }
+    std::string command = faults->replayCommand();
     ImGui::SetNextItemWidth(-FLT_MIN);
     ImGui::InputText("##replay", command.data(), command.size() + 1, ImGuiInputTextFlags_ReadOnly);
     if (ui::button("Copy command", ui::buttonWidth(1))) { ImGui::SetClipboardText(command.c_str()); }
 }
 
+void draw(RenderControl* render, SceneDocument* document, FaultFinder* faults) {
+    drawActions(render);
+    drawIntegrator(&document->draft().options);
+    drawNumbers(*render);
+    drawFaults(render->status(), faults);
+    drawLimits(render);
+}
+
 }  // namespace
 
-void drawRenderPanel(ViewerModel* model) {
-    if (!ui::section("Render", true)) { return; }
-    ImGui::PushID("render");
-    drawActions(model);
-    drawIntegrator(model);
-    drawNumbers(*model);
-    drawFaults(model);
-    drawLimits(model);
-    ImGui::PopID();
-    ui::gap();
-}
+Panel renderPanel() { return {"Render", true, OfParts<draw>::call}; }
 
 }  // namespace glint

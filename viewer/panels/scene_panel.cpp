@@ -1,45 +1,33 @@
 // Which scene is open, opening another, and what went wrong with that.
-#include <imgui.h>
+#include <string>
 
 #include "engine/io/importer.h"
-#include "viewer/panels/error_box.h"
-#include "viewer/panels/panels.h"
-#include "viewer/window/theme.h"
-#include "viewer/window/widgets.h"
+#include "viewer/model/scene_document.h"
+#include "viewer/model/scene_files.h"
+#include "viewer/panels/panel.h"
+#include "viewer/ui/error_box.h"
+#include "viewer/ui/widgets.h"
 
 namespace glint {
+namespace {
 
-void drawScenePanel(ViewerModel* model) {
-    if (!ui::section("Scene", true)) { return; }
-    ImGui::PushID("scene");
+void draw(SceneFiles* files, const SceneDocument* document) {
     static const std::string help = "A scene to open: " + listImporters() + ". Enter opens it.";
-    const bool entered = ui::text("File", &model->files.scene, "scene.json, .txt, .obj, .ply", help.c_str());
-    const char* action = model->opening() ? "Opening…" : "Open";
-    if ((ui::button(action, ui::buttonWidth(1)) || entered) && !model->opening()) {
-        model->open(model->files.scene);
+    const bool entered = ui::text("File", &files->opened, "scene.json, .txt, .obj, .ply", help.c_str());
+    const char* action = files->opening() ? "Opening…" : "Open";
+    if ((ui::button(action, ui::buttonWidth(1)) || entered) && !files->opening()) {
+        files->open(files->opened);
     }
-    if (model->openError()) {
+    if (files->error()) {
         ui::gap();
-        if (drawErrorBox("This scene cannot be opened", *model->openError())) { model->dismissOpenError(); }
-        if (model->hasScene()) { ui::hint("The scene that was open goes on."); }
+        if (drawErrorBox("This scene cannot be opened", *files->error())) { files->dismissError(); }
+        if (document->isOpen()) { ui::hint("The scene that was open goes on."); }
     }
-    if (model->hasScene() && !model->draft().title.empty()) { ui::hint(model->draft().title.c_str()); }
-    ImGui::PopID();
-    ui::gap();
+    if (document->isOpen() && !document->draft().title.empty()) { ui::hint(document->draft().title.c_str()); }
 }
 
-void drawPanels(ViewerModel* model) {
-    drawScenePanel(model);
-    drawRenderPanel(model);
-    drawConvergencePanel(model);
-    drawSppmPanel(model);
-    drawCameraPanel(model);
-    drawMaterialsPanel(model);
-    drawLightsPanel(model);
-    drawDisplayPanel(model);
-    drawImagePanel(model);
-    drawCheckpointPanel(model);
-    drawLogPanel();
-}
+}  // namespace
+
+Panel scenePanel() { return {"Scene", true, OfParts<draw>::call}; }
 
 }  // namespace glint

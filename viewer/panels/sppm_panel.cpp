@@ -8,10 +8,13 @@
 #include <imgui.h>
 
 #include "engine/render/sppm_state.h"
-#include "viewer/panels/panels.h"
-#include "viewer/panels/units.h"
-#include "viewer/window/theme.h"
-#include "viewer/window/widgets.h"
+#include "viewer/base/units.h"
+#include "viewer/model/display_settings.h"
+#include "viewer/model/render_control.h"
+#include "viewer/model/scene_document.h"
+#include "viewer/panels/panel.h"
+#include "viewer/ui/theme.h"
+#include "viewer/ui/widgets.h"
 
 namespace glint {
 namespace {
@@ -81,7 +84,7 @@ void drawPhotons(SppmOptions* sppm) {
          .tooltip = "Metal and glass of at least this roughness gather photons; smoother ones reflect"});
 }
 
-void drawMemory(const ViewerModel& model, SppmOptions* sppm) {
+void drawMemory(const SceneDescription& scene, size_t filmBytes, SppmOptions* sppm) {
     int budget = static_cast<int>(std::min<uint32_t>(sppm->memoryBudgetMiB, 1u << 20));
     if (ui::integer("Memory limit", &budget,
                     {.format = "%d MiB",
@@ -91,13 +94,13 @@ void drawMemory(const ViewerModel& model, SppmOptions* sppm) {
                      .tooltip = "For statistics and photons; photons per pass are reduced to fit"})) {
         sppm->memoryBudgetMiB = static_cast<uint32_t>(budget);
     }
-    const SppmMemory memory = planSppmMemory(model.draft());
+    const SppmMemory memory = planSppmMemory(scene);
     ui::value(
         "Planned", fmt::format("{:.1f} MiB", static_cast<double>(memory.total()) / kMiB),
         fmt::format("Pixels {:.1f} MiB, photons {:.1f} MiB", static_cast<double>(memory.pixelBytes) / kMiB,
                     static_cast<double>(memory.photonBytes) / kMiB)
             .c_str());
-    ui::value("Films", fmt::format("{:.1f} MiB", static_cast<double>(model.status().filmBytes) / kMiB),
+    ui::value("Films", fmt::format("{:.1f} MiB", static_cast<double>(filmBytes) / kMiB),
               "In use now by the films and statistics of both integrators, previews included");
     if (memory.photonsPerPass >= sppm->photonsPerPass) { return; }
     ImGui::PushStyleColor(ImGuiCol_Text, theme::kTextWarning);
@@ -106,22 +109,30 @@ void drawMemory(const ViewerModel& model, SppmOptions* sppm) {
     ImGui::PopStyleColor();
 }
 
+void draw(SceneDocument* document, const RenderControl* render) {
+    SppmOptions* sppm = &document->draft().sppm;
+    const float size = maxComponent(document->bounds().extent());
+    drawRadius(sppm, std::isfinite(size) && size > 0.0f ? size : 1.0f);
+    drawPhotons(sppm);
+    drawMemory(document->draft(), render->status().filmBytes, sppm);
+}
+
+bool isShown(const SceneDocument* document, const DisplaySettings* display) {
+    const IntegratorKind own = document->draft().options.integrator;
+    const auto [left, right] = display->pairOf(own);
+    const bool isCompared = left == IntegratorKind::Sppm || right == IntegratorKind::Sppm;
+    return own == IntegratorKind::Sppm || (display->split && isCompared);
+}
+
 }  // namespace
 
-void drawSppmPanel(ViewerModel* model) {
-    if (!model->hasScene()) { return; }
-    SceneDescription& scene = model->draft();
-    if (scene.options.integrator != IntegratorKind::Sppm && !model->display.split) { return; }
-    if (!ui::section("SPPM", true, "Stochastic progressive photon mapping (Hachisuka and Jensen 2009)")) {
-        return;
-    }
-    ImGui::PushID("sppm");
-    const float size = maxComponent(model->bounds().extent());
-    drawRadius(&scene.sppm, std::isfinite(size) && size > 0.0f ? size : 1.0f);
-    drawPhotons(&scene.sppm);
-    drawMemory(*model, &scene.sppm);
-    ImGui::PopID();
-    ui::gap();
+Panel sppmPanel() {
+    return {"SPPM",
+            true,
+            OfParts<draw>::call,
+            WithoutScene::Hides,
+            "Stochastic progressive photon mapping (Hachisuka and Jensen 2009)",
+            OfParts<isShown>::call};
 }
 
 }  // namespace glint

@@ -1,8 +1,6 @@
 #include "viewer/window/app.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -16,34 +14,37 @@
 #include "engine/io/image_io.h"
 #include "engine/render/image_file.h"
 #include "engine/render/snapshot.h"
-#include "viewer/commands/progress.h"
+#include "viewer/base/progress.h"
+#include "viewer/ui/theme.h"
+#include "viewer/ui/widgets.h"
+#include "viewer/window/frame_pacer.h"
 #include "viewer/window/frame_stats.h"
 #include "viewer/window/script_player.h"
 #include "viewer/window/shell.h"
-#include "viewer/window/shown_image_source.h"
-#include "viewer/window/theme.h"
-#include "viewer/window/widgets.h"
 
 namespace glint {
 namespace {
 
-constexpr double kFrameSeconds = 1.0 / 60.0;
-constexpr double kQuietFrameSeconds = 0.1;  // while it renders and nobody touches anything
-constexpr double kIdleFrameSeconds = 0.5;   // while nothing happens at all
-constexpr double kLivelySeconds = 0.5;      // 60 Hz for so long after input
-constexpr double kMotionEndSeconds = 0.12;  // without an edit, what is held does not move
 constexpr uint32_t kHeadlessPasses = 64;
-constexpr int kSettleFrames = 3;  // until ImGui's layout and the last picture are on screen
+constexpr int kSettleFrames = 3;  // until ImGui's layout and the last image are on screen
 
-using Clock = std::chrono::steady_clock;
+using Clock = FramePacer::Clock;
 
-double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
-double milliseconds(Clock::time_point from, Clock::time_point to) { return seconds(to - from) * 1000.0; }
+double milliseconds(Clock::time_point from, Clock::time_point to) {
+    return std::chrono::duration<double>(to - from).count() * 1000.0;
+}
+
+bool isResting(SessionState state) {
+    return state == SessionState::Finished || state == SessionState::Paused || state == SessionState::Empty ||
+           state == SessionState::Failed;
+}
 
 class App {
   public:
     App(const ViewerOptions& options, std::unique_ptr<Backend> backend)
-        : options_(options), model_(std::move(backend)) {}
+        : options_(options),
+          workspace_(std::move(backend)),
+          pacer_(options.script.has_value() || !options.frameStats.empty()) {}
     App(const App&) = delete;
     App& operator=(const App&) = delete;
     ~App();
@@ -54,8 +55,9 @@ class App {
   private:
     void fitToScreen();
     void drawFrame();
-    bool worthDrawing(Clock::time_point now);
-    double pause(Clock::time_point now) const;
+    void showImages();
+    bool worthDrawing();
+    bool isIdle() const;
     std::string currentTitle() const;
     bool headlessDone();
     Status finish();
@@ -67,33 +69,26 @@ class App {
     std::unique_ptr<Surface> surface_;
     ImGuiContext* imgui_ = nullptr;
     bool rendererStarted_ = false;
-    std::unique_ptr<ImageDisplay> display_;
-    std::unique_ptr<ImageDisplay> otherDisplay_;  // the second picture of a comparison
-    ShownImageSource source_;
-    ShownImageSource otherSource_;
+    ImagePanes panes_;
     WidgetRegistry registry_;
     Fonts fonts_;
     float loadedScale_ = 0.0f;
     float loadedFramebufferScale_ = 0.0f;
     Shell shell_;
-    ViewerModel model_;
+    Workspace workspace_;
     std::unique_ptr<ScriptPlayer> player_;
     std::string title_;
 
     FrameStats stats_;
     double wakeMs_ = 0.0;
-    Clock::time_point lastInput_ = Clock::now();
-    Clock::time_point lastEdit_ = Clock::now();
-    Clock::time_point lastDrawn_{};
-    std::shared_ptr<const FilmSnapshot> drawnSnapshot_;
-    std::shared_ptr<const FilmSnapshot> drawnOther_;
+    FramePacer pacer_;
     int settled_ = 0;
     std::optional<ProgressLine> progress_;  // headless, when no script says what happens
 };
 
 App::~App() {
-    display_.reset();
-    otherDisplay_.reset();
+    panes_.own.display.reset();
+    panes_.other.display.reset();
     if (rendererStarted_) { ImGui_ImplOpenGL3_Shutdown(); }
     // The surface ends ImGui's platform back end, which lives in ImGui's context.
     surface_.reset();
@@ -109,23 +104,23 @@ Status App::open(std::optional<SceneDescription> scene) {
     surface_ = std::move(*surface);
     rendererStarted_ = ImGui_ImplOpenGL3_Init("#version 330 core");
     if (!rendererStarted_) { return Error{"Dear ImGui cannot use this OpenGL context", {}}; }
-    auto display = ImageDisplay::create(surface_->gl());
-    if (!display) { return display.error(); }
-    display_ = std::move(*display);
-    auto other = ImageDisplay::create(surface_->gl());
-    if (!other) { return other.error(); }
-    otherDisplay_ = std::move(*other);
+    for (ImagePane* pane : {&panes_.own, &panes_.other}) {
+        auto display = ImageDisplay::create(surface_->gl());
+        if (!display) { return display.error(); }
+        pane->display = std::move(*display);
+    }
     if (options_.script) {
         player_ =
-            std::make_unique<ScriptPlayer>(*options_.script, &registry_, &model_,
+            std::make_unique<ScriptPlayer>(*options_.script, &registry_, &workspace_,
                                            [this](const std::string& path) { return saveScreenshot(path); });
     }
-    model_.limits.passes = options_.passes;
-    if (options_.headless && !options_.script && options_.passes == 0) {
-        model_.limits.passes = kHeadlessPasses;
+    uint32_t& passLimit = workspace_.render.request.limits.passes;
+    passLimit = options_.passes;
+    if (options_.headless && !options_.script) {
+        if (passLimit == 0) { passLimit = kHeadlessPasses; }
+        progress_.emplace();
     }
-    if (options_.headless && !options_.script) { progress_.emplace(); }
-    if (scene) { model_.adopt(std::move(*scene)); }
+    if (scene) { workspace_.adopt(std::move(*scene)); }
     return {};
 }
 
@@ -141,6 +136,24 @@ void App::fitToScreen() {
     loadedFramebufferScale_ = framebuffer;
 }
 
+void App::showImages() {
+    const DisplaySettings& settings = workspace_.display;
+    ImagePane& own = panes_.own;
+    ImagePane& other = panes_.other;
+    ShownImageSource::Wanted wanted{workspace_.render.snapshot(),
+                                    settings.shown,
+                                    workspace_.convergence.usableReference(),
+                                    {settings.exposureStops, settings.toneMap}};
+    own.source.show(wanted, nullptr, own.display.get());
+    if (settings.split) {
+        wanted.snapshot = workspace_.render.otherSnapshot();
+        other.source.show(wanted, &own.source, other.display.get());
+    }
+    workspace_.displayIsBehind = own.source.isBehind() || (settings.split && other.source.isBehind());
+    own.drawn = workspace_.render.snapshot();
+    other.drawn = workspace_.render.otherSnapshot();
+}
+
 void App::drawFrame() {
     const auto start = Clock::now();
     fitToScreen();
@@ -149,25 +162,12 @@ void App::drawFrame() {
     if (player_) { player_->feed(&ImGui::GetIO()); }
     ImGui::NewFrame();
     ui::beginFrame(&registry_, &fonts_, loadedScale_ / loadedFramebufferScale_);
-    const bool held = shell_.draw(&model_, {display_.get(), otherDisplay_.get(), &source_, &otherSource_});
-    const auto now = Clock::now();
-    if (model_.commitEdits(held) != EditKind::None) { lastEdit_ = now; }
-    if (!held || seconds(now - lastEdit_) > kMotionEndSeconds) { model_.finishMotion(); }
+    const bool held = shell_.draw(&workspace_, panes_);
+    if (workspace_.commitEdits(held) != EditKind::None) { pacer_.noteEdit(); }
+    if (!held || pacer_.motionHasEnded()) { workspace_.finishMotion(); }
     ImGui::Render();
     const auto built = Clock::now();
-    const auto reference = model_.usableReference();
-    ShownImageSource::Wanted wanted{model_.snapshot(),
-                                    model_.display.shown,
-                                    reference,
-                                    {model_.display.exposureStops, model_.display.toneMap}};
-    source_.show(wanted, nullptr, display_.get());
-    if (model_.display.split) {
-        wanted.snapshot = model_.otherSnapshot();
-        otherSource_.show(wanted, &source_, otherDisplay_.get());
-    }
-    model_.displayIsBehind = source_.isBehind() || (model_.display.split && otherSource_.isBehind());
-    drawnSnapshot_ = model_.snapshot();
-    drawnOther_ = model_.otherSnapshot();
+    showImages();
     if (!options_.frameStats.empty()) { surface_->gl().Finish(); }
     const auto uploaded = Clock::now();
     const GlApi& gl = surface_->gl();
@@ -177,58 +177,48 @@ void App::drawFrame() {
     gl.Clear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     surface_->present();
-    lastDrawn_ = Clock::now();
-    stats_.add({milliseconds(start, built), milliseconds(built, uploaded), milliseconds(uploaded, lastDrawn_),
-                wakeMs_});
+    pacer_.noteDrawn();
+    stats_.add({milliseconds(start, built), milliseconds(built, uploaded),
+                milliseconds(uploaded, Clock::now()), wakeMs_});
 }
 
-bool App::worthDrawing(Clock::time_point now) {
-    if (player_ || !options_.frameStats.empty()) { return true; }
-    if (seconds(now - lastInput_) < kLivelySeconds || model_.snapshot() != drawnSnapshot_ ||
-        model_.otherSnapshot() != drawnOther_ || source_.isReady() || otherSource_.isReady()) {
-        return true;
-    }
-    const bool active = model_.status().state == SessionState::Rendering ||
-                        model_.status().state == SessionState::Building || model_.busy() ||
-                        model_.awaitsEdit();
-    return seconds(now - lastDrawn_) >= (active ? kQuietFrameSeconds : kIdleFrameSeconds);
+bool App::worthDrawing() {
+    const bool hasNews = workspace_.render.snapshot() != panes_.own.drawn ||
+                         workspace_.render.otherSnapshot() != panes_.other.drawn ||
+                         panes_.own.source.isReady() || panes_.other.source.isReady();
+    const SessionState state = workspace_.render.status().state;
+    const bool isBusy = state == SessionState::Rendering || state == SessionState::Building ||
+                        workspace_.busy() || workspace_.awaitsEdit();
+    return pacer_.worthDrawing(hasNews, isBusy);
 }
 
-double App::pause(Clock::time_point now) const {
-    const SessionState state = model_.status().state;
-    const bool idle = !player_ && options_.frameStats.empty() &&
-                      seconds(now - lastInput_) >= kLivelySeconds &&
-                      (state == SessionState::Finished || state == SessionState::Paused ||
-                       state == SessionState::Empty || state == SessionState::Failed) &&
-                      !model_.busy() && !model_.opening() && !model_.awaitsEdit() &&
-                      !model_.displayIsBehind && !options_.headless;
-    if (idle) { return kIdleFrameSeconds; }
-    // A loop that had nothing to draw sleeps as well: without that it would take a core from the renderer.
-    const double sinceDrawn = seconds(now - lastDrawn_);
-    return sinceDrawn < kFrameSeconds ? kFrameSeconds - sinceDrawn : kFrameSeconds;
+bool App::isIdle() const {
+    return isResting(workspace_.render.status().state) && !workspace_.busy() &&
+           !workspace_.sceneFiles.opening() && !workspace_.awaitsEdit() && !workspace_.displayIsBehind &&
+           !options_.headless;
 }
 
 Status App::run(bool* scriptFailed) {
     auto planned = Clock::now();
     while (!surface_->shouldClose() && !shell_.quitWanted()) {
         wakeMs_ = std::max(0.0, milliseconds(planned, Clock::now()));
-        model_.refresh();
+        workspace_.refresh();
         if (player_) {
             if (Status stepped = player_->step(); !stepped) {
                 *scriptFailed = true;
                 return stepped;
             }
         }
-        if (surface_->takeInputFlag()) { lastInput_ = Clock::now(); }
+        if (surface_->takeInputFlag()) { pacer_.noteInput(); }
         for (const std::string& file : surface_->takeDroppedFiles()) {
-            model_.takeDroppedFile(file);
+            workspace_.takeDroppedFile(file);
         }
-        if (worthDrawing(Clock::now())) { drawFrame(); }
+        if (worthDrawing()) { drawFrame(); }
         if (const std::string title = currentTitle(); title != title_) { surface_->setTitle(title_ = title); }
-        if (progress_) { progress_->update(model_.status(), model_.limits); }
+        if (progress_) { progress_->update(workspace_.render.status(), workspace_.render.request.limits); }
         if (player_ ? player_->done() : headlessDone()) { break; }
         const auto now = Clock::now();
-        const double wait = pause(now);
+        const double wait = pacer_.pause(isIdle());
         planned = now + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(wait));
         surface_->waitEvents(wait);
         if (surface_->hasDisplay() && Clock::now() < planned) {
@@ -239,29 +229,30 @@ Status App::run(bool* scriptFailed) {
 }
 
 std::string App::currentTitle() const {
-    if (!model_.hasScene()) { return "Glint"; }
-    const std::string file = std::filesystem::path(model_.draft().path).filename().string();
-    const bool paused = model_.status().state == SessionState::Paused;
+    if (!workspace_.document.isOpen()) { return "Glint"; }
+    const std::string file = std::filesystem::path(workspace_.document.draft().path).filename().string();
+    const bool paused = workspace_.render.status().state == SessionState::Paused;
     return fmt::format("{}{} – Glint", file, paused ? " (paused)" : "");
 }
 
 bool App::headlessDone() {
     if (!options_.headless) { return false; }
-    const SessionStatus& status = model_.status();
+    const SessionStatus& status = workspace_.render.status();
+    const auto& snapshot = workspace_.render.snapshot();
     const bool over = status.state == SessionState::Failed ||
-                      (status.state == SessionState::Finished && !model_.awaitsEdit() && model_.snapshot() &&
-                       model_.snapshot()->passes == status.passes);
-    settled_ = over && model_.snapshot() == drawnSnapshot_ && !model_.displayIsBehind ? settled_ + 1 : 0;
+                      (status.state == SessionState::Finished && !workspace_.awaitsEdit() && snapshot &&
+                       snapshot->passes == status.passes);
+    settled_ = over && snapshot == panes_.own.drawn && !workspace_.displayIsBehind ? settled_ + 1 : 0;
     if (over) {
-        lastInput_ = Clock::now();  // draw the frames that are left without pause
+        pacer_.noteInput();  // draw the frames that are left without pause
     }
     return settled_ > kSettleFrames;
 }
 
 Status App::finish() {
     if (progress_) { progress_->finish(); }
-    if (model_.status().state == SessionState::Failed && options_.headless) {
-        return Error{model_.status().error, {}};
+    if (workspace_.render.status().state == SessionState::Failed && options_.headless) {
+        return Error{workspace_.render.status().error, {}};
     }
     if (!options_.screenshot.empty()) {
         if (Status saved = saveScreenshot(options_.screenshot); !saved) { return saved; }
@@ -280,15 +271,16 @@ Status App::saveScreenshot(const std::string& path) const {
 }
 
 Status App::saveImageFile() {
-    const auto capture = model_.session().capture();
+    const auto capture = workspace_.render.capture();
     if (!capture) { return Error{"there is no picture to save", SourcePlace{options_.output, 0, 0, ""}}; }
     auto image = makeSnapshot(*capture, {.standardError = true}, 0);
-    const ImageOptions look{.exposureStops = model_.display.exposureStops, .toneMap = model_.display.toneMap};
+    const ImageOptions look{.exposureStops = workspace_.display.exposureStops,
+                            .toneMap = workspace_.display.toneMap};
     return saveImage(options_.output, *image, *capture->scene, look);
 }
 
 Status App::saveFrameStats() {
-    const std::string report = stats_.json(model_.session().status(), model_.draft().camera);
+    const std::string report = stats_.json(workspace_.render.statusNow(), workspace_.document.draft().camera);
     if (options_.frameStats != "-") { return writeFileAtomically(options_.frameStats, report); }
     std::fputs(report.c_str(), stdout);
     return {};

@@ -1,5 +1,4 @@
-// The viewer as a whole: a surface, the model, the shell, and the loop that joins them. Called by the
-// view command.
+// The viewer as a whole: a surface, the workspace, the shell, and the loop that joins them.
 #pragma once
 
 #include <optional>

@@ -20,7 +20,7 @@ nlohmann::ordered_json numbers(const Vec3& v) { return nlohmann::ordered_json::a
 
 nlohmann::ordered_json sessionReport(const SessionStatus& session) {
     return {{"state", stateName(session.state)},
-            {"integrator", integratorName(session.integrator)},
+            {"integrator", integratorInfo(session.integrator).key},
             {"passes", session.passes},
             {"restarts", session.counters.filmRestarts},
             {"preview_passes", session.counters.previewPasses},
@@ -29,10 +29,6 @@ nlohmann::ordered_json sessionReport(const SessionStatus& session) {
 }
 
 }  // namespace
-
-const char* integratorName(IntegratorKind integrator) {
-    return integrator == IntegratorKind::Sppm ? "sppm" : "path";
-}
 
 const char* stateName(SessionState state) {
     switch (state) {

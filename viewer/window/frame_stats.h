@@ -35,7 +35,5 @@ class FrameStats {
 
 /// "rendering", "paused", …: as scripts and reports write it.
 const char* stateName(SessionState state);
-/// "path" or "sppm".
-const char* integratorName(IntegratorKind integrator);
 
 }  // namespace glint

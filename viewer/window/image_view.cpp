@@ -7,9 +7,10 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
-#include "viewer/window/camera_controller.h"
-#include "viewer/window/theme.h"
-#include "viewer/window/widgets.h"
+#include "viewer/model/camera_controller.h"
+#include "viewer/ui/theme.h"
+#include "viewer/ui/widgets.h"
+#include "viewer/window/split_view.h"
 
 namespace glint {
 namespace {
@@ -38,14 +39,14 @@ void drawHint(Vec2 min, Vec2 max, const char* text) {
 
 }  // namespace
 
-void ImageView::placeImage(const ViewerModel& model, Vec2 min, Vec2 max) {
-    const Resolution& size = model.draft().resolution;
+void ImageView::placeImage(const Workspace& workspace, Vec2 min, Vec2 max) {
+    const Resolution& size = workspace.document.draft().resolution;
     const Vec2 film(static_cast<float>(std::max(size.width, 1)),
                     static_cast<float>(std::max(size.height, 1)));
     const Vec2 room = max - min;
     const float fit = std::min(room.x / film.x, room.y / film.y);
     const ImVec2 pixelScale = ImGui::GetIO().DisplayFramebufferScale;
-    zoom_ = model.display.pixelScale ? 1.0f / std::max(pixelScale.x, 1.0f) : fit;
+    zoom_ = workspace.display.pixelScale ? 1.0f / std::max(pixelScale.x, 1.0f) : fit;
     const Vec2 shown = film * zoom_;
     imageMin_ = {std::floor(min.x + (room.x - shown.x) * 0.5f),
                  std::floor(min.y + (room.y - shown.y) * 0.5f)};
@@ -78,7 +79,20 @@ bool ImageView::navigate(Camera* camera, bool hovered, bool held) {
     return held || flying || (lastWheel_ >= 0.0 && ImGui::GetTime() - lastWheel_ < kWheelHoldSeconds);
 }
 
-bool ImageView::draw(ViewerModel* model, const ImageFiles& images, Vec2 min, Vec2 max) {
+/// Which pixel the mouse is on, and on whose side.
+void ImageView::findPixel(const Workspace& workspace) {
+    const Vec2 mouse(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
+    const bool isInside =
+        glm::all(glm::greaterThanEqual(mouse, imageMin_)) && glm::all(glm::lessThan(mouse, imageMax_));
+    if (!isInside) { return; }
+    hoveredPixel_ = Vec2i((mouse - imageMin_) / zoom_);
+    const bool onRight = mouse.x > imageMin_.x + (imageMax_.x - imageMin_.x) * workspace.display.splitAt;
+    const bool ownIsRight = workspace.document.draft().options.integrator == workspace.comparedPair().right;
+    hoversOther_ = workspace.display.split && onRight != ownIsRight;
+}
+
+bool ImageView::draw(Workspace* workspace, const ImagePanes& panes, Vec2 min, Vec2 max) {
+    const bool hasScene = workspace->document.isOpen();
     ImGui::SetNextWindowPos({min.x, min.y});
     ImGui::SetNextWindowSize({max.x - min.x, max.y - min.y});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
@@ -86,34 +100,29 @@ bool ImageView::draw(ViewerModel* model, const ImageFiles& images, Vec2 min, Vec
     ImGui::Begin("##image", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
-    if (model->hasScene()) { placeImage(*model, min, max); }
-    if (model->hasScene() && model->display.split) { dragDivider(&model->display, imageMin_, imageMax_); }
+    if (hasScene) { placeImage(*workspace, min, max); }
+    if (hasScene && workspace->display.split) { dragDivider(&workspace->display, imageMin_, imageMax_); }
     ImGui::SetCursorScreenPos({min.x, min.y});
+    // A click on the image takes the keyboard back from a text field.
     ImGui::InvisibleButton("##area", {max.x - min.x, max.y - min.y},
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
     const bool hovered = ImGui::IsItemHovered();
     const bool held = ImGui::IsItemActive();
-    // A click on the picture takes the keyboard back from a text field.
     hoveredPixel_.reset();
     bool moving = false;
-    if (model->hasScene()) {
-        moving = navigate(&model->draft().camera, hovered, held);
-        if (images.main->texture() != 0) {
-            drawImages(*model, images, imageMin_, imageMax_);
+    if (hasScene) {
+        moving = navigate(&workspace->document.draft().camera, hovered, held);
+        if (panes.own.display->texture() != 0) {
+            drawPanes(*workspace, panes, imageMin_, imageMax_);
         } else {
             drawHint(min, max, "Building…");
         }
-        const ImVec2 mouse = ImGui::GetIO().MousePos;
-        if (hovered && mouse.x >= imageMin_.x && mouse.y >= imageMin_.y && mouse.x < imageMax_.x &&
-            mouse.y < imageMax_.y) {
-            hoveredPixel_ = Vec2i((Vec2(mouse.x, mouse.y) - imageMin_) / zoom_);
-            const bool onRight = mouse.x > imageMin_.x + (imageMax_.x - imageMin_.x) * model->display.splitAt;
-            const bool mainIsRight = model->draft().options.integrator == IntegratorKind::Sppm;
-            hoversOther_ = model->display.split && onRight != mainIsRight;
-        }
+        if (hovered) { findPixel(*workspace); }
     } else {
-        drawHint(min, max, model->opening() ? "Opening…" : "No scene is open. Enter a file on the right.");
+        drawHint(
+            min, max,
+            workspace->sceneFiles.opening() ? "Opening…" : "No scene is open. Enter a file on the right.");
     }
     ui::area("Image", min, max, "");
     ImGui::End();

@@ -1,29 +1,30 @@
-// The picture's area: draws it, and turns the mouse and the keyboard into camera moves.
+// The image's area: draws it, and turns the mouse and the keyboard into camera moves.
 //
 // Room for picking and click-to-focus: they belong here too, as further meanings of a click.
 #pragma once
 
 #include <optional>
 
-#include "viewer/window/split_view.h"
-#include "viewer/window/viewer_model.h"
+#include "viewer/model/workspace.h"
+#include "viewer/window/image_pane.h"
 
 namespace glint {
 
 class ImageView {
   public:
     /// Draws into the given rectangle (ImGui units). Returns true while the user holds the camera.
-    bool draw(ViewerModel* model, const ImageFiles& images, Vec2 min, Vec2 max);
+    bool draw(Workspace* workspace, const ImagePanes& panes, Vec2 min, Vec2 max);
 
     /// The film's pixel under the mouse.
     const std::optional<Vec2i>& hoveredPixel() const { return hoveredPixel_; }
-    /// While the picture is split: the mouse is on the side of the integrator that snapshot() does not show.
+    /// While the image is split: the mouse is on the side that otherSnapshot() is on.
     bool hoversOther() const { return hoversOther_; }
     /// Screen units per film pixel.
     float zoom() const { return zoom_; }
 
   private:
-    void placeImage(const ViewerModel& model, Vec2 min, Vec2 max);
+    void placeImage(const Workspace& workspace, Vec2 min, Vec2 max);
+    void findPixel(const Workspace& workspace);
     bool navigate(Camera* camera, bool hovered, bool held);
 
     Vec2 imageMin_{0.0f};

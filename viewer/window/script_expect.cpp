@@ -58,7 +58,7 @@ Status ScriptPlayer::expectWidget(const ScriptStatement& statement) {
 Status ScriptPlayer::runExpect(const ScriptStatement& statement) {
     if (statement.words[0].quoted) { return expectWidget(statement); }
     const std::string& what = statement.words[0].text;
-    const SessionStatus status = model_->session().status();
+    const SessionStatus status = workspace_->render.statusNow();
     const std::string argument = statement.words.size() > 1 ? statement.words[1].text : "";
     const auto unless = [&](bool met, const std::string& message) {
         return met ? Status() : Status(statement.errorAt(statement.words.size() > 1 ? 1 : 0, message));
@@ -80,10 +80,10 @@ Status ScriptPlayer::runExpect(const ScriptStatement& statement) {
     if (what == "widget") { return unless(registry_->find(argument).ok(), "it is not on screen"); }
     if (what == "no-widget") { return unless(!registry_->find(argument).ok(), "it is on screen"); }
     if (what == "message") {
-        return unless(contains(model_->fileMessage(), argument),
-                      fmt::format("the message is \"{}\"", model_->fileMessage()));
+        return unless(contains(workspace_->notice.text(), argument),
+                      fmt::format("the message is \"{}\"", workspace_->notice.text()));
     }
-    const std::string error = model_->openError() ? model_->openError()->format() : "";
+    const std::string error = workspace_->sceneFiles.error() ? workspace_->sceneFiles.error()->format() : "";
     if (what == "no-error") { return unless(error.empty(), error); }
     if (what == "error") {
         return unless(!error.empty() && contains(error, argument), fmt::format("the error is \"{}\"", error));
@@ -94,9 +94,9 @@ Status ScriptPlayer::runExpect(const ScriptStatement& statement) {
 void ScriptPlayer::print(const ScriptStatement& statement) const {
     const std::string& what = statement.words[0].text;
     if (!statement.words[0].quoted && what == "status") {
-        const SessionStatus status = model_->session().status();
+        const SessionStatus status = workspace_->render.statusNow();
         fmt::print("state={} integrator={} passes={} seconds={:.3f}", stateName(status.state),
-                   integratorName(status.integrator), status.passes, status.renderSeconds);
+                   integratorInfo(status.integrator).key, status.passes, status.renderSeconds);
         for (const NamedCounter& counter : kCounters) {
             fmt::print(" {}={}", counter.name, status.counters.*counter.member - mark_.*counter.member);
         }

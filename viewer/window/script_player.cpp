@@ -31,10 +31,10 @@ Vec2 centreOf(const WidgetRecord& widget) { return glm::floor((widget.min + widg
 }  // namespace
 
 ScriptPlayer::ScriptPlayer(std::vector<ScriptStatement> statements, WidgetRegistry* registry,
-                           ViewerModel* model, Screenshot screenshot)
+                           Workspace* workspace, Screenshot screenshot)
     : statements_(std::move(statements)),
       registry_(registry),
-      model_(model),
+      workspace_(workspace),
       screenshot_(std::move(screenshot)) {}
 
 Status ScriptPlayer::step() {
@@ -186,20 +186,20 @@ void ScriptPlayer::runKey(const ScriptStatement& statement) {
 
 Result<ScriptPlayer::Progress> ScriptPlayer::runWait(const ScriptStatement& statement) {
     const std::string& what = statement.words[0].text;
-    const SessionStatus& status = model_->status();
+    const SessionStatus& status = workspace_->render.status();
     const double waited = secondsNow() - began_;
     bool met = false;
     if (what == "frames") { met = attempts_ >= static_cast<int>(statement.number(1)); }
     if (what == "seconds") { met = waited >= static_cast<double>(statement.number(1)); }
     if (what == "passes") {
-        met = !model_->awaitsEdit() && status.passes >= static_cast<uint32_t>(statement.number(1));
+        met = !workspace_->awaitsEdit() && status.passes >= static_cast<uint32_t>(statement.number(1));
     }
     if (what == "picture") {
-        met = attempts_ > 1 && !model_->awaitsEdit() && model_->imageIsCurrent() &&
-              model_->carriesShownImage() && !model_->displayIsBehind;
+        met = attempts_ > 1 && !workspace_->awaitsEdit() && workspace_->render.imageIsCurrent() &&
+              workspace_->carriesShownImage() && !workspace_->displayIsBehind;
     }
-    if (what == "jobs") { met = attempts_ > 1 && !model_->busy() && !model_->opening(); }
-    if (what == "finished") { met = !model_->awaitsEdit() && status.state == SessionState::Finished; }
+    if (what == "jobs") { met = attempts_ > 1 && !workspace_->busy() && !workspace_->sceneFiles.opening(); }
+    if (what == "finished") { met = !workspace_->awaitsEdit() && status.state == SessionState::Finished; }
     if (what == "paused") { met = status.state == SessionState::Paused; }
     if (met) { return Progress::Done; }
     if (status.state == SessionState::Failed) {
@@ -240,9 +240,9 @@ Result<ScriptPlayer::Progress> ScriptPlayer::run(const ScriptStatement& statemen
         actions_.push_back({Action::Kind::Wheel, {0.0f, statement.number(0)}, 0, ""});
     }
     if (verb == "key") { runKey(statement); }
-    if (verb == "drop") { model_->takeDroppedFile(statement.words[0].text); }
+    if (verb == "drop") { workspace_->takeDroppedFile(statement.words[0].text); }
     if (verb == "text") { actions_.push_back({Action::Kind::Text, {}, 0, statement.words[0].text}); }
-    if (verb == "mark") { mark_ = model_->session().status().counters; }
+    if (verb == "mark") { mark_ = workspace_->render.statusNow().counters; }
     if (verb == "print") { print(statement); }
     if (verb == "quit") { next_ = statements_.size() - 1; }
     return Progress::Done;

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "engine/base/result.h"
+#include "viewer/model/workspace.h"
+#include "viewer/ui/widget_registry.h"
 #include "viewer/window/script.h"
-#include "viewer/window/viewer_model.h"
-#include "viewer/window/widget_registry.h"
 
 struct ImGuiIO;
 
@@ -21,7 +21,7 @@ class ScriptPlayer {
   public:
     using Screenshot = std::function<Status(const std::string& path)>;
 
-    ScriptPlayer(std::vector<ScriptStatement> statements, WidgetRegistry* registry, ViewerModel* model,
+    ScriptPlayer(std::vector<ScriptStatement> statements, WidgetRegistry* registry, Workspace* workspace,
                  Screenshot screenshot);
 
     /// Before a frame: runs statements until one needs a frame to pass. Error: an expectation failed, or a
@@ -55,7 +55,7 @@ class ScriptPlayer {
 
     std::vector<ScriptStatement> statements_;
     WidgetRegistry* registry_;
-    ViewerModel* model_;
+    Workspace* workspace_;
     Screenshot screenshot_;
     size_t next_ = 0;
     int attempts_ = 0;        // frames that the current statement has taken

@@ -8,12 +8,11 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "viewer/base/units.h"
+#include "viewer/model/camera_controller.h"
 #include "viewer/panels/panels.h"
-#include "viewer/panels/units.h"
-#include "viewer/window/camera_controller.h"
-#include "viewer/window/pixel_readout.h"
-#include "viewer/window/theme.h"
-#include "viewer/window/widgets.h"
+#include "viewer/ui/theme.h"
+#include "viewer/ui/widgets.h"
 
 namespace glint {
 namespace {
@@ -22,7 +21,7 @@ constexpr float kSplitterUnits = 6.0f;
 constexpr float kSmallestColumn = 300.0f;
 constexpr float kSmallestImage = 240.0f;
 constexpr float kExposureStep = 1.0f / 3.0f;
-constexpr double kMessageSeconds = 6.0;
+constexpr double kNoticeSeconds = 6.0;
 constexpr float kLeastStatusShare = 0.35f;  // what a long message leaves of the status line
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
@@ -57,27 +56,30 @@ bool isPressed(int key) { return ImGui::IsKeyPressed(key, false); }
 
 }  // namespace
 
-void Shell::handleKeys(ViewerModel* model) {
+void Shell::handleKeys(Workspace* workspace) {
     const ImGuiIO& io = ImGui::GetIO();
+    SceneDocument& document = workspace->document;
+    DisplaySettings& display = workspace->display;
     if (isPressed(GLFW_KEY_F1)) { helpShown_ = !helpShown_; }
     if (isPressed(GLFW_KEY_ESCAPE)) { helpShown_ = false; }
     if (io.WantTextInput) { return; }
     if (io.KeyCtrl) {
-        if (isPressed(GLFW_KEY_S) && model->hasScene()) { model->savePng(); }
+        if (isPressed(GLFW_KEY_S) && document.isOpen()) { workspace->filmFiles.savePng(display); }
         if (isPressed(GLFW_KEY_Q)) { quitWanted_ = true; }
         return;
     }
     if (isPressed(GLFW_KEY_TAB)) { panelsShown_ = !panelsShown_; }
-    if (isPressed(GLFW_KEY_LEFT_BRACKET)) { model->display.exposureStops -= kExposureStep; }
-    if (isPressed(GLFW_KEY_RIGHT_BRACKET)) { model->display.exposureStops += kExposureStep; }
-    if (!model->hasScene()) { return; }
-    if (isPressed(GLFW_KEY_SPACE)) { model->paused = !model->paused; }
-    if (isPressed(GLFW_KEY_R)) { model->restart(); }
-    if (isPressed(GLFW_KEY_C)) { model->display.split = !model->display.split; }
-    if (isPressed(GLFW_KEY_HOME)) { model->draft().camera = model->cameraOfFile(); }
+    if (isPressed(GLFW_KEY_LEFT_BRACKET)) { display.exposureStops -= kExposureStep; }
+    if (isPressed(GLFW_KEY_RIGHT_BRACKET)) { display.exposureStops += kExposureStep; }
+    if (!document.isOpen()) { return; }
+    bool& paused = workspace->render.request.paused;
+    if (isPressed(GLFW_KEY_SPACE)) { paused = !paused; }
+    if (isPressed(GLFW_KEY_R)) { workspace->render.restart(); }
+    if (isPressed(GLFW_KEY_C)) { display.split = !display.split; }
+    if (isPressed(GLFW_KEY_HOME)) { document.draft().camera = document.cameraOfFile(); }
     if (isPressed(GLFW_KEY_F)) {
-        const Resolution& size = model->draft().resolution;
-        frameBounds(&model->draft().camera, model->bounds(),
+        const Resolution& size = document.draft().resolution;
+        frameBounds(&document.draft().camera, document.bounds(),
                     static_cast<float>(size.width) / static_cast<float>(size.height));
     }
 }
@@ -103,28 +105,45 @@ void Shell::drawSplitter(float x, float height) {
     ImGui::PopStyleVar(2);
 }
 
-void Shell::drawColumn(ViewerModel* model, float x, float height) {
+void Shell::drawColumn(Workspace* workspace, float x, float height) {
     const float right = ImGui::GetIO().DisplaySize.x;
     ImGui::SetNextWindowPos({x, 0.0f});
     ImGui::SetNextWindowSize({right - x, height});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(6.0f * ui::scale(), 8.0f * ui::scale()));
     ImGui::Begin("##panels", nullptr, kFixed | ImGuiWindowFlags_AlwaysVerticalScrollbar);
-    drawPanels(model);
+    drawPanels(workspace);
     ImGui::End();
     ImGui::PopStyleVar();
 }
 
 /// A save or a load just ended: the panel that tells may be closed.
-bool Shell::showsFileMessage(const ViewerModel& model) {
-    if (model.fileMessage() != lastMessage_) {
-        lastMessage_ = model.fileMessage();
-        messageSince_ = ImGui::GetTime();
+bool Shell::showsNotice(const Notice& notice) {
+    if (notice.text() != lastNotice_) {
+        lastNotice_ = notice.text();
+        noticeSince_ = ImGui::GetTime();
     }
-    return !lastMessage_.empty() && ImGui::GetTime() - messageSince_ < kMessageSeconds;
+    return !lastNotice_.empty() && ImGui::GetTime() - noticeSince_ < kNoticeSeconds;
 }
 
-void Shell::drawStatusLine(const ViewerModel& model, float y) {
+/// The file, the size, and the pixel under the mouse.
+std::string Shell::imageText(const Workspace& workspace) const {
+    const SceneDescription& scene = workspace.document.draft();
+    const auto& snapshot =
+        view_.hoversOther() ? workspace.render.otherSnapshot() : workspace.render.snapshot();
+    std::string text =
+        fmt::format("{}    {} × {} px    {:.0f} %", std::filesystem::path(scene.path).filename().string(),
+                    scene.resolution.width, scene.resolution.height, view_.zoom() * 100.0f);
+    if (const auto& pixel = view_.hoveredPixel(); pixel && snapshot && snapshot->width > 0) {
+        const auto reference = workspace.convergence.usableReference();
+        text += fmt::format("    ({}, {})  {}", pixel->x, pixel->y,
+                            pixelReadout(*snapshot, workspace.display.shown, reference.get(), *pixel));
+    }
+    return text;
+}
+
+void Shell::drawStatusLine(const Workspace& workspace, float y) {
     const ImGuiIO& io = ImGui::GetIO();
+    const SessionStatus& status = workspace.render.status();
     ImGui::SetNextWindowPos({0.0f, y});
     ImGui::SetNextWindowSize({io.DisplaySize.x, io.DisplaySize.y - y});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10.0f * ui::scale(), 4.0f * ui::scale()));
@@ -132,25 +151,15 @@ void Shell::drawStatusLine(const ViewerModel& model, float y) {
     ImGui::Begin("##status", nullptr, kFixed | ImGuiWindowFlags_NoScrollbar);
     std::string left = "No scene";
     std::string right = "F1: help";
-    if (model.hasScene()) {
-        const Resolution& size = model.draft().resolution;
-        left = fmt::format("{}    {} × {} px    {:.0f} %",
-                           std::filesystem::path(model.draft().path).filename().string(), size.width,
-                           size.height, view_.zoom() * 100.0f);
-        const SessionStatus& status = model.status();
-        const auto& snapshot = view_.hoversOther() ? model.otherSnapshot() : model.snapshot();
-        if (const auto& pixel = view_.hoveredPixel(); pixel && snapshot && snapshot->width > 0) {
-            left += fmt::format(
-                "    ({}, {})  {}", pixel->x, pixel->y,
-                pixelReadout(*snapshot, model.display.shown, model.usableReference().get(), *pixel));
-        }
-        right = fmt::format("{} {}    {}    error {}    F1: help", grouped(status.passes),
-                            status.passes == 1 ? "pass" : "passes", duration(status.renderSeconds),
+    if (workspace.document.isOpen()) {
+        left = imageText(workspace);
+        right = fmt::format("{}    {}    error {}    F1: help", passCount(status.passes),
+                            duration(status.renderSeconds),
                             status.passes > 1 ? percent(status.relativeError) : "–");
     }
-    const std::string& refused = model.status().error;
-    const bool isMessage = showsFileMessage(model) || !refused.empty();
-    if (isMessage) { right = refused.empty() ? model.fileMessage() : refused; }
+    const std::string& refused = status.error;
+    const bool isMessage = showsNotice(workspace.notice) || !refused.empty();
+    if (isMessage) { right = refused.empty() ? workspace.notice.text() : refused; }
     const float rightX =
         std::max(io.DisplaySize.x - ImGui::CalcTextSize(right.c_str()).x - 10.0f * ui::scale(),
                  kLeastStatusShare * io.DisplaySize.x);
@@ -159,7 +168,7 @@ void Shell::drawStatusLine(const ViewerModel& model, float y) {
     ImGui::TextUnformatted(left.c_str());
     ImGui::PopClipRect();
     ImGui::SameLine(rightX);
-    const bool isError = isMessage && (model.fileMessageIsError() || !refused.empty());
+    const bool isError = isMessage && (workspace.notice.isError() || !refused.empty());
     ImGui::TextColored(isError ? theme::kTextError : theme::kTextDim, "%s", right.c_str());
     ImGui::PopStyleColor();
     if (isMessage) { ui::area("Status message", {rightX, y}, {io.DisplaySize.x, io.DisplaySize.y}, right); }
@@ -191,8 +200,8 @@ void Shell::drawHelp() {
     ImGui::PopStyleVar(2);
 }
 
-bool Shell::draw(ViewerModel* model, const ImageFiles& images) {
-    handleKeys(model);
+bool Shell::draw(Workspace* workspace, const ImagePanes& panes) {
+    handleKeys(workspace);
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const float scale = ui::scale();
     const float statusTop = size.y - ImGui::GetFontSize() - 9.0f * scale;
@@ -201,12 +210,12 @@ bool Shell::draw(ViewerModel* model, const ImageFiles& images) {
     const float column = panelsShown_ ? columnUnits_ * scale : 0.0f;
     const float splitter = panelsShown_ ? kSplitterUnits * scale : 0.0f;
     const float imageRight = std::max(1.0f, size.x - column - splitter);
-    const bool moving = view_.draw(model, images, {0.0f, 0.0f}, {imageRight, statusTop});
+    const bool moving = view_.draw(workspace, panes, {0.0f, 0.0f}, {imageRight, statusTop});
     if (panelsShown_) {
         drawSplitter(imageRight, statusTop);
-        drawColumn(model, imageRight + splitter, statusTop);
+        drawColumn(workspace, imageRight + splitter, statusTop);
     }
-    drawStatusLine(*model, statusTop);
+    drawStatusLine(*workspace, statusTop);
     if (helpShown_) { drawHelp(); }
     return moving || ImGui::IsAnyItemActive();
 }

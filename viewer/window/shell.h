@@ -1,6 +1,8 @@
-// What stands around the picture: the column of panels with its splitter, the status line, the help,
+// What stands around the image: the column of panels with its splitter, the status line, the help,
 // the keys.
 #pragma once
+
+#include <string>
 
 #include "viewer/window/image_view.h"
 
@@ -9,16 +11,17 @@ namespace glint {
 class Shell {
   public:
     /// Draws the whole window. Returns true while the user holds the camera or a control.
-    bool draw(ViewerModel* model, const ImageFiles& images);
+    bool draw(Workspace* workspace, const ImagePanes& panes);
     /// The keys asked for the end.
     bool quitWanted() const { return quitWanted_; }
 
   private:
-    void handleKeys(ViewerModel* model);
+    void handleKeys(Workspace* workspace);
     void drawSplitter(float x, float height);
-    void drawColumn(ViewerModel* model, float x, float height);
-    bool showsFileMessage(const ViewerModel& model);
-    void drawStatusLine(const ViewerModel& model, float y);
+    void drawColumn(Workspace* workspace, float x, float height);
+    bool showsNotice(const Notice& notice);
+    std::string imageText(const Workspace& workspace) const;
+    void drawStatusLine(const Workspace& workspace, float y);
     void drawHelp();
 
     ImageView view_;
@@ -26,8 +29,8 @@ class Shell {
     bool panelsShown_ = true;
     bool helpShown_ = false;
     bool quitWanted_ = false;
-    std::string lastMessage_;
-    double messageSince_ = 0.0;
+    std::string lastNotice_;
+    double noticeSince_ = 0.0;
 };
 
 }  // namespace glint

@@ -26,23 +26,23 @@ bool isSame(const MapScale& a, const MapScale& b) {
 
 }  // namespace
 
-ShownImageSource::Colors ShownImageSource::colored(Wanted of, ShownImage kind, MapScale scale) {
-    Colors colors{std::move(of), kind, scale, {}};
-    if (kind == ShownImage::Radiance) {
+ShownImageSource::Colors ShownImageSource::colored(Wanted of, ShownImage image, MapScale scale) {
+    Colors colors{std::move(of), image, scale, {}};
+    if (image == ShownImage::Radiance) {
         const ImageDisplay::Look& look = colors.of.look;
         colors.rgba = toneMappedColors(*colors.of.snapshot, look.exposureStops, look.toneMap);
     } else {
-        colors.rgba = falseColors(*colors.of.snapshot, kind, colors.of.reference.get(), &colors.scale);
+        colors.rgba = falseColors(*colors.of.snapshot, image, colors.of.reference.get(), &colors.scale);
     }
     return colors;
 }
 
-void ShownImageSource::start(const Wanted& wanted, ShownImage kind, const MapScale& scale) {
+void ShownImageSource::start(const Wanted& wanted, ShownImage image, const MapScale& scale) {
     isColoring_ = true;
     jobs_.start(
-        [this, wanted, kind, scale]() -> JobQueue::Completion {
+        [this, wanted, image, scale]() -> JobQueue::Completion {
             lowerThreadPriority();
-            auto colors = std::make_shared<Colors>(colored(wanted, kind, scale));
+            auto colors = std::make_shared<Colors>(colored(wanted, image, scale));
             return [this, colors] {
                 isColoring_ = false;
                 ready_ = std::move(*colors);
@@ -59,7 +59,7 @@ bool ShownImageSource::isReady() {
 void ShownImageSource::putRadiance(const Wanted& wanted, ImageDisplay* display) {
     const FilmSnapshot& snapshot = *wanted.snapshot;
     display->upload(snapshot.radiance.data(), snapshot.width, snapshot.height, snapshot.previewScale > 1);
-    shownKind_ = ShownImage::Radiance;
+    shownImage_ = ShownImage::Radiance;
     shownIntegrator_ = snapshot.integrator;
     scale_ = {};
     shown_ = wanted;
@@ -70,38 +70,38 @@ void ShownImageSource::put(Colors colors, ImageDisplay* display) {
     const FilmSnapshot& snapshot = *colors.of.snapshot;
     if (colors.rgba.size() == pixelsOf(snapshot) * 4) {
         display->uploadColors(colors.rgba.data(), snapshot.width, snapshot.height, snapshot.previewScale > 1);
-        shownKind_ = colors.kind;
+        shownImage_ = colors.image;
         shownIntegrator_ = snapshot.integrator;
-        scale_ = colors.kind == ShownImage::Radiance ? MapScale{} : colors.scale;
+        scale_ = colors.image == ShownImage::Radiance ? MapScale{} : colors.scale;
     } else if (snapshot.integrator != shownIntegrator_) {
         putRadiance(colors.of, display);
     }
     shown_ = std::move(colors.of);
 }
 
-bool ShownImageSource::isNew(const Wanted& wanted, ShownImage kind, const ShownImageSource* alongside,
+bool ShownImageSource::isNew(const Wanted& wanted, ShownImage image, const ShownImageSource* alongside,
                              const ImageDisplay& display) const {
     if (wanted.snapshot != shown_.snapshot || wanted.shown != shown_.shown ||
         wanted.reference != shown_.reference) {
         return true;
     }
-    if (kind == ShownImage::Radiance) {
+    if (image == ShownImage::Radiance) {
         return isForProcessor(*wanted.snapshot, display) && !(wanted.look == shown_.look);
     }
-    return alongside != nullptr && alongside->shownKind() == kind && shownKind_ == kind &&
+    return alongside != nullptr && alongside->shownImage() == image && shownImage_ == image &&
            alongside->scale().isThere() && !isSame(alongside->scale(), scale_);
 }
 
-void ShownImageSource::bringUp(const Wanted& wanted, ShownImage kind, const MapScale& scale,
+void ShownImageSource::bringUp(const Wanted& wanted, ShownImage image, const MapScale& scale,
                                ImageDisplay* display) {
-    const bool isRadiance = kind == ShownImage::Radiance;
+    const bool isRadiance = image == ShownImage::Radiance;
     if (isRadiance && !isForProcessor(*wanted.snapshot, *display)) {
         putRadiance(wanted, display);
     } else if (!isRadiance && pixelsOf(*wanted.snapshot) <= kColoredAtOnce) {
-        put(colored(wanted, kind, scale), display);
+        put(colored(wanted, image, scale), display);
     } else {
         isBehind_ = true;
-        if (!isColoring_) { start(wanted, kind, scale); }
+        if (!isColoring_) { start(wanted, image, scale); }
     }
 }
 
@@ -117,13 +117,13 @@ void ShownImageSource::show(const Wanted& wanted, const ShownImageSource* alongs
         ready_.reset();
     }
     if (wanted.snapshot && wanted.snapshot->width > 0) {
-        const ShownImage kind = imageOf(*wanted.snapshot, wanted.shown, wanted.reference.get());
-        if (isNew(wanted, kind, alongside, *display)) {
+        const ShownImage image = availableImage(*wanted.snapshot, wanted.shown, wanted.reference.get());
+        if (isNew(wanted, image, alongside, *display)) {
             if (alongside != nullptr && alongside->isBehind()) {
                 isBehind_ = true;  // its scale is not known yet
             } else {
-                const bool shares = alongside != nullptr && alongside->shownKind() == kind;
-                bringUp(wanted, kind, shares ? alongside->scale() : MapScale{}, display);
+                const bool shares = alongside != nullptr && alongside->shownImage() == image;
+                bringUp(wanted, image, shares ? alongside->scale() : MapScale{}, display);
             }
         }
     }

@@ -8,9 +8,9 @@
 #include <optional>
 #include <vector>
 
-#include "viewer/window/false_colors.h"
+#include "viewer/base/job_queue.h"
+#include "viewer/model/false_colors.h"
 #include "viewer/window/image_display.h"
-#include "viewer/window/job_queue.h"
 
 namespace glint {
 
@@ -35,22 +35,22 @@ class ShownImageSource {
     bool isBehind() const { return isBehind_; }
 
     /// What is on the display, and the scale of its colours.
-    ShownImage shownKind() const { return shownKind_; }
+    ShownImage shownImage() const { return shownImage_; }
     IntegratorKind shownIntegrator() const { return shownIntegrator_; }
     const MapScale& scale() const { return scale_; }
 
   private:
     struct Colors {
         Wanted of;
-        ShownImage kind = ShownImage::Radiance;
+        ShownImage image = ShownImage::Radiance;
         MapScale scale;
         std::vector<uint8_t> rgba;  ///< empty: the snapshot does not carry that picture
     };
-    static Colors colored(Wanted of, ShownImage kind, MapScale scale);
-    bool isNew(const Wanted& wanted, ShownImage kind, const ShownImageSource* alongside,
+    static Colors colored(Wanted of, ShownImage image, MapScale scale);
+    bool isNew(const Wanted& wanted, ShownImage image, const ShownImageSource* alongside,
                const ImageDisplay& display) const;
-    void bringUp(const Wanted& wanted, ShownImage kind, const MapScale& scale, ImageDisplay* display);
-    void start(const Wanted& wanted, ShownImage kind, const MapScale& scale);
+    void bringUp(const Wanted& wanted, ShownImage image, const MapScale& scale, ImageDisplay* display);
+    void start(const Wanted& wanted, ShownImage image, const MapScale& scale);
     void put(Colors colors, ImageDisplay* display);
     void putRadiance(const Wanted& wanted, ImageDisplay* display);
 
@@ -59,7 +59,7 @@ class ShownImageSource {
     std::optional<Colors> ready_;
     bool isBehind_ = false;
     Wanted shown_;  ///< what is on the display, or stands in for what a snapshot does not carry
-    ShownImage shownKind_ = ShownImage::Radiance;
+    ShownImage shownImage_ = ShownImage::Radiance;
     IntegratorKind shownIntegrator_ = IntegratorKind::PathTracing;
     MapScale scale_;
 };

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "viewer/panels/units.h"
-#include "viewer/window/theme.h"
-#include "viewer/window/widgets.h"
+#include "viewer/base/units.h"
+#include "viewer/ui/theme.h"
+#include "viewer/ui/widgets.h"
 
 namespace glint {
 namespace {
@@ -24,6 +24,10 @@ float dividerX(const DisplaySettings& settings, Vec2 min, Vec2 max) {
 }
 
 ImVec2 im(Vec2 v) { return {v.x, v.y}; }
+
+ImTextureID textureOf(const ImageDisplay& display) {
+    return reinterpret_cast<ImTextureID>(static_cast<intptr_t>(display.texture()));
+}
 
 constexpr float kPlatePadX = 6.0f;
 constexpr float kPlatePadY = 3.0f;
@@ -47,11 +51,12 @@ void drawPlate(const std::string& text, Vec2 corner, Vec2 size) {
 }
 
 /// What the side shows, from the full text to the shortest one.
-std::array<std::string, 4> sideLabels(const char* name, const char* shortName, const FilmSnapshot* snapshot) {
+std::array<std::string, 4> sideLabels(const IntegratorInfo& integrator, const FilmSnapshot* snapshot) {
+    const std::string name = integrator.displayName;
+    const std::string shortName = inCapitals(integrator.shortName);
     if (snapshot == nullptr) { return {fmt::format("{}   first pass…", name), name, shortName, ""}; }
     if (snapshot->previewScale > 1) { return {fmt::format("{}   preview", name), name, shortName, ""}; }
-    const std::string passes =
-        fmt::format("{}   {} {}", name, grouped(snapshot->passes), snapshot->passes == 1 ? "pass" : "passes");
+    const std::string passes = fmt::format("{}   {}", name, passCount(snapshot->passes));
     return {fmt::format("{}   {}", passes, duration(snapshot->renderSeconds)), passes, name, shortName};
 }
 
@@ -69,10 +74,9 @@ Area seenPart(Vec2 min, Vec2 max) {
 }
 
 struct Side {
-    const char* name;
-    const char* shortName;
-    const ImageDisplay* display;
-    const FilmSnapshot* snapshot;
+    IntegratorKind integrator;
+    const ImageDisplay* display = nullptr;
+    const FilmSnapshot* snapshot = nullptr;
 };
 
 /// The part of the side's picture between the shares `from` and `to` of the width.
@@ -83,8 +87,7 @@ void drawSide(const Side& side, Vec2 min, Vec2 max, float from, float to) {
     ImDrawList* draw = ImGui::GetWindowDrawList();
     draw->PushClipRect(im(partMin), im(partMax), true);
     if (side.display != nullptr && side.display->texture() != 0) {
-        draw->AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(side.display->texture())),
-                       im(partMin), im(partMax), {from, 0.0f}, {to, 1.0f},
+        draw->AddImage(textureOf(*side.display), im(partMin), im(partMax), {from, 0.0f}, {to, 1.0f},
                        side.snapshot != nullptr ? IM_COL32_WHITE : kWaiting);
     } else {
         draw->AddRectFilled(im(partMin), im(partMax), kPlate);
@@ -92,7 +95,7 @@ void drawSide(const Side& side, Vec2 min, Vec2 max, float from, float to) {
     const float margin = kMarginUnits * ui::scale();
     const bool isRight = to == 1.0f && from > 0.0f;
     const Area seen = seenPart(partMin, partMax);
-    for (const std::string& label : sideLabels(side.name, side.shortName, side.snapshot)) {
+    for (const std::string& label : sideLabels(integratorInfo(side.integrator), side.snapshot)) {
         const Vec2 size = plateSize(label, 0.0f);
         if (label.empty() || size.x > seen.max.x - seen.min.x - 2.0f * margin) { continue; }
         const float x = isRight ? seen.max.x - margin - size.x : seen.min.x + margin;
@@ -103,18 +106,21 @@ void drawSide(const Side& side, Vec2 min, Vec2 max, float from, float to) {
     draw->PopClipRect();
 }
 
-void drawSplit(const ViewerModel& model, const ImageFiles& images, Vec2 min, Vec2 max) {
-    Side left{"Path tracing", "PT", nullptr, nullptr};
-    Side right{"SPPM", "SPPM", nullptr, nullptr};
-    const auto put = [&](const FilmSnapshot* snapshot, const ShownImageSource& source,
-                         const ImageDisplay* display) {
-        const IntegratorKind kind = snapshot != nullptr ? snapshot->integrator : source.shownIntegrator();
-        Side& side = kind == IntegratorKind::Sppm ? right : left;
-        if (side.display == nullptr) { side = {side.name, side.shortName, display, snapshot}; }
+void drawSplit(const Workspace& workspace, const ImagePanes& panes, Vec2 min, Vec2 max) {
+    const ComparedPair pair = workspace.comparedPair();
+    Side left{pair.left};
+    Side right{pair.right};
+    const auto put = [&](const FilmSnapshot* snapshot, const ImagePane& pane) {
+        const IntegratorKind kind =
+            snapshot != nullptr ? snapshot->integrator : pane.source.shownIntegrator();
+        for (Side* side : {&left, &right}) {
+            const bool isFree = side->integrator == kind && side->display == nullptr;
+            if (isFree) { *side = {kind, pane.display.get(), snapshot}; }
+        }
     };
-    put(model.snapshot().get(), *images.mainSource, images.main);
-    put(model.otherSnapshot().get(), *images.otherSource, images.other);
-    const float x = dividerX(model.display, min, max);
+    put(workspace.render.snapshot().get(), panes.own);
+    put(workspace.render.otherSnapshot().get(), panes.other);
+    const float x = dividerX(workspace.display, min, max);
     const float share = (x - min.x) / (max.x - min.x);
     if (share > 0.0f) { drawSide(left, min, max, 0.0f, share); }
     if (share < 1.0f) { drawSide(right, min, max, share, 1.0f); }
@@ -125,31 +131,15 @@ void drawSplit(const ViewerModel& model, const ImageFiles& images, Vec2 min, Vec
     draw->AddCircleFilled({x, (min.y + max.y) * 0.5f}, 5.0f * half, IM_COL32(235, 235, 235, 255));
 }
 
-const char* unitOf(ShownImage shown) {
-    if (shown == ShownImage::Radius) { return "radius"; }
-    if (shown == ShownImage::PhotonCount) { return "photons"; }
-    if (shown == ShownImage::ReferenceError) { return "off the reference"; }
-    return shown == ShownImage::Bias ? "bias" : shown == ShownImage::ErrorBound ? "bound at 90 %" : "noise";
-}
-
-std::string scaleText(ShownImage shown, float value) {
-    if (shown == ShownImage::Radius) { return length(static_cast<double>(value)); }
-    if (shown == ShownImage::Bias) { return fmt::format("{:+.2g}", value); }
-    if (shown == ShownImage::PhotonCount && value >= 99.5f) {
-        return grouped(static_cast<uint64_t>(std::lround(value)));
-    }
-    return fmt::format("{:.2g}", value);
-}
-
 /// The colours from the smallest to the largest value, with both, in the lower left corner or the right one.
 /// Returns its upper edge.
 float drawScale(const ShownImageSource& source, Vec2 min, Vec2 max, bool onRight) {
     const HeatScale& heat = source.scale().heat;
     const bool isSigned = source.scale().isSigned;
     const float scale = ui::scale();
-    const std::string low = scaleText(source.shownKind(), isSigned ? -heat.largest : heat.smallest);
-    const std::string high =
-        fmt::format("{} {}", scaleText(source.shownKind(), heat.largest), unitOf(source.shownKind()));
+    const ShownImageInfo& info = infoOf(source.shownImage());
+    const std::string low = info.scaleText(isSigned ? -heat.largest : heat.smallest);
+    const std::string high = fmt::format("{} {}", info.scaleText(heat.largest), info.unit);
     const float line = ImGui::GetFontSize();
     const float gap = 6.0f * scale;
     const float lowWidth = ImGui::CalcTextSize(low.c_str()).x;
@@ -179,27 +169,29 @@ float drawScale(const ShownImageSource& source, Vec2 min, Vec2 max, bool onRight
 }
 
 /// One scale for both sides where they share it, else on the side that has one. Returns where it begins.
-float drawScales(const ViewerModel& model, const ImageFiles& images, const Area& seen) {
-    const bool isMain = !model.display.split || images.mainSource->scale().isThere();
-    const ShownImageSource& source = isMain ? *images.mainSource : *images.otherSource;
+float drawScales(const Workspace& workspace, const ImagePanes& panes, const Area& seen) {
+    const bool isSplit = workspace.display.split;
+    const bool isOwn = !isSplit || panes.own.source.scale().isThere();
+    const ShownImageSource& source = isOwn ? panes.own.source : panes.other.source;
     if (!source.scale().isThere()) { return seen.max.y; }
-    const bool isOfBoth = isMain && (!model.display.split || images.otherSource->scale().isThere());
-    const bool onRight = !isOfBoth && source.shownIntegrator() == IntegratorKind::Sppm;
+    const bool isOfBoth = isOwn && (!isSplit || panes.other.source.scale().isThere());
+    const bool onRight = !isOfBoth && source.shownIntegrator() == workspace.comparedPair().right;
     return drawScale(source, seen.min, seen.max, onRight);
 }
 
 /// In the lower left corner of each side that does not show what is wanted.
-void drawNotes(const ViewerModel& model, const Area& seen, float dividerAt, float bottom) {
+void drawNotes(const Workspace& workspace, const Area& seen, float dividerAt, float bottom) {
     const float margin = kMarginUnits * ui::scale();
-    const bool isSplit = model.display.split;
+    const bool isSplit = workspace.display.split;
+    const auto reference = workspace.convergence.usableReference();
     const char* widget = "Note";
-    for (const auto& snapshot : {model.snapshot(), model.otherSnapshot()}) {
+    for (const auto& snapshot : {workspace.render.snapshot(), workspace.render.otherSnapshot()}) {
         if (!snapshot) { continue; }
-        const bool isRight = isSplit && snapshot->integrator == IntegratorKind::Sppm;
+        const bool isRight = isSplit && snapshot->integrator == workspace.comparedPair().right;
         const float left = isRight ? std::max(dividerAt, seen.min.x) : seen.min.x;
         const float right = isSplit && !isRight ? std::min(dividerAt, seen.max.x) : seen.max.x;
         const float room = right - left - 2.0f * margin;
-        const std::string note = instead(*snapshot, model.display.shown, model.usableReference().get());
+        const std::string note = noteInstead(*snapshot, workspace.display.shown, reference.get());
         if (note.empty() || room < 4.0f * ImGui::GetFontSize()) { continue; }
         const Vec2 size = plateSize(note, room);
         const Vec2 corner(left + margin, bottom - margin - size.y);
@@ -228,16 +220,16 @@ bool dragDivider(DisplaySettings* settings, Vec2 imageMin, Vec2 imageMax) {
     return active;
 }
 
-void drawImages(const ViewerModel& model, const ImageFiles& images, Vec2 min, Vec2 max) {
-    if (model.display.split) {
-        drawSplit(model, images, min, max);
+void drawPanes(const Workspace& workspace, const ImagePanes& panes, Vec2 min, Vec2 max) {
+    const DisplaySettings& display = workspace.display;
+    if (display.split) {
+        drawSplit(workspace, panes, min, max);
     } else {
-        ImGui::GetWindowDrawList()->AddImage(
-            reinterpret_cast<ImTextureID>(static_cast<intptr_t>(images.main->texture())), im(min), im(max));
+        ImGui::GetWindowDrawList()->AddImage(textureOf(*panes.own.display), im(min), im(max));
     }
     const Area seen = seenPart(min, max);
-    const float scaleTop = drawScales(model, images, seen);
-    drawNotes(model, seen, dividerX(model.display, min, max), model.display.split ? scaleTop : seen.max.y);
+    const float scaleTop = drawScales(workspace, panes, seen);
+    drawNotes(workspace, seen, dividerX(display, min, max), display.split ? scaleTop : seen.max.y);
 }
 
 }  // namespace glint

@@ -1,28 +1,18 @@
-// How the picture's area is filled: one picture, or path tracing left of a divider and SPPM right of it, each
+// How the image's area is filled: one image, or those of two integrators left and right of a divider, each
 // with its passes and seconds; and the colour scale of what is shown as false colours.
 //
-// Used by image_view alone. Draws and drags; which pictures there are is the application's business.
+// Draws and drags; which images there are is the application's business.
 #pragma once
 
-#include "viewer/window/image_display.h"
-#include "viewer/window/shown_image_source.h"
-#include "viewer/window/viewer_model.h"
+#include "viewer/model/workspace.h"
+#include "viewer/window/image_pane.h"
 
 namespace glint {
-
-/// What is on the graphics card. `other` belongs to ViewerModel::otherSnapshot() and matters while the
-/// picture is split.
-struct ImageFiles {
-    const ImageDisplay* main = nullptr;
-    const ImageDisplay* other = nullptr;
-    const ShownImageSource* mainSource = nullptr;
-    const ShownImageSource* otherSource = nullptr;
-};
 
 /// Call before any other widget of the area, so that the divider gets the mouse first. True while it is held.
 bool dragDivider(DisplaySettings* settings, Vec2 imageMin, Vec2 imageMax);
 
-/// Pictures, divider, labels and scale inside the rectangle (ImGui units).
-void drawImages(const ViewerModel& model, const ImageFiles& images, Vec2 min, Vec2 max);
+/// Images, divider, labels and scale inside the rectangle (ImGui units).
+void drawPanes(const Workspace& workspace, const ImagePanes& panes, Vec2 min, Vec2 max);
 
 }  // namespace glint

@@ -1,0 +1,65 @@
+#include "viewer/base/units.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace glint {
+
+std::string withPrefix(double value, const char* unit) {
+    static constexpr const char* kPrefixes[] = {"", "k", "M", "G", "T"};
+    int step = 0;
+    while (value >= 999.5 && step < 4) {
+        value /= 1000.0;
+        ++step;
+    }
+    const int decimals = value >= 99.95 ? 0 : value >= 9.995 ? 1 : 2;
+    return fmt::format("{:.{}f} {}{}{}", value, decimals, kPrefixes[step], step > 0 ? " " : "", unit);
+}
+
+std::string duration(double seconds) {
+    if (seconds < 59.95) { return fmt::format("{:.1f} s", seconds); }
+    const auto whole = static_cast<uint64_t>(std::lround(seconds));
+    if (whole < 3600) { return fmt::format("{}:{:02} min", whole / 60, whole % 60); }
+    return fmt::format("{}:{:02}:{:02} h", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+std::string percent(double fraction) {
+    if (!std::isfinite(fraction)) { return "–"; }
+    const double value = fraction * 100.0;
+    const int decimals = value >= 10.0 ? 1 : value >= 0.1 ? 2 : 4;
+    return fmt::format("{:.{}f} %", value, decimals);
+}
+
+std::string grouped(uint64_t value) {
+    std::string digits = std::to_string(value);
+    for (size_t place = digits.size(); place > 3;) {
+        place -= 3;
+        digits.insert(place, " ");
+    }
+    return digits;
+}
+
+std::string latency(double seconds) {
+    return seconds < 1.0 ? fmt::format("{:.1f} ms", seconds * 1000.0) : fmt::format("{:.2f} s", seconds);
+}
+
+std::string length(double metres) {
+    if (metres < 0.9995e-3) { return fmt::format("{:.3g} µm", metres * 1e6); }
+    if (metres < 0.9995) { return fmt::format("{:.3g} mm", metres * 1e3); }
+    return metres < 999.5 ? fmt::format("{:.3g} m", metres) : fmt::format("{:.3g} km", metres / 1e3);
+}
+
+std::string inCapitals(std::string_view text) {
+    std::string capitals(text);
+    std::ranges::transform(capitals, capitals.begin(), [](unsigned char c) { return std::toupper(c); });
+    return capitals;
+}
+
+std::string passCount(uint32_t passes) {
+    return fmt::format("{} {}", grouped(passes), passes == 1 ? "pass" : "passes");
+}
+
+}  // namespace glint

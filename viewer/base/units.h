@@ -1,0 +1,29 @@
+// Numbers as people read them, with units: for panels and the status line.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace glint {
+
+/// 3 significant digits and k, M, G: "1.02 M", "384", "0.52". `unit` follows: "1.02 M rays/s".
+std::string withPrefix(double value, const char* unit);
+/// "8.4 s", "2:05 min", "1:12:40 h".
+std::string duration(double seconds);
+/// "1.25 %"; "–" when it is not known yet.
+std::string percent(double fraction);
+/// "1 234 567".
+std::string grouped(uint64_t value);
+/// "3.2 ms", "1.40 s".
+std::string latency(double seconds);
+
+/// 0.0123 → "12.3 mm".
+std::string length(double metres);
+
+/// "pt" → "PT". Letters of ASCII only.
+std::string inCapitals(std::string_view text);
+/// "1 pass", "12 345 passes".
+std::string passCount(uint32_t passes);
+
+}  // namespace glint

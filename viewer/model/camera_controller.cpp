@@ -1,0 +1,110 @@
+#include "viewer/model/camera_controller.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glint {
+namespace {
+
+constexpr float kPoleMarginRad = 0.02f;
+constexpr float kDollyShare = 0.12f;     // of the distance, each wheel step
+constexpr float kSensorHeight = 0.024f;  // metres; the full frame that photographers count f-stops with
+constexpr float kFrameMargin = 1.08f;
+
+struct Axes {
+    Vec3 right, up, forward;
+};
+
+Vec3 anyPerpendicular(const Vec3& v) {
+    const Vec3 helper = std::fabs(v.x) < 0.9f ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+    return glm::normalize(glm::cross(v, helper));
+}
+
+Axes axesOf(const Camera& camera) {
+    const Vec3 towards = camera.target - camera.position;
+    const float distance = glm::length(towards);
+    const Vec3 forward = distance > 0.0f ? towards / distance : Vec3{0, 0, -1};
+    const Vec3 sideways = glm::cross(forward, camera.up);
+    const Vec3 right =
+        lengthSquared(sideways) > 1e-12f ? glm::normalize(sideways) : anyPerpendicular(forward);
+    return {right, glm::cross(right, forward), forward};
+}
+
+float tanHalfFov(const Camera& camera) { return std::tan(camera.verticalFovDeg * kPi / 360.0f); }
+
+/// Turns `direction` about `up` by the drag's x, and towards or away from `up` by its y, short of the poles.
+Vec3 turned(const Camera& camera, const Vec3& direction, Vec2 angles) {
+    const Vec3 pole = isZero(camera.up) ? Vec3{0, 1, 0} : glm::normalize(camera.up);
+    const float length = glm::length(direction);
+    const float height = clampf(glm::dot(direction, pole) / length, -1.0f, 1.0f);
+    const float elevation =
+        clampf(std::asin(height) + angles.y, -kPi / 2 + kPoleMarginRad, kPi / 2 - kPoleMarginRad);
+    Vec3 level = direction - pole * glm::dot(direction, pole);
+    level = lengthSquared(level) > 1e-12f * length * length ? glm::normalize(level) : anyPerpendicular(pole);
+    const Vec3 across = glm::cross(pole, level);
+    const Vec3 heading = level * std::cos(angles.x) + across * std::sin(angles.x);
+    return (heading * std::cos(elevation) + pole * std::sin(elevation)) * length;
+}
+
+}  // namespace
+
+float targetDistance(const Camera& camera) { return glm::length(camera.target - camera.position); }
+
+void orbit(Camera* camera, Vec2 dragPixels, float imageHeight) {
+    const Vec2 angles = dragPixels * Vec2(-kPi, kPi) / std::max(imageHeight, 1.0f);
+    if (targetDistance(*camera) <= 0.0f) { return; }
+    camera->position = camera->target + turned(*camera, camera->position - camera->target, angles);
+}
+
+void lookAround(Camera* camera, Vec2 dragPixels, float imageHeight) {
+    const Vec2 angles = dragPixels * Vec2(-1.0f, -1.0f) *
+                        (camera->verticalFovDeg * kPi / 180.0f / std::max(imageHeight, 1.0f));
+    if (targetDistance(*camera) <= 0.0f) { return; }
+    camera->target = camera->position + turned(*camera, camera->target - camera->position, angles);
+}
+
+void pan(Camera* camera, Vec2 dragPixels, float imageHeight) {
+    const Axes axes = axesOf(*camera);
+    const float metresPerPixel =
+        2.0f * targetDistance(*camera) * tanHalfFov(*camera) / std::max(imageHeight, 1.0f);
+    const Vec3 shift =
+        axes.right * (-dragPixels.x * metresPerPixel) + axes.up * (dragPixels.y * metresPerPixel);
+    camera->position += shift;
+    camera->target += shift;
+}
+
+void dolly(Camera* camera, float steps) {
+    const float factor = std::pow(1.0f - kDollyShare, clampf(steps, -20.0f, 20.0f));
+    camera->position = camera->target + (camera->position - camera->target) * factor;
+}
+
+void fly(Camera* camera, const Vec3& amount) {
+    const Axes axes = axesOf(*camera);
+    const Vec3 shift =
+        (axes.right * amount.x + axes.up * amount.y + axes.forward * amount.z) * targetDistance(*camera);
+    camera->position += shift;
+    camera->target += shift;
+}
+
+void frameBounds(Camera* camera, const Bounds& bounds, float aspect) {
+    if (bounds.empty()) { return; }
+    const float radius = std::max(0.5f * glm::length(bounds.extent()), 1e-6f);
+    const float tanVertical = tanHalfFov(*camera);
+    const float tanSmallest = std::min(tanVertical, tanVertical * aspect * camera->horizontalScale);
+    const float distance = kFrameMargin * radius / std::sin(std::atan(tanSmallest));
+    const Vec3 forward = axesOf(*camera).forward;
+    camera->target = bounds.center();
+    camera->position = camera->target - forward * distance;
+}
+
+float fStop(const Camera& camera) {
+    const float focalLength = 0.5f * kSensorHeight / tanHalfFov(camera);
+    return camera.apertureDiameter > 0.0f ? focalLength / camera.apertureDiameter : kInfinity;
+}
+
+float apertureForFStop(const Camera& camera, float stop) {
+    const float focalLength = 0.5f * kSensorHeight / tanHalfFov(camera);
+    return stop > 0.0f && std::isfinite(stop) ? focalLength / stop : 0.0f;
+}
+
+}  // namespace glint

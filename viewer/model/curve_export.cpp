@@ -1,0 +1,29 @@
+#include "viewer/model/curve_export.h"
+
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "engine/io/atomic_file.h"
+#include "viewer/model/convergence_csv.h"
+
+namespace glint {
+
+void CurveExport::save(const ConvergenceWatch& convergence) {
+    std::vector<IntegratorCurves> curves;
+    for (const IntegratorInfo& info : kIntegratorTable) {
+        curves.push_back({info.kind, *convergence.curve(info.kind), convergence.reference.points(info.kind)});
+    }
+    jobs_->start(
+        [this, file = path, curves = std::move(curves)]() -> JobQueue::Completion {
+            const Status result = writeFileAtomically(file, convergenceCsv(curves));
+            return [this, file, result] {
+                notice_->tell(result, fmt::format("Saved {}", file));
+                result_.show(notice_->text(), notice_->isError());
+            };
+        },
+        true);
+}
+
+}  // namespace glint

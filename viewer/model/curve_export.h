@@ -1,0 +1,28 @@
+// The Convergence panel's curves as a table in a file, written in the background.
+#pragma once
+
+#include <string>
+
+#include "viewer/base/job_queue.h"
+#include "viewer/model/convergence_watch.h"
+#include "viewer/model/notice.h"
+
+namespace glint {
+
+class CurveExport {
+  public:
+    /// `notice` is told as well as the export's own.
+    CurveExport(JobQueue* jobs, Notice* notice) : jobs_(jobs), notice_(notice) {}
+
+    std::string path = "convergence.csv";
+    void save(const ConvergenceWatch& convergence);
+    /// How the last one ended.
+    const Notice& result() const { return result_; }
+
+  private:
+    JobQueue* jobs_;
+    Notice* notice_;
+    Notice result_;
+};
+
+}  // namespace glint

@@ -1,0 +1,25 @@
+// How the last job of a kind ended, for the panel, the status line and the log.
+#pragma once
+
+#include <string>
+
+#include "engine/base/result.h"
+
+namespace glint {
+
+class Notice {
+  public:
+    /// Logs it too.
+    void tell(const Status& result, const std::string& success);
+    /// Of work that has just begun; the log is not told.
+    void show(std::string text, bool isError = false);
+
+    const std::string& text() const { return text_; }
+    bool isError() const { return isError_; }
+
+  private:
+    std::string text_;
+    bool isError_ = false;
+};
+
+}  // namespace glint

@@ -1,0 +1,198 @@
+#include "viewer/model/reference_errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "engine/base/log.h"
+#include "engine/base/thread_priority.h"
+#include "engine/io/atomic_file.h"
+#include "engine/io/exr_io.h"
+#include "engine/io/image_io.h"
+#include "engine/report/metrics.h"
+
+namespace glint {
+namespace {
+
+constexpr double kGrowth = 1.15;  // of the passes from one point to the next
+constexpr size_t kWorthKeeping = 5;
+
+double meanOf(const ImageF& image) {
+    double sum = 0.0;
+    for (const float value : image.rgb) {
+        sum += static_cast<double>(value);
+    }
+    return image.rgb.empty() ? 0.0 : sum / static_cast<double>(image.rgb.size());
+}
+
+Status readExr(std::string_view bytes, LoadedReference* reference) {
+    auto exr = decodeExr(bytes, reference->path);
+    if (!exr) { return exr.error(); }
+    auto image = exrColor(*exr, reference->path);
+    if (!image) { return image.error(); }
+    reference->image = std::move(*image);
+    reference->attributes = std::move(exr->attributes);
+    return {};
+}
+
+Status readOther(LoadedReference* reference) {
+    const auto source = loadImage(reference->path);
+    if (!source) { return source.error(); }
+    reference->isEightBit = source->bytes != nullptr;
+    const auto image = reference->isEightBit ? loadImageF(reference->path)
+                                             : Result<std::shared_ptr<const ImageF>>(source->floats);
+    if (!image) { return image.error(); }
+    reference->image = **image;
+    return {};
+}
+
+Result<std::shared_ptr<const LoadedReference>> loadReference(const std::string& path) {
+    auto bytes = readFile(path);
+    if (!bytes) { return bytes.error(); }
+    auto image = std::make_shared<LoadedReference>();
+    image->path = path;
+    if (Status read = looksLikeExr(*bytes) ? readExr(*bytes, image.get()) : readOther(image.get()); !read) {
+        return read.error();
+    }
+    image->mean = meanOf(image->image);
+    return std::shared_ptr<const LoadedReference>(std::move(image));
+}
+
+Result<ReferencePoint> compare(const FilmSnapshot& snapshot, const LoadedReference& reference) {
+    const ImageF test{snapshot.width, snapshot.height, snapshot.radiance};
+    const auto metrics = compareImages(test, reference.image, {.ssim = false, .flip = false, .threads = 1});
+    if (!metrics) { return metrics.error(); }
+    ReferencePoint point{.passes = snapshot.passes, .renderSeconds = snapshot.renderSeconds};
+    point.relativeRmse = metrics->relativeRmse();
+    point.rmseOverMean = reference.mean > 0.0 ? metrics->rmse / reference.mean : metrics->rmse;
+    point.mape = metrics->mape;
+    point.relativeBias = metrics->relativeBias;
+    return point;
+}
+
+}  // namespace
+
+double ReferencePoint::error(ReferenceMetric metric) const {
+    if (metric == ReferenceMetric::RelativeRmse) { return relativeRmse; }
+    return metric == ReferenceMetric::RmseOverMean ? rmseOverMean : mape;
+}
+
+void ReferenceErrors::load(const std::string& path) {
+    if (path.empty()) { return; }
+    if (loading_) {
+        next_ = path;
+        return;
+    }
+    loading_ = true;
+    loadError_.reset();
+    jobs_.start(
+        [this, path]() -> JobQueue::Completion {
+            auto loaded =
+                std::make_shared<Result<std::shared_ptr<const LoadedReference>>>(loadReference(path));
+            return [this, loaded] {
+                loading_ = false;
+                if (!*loaded) { logError("{}", loaded->error().format()); }
+                if (!next_.empty()) { return load(std::exchange(next_, "")); }
+                if (!*loaded) {
+                    loadError_ = loaded->error();
+                    return;
+                }
+                loaded_ = std::move(loaded->value());
+                forgetPoints();
+                logInfo("Reference {}: {}x{} pixels", loaded_->path, loaded_->image.width,
+                        loaded_->image.height);
+            };
+        },
+        false);
+}
+
+void ReferenceErrors::clear() {
+    next_.clear();
+    loaded_.reset();
+    loadError_.reset();
+    forgetPoints();
+}
+
+void ReferenceErrors::forgetPoints() {
+    for (Series& series : series_) {
+        series.points.clear();
+        series.before.clear();
+    }
+}
+
+std::string ReferenceErrors::mismatch(int width, int height) const {
+    if (!loaded_ || (loaded_->image.width == width && loaded_->image.height == height)) { return ""; }
+    return fmt::format("The reference has {} × {} pixels, the picture {} × {}: they cannot be compared.",
+                       loaded_->image.width, loaded_->image.height, width, height);
+}
+
+void ReferenceErrors::refresh() { jobs_.runCompletions(); }
+
+bool ReferenceErrors::measuring() const { return std::ranges::any_of(series_, &Series::measuring); }
+
+void ReferenceErrors::follow(IntegratorKind kind, const ConvergenceCurve& curve) {
+    Series& series = series_[static_cast<size_t>(kind)];
+    const double began = curve.empty() ? 0.0 : curve.points().front().renderSeconds;
+    if (series.filmBegan == began) { return; }
+    series.filmBegan = began;
+    if (series.points.size() >= kWorthKeeping) { series.before = std::move(series.points); }
+    series.points.clear();
+}
+
+void ReferenceErrors::observe(const std::shared_ptr<const FilmSnapshot>& snapshot, bool resting) {
+    Series& series = series_[static_cast<size_t>(snapshot->integrator)];
+    if (snapshot->previewScale != 1 || series.filmBegan == 0.0) { return; }
+    // A checkpoint can lead back.
+    while (!series.points.empty() && series.points.back().passes > snapshot->passes) {
+        series.points.pop_back();
+    }
+    if (!loaded_ || series.measuring || !mismatch(snapshot->width, snapshot->height).empty()) { return; }
+    const uint32_t last = series.points.empty() ? 0 : series.points.back().passes;
+    const bool isDue = snapshot->passes >= kGrowth * last || resting;
+    if (isDue && snapshot->passes > last) { measure(snapshot, &series); }
+}
+
+void ReferenceErrors::measure(std::shared_ptr<const FilmSnapshot> snapshot, Series* series) {
+    series->measuring = true;
+    const double filmBegan = series->filmBegan;
+    jobs_.start(
+        [series, filmBegan, this, snapshot = std::move(snapshot),
+         reference = loaded_]() -> JobQueue::Completion {
+            lowerThreadPriority();
+            const Result<ReferencePoint> point = compare(*snapshot, *reference);
+            return [series, filmBegan, this, reference, point] {
+                series->measuring = false;
+                const bool stale = series->filmBegan != filmBegan || reference != loaded_;
+                if (!point) {
+                    logError("The reference cannot be compared: {}", point.error().format());
+                } else if (!stale &&
+                           (series->points.empty() || series->points.back().passes < point->passes)) {
+                    series->points.push_back(*point);
+                }
+            };
+        },
+        false);
+}
+
+float errorAgainst(const LoadedReference& reference, const FilmSnapshot& snapshot, size_t pixel) {
+    const float* t = snapshot.radiance.data() + 3 * pixel;
+    const float* r = reference.image.rgb.data() + 3 * pixel;
+    return (std::fabs(t[0] - r[0]) + std::fabs(t[1] - r[1]) + std::fabs(t[2] - r[2])) / 3.0f;
+}
+
+ConvergenceCurve asCurve(const std::vector<ReferencePoint>& points, ReferenceMetric metric) {
+    ConvergenceCurve curve;
+    for (const ReferencePoint& point : points) {
+        const double error = point.error(metric);
+        curve.add({.passes = point.passes,
+                   .renderSeconds = point.renderSeconds,
+                   .relativeError = error,
+                   .relativeErrorLow = error,
+                   .relativeErrorHigh = error});
+    }
+    return curve;
+}
+
+}  // namespace glint

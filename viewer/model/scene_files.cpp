@@ -1,0 +1,47 @@
+#include "viewer/model/scene_files.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "engine/base/log.h"
+#include "engine/io/scene_json.h"
+#include "engine/io/scene_loader.h"
+
+namespace glint {
+
+void SceneFiles::open(const std::string& path) {
+    if (path.empty()) { return; }
+    if (opening_) {
+        next_ = path;
+        return;
+    }
+    opening_ = true;
+    error_.reset();
+    jobs_->start(
+        [this, path]() -> JobQueue::Completion {
+            auto loaded = std::make_shared<Result<SceneDescription>>(loadScene(path));
+            return [this, loaded] {
+                opening_ = false;
+                if (!*loaded) { logError("{}", loaded->error().format()); }
+                if (!next_.empty()) { return open(std::exchange(next_, "")); }
+                if (*loaded) {
+                    adopt_(std::move(loaded->value()));
+                } else {
+                    error_ = loaded->error();
+                }
+            };
+        },
+        false);
+}
+
+void SceneFiles::save(std::shared_ptr<const SceneDescription> scene) {
+    jobs_->start(
+        [this, path = saved, scene = std::move(scene)]() -> JobQueue::Completion {
+            const Status result = scene ? saveSceneJson(*scene, path) : Status(Error{"no scene is open", {}});
+            return [this, path, result] { notice_->tell(result, fmt::format("Saved {}", path)); };
+        },
+        true);
+}
+
+}  // namespace glint

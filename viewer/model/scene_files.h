@@ -1,0 +1,44 @@
+// Scenes in and out of files, in the background.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "engine/scene/scene.h"
+#include "viewer/base/job_queue.h"
+#include "viewer/model/notice.h"
+
+namespace glint {
+
+class SceneFiles {
+  public:
+    using Adopt = std::function<void(SceneDescription)>;
+    /// `adopt` takes a scene that was loaded.
+    SceneFiles(JobQueue* jobs, Notice* notice, Adopt adopt)
+        : jobs_(jobs), notice_(notice), adopt_(std::move(adopt)) {}
+
+    std::string opened;                ///< the file that is shown, or will be asked for next
+    std::string saved = "scene.json";  ///< where save() writes
+
+    /// A scene that cannot be opened sets error() and changes nothing else. Of several asked for at once, the
+    /// last counts.
+    void open(const std::string& path);
+    bool opening() const { return opening_; }
+    const std::optional<Error>& error() const { return error_; }
+    void dismissError() { error_.reset(); }
+
+    /// As Glint JSON. `scene` may be null, which is an error.
+    void save(std::shared_ptr<const SceneDescription> scene);
+
+  private:
+    JobQueue* jobs_;
+    Notice* notice_;
+    Adopt adopt_;
+    bool opening_ = false;
+    std::string next_;  ///< asked for while another scene was being opened
+    std::optional<Error> error_;
+};
+
+}  // namespace glint

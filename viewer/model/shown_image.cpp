@@ -1,0 +1,222 @@
+#include "viewer/model/shown_image.h"
+
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "engine/render/sppm_state.h"
+#include "viewer/base/units.h"
+
+namespace glint {
+namespace {
+
+Vec3 screenColor(const Vec3& linear) { return toneMapped(linear, 0.0f, ToneMap::Srgb); }
+
+std::string colorText(const Vec3& rgb) {
+    return fmt::format("R {:.4g}  G {:.4g}  B {:.4g}", rgb.x, rgb.y, rgb.z);
+}
+
+std::string normalText(const Vec3& n) { return fmt::format("x {:.3f}  y {:.3f}  z {:.3f}", n.x, n.y, n.z); }
+
+template <int bits>
+void askAovs(RenderRequest* request) {
+    request->aovs |= bits;
+}
+
+void askStandardError(RenderRequest* request) { request->standardError = true; }
+void askErrorMaps(RenderRequest* request) { request->errorMaps = true; }
+void askIntegratorMaps(RenderRequest* request) { request->integratorMaps = true; }
+
+const std::vector<float>& radii(const FilmSnapshot& snapshot) { return snapshot.map(kRadiusMap); }
+
+std::string plainText(float value) { return fmt::format("{:.2g}", value); }
+std::string signedText(float value) { return fmt::format("{:+.2g}", value); }
+std::string lengthText(float value) { return length(static_cast<double>(value)); }
+
+std::string countText(float value) {
+    return value >= 99.5f ? grouped(static_cast<uint64_t>(std::lround(value))) : plainText(value);
+}
+
+std::string knownOr(float value, std::string text) {
+    return std::isfinite(value) ? std::move(text) : std::string("not known yet");
+}
+
+std::string visibleOr(float radius, std::string text) {
+    return radius > 0.0f ? std::move(text) : std::string("no visible point");
+}
+
+constexpr std::array kShownImages = std::to_array<ShownImageInfo>({
+    {.image = ShownImage::Radiance, .name = "Radiance"},
+    {.image = ShownImage::Albedo,
+     .name = "Albedo",
+     .ask = askAovs<kAovAlbedo>,
+     .hitColor = [](const AovSample& hit, const DepthRange&) { return screenColor(hit.albedo); },
+     .hitText = [](const AovSample& hit) { return colorText(hit.albedo); }},
+    {.image = ShownImage::ShadingNormal,
+     .name = "Shading normal",
+     .ask = askAovs<kAovShadingNormal>,
+     .hitColor = [](const AovSample& hit, const DepthRange&) { return normalColor(hit.shadingNormal); },
+     .hitText = [](const AovSample& hit) { return normalText(hit.shadingNormal); }},
+    {.image = ShownImage::GeometricNormal,
+     .name = "Geometric normal",
+     .ask = askAovs<kAovGeometricNormal>,
+     .hitColor = [](const AovSample& hit, const DepthRange&) { return normalColor(hit.geometricNormal); },
+     .hitText = [](const AovSample& hit) { return normalText(hit.geometricNormal); }},
+    {.image = ShownImage::Depth,
+     .name = "Depth",
+     .ask = askAovs<kAovDepth>,
+     .hitColor = [](const AovSample& hit,
+                    const DepthRange& range) { return depthColor(hit.depth, range.nearest, range.farthest); },
+     .hitText =
+         [](const AovSample& hit) {
+             return hit.depth > 0.0f ? fmt::format("{:.4g} m", hit.depth) : "nothing hit";
+         },
+     .isOfRange = true},
+    {.image = ShownImage::ObjectId,
+     .name = "Object id",
+     .ask = askAovs<kAovObjectId>,
+     .hitColor = [](const AovSample& hit, const DepthRange&) { return idColor(hit.objectId); },
+     .hitText =
+         [](const AovSample& hit) {
+             return hit.objectId > 0 ? fmt::format("object {}", hit.objectId) : "nothing hit";
+         }},
+    {.image = ShownImage::MaterialId,
+     .name = "Material id",
+     .ask = askAovs<kAovMaterialId>,
+     .hitColor = [](const AovSample& hit, const DepthRange&) { return idColor(hit.materialId); },
+     .hitText =
+         [](const AovSample& hit) {
+             return hit.materialId > 0 ? fmt::format("material {}", hit.materialId) : "nothing hit";
+         }},
+    {.image = ShownImage::StandardError,
+     .name = "Standard error",
+     .ask = askStandardError,
+     .isOfSecondPass = true,
+     .values = [](const FilmSnapshot& s) -> const std::vector<float>& { return s.standardError; },
+     .unit = "noise",
+     .scaleText = plainText,
+     .readout = [](float x) { return knownOr(x, fmt::format("± {:.3g} luminance", x)); }},
+    {.image = ShownImage::Bias,
+     .name = "Bias",
+     .ask = askErrorMaps,
+     .only = IntegratorKind::Sppm,
+     .lacking = "bias",
+     .values = [](const FilmSnapshot& s) -> const std::vector<float>& { return s.bias; },
+     .colors = MapColors::Signed,
+     .unit = "bias",
+     .scaleText = signedText,
+     .readout = [](float x) { return knownOr(x, fmt::format("bias {:+.3g} luminance", x)); }},
+    {.image = ShownImage::ErrorBound,
+     .name = "Bounded at 90 %",
+     .ask = askErrorMaps,
+     .isOfSecondPass = true,
+     .values = [](const FilmSnapshot& s) -> const std::vector<float>& { return s.errorBound; },
+     .unit = "bound at 90 %",
+     .scaleText = plainText,
+     .readout = [](float x) { return knownOr(x, fmt::format("within ± {:.3g} luminance at 90 %", x)); }},
+    {.image = ShownImage::ReferenceError,
+     .name = "Error against reference",
+     .isAgainstReference = true,
+     .unit = "off the reference",
+     .scaleText = plainText,
+     .readout = [](float x) { return fmt::format("off by {:.3g} radiance", x); }},
+    {.image = ShownImage::Radius,
+     .name = "SPPM radius",
+     .ask = askIntegratorMaps,
+     .only = IntegratorKind::Sppm,
+     .lacking = "photons",
+     .values = radii,
+     .colors = MapColors::HeatOfAll,
+     .unit = "radius",
+     .scaleText = lengthText,
+     .readout = [](float x) { return visibleOr(x, "radius " + lengthText(x)); }},
+    {.image = ShownImage::PhotonCount,
+     .name = "Photon count",
+     .ask = askIntegratorMaps,
+     .only = IntegratorKind::Sppm,
+     .lacking = "photons",
+     .values = [](const FilmSnapshot& s) -> const std::vector<float>& { return s.map(kPhotonCountMap); },
+     .colors = MapColors::HeatOfAll,
+     .unit = "photons",
+     .scaleText = countText,
+     .readout = [](float x) { return fmt::format("{:.1f} photons", x); }},
+    {.image = ShownImage::VisiblePoints,
+     .name = "Visible points",
+     .ask = askIntegratorMaps,
+     .only = IntegratorKind::Sppm,
+     .lacking = "photons",
+     .values = radii,
+     .colors = MapColors::PresentOrNot,
+     .readout = [](float x) { return visibleOr(x, "visible point"); }},
+});
+
+constexpr bool isInOrder() {
+    for (size_t i = 0; i < kShownImages.size(); ++i) {
+        if (kShownImages[i].image != static_cast<ShownImage>(i)) { return false; }
+    }
+    return true;
+}
+static_assert(isInOrder());
+
+size_t indexOf(const FilmSnapshot& snapshot, Vec2i filmPixel) {
+    const Vec2i last(snapshot.width - 1, snapshot.height - 1);
+    const Vec2i at = glm::clamp(filmPixel / snapshot.previewScale, Vec2i(0), last);
+    return static_cast<size_t>(at.y) * static_cast<size_t>(snapshot.width) + static_cast<size_t>(at.x);
+}
+
+bool isComparable(const LoadedReference* reference, const FilmSnapshot& snapshot) {
+    return reference != nullptr && reference->image.width == snapshot.width &&
+           reference->image.height == snapshot.height;
+}
+
+}  // namespace
+
+std::span<const ShownImageInfo> shownImages() { return kShownImages; }
+
+const ShownImageInfo& infoOf(ShownImage image) { return kShownImages[static_cast<size_t>(image)]; }
+
+ShownImage availableImage(const FilmSnapshot& snapshot, ShownImage wanted, const LoadedReference* reference) {
+    const ShownImageInfo& info = infoOf(wanted);
+    const bool isThere =
+        info.isOf(snapshot.integrator) && (!info.isAgainstReference || isComparable(reference, snapshot));
+    return isThere ? wanted : ShownImage::Radiance;
+}
+
+std::string noteInstead(const FilmSnapshot& snapshot, ShownImage wanted, const LoadedReference* reference) {
+    const ShownImageInfo& info = infoOf(wanted);
+    if (info.isAgainstReference && reference == nullptr) { return "No reference that fits: the radiance"; }
+    if (info.isOfSecondPass && snapshot.passes < 2 && snapshot.previewScale == 1) {
+        return "Known from the second pass on";
+    }
+    if (info.isOf(snapshot.integrator)) { return ""; }
+    return fmt::format("{} has no {}: its radiance", integratorInfo(snapshot.integrator).displayName,
+                       info.lacking);
+}
+
+bool carries(const FilmSnapshot& snapshot, ShownImage wanted) {
+    const ShownImageInfo& info = infoOf(wanted);
+    if (!info.isOf(snapshot.integrator)) { return true; }
+    if (info.values != nullptr) { return !info.values(snapshot).empty(); }
+    return info.hitColor == nullptr || (snapshot.aovs && snapshot.aovs->passes() > 0);
+}
+
+std::string pixelReadout(const FilmSnapshot& snapshot, ShownImage wanted, const LoadedReference* reference,
+                         Vec2i filmPixel) {
+    if (snapshot.width <= 0 || snapshot.height <= 0) { return ""; }
+    const size_t index = indexOf(snapshot, filmPixel);
+    const ShownImageInfo& info = infoOf(availableImage(snapshot, wanted, reference));
+    if (info.isRadiance()) {
+        const float* rgb = snapshot.radiance.data() + 3 * index;
+        return colorText({rgb[0], rgb[1], rgb[2]});
+    }
+    if (info.isAgainstReference) { return info.readout(errorAgainst(*reference, snapshot, index)); }
+    if (info.values != nullptr) {
+        const std::vector<float>& values = info.values(snapshot);
+        return index < values.size() ? info.readout(values[index]) : "";
+    }
+    if (!snapshot.aovs || snapshot.aovs->passes() == 0) { return ""; }
+    return info.hitText(snapshot.aovs->pixels()[index]);
+}
+
+}  // namespace glint

@@ -1,0 +1,92 @@
+// The images that can be shown of a render: one line each in shown_image.cpp says where its numbers come
+// from, who has them, what the session is asked for, and how they become colours and text.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/render/render_session.h"
+#include "engine/render/tonemap.h"
+#include "viewer/model/reference_errors.h"
+
+namespace glint {
+
+enum class ShownImage : uint8_t {
+    Radiance,
+    Albedo,
+    ShadingNormal,
+    GeometricNormal,
+    Depth,
+    ObjectId,
+    MaterialId,
+    StandardError,   ///< noise: of the mean luminance
+    Bias,            ///< estimate of the luminance's bias, signed
+    ErrorBound,      ///< with 90 %, the true luminance is within so much
+    ReferenceError,  ///< against the loaded reference
+    Radius,          ///< SPPM: present radius, metres
+    PhotonCount,     ///< SPPM: photons kept so far
+    VisiblePoints,   ///< SPPM: which pixels hold one
+};
+
+/// How numbers become colours.
+enum class MapColors : uint8_t {
+    Heat,          ///< from nearly the largest down over four decades at most: a few fireflies do not count
+    HeatOfAll,     ///< from the smallest to the largest
+    Signed,        ///< both ways from black
+    PresentOrNot,  ///< above 0 or not
+};
+
+struct ShownImageInfo {
+    ShownImage image;
+    const char* name;  ///< for people and scripts
+    /// Adds to a request what snapshots have to carry. Null: every snapshot carries it.
+    void (*ask)(RenderRequest* request) = nullptr;
+
+    /// The one integrator that has it, and what all others lack. Nothing: all have it.
+    std::optional<IntegratorKind> only{};
+    const char* lacking = nullptr;
+    bool isOfSecondPass = false;  ///< one pass alone says nothing
+
+    // Of images with a value for each pixel.
+    /// Empty while the snapshot does not carry them. Null: no such image, or one against the reference.
+    const std::vector<float>& (*values)(const FilmSnapshot& snapshot) = nullptr;
+    bool isAgainstReference = false;
+    MapColors colors = MapColors::Heat;
+    const char* unit = "";                      ///< behind the scale's upper end
+    std::string (*scaleText)(float) = nullptr;  ///< at the scale's ends
+    std::string (*readout)(float) = nullptr;    ///< of one pixel
+
+    // Of images of the camera's first hit. Display values.
+    Vec3 (*hitColor)(const AovSample& hit, const DepthRange& range) = nullptr;
+    std::string (*hitText)(const AovSample& hit) = nullptr;
+    bool isOfRange = false;  ///< hitColor() looks at the range of all depths; else that is {}
+
+    bool isRadiance() const { return values == nullptr && hitColor == nullptr && !isAgainstReference; }
+    bool isOf(IntegratorKind integrator) const { return !only || *only == integrator; }
+};
+
+/// In the order of ShownImage, which is that of the panel.
+std::span<const ShownImageInfo> shownImages();
+const ShownImageInfo& infoOf(ShownImage image);
+
+/// What the snapshot can show: `wanted`, or its radiance where its integrator has no such image, or where the
+/// reference is missing or of another size.
+ShownImage availableImage(const FilmSnapshot& snapshot, ShownImage wanted, const LoadedReference* reference);
+
+/// What a snapshot shows instead of `wanted`, and why, for the image's corner; "" when it shows what is
+/// wanted.
+std::string noteInstead(const FilmSnapshot& snapshot, ShownImage wanted, const LoadedReference* reference);
+
+/// The snapshot holds what `wanted` is made of, or never will.
+bool carries(const FilmSnapshot& snapshot, ShownImage wanted);
+
+/// The value under the mouse, in the terms of the image that is shown: the status line's text. `filmPixel`
+/// counts in full resolution and is clamped to the image. "" where the snapshot does not carry that image
+/// (yet). `reference` may be null.
+std::string pixelReadout(const FilmSnapshot& snapshot, ShownImage wanted, const LoadedReference* reference,
+                         Vec2i filmPixel);
+
+}  // namespace glint

@@ -1,0 +1,235 @@
+#include "viewer/ui/widgets.h"
+
+#include <algorithm>
+#include <cfloat>
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include "engine/base/nearest_name.h"
+#include "engine/math/color.h"
+#include "viewer/ui/theme.h"
+#include "viewer/ui/widget_row.h"
+
+namespace glint::ui {
+namespace {
+
+constexpr float kLabelShare = 0.35f;  // of a row's width
+constexpr float kTooltipDelaySeconds = 0.5f;
+
+WidgetRegistry* registry = nullptr;
+const Fonts* frameFonts = nullptr;
+float frameScale = 1.0f;
+
+bool isCentreVisible(const ImVec2& min, const ImVec2& max) {
+    const ImVec2 centre{(min.x + max.x) * 0.5f, (min.y + max.y) * 0.5f};
+    return ImGui::GetCurrentWindow()->ClipRect.Contains(centre);
+}
+
+}  // namespace
+
+WidgetRegistry* frameRegistry() { return registry; }
+
+Vec3 screenColor(const Vec3& linear) {
+    const auto encode = [](float x) { return linearToSrgb(clampf(x, 0.0f, 1.0f)); };
+    return {encode(linear.x), encode(linear.y), encode(linear.z)};
+}
+
+ImVec4 screenColor4(const Vec3& linear) {
+    const Vec3 encoded = screenColor(linear);
+    return {encoded.x, encoded.y, encoded.z, 1.0f};
+}
+
+void record(WidgetKind kind, std::string_view label, std::string shown) {
+    const ImVec2 min = ImGui::GetItemRectMin();
+    const ImVec2 max = ImGui::GetItemRectMax();
+    if (registry->wantsScroll(label)) { ImGui::SetScrollHereY(0.5f); }
+    registry->add(kind, label, {min.x, min.y}, {max.x, max.y}, isCentreVisible(min, max), std::move(shown));
+}
+
+void tooltip(const char* text) {
+    if (text == nullptr) { return; }
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22.0f);
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+void tooltipForItem(const char* tooltip) {
+    if (ImGui::IsItemHovered() && !ImGui::IsItemActive() &&
+        ImGui::GetCurrentContext()->HoveredIdTimer > kTooltipDelaySeconds) {
+        ui::tooltip(tooltip);
+    }
+}
+
+void beginRow(const char* label, const char* tooltip) {
+    ImGui::PushID(label);
+    const float start = ImGui::GetCursorPosX();
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextColored(theme::kTextDim, "%s", label);
+    if (ImGui::IsItemHovered()) { ui::tooltip(tooltip); }
+    ImGui::SameLine(start + std::max(width * kLabelShare, ImGui::GetFontSize() * 6.5f));
+    ImGui::SetNextItemWidth(-FLT_MIN);
+}
+
+void endRow() { ImGui::PopID(); }
+
+void beginFrame(WidgetRegistry* registryOfFrame, const Fonts* fontsOfFrame, float scaleOfFrame) {
+    registry = registryOfFrame;
+    frameFonts = fontsOfFrame;
+    frameScale = scaleOfFrame;
+    registry->beginFrame();
+}
+
+float scale() { return frameScale; }
+const Fonts& fonts() { return *frameFonts; }
+
+bool section(const char* label, bool openAtFirst, const char* tooltip) {
+    registry->setSection("");
+    const auto words = registry->takeAssignment(label);
+    if (words) { ImGui::SetNextItemOpen(!words->empty() && (*words)[0] == "open", ImGuiCond_Always); }
+    ImGui::PushFont(frameFonts->heading);
+    const bool open = ImGui::CollapsingHeader(label, openAtFirst ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+    ImGui::PopFont();
+    record(WidgetKind::Section, label, open ? "open" : "closed");
+    tooltipForItem(tooltip);
+    registry->setSection(label);
+    return open;
+}
+
+void heading(const char* text) {
+    ImGui::Dummy({0.0f, 2.0f * frameScale});
+    ImGui::PushFont(frameFonts->heading);
+    ImGui::TextColored(theme::kTextDim, "%s", text);
+    ImGui::PopFont();
+}
+
+void gap() { ImGui::Dummy({0.0f, 3.0f * frameScale}); }
+
+bool choice(const char* label, int* index, std::span<const std::string_view> names, const char* tooltip) {
+    beginRow(label, tooltip);
+    bool changed = false;
+    if (const auto words = registry->takeAssignment(label)) {
+        const std::string wanted = fmt::format("{}", fmt::join(*words, " "));
+        const auto found = std::find(names.begin(), names.end(), wanted);
+        if (found == names.end()) {
+            registry->reject(fmt::format("expected one of \"{}\"{}", fmt::join(names, "\", \""),
+                                         didYouMean(wanted, names)));
+        } else if (const int next = static_cast<int>(found - names.begin()); next != *index) {
+            *index = next;
+            changed = true;
+        }
+    }
+    const auto nameOf = [&](int i) {
+        return i >= 0 && i < static_cast<int>(names.size()) ? std::string(names[static_cast<size_t>(i)]) : "";
+    };
+    if (ImGui::BeginCombo("##value", nameOf(*index).c_str(), ImGuiComboFlags_HeightLarge)) {
+        for (int i = 0; i < static_cast<int>(names.size()); ++i) {
+            if (ImGui::Selectable(nameOf(i).c_str(), i == *index) && i != *index) {
+                *index = i;
+                changed = true;
+            }
+        }
+        ImGui::EndCombo();
+    }
+    record(WidgetKind::Choice, label, nameOf(*index));
+    tooltipForItem(tooltip);
+    endRow();
+    return changed;
+}
+
+bool toggle(const char* label, bool* value, const char* tooltip) {
+    beginRow(label, tooltip);
+    bool changed = false;
+    if (const auto words = registry->takeAssignment(label)) {
+        const bool on = words->size() == 1 && (*words)[0] == "on";
+        if (!on && !(words->size() == 1 && (*words)[0] == "off")) {
+            registry->reject("expected on or off");
+        } else if (on != *value) {
+            *value = on;
+            changed = true;
+        }
+    }
+    changed |= ImGui::Checkbox("##value", value);
+    record(WidgetKind::Toggle, label, *value ? "on" : "off");
+    tooltipForItem(tooltip);
+    endRow();
+    return changed;
+}
+
+bool text(const char* label, std::string* value, const char* hintText, const char* tooltip) {
+    beginRow(label, tooltip);
+    if (const auto words = registry->takeAssignment(label)) {
+        *value = fmt::format("{}", fmt::join(*words, " "));
+    }
+    const bool entered =
+        ImGui::InputTextWithHint("##value", hintText, value, ImGuiInputTextFlags_EnterReturnsTrue);
+    record(WidgetKind::Text, label, *value);
+    tooltipForItem(tooltip);
+    endRow();
+    return entered;
+}
+
+bool button(const char* label, float width, const char* tooltip, bool emphasis) {
+    if (emphasis) { ImGui::PushStyleColor(ImGuiCol_Button, theme::kAccent); }
+    const bool pressed = ImGui::Button(label, {width, 0.0f});
+    if (emphasis) { ImGui::PopStyleColor(); }
+    record(WidgetKind::Button, label, "");
+    tooltipForItem(tooltip);
+    return pressed;
+}
+
+void value(const char* label, const std::string& shown, const char* tooltip) {
+    // Rows that only show stand closer together than those that take the mouse.
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0.0f, 0.0f));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
+                        ImVec2(ImGui::GetStyle().ItemSpacing.x, 3.0f * frameScale));
+    beginRow(label, tooltip);
+    ImGui::TextUnformatted(shown.c_str());
+    record(WidgetKind::Value, label, shown);
+    if (ImGui::IsItemHovered()) { ui::tooltip(tooltip); }
+    endRow();
+    ImGui::PopStyleVar(2);
+}
+
+bool selectable(const char* label, bool selected, const Vec3* swatch) {
+    const float side = ImGui::GetFontSize();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float indent = swatch != nullptr ? side + ImGui::GetStyle().ItemInnerSpacing.x * 1.5f : 0.0f;
+    const bool pressed = ImGui::Selectable(fmt::format("##{}", label).c_str(), selected);
+    record(WidgetKind::Button, label, selected ? "selected" : "");
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    if (swatch != nullptr) {
+        const float inset = side * 0.14f;
+        draw->AddRectFilled({corner.x + inset, corner.y + inset},
+                            {corner.x + side - inset, corner.y + side - inset},
+                            ImGui::GetColorU32(screenColor4(*swatch)), 3.0f * frameScale);
+    }
+    draw->AddText({corner.x + indent, corner.y}, ImGui::GetColorU32(ImGuiCol_Text), label);
+    return pressed;
+}
+
+void hint(const char* text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::kTextDim);
+    ImGui::TextWrapped("%s", text);
+    ImGui::PopStyleColor();
+}
+
+void itemArea(const char* label, const std::string& shown) { record(WidgetKind::Area, label, shown); }
+
+void area(const char* label, Vec2 min, Vec2 max, const std::string& shown) {
+    registry->setSection("");
+    registry->add(WidgetKind::Area, label, min, max, true, shown);
+}
+
+float buttonWidth(int count) {
+    const float spacing = ImGui::GetStyle().ItemSpacing.x;
+    return (ImGui::GetContentRegionAvail().x - spacing * static_cast<float>(count - 1)) /
+           static_cast<float>(count);
+}
+
+}  // namespace glint::ui
