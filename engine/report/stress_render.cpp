@@ -63,7 +63,7 @@ class Renderer {
 
     Result<bool> photonPass(const SppmParams& params, const StressEffort& effort, SppmState* state) {
         return renderSppmPass(*backend_, params, effort.stop != nullptr ? *effort.stop : never_, state,
-                                        &samples);
+                              &samples);
     }
 
     std::vector<PixelSample> samples;

@@ -114,7 +114,8 @@ TEST(MaterialTable, IsSharedWhileNothingChanges) {
     EXPECT_NE(second, first);
     EXPECT_EQ(second->materials[0].inputs.coat.ratio[7], first->materials[0].inputs.coat.ratio[7]);
     scene.materials[0].roughness.value = 0.9f;
-    EXPECT_NE((*build(scene, second))->materials[0].inputs.coat.ratio[7], first->materials[0].inputs.coat.ratio[7]);
+    EXPECT_NE((*build(scene, second))->materials[0].inputs.coat.ratio[7],
+              first->materials[0].inputs.coat.ratio[7]);
 }
 
 TEST(TextureTable, HoldsOnlyWhatIsUsed) {
