@@ -54,7 +54,7 @@ std::span<const TextSetting> textSettings() {
         settings.push_back(
             {.option = "--radius",
              .variant = "radius",
-             .help = "first radius: metres, or auto:K for K pixel footprints",
+             .help = "first radius",
              .expected = "metres such as 0.05, auto, or auto:K such as auto:4 for pixel footprints",
              .only = IntegratorKind::Sppm,
              .set = setRadius});

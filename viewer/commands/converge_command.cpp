@@ -89,7 +89,7 @@ class ConvergeRun {
         for (const std::string& warning : scene_.warnings) {
             logWarning("{}", warning);
         }
-        if (Status applied = applyTo(options_, &scene_); !applied) { return applied; }
+        if (Status applied = applyTo(options_.overrides, &scene_); !applied) { return applied; }
         Result<ConvergencePlan> plan = planOf(options_, scene_);
         if (!plan) { return plan.error(); }
         plan_ = std::move(*plan);

@@ -96,13 +96,10 @@ void addMeasuringOptions(const Command& command, ConvergeOptions* o) {
         .group(group);
 }
 
+/// The seed is the first one; a reference's own seeds are left out.
 void addSceneOptions(const Command& command, ConvergeOptions* o) {
-    const std::string group = "Instead of the scene's own settings";
-    command.option("--size", &o->size, "Picture size in pixels").typeName("WxH").group(group);
-    command.option("--depth", &o->depth, "Most scattering events along a path")
-        .range(0, 1 << 20)
-        .group(group);
-    command.option("--seed", &o->seed, "The first seed; a reference's own seeds are left out").group(group);
+    addSceneOverrides(command, &o->overrides,
+                      [](std::string_view option) { return option == "--depth" || option == "--seed"; });
 }
 
 }  // namespace
@@ -148,14 +145,6 @@ Status checkConvergeOptions(const ConvergeOptions& o) {
         return Error{"--time and --passes exclude each other; expected one of them", {}};
     }
     return {};
-}
-
-Status applyTo(const ConvergeOptions& o, SceneDescription* scene) {
-    RenderCommandOptions render;
-    render.size = o.size;
-    render.depth = o.depth;
-    render.seed = o.seed;
-    return applyTo(render, scene);
 }
 
 Result<ConvergencePlan> planOf(const ConvergeOptions& o, const SceneDescription& scene) {

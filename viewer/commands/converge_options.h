@@ -2,13 +2,13 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/base/result.h"
 #include "engine/report/convergence_run.h"
 #include "engine/scene/scene.h"
+#include "viewer/commands/scene_overrides.h"
 
 namespace glint {
 
@@ -29,9 +29,7 @@ struct ConvergeOptions {
     int points = 16;
     int images = 3;
     std::vector<double> imageTimes;  ///< empty: as `pictures` says
-    std::string size;
-    std::optional<int> depth;
-    std::optional<uint32_t> seed;
+    SceneOverrides overrides;
     float exposure = 0.0f;
     int threads = 0;
     std::string backend = "cpu";
@@ -51,9 +49,6 @@ constexpr double kDefaultConvergeSeconds = 10.0;
 
 /// What can be said without reading the scene. Error: options that contradict each other or lack something.
 Status checkConvergeOptions(const ConvergeOptions& options);
-
-/// Size, depth and seed.
-Status applyTo(const ConvergeOptions& options, SceneDescription* scene);
 
 /// All but the seeds, which depend on the reference's. Error: a variant that makes no sense.
 Result<ConvergencePlan> planOf(const ConvergeOptions& options, const SceneDescription& scene);

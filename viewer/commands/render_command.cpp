@@ -59,7 +59,7 @@ int runCommand(const RenderCommandOptions& options) {
     for (const std::string& warning : loaded->warnings) {
         logWarning("{}", warning);
     }
-    if (Status applied = applyTo(options, &*loaded); !applied) {
+    if (Status applied = applyTo(options.overrides, &*loaded); !applied) {
         return reportError(applied.error(), kExitBadInput);
     }
     if (!options.pixel.empty()) { return runReplay(*loaded, options); }

@@ -9,7 +9,7 @@
 #include "engine/base/result.h"
 #include "engine/render/render_session.h"
 #include "engine/render/tonemap.h"
-#include "engine/scene/scene.h"
+#include "viewer/commands/scene_overrides.h"
 
 namespace glint {
 
@@ -19,21 +19,8 @@ struct RenderCommandOptions {
     std::string scene;
     std::string output;
     StopLimits limits;
-    std::string size;
+    SceneOverrides overrides;
     int threads = 0;
-    std::optional<uint32_t> seed;
-    std::optional<int> depth;
-    std::string filter;
-    std::optional<float> filterRadius;
-    std::string sampler;
-    std::string integrator;
-    std::optional<uint32_t> photons;
-    std::string radius;
-    std::optional<float> alpha;
-    std::string direct, lookup;
-    std::optional<uint32_t> memoryMiB;
-    std::vector<float> cameraPosition, cameraTarget;
-    std::optional<float> fov, aperture, focus;
     std::vector<std::string> aovs;
     bool exrFloat = false;
     float exposure = 0.0f;
@@ -54,15 +41,8 @@ void addRenderOptions(const Command& command, RenderCommandOptions* options);
 /// A word that a POSIX shell reads back as it is.
 std::string quotedForShell(const std::string& word);
 
-/// What the user gave of the options that change size, seed, sampling and camera: " --size 64x64 --fov 30".
-std::string sceneOptionsAsWritten(const Command& command);
-
 /// Passes that are rendered when no limit is given.
 constexpr uint32_t kDefaultPasses = 128;
-
-/// Size, seed, depth, filter, sampler, camera, integrator and photons. Error: a value that makes no sense, or
-/// photon settings without photons.
-Status applyTo(const RenderCommandOptions& options, SceneDescription* scene);
 
 /// Bits of Aov, and whether the standard error and the maps of bias and bound are among the names. Error: an
 /// unknown name, naming the nearest.
