@@ -3,6 +3,7 @@
 
 #include "engine/io/scene_text_reader.h"
 #include "engine/math/frame.h"
+#include "engine/scene/kind_names.h"
 
 namespace glint {
 namespace {
@@ -269,9 +270,9 @@ void SceneTextReader::addObject(const TextToken& at, ShapeKind shape, const Affi
     }
     if (tokens_.failed()) { return; }
     Object object;
-    object.name = fmt::format("object {} ({})", scene_.objects.size() + 1,
-                              shape == ShapeKind::Mesh ? scene_.meshes[static_cast<size_t>(mesh)].name
-                                                       : (shape == ShapeKind::Sphere ? "sphere" : "plane"));
+    object.name =
+        fmt::format("object {} ({})", scene_.objects.size() + 1,
+                    shape == ShapeKind::Mesh ? scene_.meshes[static_cast<size_t>(mesh)].name : nameOf(shape));
     object.shape = shape;
     object.mesh = mesh;
     object.material = materialIndex_;

@@ -13,6 +13,7 @@
 #include "engine/render/cpu_variants.h"
 #include "engine/render/sppm_kernel.h"
 #include "engine/render/sppm_state.h"
+#include "engine/scene/kind_names.h"
 #include "engine/scene/scene_use.h"
 
 namespace glint {
@@ -46,21 +47,13 @@ constexpr std::array<FeatureName, 22> kFeatureNames{
      {kFeatureDepthOfField, "depth of field"},
      {kFeatureIndependentSampler, "independent sampler"}}};
 
-constexpr std::array<const char*, 5> kShapeNames{"sphere", "plane", "rectangle", "disc", "mesh"};
-constexpr std::array<const char*, 6> kMaterialNames{"diffuse",    "mirror",  "conductor",
-                                                    "dielectric", "plastic", "mixture"};
-constexpr std::array<const char*, 3> kLightNames{"point", "spot", "directional"};
-
-template <size_t kCount, class Items, class KindOf>
-std::vector<NamedCount> countByKind(const std::array<const char*, kCount>& names, const Items& items,
-                                    KindOf kindOf) {
-    std::array<uint64_t, kCount> counts{};
-    for (const auto& item : items) {
-        ++counts[static_cast<size_t>(kindOf(item))];
-    }
+/// Of the kinds that occur.
+template <class Items, class Kind>
+std::vector<NamedCount> countByKind(const Items& items, Kind Items::value_type::*kindOf) {
     std::vector<NamedCount> out;
-    for (size_t i = 0; i < kCount; ++i) {
-        if (counts[i] > 0) { out.push_back({names[i], counts[i]}); }
+    for (const KindName<Kind>& entry : kindNames<Kind>()) {
+        const auto count = std::ranges::count(items, entry.kind, kindOf);
+        if (count > 0) { out.push_back({std::string(entry.name), static_cast<uint64_t>(count)}); }
     }
     return out;
 }
@@ -70,7 +63,7 @@ constexpr FeatureMask kCasters =
     kFeatureSpecular | kFeatureDielectric | kFeatureGlossy | kFeaturePlastic | kFeatureMixture;
 
 void countLights(const SceneDescription& scene, const BuiltScene& built, SceneReport* report) {
-    report->lights = countByKind(kLightNames, scene.lights, [](const Light& light) { return light.kind; });
+    report->lights = countByKind(scene.lights, &Light::kind);
     const auto emissive = std::ranges::count_if(scene.objects, [&](const Object& object) {
         return scene.materials[static_cast<size_t>(object.material)].emissive();
     });
@@ -157,10 +150,8 @@ std::vector<std::string> featureNames(FeatureMask mask) {
 
 SceneReport reportOf(const SceneDescription& scene, const BuiltScene& built) {
     SceneReport report;
-    report.objects =
-        countByKind(kShapeNames, scene.objects, [](const Object& object) { return object.shape; });
-    report.materials =
-        countByKind(kMaterialNames, scene.materials, [](const Material& material) { return material.kind; });
+    report.objects = countByKind(scene.objects, &Object::shape);
+    report.materials = countByKind(scene.materials, &Material::kind);
     report.meshes = scene.meshes.size();
     for (const Mesh& mesh : scene.meshes) {
         report.triangles += mesh.data ? mesh.data->triangleCount() : 0;

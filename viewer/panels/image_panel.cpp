@@ -1,5 +1,4 @@
 // The picture's size, and how it is sampled.
-#include <array>
 
 #include <imgui.h>
 
@@ -26,8 +25,11 @@ void drawSize(Resolution* resolution) {
 }
 
 void drawSampling(RenderOptions* options) {
-    static constexpr std::array<std::string_view, 3> kFilters{"Box", "Gaussian", "Blackman-Harris"};
-    static constexpr std::array<std::string_view, 2> kSamplers{"Sobol", "Independent"};
+    static constexpr ui::KindLabel<FilterKind> kFilters[]{{FilterKind::Box, "Box"},
+                                                          {FilterKind::Gaussian, "Gaussian"},
+                                                          {FilterKind::BlackmanHarris, "Blackman-Harris"}};
+    static constexpr ui::KindLabel<SamplerKind> kSamplers[]{{SamplerKind::Sobol, "Sobol"},
+                                                            {SamplerKind::Independent, "Independent"}};
     ui::integer("Max depth", &options->maxDepth,
                 {.format = "%d bounces",
                  .speed = 0.1f,
@@ -38,17 +40,11 @@ void drawSampling(RenderOptions* options) {
                  .speed = 0.1f,
                  .max = 1024.0f,
                  .tooltip = "Paths are ended at random from this bounce on; the mean stays the same"});
-    int filter = static_cast<int>(options->filter);
-    if (ui::choice("Filter", &filter, kFilters, "How a pixel weighs the light around it")) {
-        options->filter = static_cast<FilterKind>(filter);
-    }
+    ui::kindChoice("Filter", &options->filter, kFilters, "How a pixel weighs the light around it");
     ui::number(
         "Filter radius", &options->filterRadius,
         {.format = "%.2f px", .speed = 0.01f, .min = 0.1f, .max = 8.0f, .tooltip = "Larger is softer"});
-    int sampler = static_cast<int>(options->sampler);
-    if (ui::choice("Sampler", &sampler, kSamplers, "Sobol's points lie evenly and converge faster")) {
-        options->sampler = static_cast<SamplerKind>(sampler);
-    }
+    ui::kindChoice("Sampler", &options->sampler, kSamplers, "Sobol's points lie evenly and converge faster");
     int seed = static_cast<int>(options->seed);
     if (ui::integer("Seed", &seed,
                     {.format = "%d",

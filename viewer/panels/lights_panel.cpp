@@ -1,6 +1,5 @@
 // The lights without a shape, and the environment. Shapes shine through their material.
 #include <algorithm>
-#include <array>
 #include <string>
 #include <vector>
 
@@ -15,7 +14,8 @@
 namespace glint {
 namespace {
 
-constexpr std::array<std::string_view, 3> kKinds{"Point", "Spot", "Directional"};
+constexpr ui::KindLabel<LightKind> kKinds[]{
+    {LightKind::Point, "Point"}, {LightKind::Spot, "Spot"}, {LightKind::Directional, "Directional"}};
 
 void drawEnvironment(SceneDescription* scene, AssetReader* assets) {
     Environment* environment = &scene->environment;
@@ -42,8 +42,7 @@ void drawEnvironment(SceneDescription* scene, AssetReader* assets) {
 }
 
 void drawLight(Light* light, float speed) {
-    int kind = static_cast<int>(light->kind);
-    if (ui::choice("Kind", &kind, kKinds)) { light->kind = static_cast<LightKind>(kind); }
+    ui::kindChoice("Kind", &light->kind, kKinds);
     const bool directional = light->kind == LightKind::Directional;
     ui::color(directional ? "Irradiance" : "Intensity", &light->color, 1e6f,
               directional ? "W/m² on a surface that faces it" : "W/sr");

@@ -1,6 +1,5 @@
 // The materials' list, and every parameter of the one that is selected.
 #include <algorithm>
-#include <array>
 #include <string>
 #include <vector>
 
@@ -16,8 +15,10 @@
 namespace glint {
 namespace {
 
-constexpr std::array<std::string_view, 6> kKinds{"Diffuse",    "Mirror",  "Conductor",
-                                                 "Dielectric", "Plastic", "Mixture"};
+constexpr ui::KindLabel<MaterialKind> kKinds[]{
+    {MaterialKind::Diffuse, "Diffuse"},     {MaterialKind::Mirror, "Mirror"},
+    {MaterialKind::Conductor, "Conductor"}, {MaterialKind::Dielectric, "Dielectric"},
+    {MaterialKind::Plastic, "Plastic"},     {MaterialKind::Mixture, "Mixture"}};
 constexpr const char* kOwnMetal = "own constants";
 
 std::string nameOf(const Material& material, size_t index) {
@@ -154,8 +155,7 @@ void draw(SceneDocument* document, AssetReader* assets) {
     drawList(document);
     Material& material = materials[static_cast<size_t>(selected)];
     ImGui::PushID(selected);
-    int kind = static_cast<int>(material.kind);
-    if (ui::choice("Kind", &kind, kKinds)) { material.kind = static_cast<MaterialKind>(kind); }
+    ui::kindChoice("Kind", &material.kind, kKinds);
     drawScattering(document->draft(), assets, &material);
     drawEmission(&material);
     ImGui::PopID();

@@ -72,7 +72,7 @@ void drawIntegrator(RenderOptions* options) {
             "Integrator", &integrator, names,
             "Light followed from the camera, or photons from the lights too: for caustics. Each keeps its "
             "picture")) {
-        options->integrator = static_cast<IntegratorKind>(integrator);
+        options->integrator = kIntegratorTable[static_cast<size_t>(integrator)].kind;
     }
 }
 

@@ -71,11 +71,9 @@ void drawPhotons(SppmOptions* sppm) {
                    "Sampled: shadow rays, and photons carry only what was scattered")) {
         sppm->sampleDirectLight = direct == 0;
     }
-    static constexpr std::array<std::string_view, 2> kLookups{"Hash grid", "Kd-tree"};
-    int lookup = static_cast<int>(sppm->lookup);
-    if (ui::choice("Look-up", &lookup, kLookups, "How photons are found; the picture stays the same")) {
-        sppm->lookup = static_cast<PhotonLookupKind>(lookup);
-    }
+    static constexpr ui::KindLabel<PhotonLookupKind> kLookups[]{{PhotonLookupKind::Grid, "Hash grid"},
+                                                                {PhotonLookupKind::Tree, "Kd-tree"}};
+    ui::kindChoice("Look-up", &sppm->lookup, kLookups, "How photons are found; the picture stays the same");
     ui::number(
         "Store from", &sppm->storeRoughness,
         {.format = "%.3f",

@@ -44,6 +44,26 @@ bool vector3(const char* label, Vec3* value, const NumberStyle& style);
 bool color(const char* label, Vec3* value, float max, const char* tooltip = nullptr);
 bool choice(const char* label, int* index, std::span<const std::string_view> names,
             const char* tooltip = nullptr);
+/// A kind of something and what its choice is called.
+template <class Kind>
+struct KindLabel {
+    Kind kind;
+    std::string_view label;
+};
+/// A choice among the kinds that `labels` lists, which must hold *kind.
+template <class Kind, size_t kCount>
+bool kindChoice(const char* label, Kind* kind, const KindLabel<Kind> (&labels)[kCount],
+                const char* tooltip = nullptr) {
+    std::string_view names[kCount];
+    int index = 0;
+    for (size_t i = 0; i < kCount; ++i) {
+        names[i] = labels[i].label;
+        if (labels[i].kind == *kind) { index = static_cast<int>(i); }
+    }
+    if (!choice(label, &index, names, tooltip)) { return false; }
+    *kind = labels[index].kind;
+    return true;
+}
 bool toggle(const char* label, bool* value, const char* tooltip = nullptr);
 /// True when Enter was pressed.
 bool text(const char* label, std::string* value, const char* hint, const char* tooltip = nullptr);
