@@ -245,8 +245,8 @@ TEST(CudaSppm, ASessionResumedFromACheckpointEqualsTheCpusWithoutABreak) {
     HostCuda second;
     const SessionCapture resumed =
         test::renderSession(std::move(second.backend), scene, 4, 2, std::move(*loaded));
-    EXPECT_EQ(photonsOf(resumed).passes, 4u);
-    EXPECT_EQ(differingPixels(photonsOf(resumed), photonsOf(whole)), 0u);
+    EXPECT_EQ(test::photonsOf(resumed).passes, 4u);
+    EXPECT_EQ(differingPixels(test::photonsOf(resumed), test::photonsOf(whole)), 0u);
     for (size_t i = 0; i < whole.film.pixels().size(); ++i) {
         ASSERT_EQ(resumed.film.pixels()[i].mean, whole.film.pixels()[i].mean) << i;
     }
@@ -269,8 +269,8 @@ TEST(CudaSppm, ASwitchOfIntegratorsAndBackLosesNothing) {
     renderTo(IntegratorKind::Sppm, 4, EditKind::Integrator);
     const auto capture = session.capture();
     ASSERT_TRUE(capture);
-    EXPECT_EQ(photonsOf(*capture).passes, 4u);
-    EXPECT_EQ(differingPixels(photonsOf(*capture), photonsOf(whole)), 0u);
+    EXPECT_EQ(test::photonsOf(*capture).passes, 4u);
+    EXPECT_EQ(differingPixels(test::photonsOf(*capture), test::photonsOf(whole)), 0u);
 }
 
 TEST(CudaSppm, TheSmallestVariantRuns) {

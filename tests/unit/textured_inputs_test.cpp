@@ -193,7 +193,8 @@ TEST(TexturedInputLimits, ClampWhatATextureSays) {
     material.roughness.texture = material.ior.texture = 0;
     const Subject subject(material, {twoTexels(Vec3(-3.0f), Vec3(std::nanf("")))});
     for (const Vec2& uv : {kLeft, kRight}) {
-        const ShadingInputs& inputs = subject.at(uv, Vec3(0.0f, 0.0f, 1.0f)).inputs();
+        const auto bsdf = subject.at(uv, Vec3(0.0f, 0.0f, 1.0f));
+        const ShadingInputs& inputs = bsdf.inputs();
         EXPECT_EQ(inputs.roughness, 0.0f);
         EXPECT_EQ(inputs.ior, 1e-3f);
     }
