@@ -44,7 +44,7 @@ const ImageFormat* savedFormatOf(const std::string& path);
 
 /// "PNG, JPEG, … or EXR".
 std::string listReadableImages();
-/// ".png, .hdr or .exr".
+/// ".png, .exr or .hdr".
 std::string listSavedExtensions();
 
 }  // namespace glint

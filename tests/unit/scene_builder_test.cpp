@@ -169,9 +169,9 @@ TEST_F(SceneBuilder, FaultsNameWhatTheyAreIn) {
     expect("material 'spare'",
            [&] { description.materials.back().emission.value.x = std::numeric_limits<float>::quiet_NaN(); });
     expect("material 'spare'", [&] { description.materials.back().color.texture = 77; });
-    expect("textures on \"roughness\"", [&] {
+    expect("textures on \"emission\"", [&] {
         description.textures.resize(1);
-        description.materials.back().roughness.texture = 0;
+        description.materials.back().emission.texture = 0;
     });
     expect("camera", [&] { description.camera.target = description.camera.position; });
     expect("camera", [&] { description.camera.apertureBlades = 2; });

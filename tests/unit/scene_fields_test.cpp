@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/io/image_io.h"
 #include "engine/io/scene_json.h"
 #include "engine/scene/generated_sky.h"
 #include "engine/scene/scene_diff.h"
@@ -115,7 +116,8 @@ void forEachChange(const SceneDescription& scene, const Check& check) {
             }
             if constexpr (kIsInput<Member>) {
                 SceneDescription textured = scene;
-                (ownersIn<Owner>(&textured)[i]->*field.member).texture += 1;
+                int& texture = (ownersIn<Owner>(&textured)[i]->*field.member).texture;
+                texture = texture == 0 ? 1 : 0;
                 check(textured, i, field, true);
             }
         });
@@ -162,10 +164,13 @@ TEST(SceneFields, FingerprintsHaveWhatThePictureDependsOn) {
     });
 }
 
-/// A scene that can be read without its files: no object places a mesh from a file or has a texture.
+/// A scene that can be read without its mesh's file; its textures' files are written into the working folder.
 SceneDescription savedScene() {
     SceneDescription scene = fullScene();
     scene.environmentImages.resize(1);
+    for (const Texture& texture : scene.textures) {
+        EXPECT_TRUE(savePng(texture.name, *texture.image.bytes));
+    }
     for (size_t i = 0; i < scene.objects.size(); ++i) {
         scene.objects[i].mesh = 0;
         scene.objects[i].material = i % 2 == 0 ? 2 : 3;
@@ -182,13 +187,21 @@ TEST(SceneFields, SavingAndLoadingKeepsThem) {
             const Owner& owner = *ownersIn<Owner>(&changed)[i];
             const bool isSaved = field.hooks.isSaved == nullptr || field.hooks.isSaved(owner);
             if ((field.traits.kinds & kindBit(owner)) == 0 || field.key.empty() || !isSaved) { return; }
+            constexpr bool kIsEnvironment = std::is_same_v<Owner, Environment>;
+            // Only the image in use is saved, and is the first one when it is read.
+            if constexpr (kIsEnvironment) {
+                if (owner.image == 1) { changed.environmentImages.push_back(sky(20.0f)); }
+            }
             const auto text = writeSceneJson(changed, "saved.json");
             ASSERT_TRUE(text.ok()) << titleOf<Owner>(field.key, i) << text.error().format();
             auto loaded = readSceneJson({"saved.json", *text}, {});
             ASSERT_TRUE(loaded.ok()) << titleOf<Owner>(field.key, i) << loaded.error().format();
             const Owner& read = *ownersIn<Owner>(&*loaded)[i];
             using Member = std::remove_cvref_t<decltype(read.*field.member)>;
-            if constexpr (std::is_same_v<Member, SceneImage>) {
+            if (kIsEnvironment && field.key == "image") {
+                EXPECT_EQ(loaded->environmentImages[0].source,
+                          changed.environmentImages[static_cast<size_t>(changed.environment.image)].source);
+            } else if constexpr (std::is_same_v<Member, SceneImage>) {
                 EXPECT_EQ((read.*field.member).source, (owner.*field.member).source);
             } else if constexpr (!kIsList<Member>) {
                 EXPECT_EQ(read.*field.member, owner.*field.member) << titleOf<Owner>(field.key, i);
@@ -197,7 +210,9 @@ TEST(SceneFields, SavingAndLoadingKeepsThem) {
         });
         if (keys.contains("")) { checked.insert(""); }
         const bool isRoot = std::is_same_v<Owner, SceneDescription>;
-        EXPECT_TRUE(isRoot || checked == keys) << typeid(Owner).name();
+        for (const std::string_view key : keys) {
+            EXPECT_TRUE(isRoot || checked.contains(key)) << typeid(Owner).name() << ' ' << key;
+        }
     });
 }
 
