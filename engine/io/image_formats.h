@@ -44,7 +44,7 @@ const ImageFormat* savedFormatOf(const std::string& path);
 
 /// "PNG, JPEG, … or EXR".
 std::string listReadableImages();
-/// ".png, .exr or .hdr".
+/// ".png, .hdr or .exr".
 std::string listSavedExtensions();
 
 }  // namespace glint

@@ -317,7 +317,7 @@ TEST(ImageFile, PngAndHdrAndRefusals) {
 
     const Status wrong = saveImage(folder.path("a.gif"), snapshot, scene, {});
     ASSERT_FALSE(wrong);
-    EXPECT_THAT(wrong.error().format(), HasSubstr("expected .png, .exr or .hdr"));
+    EXPECT_THAT(wrong.error().format(), HasSubstr("expected .png, .hdr or .exr"));
     FilmSnapshot withoutLayers = snapshot;
     withoutLayers.aovs = nullptr;
     EXPECT_FALSE(saveImage(folder.path("b.exr"), withoutLayers, scene, {.aovs = kAovDepth}));

@@ -74,8 +74,8 @@ TEST(FileKind, FirstBytesDecideBetweenImages) {
 TEST(FileKind, ListsNameEveryImporterAndFormat) {
     EXPECT_EQ(listImporters(), "Glint JSON (.json), 6.837 text (.txt), OBJ (.obj) or PLY (.ply)");
     EXPECT_EQ(listImporters(true), "OBJ (.obj) or PLY (.ply)");
-    EXPECT_EQ(listReadableImages(), "PNG, JPEG, BMP, TGA, EXR or HDR");
-    EXPECT_EQ(listSavedExtensions(), ".png, .exr or .hdr");
+    EXPECT_EQ(listReadableImages(), "PNG, JPEG, BMP, TGA, HDR or EXR");
+    EXPECT_EQ(listSavedExtensions(), ".png, .hdr or .exr");
     for (const char* path : {"a.png", "a.PNG", "a.Hdr", "a.EXR"}) {
         EXPECT_NE(savedFormatOf(path), nullptr) << path;
     }
