@@ -44,7 +44,7 @@ constexpr KeyHelp kKeyHelp[] = {
     {"Home", "the scene file's camera"},
     {"Space", "pause and go on"},
     {"R", "restart"},
-    {"C", "compare path tracing and SPPM"},
+    {"C", "compare two integrators"},
     {"[ and ]", "exposure by a third of a stop"},
     {"Ctrl + S", "save the PNG"},
     {"Ctrl + Q", "quit"},
