@@ -11,7 +11,7 @@ namespace glint::test {
 namespace {
 
 constexpr int kSize = 32;
-constexpr float kSharp = 0.08f, kDull = 0.5f;
+constexpr float kSharp = 0.08f, kDull = 0.9f;
 
 Material plate(MaterialKind kind, float roughness) {
     Material material;
@@ -79,7 +79,7 @@ TEST_P(RoughnessTexture, OfTwoHalvesIsTwoPlates) {
     for (const bool left : {true, false}) {
         const double expected = halfMean(constant, left);
         EXPECT_NEAR(halfMean(textured, left), expected, 0.01 * expected);
-        EXPECT_GT(std::fabs(halfMean(swapped, left) - expected), 0.02 * expected) << "else nothing is tested";
+        EXPECT_GT(std::fabs(halfMean(swapped, left) - expected), 0.03 * expected) << "else nothing is tested";
     }
 }
 
