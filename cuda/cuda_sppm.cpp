@@ -11,6 +11,7 @@
 #include "cuda/paced_launches.h"
 #include "cuda/sppm_variant.h"
 #include "engine/base/check.h"
+#include "engine/kernels/photon_surface.h"
 #include "engine/kernels/sppm_pass_steps.h"
 #include "engine/render/photon_store.h"
 #include "engine/render/variant_choice.h"
@@ -62,7 +63,8 @@ Result<bool> CudaSppm::renderPass(const Scene& scene, const SppmParams& params, 
     PowerDistributionView power = power_->view();
     power.cdf = powerCdf_.as<float>();
     const CudaSppmVariant& variant = chooseVariant(cudaSppmVariants(), scene.features, params.pass.sampler);
-    const Job job{scene.device, power, params, variant, stop, image};
+    const SppmParams settled = settledParams(scene.host, params);
+    const Job job{scene.device, power, settled, variant, stop, image};
     if (Status s =
             device_.upload(statistics_.data(), state->pixels.data(), job.pixelCount() * sizeof(SppmPixel));
         !s) {

@@ -24,7 +24,7 @@ GLINT_HD inline VisiblePoint makeVisiblePoint(const SurfacePoint& surface, const
     point.uv = surface.uv;
     point.nsPacked = packUnitVector<16>(surface.ns);
     point.ngPacked = packUnitVector<16>(surface.ng);
-    point.material = surface.material;
+    point.instance = surface.instance;
     point.depth = static_cast<uint32_t>(path.depth);
     return point;
 }

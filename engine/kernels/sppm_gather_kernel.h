@@ -10,11 +10,8 @@
 // disc, a polynomial: see biasWeight().
 #pragma once
 
-#include "engine/kernels/bsdf/bsdf.h"
-#include "engine/kernels/scene_view.h"
-#include "engine/kernels/sppm_view.h"
+#include "engine/kernels/photon_surface.h"
 #include "engine/math/color.h"
-#include "engine/math/octahedral.h"
 
 namespace glint {
 
@@ -25,19 +22,25 @@ struct GatherSurface {
     Vec3 ng, ns, vertexColor;
     Vec2 uv;
     uint32_t material;
+    uint32_t number;  ///< surfaceNumber()
 };
 
-/// A photon counts on the surface of the visible point only: within the ball, near its tangent plane, where
-/// the surface has not bent away by more than 45 degrees.
-GLINT_HD inline bool liesOnSurface(const Photon& photon, const VisiblePoint& point, const Vec3& ng,
-                                   float radiusSquared) {
+/// A photon counts on the surface of the visible point `p` only: within the ball, near its tangent plane,
+/// where the surface has not bent away by more than 45 degrees, and on none that is stacked on it.
+GLINT_HD inline bool liesOnSurface(const SceneView& view, const PhotonLayout& layout, const Photon& photon,
+                                   const Vec3& p, const GatherSurface& surface, float radiusSquared) {
     constexpr float kLeastNormalCosine = 0.70710678f;
     constexpr float kGreatestHeight = 0.5f;  // of the radius
-    const Vec3 offset = photon.p - point.p;
-    const float height = glm::dot(offset, ng);
-    return lengthSquared(offset) < radiusSquared &&
-           height * height <= square(kGreatestHeight) * radiusSquared &&
-           glm::dot(unpackUnitVector<12>(photon.ngAndDepth), ng) > kLeastNormalCosine;
+    const Vec3 offset = photon.p - p;
+    const float height = glm::dot(offset, surface.ng);
+    if (!(lengthSquared(offset) < radiusSquared &&
+          height * height <= square(kGreatestHeight) * radiusSquared)) {
+        return false;
+    }
+    const Vec3 ng = layout.ng(photon);
+    return glm::dot(ng, surface.ng) > kLeastNormalCosine &&
+           sharePhotons(view, layout.surface(photon), surface.number, 0.5f * (height + glm::dot(offset, ng)),
+                        radiusSquared);
 }
 
 /// Weight of a photon at a distance of sqrt(t) radii in the estimate of the bias of the mean over the disc.
@@ -55,15 +58,20 @@ GLINT_HD Gathered gatherPhotons(const SceneView& view, const PhotonMap& photons,
                                 const VisiblePoint& point, float radiusSquared) {
     Gathered gathered;
     Vec3 bias(0.0f);
+    const PhotonLayout layout{params.photonsKnowSurface};
     const Vec3 ng = unpackUnitVector<16>(point.ngPacked);
-    const detail::GatherSurface surface{ng, unpackUnitVector<16>(point.nsPacked), point.vertexColor, point.uv,
-                                        point.material};
+    const detail::GatherSurface surface{ng,
+                                        unpackUnitVector<16>(point.nsPacked),
+                                        point.vertexColor,
+                                        point.uv,
+                                        view.geometry.instances[point.instance].material,
+                                        surfaceNumber<kMask>(view, params, point.instance)};
     const Bsdf<kMask> bsdf = makeBsdf<kMask>(view, surface, point.woWorld);
     const uint32_t scatteringsLeft = static_cast<uint32_t>(params.pass.maxDepth) - 1u - point.depth;
     photons.visitNear(point.p, std::sqrt(radiusSquared), [&](const Photon& photon) {
-        if (!detail::liesOnSurface(photon, point, ng, radiusSquared)) { return; }
-        if (photon.ngAndDepth >> 24 > scatteringsLeft) { return; }
-        const Vec3 wi = unpackUnitVector<16>(photon.wiPacked);
+        if (!detail::liesOnSurface(view, layout, photon, point.p, surface, radiusSquared)) { return; }
+        if (layout.depth(photon) > scatteringsLeft) { return; }
+        const Vec3 wi = layout.wi(photon);
         const float cosine = absDot(wi, ng);
         if (!(cosine > 0.0f)) { return; }
         const Vec3 reflected =

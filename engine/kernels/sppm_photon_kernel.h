@@ -8,10 +8,9 @@
 #include "engine/kernels/bsdf/importance.h"
 #include "engine/kernels/intersect.h"
 #include "engine/kernels/photon_emission.h"
+#include "engine/kernels/photon_surface.h"
 #include "engine/kernels/sampler.h"
-#include "engine/kernels/sppm_view.h"
 #include "engine/math/color.h"
-#include "engine/math/octahedral.h"
 
 namespace glint {
 
@@ -32,12 +31,15 @@ GLINT_HD inline Sampler makePhotonSampler(const PassParams& pass, uint64_t photo
     return makeSampler(numbered, static_cast<int>(photonNumber >> 32), kPhotonRow);
 }
 
-GLINT_HD inline Photon makePhoton(const SurfacePoint& surface, const Vec3& wo, const Vec3& flux, int depth) {
+template <FeatureMask kMask>
+GLINT_HD Photon makePhoton(const SceneView& view, const SppmParams& params, const SurfacePoint& surface,
+                           const Vec3& wo, const Vec3& flux, int depth) {
     Photon photon;
     photon.p = surface.p;
     photon.flux = flux;
-    photon.wiPacked = packUnitVector<16>(wo);
-    photon.ngAndDepth = packUnitVector<12>(surface.ng) | static_cast<uint32_t>(depth) << 24;
+    PhotonLayout{params.photonsKnowSurface}.pack(wo, surface.ng, static_cast<uint32_t>(depth),
+                                                 surfaceNumber<kMask>(view, params, surface.instance),
+                                                 &photon);
     return photon;
 }
 
@@ -101,7 +103,7 @@ GLINT_HD PhotonTally tracePhoton(const SceneView& view, const PowerDistributionV
         if (hitsHiddenBack<kMask>(view, surface, wo)) { return tally; }
         const Bsdf<kMask> bsdf = makeBsdf<kMask>(view, surface, wo, TransportMode::Importance);
         if (depth >= firstStored && visiblePointLobes(bsdf, params.storeAlpha).probability() > 0.0f) {
-            store(makePhoton(surface, wo, flux, depth));
+            store(makePhoton<kMask>(view, params, surface, wo, flux, depth));
         }
         if (!scatterPhoton<kMask>(view, sampler, surface, bsdf, wo, depth, &ray, &flux)) { return tally; }
     }

@@ -10,6 +10,9 @@
 
 namespace glint {
 
+/// Longer paths are cut off: visible points and photons count their scattering events in 8 bits.
+constexpr int kMostPhotonScatterings = 256;
+
 struct SppmParams {
     PassParams pass;
     uint32_t photonsPerPass = 262144;
@@ -21,6 +24,8 @@ struct SppmParams {
     float storeAlpha = 0.1f;
     PhotonLookupKind lookup = PhotonLookupKind::Grid;
     bool sampleDirectLight = true;  ///< photons then carry only light that was scattered at least once
+    /// set for each pass by the back end (photon_surface.h)
+    bool photonsKnowSurface = false;
 };
 
 /// The statistics of one pixel over all passes since they were last cleared (the paper's R, N and tau).
@@ -42,7 +47,7 @@ struct VisiblePoint {
     Vec2 uv{0.0f};
     uint32_t nsPacked = 0;  ///< shading normal (octahedral.h)
     uint32_t ngPacked = 0;  ///< geometric normal of the front side
-    uint32_t material : 24 = 0;
+    uint32_t instance : 24 = 0;
     uint32_t depth : 8 = 0;  ///< scattering events before this one
     /// about the width of a pixel here, world units: length of the path times the pixel's angle
     float footprint = 0.0f;
@@ -69,9 +74,9 @@ union PassPixel {
 struct Photon {
     Vec3 p;
     Vec3 flux;  ///< power that arrives, before this surface's reflectance; not divided by the emitted count
-    uint32_t wiPacked = 0;  ///< where it came from: away from the surface
-    /// front normal of the surface in 24 bits, scattering events before this one in 8
-    uint32_t ngAndDepth = 0;
+    /// where it came from, away from the surface; the surface's front normal and number; how many scattering
+    /// events came before this one (photon_surface.h)
+    uint32_t packed[2] = {};
 };
 
 /// Everything SPPM keeps for a pixel beyond the film, and for a stored photon.

@@ -6,6 +6,7 @@
 #include <new>
 
 #include "engine/base/parallel.h"
+#include "engine/kernels/photon_surface.h"
 #include "engine/kernels/sppm_pass_steps.h"
 
 namespace glint {
@@ -148,7 +149,8 @@ Result<bool> CpuSppm::renderPass(const SceneView& view, FeatureMask features,
                                  const std::atomic<bool>& stop, SppmState* state,
                                  std::vector<PixelSample>* direct) {
     const SppmVariant& variant = chooseVariant(sppmVariants(), features, params.pass.sampler);
-    const Job job{view, power, params, variant, stop, state};
+    const SppmParams settled = settledParams(view, params);
+    const Job job{view, power, settled, variant, stop, state};
     using Clock = std::chrono::steady_clock;
     try {
         direct->resize(job.pixelCount());

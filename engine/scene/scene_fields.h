@@ -86,7 +86,7 @@ struct FieldsOf<RenderOptions> {
                .option = "--integrator"}),
         field("maxDepth", &RenderOptions::maxDepth,
               {.range = {.lo = 0, .hi = 1 << 20},
-               .help = "most scattering events along a path",
+               .help = "most scattering events along a path; of photons at most 256",
                .option = "--depth"}),
         field("rouletteStartDepth", &RenderOptions::rouletteStartDepth,
               {.range = {.lo = 0, .hi = 1 << 20},

@@ -82,5 +82,17 @@ TEST_F(SppmCommand, ASmallBudgetMeansFewerPhotonsAndSaysSo) {
     EXPECT_TRUE(says(run.err, "photons a pass instead of 262144"));
 }
 
+TEST_F(SppmCommand, PathsThatPhotonsCannotCountAreCutOffAndItSaysSo) {
+    const auto warning = [&](const char* depth, const char* integrator) {
+        const ProgramRun run = runProgram({"render", kCaustic, "-o", folder.path("a.png"), "--size", "8x8",
+                                           "--passes", "1", "--depth", depth, "--integrator", integrator});
+        EXPECT_EQ(run.exitCode, 0) << run.err;
+        return says(run.err, "256 scattering events along a path instead of 257");
+    };
+    EXPECT_TRUE(warning("257", "sppm"));
+    EXPECT_FALSE(warning("256", "sppm"));
+    EXPECT_FALSE(warning("257", "path"));
+}
+
 }  // namespace
 }  // namespace glint

@@ -1,10 +1,13 @@
-// SPPM against path tracing where both converge: block by block, over independent seeds.
+// SPPM against path tracing where both converge: block by block, over independent seeds, whichever side of
+// walls is their front.
 //
 // The signed difference of each of 16 blocks must lie within its confidence interval and the bias that the
 // radius allows. Family-wise level 1e-3 for each scene and mode: Student's t with at least 11 degrees of
 // freedom, two-sided at 1e-3 / 17 (Bonferroni: 16 blocks and the whole picture).
 #include <array>
 #include <cmath>
+#include <string>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -104,19 +107,30 @@ void expectAgreement(const SceneDescription& scene, const SppmParams& params, ui
     }
 }
 
-class SppmAgainstPaths : public testing::TestWithParam<bool> {};
+/// Whether direct light is sampled, and whether flat objects are wound the other way.
+class SppmAgainstPaths : public testing::TestWithParam<std::tuple<bool, bool>> {
+  protected:
+    static SppmParams params() { return paramsFor(std::get<0>(GetParam())); }
+    static void expectAgreementOf(const SceneDescription& scene, const SppmParams& params) {
+        expectAgreement(std::get<1>(GetParam()) ? otherWinding(scene) : scene, params, 24);
+    }
+};
 
-TEST_P(SppmAgainstPaths, CornellBox) { expectAgreement(small(cornellBox()), paramsFor(GetParam()), 24); }
-TEST_P(SppmAgainstPaths, RoughGlass) { expectAgreement(roughGlassBox(), paramsFor(GetParam()), 24); }
-TEST_P(SppmAgainstPaths, EmitterForms) { expectAgreement(small(emitterShapes()), paramsFor(GetParam()), 24); }
+TEST_P(SppmAgainstPaths, CornellBox) { expectAgreementOf(small(cornellBox()), params()); }
+TEST_P(SppmAgainstPaths, RoughGlass) { expectAgreementOf(roughGlassBox(), params()); }
+TEST_P(SppmAgainstPaths, RoughGlassInContact) { expectAgreementOf(roughGlassInContact(), params()); }
+TEST_P(SppmAgainstPaths, EmitterForms) { expectAgreementOf(small(emitterShapes()), params()); }
 TEST_P(SppmAgainstPaths, Furnace) {
-    SppmParams params = paramsFor(GetParam());
-    params.photonsPerPass = 40000;
-    expectAgreement(small(whiteFurnace()), params, 24);
+    SppmParams more = params();
+    more.photonsPerPass = 40000;
+    expectAgreementOf(small(whiteFurnace()), more);
 }
 
-INSTANTIATE_TEST_SUITE_P(DirectLight, SppmAgainstPaths, testing::Bool(),
-                         [](const auto& mode) { return mode.param ? "Sampled" : "Photons"; });
+INSTANTIATE_TEST_SUITE_P(DirectLight, SppmAgainstPaths, testing::Combine(testing::Bool(), testing::Bool()),
+                         [](const auto& mode) {
+                             return std::string(std::get<0>(mode.param) ? "Sampled" : "Photons") +
+                                    (std::get<1>(mode.param) ? "OtherWinding" : "");
+                         });
 
 /// Sum of squared differences of the blocks, less what their errors explain.
 double squaredBias(const SceneDescription& scene, const SppmParams& params, uint32_t passes, Blocks blocks) {

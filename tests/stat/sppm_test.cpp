@@ -170,6 +170,20 @@ TEST(Sppm, MirrorsAndEscapesOnly) {
     }
 }
 
+/// Photons would otherwise begin to count anew, and bring light that belongs to much longer paths.
+TEST(Sppm, PathsEndWherePhotonsCannotCountFurther) {
+    SceneDescription scene = emptyScene({0.0f, 0.5f, 0.3f}, {0.6f, 0.7f, 0.4f}, 40.0f, 8);
+    addObject(&scene, ShapeKind::Sphere, {}, diffuseMaterial(1.0f));
+    addObject(&scene, ShapeKind::Sphere, scale(Vec3(0.05f)), emissiveMaterial(Vec3(1.0f)));
+    SppmParams params = quickParams();
+    params.photonsPerPass = 500;
+    scene.options.maxDepth = kMostPhotonScatterings;
+    const SppmRender most = renderSppm(scene, params, 1);
+    EXPECT_GT(most.lastPass.photons.rays, 150u * params.photonsPerPass) << "many live so long";
+    scene.options.maxDepth = 2 * kMostPhotonScatterings;
+    EXPECT_TRUE(sameStatistics(renderSppm(scene, params, 1).state, most.state));
+}
+
 TEST(Sppm, NoLightNoPhotons) {
     const SppmRender render = renderSppm(small(darkness()), quickParams(), 2);
     for (const Vec3& pixel : render.image) {

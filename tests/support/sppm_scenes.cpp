@@ -1,8 +1,22 @@
 #include "tests/support/sppm_scenes.h"
 
+#include "engine/scene/scene_building.h"
 #include "tests/support/test_scenes.h"
 
 namespace glint::test {
+
+namespace {
+
+Material roughGlass() {
+    Material glass;
+    glass.name = "rough glass";
+    glass.kind = MaterialKind::Dielectric;
+    glass.color.value = Vec3(1.0f);
+    glass.roughness.value = 0.3f;
+    return glass;
+}
+
+}  // namespace
 
 SceneDescription small(SceneDescription scene) {
     scene.resolution = {32, 32};
@@ -12,15 +26,39 @@ SceneDescription small(SceneDescription scene) {
 
 SceneDescription roughGlassBox() {
     SceneDescription scene = small(cornellBox());
-    Material glass;
-    glass.name = "rough glass";
-    glass.kind = MaterialKind::Dielectric;
-    glass.color.value = Vec3(1.0f);
-    glass.roughness.value = 0.3f;
-    scene.materials.push_back(glass);
+    const int glass = addMaterial(&scene, roughGlass());
     for (Object& object : scene.objects) {
-        if (object.shape == ShapeKind::Sphere) {
-            object.material = static_cast<int>(scene.materials.size()) - 1;
+        if (object.shape == ShapeKind::Sphere) { object.material = glass; }
+    }
+    return scene;
+}
+
+SceneDescription roughGlassInContact() {
+    SceneDescription scene = small(emptyScene({0.0f, 1.3f, 3.0f}, {0.0f, 0.0f, 0.1f}, 32.0f, 32));
+    const Vec3 up(0.0f, 1.0f, 0.0f);
+    addObject(&scene, ShapeKind::Rectangle, placeFlatShape(Vec3(0.0f), up, 4.0f, 4.0f),
+              diffuseMaterial(0.73f));
+    addObject(&scene, ShapeKind::Rectangle, placeFlatShape({0.0f, 2.0f, 0.0f}, -up, 0.5f, 0.5f),
+              emissiveMaterial(Vec3(15.0f)));
+    const int glass = addMaterial(&scene, roughGlass());
+    const auto addBall = [&](const Vec3& center, float radius) {
+        addObject(&scene, ShapeKind::Sphere, translate(center) * scale(Vec3(radius)), glass);
+    };
+    addBall({-0.45f, 0.35f, -0.2f}, 0.35f);
+    addBall({-0.45f, 0.35f, -0.2f}, 0.97f * 0.35f);
+    addBall({0.35f, 0.3f, -0.2f}, 0.3f);
+    for (const float x : {-0.25f, 0.25f}) {
+        addObject(&scene, ShapeKind::Rectangle, placeFlatShape({x, 0.02f, 0.55f}, up, 0.25f, 0.25f), glass);
+    }
+    return scene;
+}
+
+SceneDescription otherWinding(SceneDescription scene) {
+    for (Object& object : scene.objects) {
+        const bool isFlat = object.shape == ShapeKind::Rectangle || object.shape == ShapeKind::Disc;
+        const Material& material = scene.materials[static_cast<size_t>(object.material)];
+        if (isFlat && !object.frontOnly && !material.emissive() && material.kind == MaterialKind::Diffuse) {
+            object.objectToWorld = object.objectToWorld * rotate(Vec3(1.0f, 0.0f, 0.0f), kPi);
         }
     }
     return scene;

@@ -11,6 +11,14 @@ SceneDescription small(SceneDescription scene);
 /// A box of diffuse walls with a lamp, and a ball of rough glass in it; small.
 SceneDescription roughGlassBox();
 
+/// Balls of rough glass that rest on a floor, one with a shell of it inside, beside a sheet of two tiles of
+/// it that lies on the floor: everywhere surfaces that photons pass, closer to what is behind than a radius;
+/// small.
+SceneDescription roughGlassInContact();
+
+/// The same scene with the other side of each flat opaque object as its front: to be seen alike.
+SceneDescription otherWinding(SceneDescription scene);
+
 /// A Cornell box with a glass sphere, so that photons do what paths cannot.
 SceneDescription glassBox();
 

@@ -14,7 +14,7 @@
 namespace glint {
 namespace {
 
-/// Photons on a floor, a wall and in one tight cluster; wiPacked carries the photon's number.
+/// Photons on a floor, a wall and in one tight cluster; packed[0] carries the photon's number.
 std::vector<Photon> makePhotons(uint32_t count) {
     std::mt19937 rng(7);
     std::uniform_real_distribution<float> uniform(0.0f, 1.0f);
@@ -26,7 +26,7 @@ std::vector<Photon> makePhotons(uint32_t count) {
         } else if (i % 3 == 2) {
             p = Vec3(0.5f) + 1e-4f * Vec3(p.x, p.y, uniform(rng));
         }
-        photons[i] = {p, Vec3(1.0f + static_cast<float>(i)), i, 0};
+        photons[i] = {p, Vec3(1.0f + static_cast<float>(i)), {i, 0}};
     }
     return photons;
 }
@@ -51,7 +51,7 @@ template <class PhotonMap>
 std::vector<uint32_t> photonsWithin(const PhotonMap& map, const Vec3& center, float radius) {
     std::vector<uint32_t> found;
     map.visitNear(center, radius, [&](const Photon& photon) {
-        if (lengthSquared(photon.p - center) < radius * radius) { found.push_back(photon.wiPacked); }
+        if (lengthSquared(photon.p - center) < radius * radius) { found.push_back(photon.packed[0]); }
     });
     std::sort(found.begin(), found.end());
     return found;
@@ -60,7 +60,7 @@ std::vector<uint32_t> photonsWithin(const PhotonMap& map, const Vec3& center, fl
 std::vector<uint32_t> bruteForce(const std::vector<Photon>& photons, const Vec3& center, float radius) {
     std::vector<uint32_t> found;
     for (const Photon& photon : photons) {
-        if (lengthSquared(photon.p - center) < radius * radius) { found.push_back(photon.wiPacked); }
+        if (lengthSquared(photon.p - center) < radius * radius) { found.push_back(photon.packed[0]); }
     }
     return found;
 }
@@ -101,7 +101,7 @@ TEST(PhotonStore, OrderDoesNotDependOnThreads) {
         const View<Photon> ordered = asTree ? store.tree().photons : store.grid().photons;
         std::vector<uint32_t> order;
         for (uint32_t i = 0; i < ordered.count; ++i) {
-            order.push_back(ordered[i].wiPacked);
+            order.push_back(ordered[i].packed[0]);
         }
         return order;
     };

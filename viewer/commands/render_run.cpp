@@ -51,6 +51,10 @@ class BatchRender {
             logWarning("{} photons a pass instead of {}: more would not fit into {} MiB (--memory)",
                        photonsPerPass_, asked, scene_->sppm.memoryBudgetMiB);
         }
+        if (const int depth = scene_->options.maxDepth; isSppm() && depth > kMostPhotonScatterings) {
+            logWarning("{} scattering events along a path instead of {}: photons count no more",
+                       kMostPhotonScatterings, depth);
+        }
     }
 
     int run() {

@@ -196,6 +196,13 @@ GLINT_HD LobeRange visiblePointLobes(const Bsdf<kMask>& bsdf, float storeAlpha) 
                                     [&](auto model) { return model.visiblePointLobes(bsdf, storeAlpha); });
 }
 
+/// Whether photons that are stored on such a surface may go on behind it, where they are stored again.
+template <FeatureMask kMask>
+GLINT_HD bool letsStoredPhotonsThrough(const MaterialData& material, float storeAlpha) {
+    return detail::withModel<kMask>(
+        material, [&](auto model) { return model.letsStoredPhotonsThrough(material, storeAlpha); });
+}
+
 /// The material's colour at the point for denoisers and previews: not an exact albedo (glass: its tint;
 /// metal: its reflectance at normal incidence).
 template <FeatureMask kMask>

@@ -106,6 +106,9 @@ struct BsdfModelDefaults {
     /// Whether a photon leaves in any direction above the surface, however a camera path bends ns.
     static constexpr bool kPhotonsLeaveAboutNg = false;
 
+    /// Whether photons that are stored on it may pass it: through some lobe, at some point of it.
+    static GLINT_HD bool letsStoredPhotonsThrough(const MaterialData&, float) { return false; }
+
     /// Makes what textures say of the inputs something the model can compute with. Constants are settled when
     /// the material is built.
     static GLINT_HD void settle(const MaterialData&, const View<CoatRow>&, ShadingInputs*) {}

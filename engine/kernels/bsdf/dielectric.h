@@ -122,6 +122,12 @@ struct DielectricModel : BsdfModelDefaults {
                                                                             : LobeRange{0.0f, 1.0f};
     }
 
+    static GLINT_HD bool letsStoredPhotonsThrough(const MaterialData& material, float storeAlpha) {
+        const bool isTextured = material.textures.roughness.index != TextureSlot::kNone;
+        return !isThin(material) && detail::canBeRough(material) &&
+               (isTextured || material.inputs.roughness >= storeAlpha);
+    }
+
     static GLINT_HD BsdfValue evaluate(const Bsdf<kMask>& bsdf, const Vec3& wi, float) {
         if constexpr (hasFeature<kMask>(kFeatureGlossy)) {
             if (!isSharp(bsdf)) { return detail::evaluateRoughDielectric(bsdf, bsdf.inputs().roughness, wi); }

@@ -29,6 +29,12 @@ struct MixtureModel : BsdfModelDefaults {
         return {0.0f, bsdf.inputs().mixtureWeights.x};
     }
 
+    static GLINT_HD bool letsStoredPhotonsThrough(const MaterialData& material, float) {
+        const Vec3& weights = material.inputs.mixtureWeights;
+        const bool isTextured = material.textures.mixtureWeights.index != TextureSlot::kNone;
+        return isTextured || (weights.x > 0.0f && weights.z > 0.0f);
+    }
+
     static GLINT_HD BsdfValue evaluate(const Bsdf<kMask>& bsdf, const Vec3& wi, float ngWi) {
         const float diffuse = bsdf.inputs().mixtureWeights.x;
         const BsdfValue lobe =
