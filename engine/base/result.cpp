@@ -3,28 +3,20 @@
 
 #include <algorithm>
 
+#include "engine/base/console.h"
+
 namespace glint {
 namespace {
 
 constexpr size_t kShownColumns = 100;
 
-std::string printable(std::string text) {
-    for (char& c : text) {
-        const auto code = static_cast<unsigned char>(c);
-        if (c == '\t') {
-            c = ' ';
-        } else if (code < 0x20 || code == 0x7f) {
-            c = '?';
-        }
-    }
-    return text;
-}
+std::string oneLine(const std::string& text) { return printable(text, '?'); }
 
 std::string caretLines(const SourcePlace& place) {
     const size_t caret = static_cast<size_t>(place.column - 1);
     const size_t start = caret > kShownColumns / 2 ? caret - kShownColumns / 2 : 0;
     if (start > place.lineText.size()) { return {}; }
-    const std::string shown = printable(place.lineText.substr(start, kShownColumns));
+    const std::string shown = oneLine(place.lineText.substr(start, kShownColumns));
     return "\n  " + shown + "\n  " + std::string(std::min(caret - start, shown.size()), ' ') + "^";
 }
 
@@ -33,14 +25,14 @@ std::string caretLines(const SourcePlace& place) {
 std::string Error::format() const {
     std::string out;
     if (!place.file.empty()) {
-        out = printable(place.file);
+        out = oneLine(place.file);
         if (place.line > 0) {
             out += ":" + std::to_string(place.line);
             if (place.column > 0) { out += ":" + std::to_string(place.column); }
         }
         out += ": ";
     }
-    out += printable(message);
+    out += oneLine(message);
     if (place.column > 0 && !place.lineText.empty()) { out += caretLines(place); }
     return out;
 }

@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <climits>
-#include <cstdlib>
 #include <cstring>
+#include <filesystem>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -68,30 +67,60 @@ void flushFolder(const std::string& target) {
     if (fd.valid()) { ::fsync(fd.get()); }
 }
 
-/// Where a symbolic link leads; the path itself when it is none or leads nowhere.
-std::string resolveLink(const std::string& path) {
-    char resolved[PATH_MAX];
-    return ::realpath(path.c_str(), resolved) != nullptr ? std::string(resolved) : path;
+Error cannotCreate(const std::string& path, const std::string& target) {
+    const int code = errno;
+    const std::string folder = std::filesystem::path(target).parent_path().string();
+    return code == ENOENT ? fileError(path, fmt::format("the folder '{}' does not exist", folder), 0)
+                          : fileError(path, "cannot create a file in this folder", code);
 }
 
-Status replaceFile(const std::string& path, const std::string& target, std::string_view bytes, mode_t mode) {
-    removeStaleTemporaries(target);
+/// What is written to under a name.
+struct Target {
+    std::string path;       ///< without links
+    mode_t mode = 0;        ///< of the old file; 0: there is none
+    bool isDevice = false;  ///< or a pipe
+};
+
+/// Follows links, also to a file that is not there yet. Error: a folder; a name that can be no file's.
+Result<Target> targetOf(const std::string& path) {
+    namespace fs = std::filesystem;
+    constexpr int kMostLinks = 40;
+    Target target{path};
+    std::error_code none;
+    for (int link = 0; link < kMostLinks && fs::is_symlink(target.path, none); ++link) {
+        // An absolute path stays as it is.
+        target.path = (fs::path(target.path).parent_path() / fs::read_symlink(target.path, none)).string();
+    }
+    struct stat info {};
+    if (::stat(target.path.c_str(), &info) != 0) {
+        return errno == ENOENT && !path.ends_with('/') && !path.empty()
+                   ? Result<Target>(target)
+                   : Result<Target>(fileError(path, "cannot write", errno));
+    }
+    if (S_ISDIR(info.st_mode)) { return fileError(path, "is a folder; expected a file name to write to", 0); }
+    target.mode = info.st_mode & 07777;
+    target.isDevice = !S_ISREG(info.st_mode);
+    return target;
+}
+
+Status replaceFile(const std::string& path, const Target& target, std::string_view bytes) {
+    removeStaleTemporaries(target.path);
     std::string temporary;
-    FileDescriptor fd(createTemporary(target, &temporary));
-    if (!fd.valid()) { return fileError(path, "cannot create a file in this folder", errno); }
+    FileDescriptor fd(createTemporary(target.path, &temporary));
+    if (!fd.valid()) { return cannotCreate(path, target.path); }
     int code = writeAll(fd.get(), bytes);
-    if (code == 0 && mode != 0) {
-        ::fchmod(fd.get(),
-                 mode);  // keeping the old permissions is a courtesy; failing to is no reason not to save
+    if (code == 0 && target.mode != 0) {
+        // Keeping the old permissions is a courtesy; failing to is no reason not to save.
+        ::fchmod(fd.get(), target.mode);
     }
     if (code == 0 && ::fsync(fd.get()) != 0) { code = errno; }
     if (!fd.close() && code == 0) { code = errno; }
-    if (code == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) { code = errno; }
+    if (code == 0 && ::rename(temporary.c_str(), target.path.c_str()) != 0) { code = errno; }
     if (code != 0) {
         ::unlink(temporary.c_str());
         return fileError(path, "cannot write", code);
     }
-    flushFolder(target);
+    flushFolder(target.path);
     return {};
 }
 
@@ -144,14 +173,23 @@ Result<std::string> readFile(const std::string& path) {
     }
 }
 
-Status writeFileAtomically(const std::string& path, std::string_view bytes) {
-    struct stat info {};
-    const bool exists = ::stat(path.c_str(), &info) == 0;
-    if (exists && S_ISDIR(info.st_mode)) {
-        return fileError(path, "is a folder; expected a file name to write to", 0);
+Status checkWritable(const std::string& path) {
+    const Result<Target> target = targetOf(path);
+    if (!target) { return target.error(); }
+    if (target->isDevice) {
+        return ::access(path.c_str(), W_OK) == 0 ? Status() : Status(fileError(path, "cannot write", errno));
     }
-    if (exists && !S_ISREG(info.st_mode)) { return writeDirectly(path, bytes); }
-    return replaceFile(path, exists ? resolveLink(path) : path, bytes, exists ? info.st_mode & 07777 : 0);
+    std::string temporary;
+    const FileDescriptor fd(createTemporary(target->path, &temporary));
+    if (!fd.valid()) { return cannotCreate(path, target->path); }
+    ::unlink(temporary.c_str());
+    return {};
+}
+
+Status writeFileAtomically(const std::string& path, std::string_view bytes) {
+    const Result<Target> target = targetOf(path);
+    if (!target) { return target.error(); }
+    return target->isDevice ? writeDirectly(path, bytes) : replaceFile(path, *target, bytes);
 }
 
 }  // namespace glint

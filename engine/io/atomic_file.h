@@ -23,10 +23,14 @@ Status checkRegularFile(const std::string& path, std::string_view expected);
 /// place names the file.
 Result<std::string> readFile(const std::string& path);
 
+/// Error: writeFileAtomically() would find that nothing can be written to `path`: no such folder, none that
+/// may be written to, a folder, a name that is too long. Makes the new file and removes it again.
+Status checkWritable(const std::string& path);
+
 /// Replaces `path` by `bytes`: writes a new file in the same folder, flushes it to the disk and renames it.
 /// On any error (no such folder, not writable, disk full, `path` is a folder) the old file stays and the new
-/// one is removed, as are those that killed saves to `path` left behind. A symbolic link stays and its target
-/// is replaced. Devices and pipes cannot be replaced; they are written directly.
+/// one is removed, as are those that killed saves left in the folder. A symbolic link stays, and its target
+/// is replaced or made. Devices and pipes cannot be replaced; they are written directly.
 Status writeFileAtomically(const std::string& path, std::string_view bytes);
 
 }  // namespace glint

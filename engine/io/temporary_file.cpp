@@ -17,7 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view kMark = ".glint-";
 constexpr std::string_view kEnding = ".tmp";
+constexpr size_t kMostAdded = 30;  ///< bytes of all that follows the target's name
+constexpr size_t kMostNameBytes = 255 - kMostAdded;
 
 /// Whether `name` still is the file that `fd` has open.
 bool isStillNamed(int fd, const std::string& name) {
@@ -27,16 +30,31 @@ bool isStillNamed(int fd, const std::string& name) {
            opened.st_ino == named.st_ino;
 }
 
-/// <digits>-<digits>.tmp: what follows the target's name and a dot.
-bool isOurEnding(std::string_view rest) {
-    if (!rest.ends_with(kEnding)) { return false; }
-    rest.remove_suffix(kEnding.size());
-    const size_t dash = rest.find('-');
+/// Whether a name ends in .glint-<digits>-<digits>.tmp.
+bool isOurs(std::string_view name) {
+    const size_t mark = name.rfind(kMark);
+    if (mark == std::string_view::npos || !name.ends_with(kEnding)) { return false; }
+    name.remove_suffix(kEnding.size());
+    name.remove_prefix(std::min(mark + kMark.size(), name.size()));
+    const size_t dash = name.find('-');
     const auto isNumber = [](std::string_view text) {
         return !text.empty() && std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
     };
-    return dash != std::string_view::npos && isNumber(rest.substr(0, dash)) &&
-           isNumber(rest.substr(dash + 1));
+    return dash != std::string_view::npos && isNumber(name.substr(0, dash)) &&
+           isNumber(name.substr(dash + 1));
+}
+
+/// `target` with as much of its name as leaves room for more, whole characters of UTF-8.
+std::string shortened(const std::string& target) {
+    const size_t name = target.find_last_of('/') + 1;  // npos + 1 is 0
+    size_t length = std::min(target.size() - name, kMostNameBytes);
+    const auto isInsideCharacter = [&](size_t at) {
+        return at < target.size() && (static_cast<unsigned char>(target[at]) & 0xc0) == 0x80;
+    };
+    while (length > 0 && isInsideCharacter(name + length)) {
+        --length;
+    }
+    return target.substr(0, name + length);
 }
 
 void removeIfAbandoned(const std::string& name) {
@@ -54,8 +72,9 @@ void removeIfAbandoned(const std::string& name) {
 }  // namespace
 
 int createTemporary(const std::string& target, std::string* name) {
+    const std::string start = shortened(target);
     for (unsigned attempt = 0; attempt < 10000; ++attempt) {
-        *name = fmt::format("{}.{}-{}{}", target, ::getpid(), attempt, kEnding);
+        *name = fmt::format("{}{}{}-{}{}", start, kMark, ::getpid(), attempt, kEnding);
         const int fd = ::open(name->c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (fd < 0 && errno != EEXIST) { return fd; }
         // Without a lock the file is as good, and nobody else can lock it either.
@@ -69,14 +88,10 @@ int createTemporary(const std::string& target, std::string* name) {
 
 void removeStaleTemporaries(const std::string& target) {
     const fs::path path(target);
-    const std::string start = path.filename().string() + ".";
     std::error_code code;
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     for (fs::directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code)) {
-        const std::string name = entry->path().filename().string();
-        if (name.starts_with(start) && isOurEnding(std::string_view(name).substr(start.size()))) {
-            removeIfAbandoned(entry->path().string());
-        }
+        if (isOurs(entry->path().filename().native())) { removeIfAbandoned(entry->path().string()); }
     }
 }
 

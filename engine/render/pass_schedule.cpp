@@ -70,7 +70,8 @@ NextPass nextPass(const SessionImages& images, const RenderRequest& request, boo
     }
     const bool wantsFilm = wantsFilmPass(images, request);
     const uint32_t aovPasses = images.aovs.film.passes();
-    if (request.aovs != 0 && shown.passes() > 0 && aovPasses < kAovPasses) {
+    const uint32_t mostAovs = request.aovsEndWithFilm ? std::min(kAovPasses, shown.passes()) : kAovPasses;
+    if (request.aovs != 0 && shown.passes() > 0 && aovPasses < mostAovs) {
         // In step with the film while it grows, so that neither waits for the other.
         if (!wantsFilm || aovPasses < shown.passes()) { return {Kind::FilmAov, shown.kind()}; }
     }

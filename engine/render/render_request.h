@@ -29,10 +29,11 @@ struct RenderRequest {
     /// fluid. Full resolution follows at once when it turns false. Without an edit the picture keeps its
     /// resolution.
     bool interacting = false;
-    uint32_t aovs = 0;            ///< bits of Aov that snapshots carry
-    bool standardError = false;   ///< snapshots carry FilmSnapshot::standardError
-    bool errorMaps = false;       ///< snapshots carry `errorBound`, and `bias` where the integrator has one
-    bool integratorMaps = false;  ///< snapshots carry the integrator's own maps, such as SPPM's radii
+    uint32_t aovs = 0;             ///< bits of Aov that snapshots carry
+    bool aovsEndWithFilm = false;  ///< they get no more passes than the film has
+    bool standardError = false;    ///< snapshots carry FilmSnapshot::standardError
+    bool errorMaps = false;        ///< snapshots carry `errorBound`, and `bias` where the integrator has one
+    bool integratorMaps = false;   ///< snapshots carry the integrator's own maps, such as SPPM's radii
     /// These render in turn with the scene's own integrator (which may be among them), so that each had the
     /// same time.
     std::vector<IntegratorKind> compare{};

@@ -83,8 +83,9 @@ class RenderSession {
     /// Blocks until the state is Finished, Failed or Paused with everything asked for so far taken into
     /// account, or `seconds` have passed; returns the state then.
     SessionState wait(double seconds);
-    /// Copies the film exactly, as soon as the pass in flight and at least one pass are committed. Nothing:
-    /// there is no scene, it failed, or the session ended. captureLater() returns at once; capture() blocks.
+    /// Copies the film exactly, as soon as the pass in flight and at least one pass are committed, of the
+    /// AOVs too where they were asked for. Nothing: there is no scene, it failed, or the session ended.
+    /// captureLater() returns at once; capture() blocks.
     using Capture = SessionCapture;
     std::future<std::optional<Capture>> captureLater();
     std::optional<Capture> capture();

@@ -59,7 +59,9 @@ void SessionWorker::runOnce(Commands commands) {
         publishCurves(images_.restart(EditKind::Everything, request_));
     }
     images_.takeRequest(request_);
-    showIfDue();  // what is there already, before a pass that may take long
+    // What is there already, before a pass that may take long.
+    showIfDue();
+    serveCaptures();
     if (const NextPass pass = next(request_)) {
         setStatus();
         runPass(pass);
@@ -135,7 +137,10 @@ void SessionWorker::showIfDue() { snapshots_.showIfDue(&images_, request_, !next
 
 void SessionWorker::serveCaptures() {
     const bool isPossible = keeper_.hasScene() && !failed_;
-    if (!captures_.empty() && (!isPossible || images_.shown().passes() > 0)) { answerCaptures(); }
+    const bool isComplete = request_.aovs == 0 || images_.aovs.film.passes() > 0;
+    if (!captures_.empty() && (!isPossible || (images_.shown().passes() > 0 && isComplete))) {
+        answerCaptures();
+    }
 }
 
 void SessionWorker::answerCaptures() {

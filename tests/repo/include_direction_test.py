@@ -25,7 +25,7 @@ VIEWER_SEES = {
     "viewer/panels": "base model ui",
     "viewer/window": "base model ui panels",
     "viewer/commands": "base window",
-    "viewer": "commands",
+    "viewer": "base commands",
 }
 ENGINE = set(SEES)
 VIEWER = set(VIEWER_SEES)

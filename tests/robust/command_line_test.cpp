@@ -205,7 +205,7 @@ TEST_F(CommandLine, InterruptedRendersSaveAndGoOnBitForBit) {
         std::vector<std::string> all = {"render", kCornell};
         all.insert(all.end(), settings.begin(), settings.end());
         all.insert(all.end(), more.begin(), more.end());
-        return runProgram(all, interrupt);
+        return runProgram(all, {.signalAfter = interrupt});
     };
     const ProgramRun stopped =
         render({"-o", image, "--time", "100000", "--passes", "100000", "--checkpoint", film, "--json", "-"},

@@ -21,7 +21,7 @@ class ConvergeCommand : public ProgramTest {
         std::vector<std::string> words = {"converge", kConvergeScene, "--size", "16x12"};
         words.insert(words.end(), options.begin(), options.end());
         words.insert(words.end(), {"--out", folder.path(out)});
-        return runProgram(words, interruptAfter);
+        return runProgram(words, {.signalAfter = interruptAfter});
     }
     std::string file(const std::string& name, const std::string& out = "run") const {
         return folder.path(out + "/" + name);

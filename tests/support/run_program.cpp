@@ -2,7 +2,6 @@
 #include "tests/support/run_program.h"
 
 #include <array>
-#include <csignal>
 
 #include <poll.h>
 #include <sys/wait.h>
@@ -19,8 +18,8 @@ bool drain(int file, std::string* text) {
     return count > 0;
 }
 
-[[noreturn]] void becomeProgram(const std::vector<std::string>& arguments, const int out[2],
-                                const int err[2]) {
+[[noreturn]] void becomeProgram(const std::vector<std::string>& arguments, const RunSetup& setup,
+                                const int out[2], const int err[2]) {
     dup2(out[1], STDOUT_FILENO);
     dup2(err[1], STDERR_FILENO);
     for (const int file : {out[0], out[1], err[0], err[1]}) {
@@ -31,6 +30,7 @@ bool drain(int file, std::string* text) {
         argv.push_back(const_cast<char*>(argument.c_str()));
     }
     argv.push_back(nullptr);
+    if (setup.before) { setup.before(); }
     execv(GLINT_PROGRAM, argv.data());
     _exit(127);
 }
@@ -39,23 +39,23 @@ bool drain(int file, std::string* text) {
 
 bool programExists() { return access(GLINT_PROGRAM, X_OK) == 0; }
 
-ProgramRun runProgram(const std::vector<std::string>& arguments, const std::string& interruptAfterLine) {
+ProgramRun runProgram(const std::vector<std::string>& arguments, const RunSetup& setup) {
     ProgramRun run;
     int out[2], err[2];
     if (pipe(out) != 0 || pipe(err) != 0) { return run; }
     const pid_t child = fork();
-    if (child == 0) { becomeProgram(arguments, out, err); }
+    if (child == 0) { becomeProgram(arguments, setup, out, err); }
     close(out[1]);
     close(err[1]);
-    bool interrupted = interruptAfterLine.empty();
+    bool isSignalled = setup.signalAfter.empty();
     std::array<pollfd, 2> files{{{out[0], POLLIN, 0}, {err[0], POLLIN, 0}}};
     while (files[0].fd >= 0 || files[1].fd >= 0) {
         poll(files.data(), files.size(), -1);
         if (files[0].revents != 0 && !drain(out[0], &run.out)) { files[0].fd = -1; }
         if (files[1].revents != 0 && !drain(err[0], &run.err)) { files[1].fd = -1; }
-        if (!interrupted && run.err.find(interruptAfterLine) != std::string::npos) {
-            kill(child, SIGINT);
-            interrupted = true;
+        if (!isSignalled && run.err.find(setup.signalAfter) != std::string::npos) {
+            kill(child, setup.signal);
+            isSignalled = true;
         }
     }
     close(out[0]);

@@ -1,6 +1,8 @@
 // Runs the built program as a user would, and collects what it said.
 #pragma once
 
+#include <csignal>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,9 +14,16 @@ struct ProgramRun {
     std::string err;
 };
 
-/// Runs GLINT_PROGRAM to its end, without a terminal. After `interruptAfterLine` (when not empty) has
-/// appeared on standard error, it gets one SIGINT.
-ProgramRun runProgram(const std::vector<std::string>& arguments, const std::string& interruptAfterLine = {});
+struct RunSetup {
+    /// After it has appeared on standard error, the program gets one signal; empty: none.
+    std::string signalAfter = {};
+    int signal = SIGINT;
+    /// Called in the new process before it becomes the program: closes streams, sets limits.
+    std::function<void()> before = {};
+};
+
+/// Runs GLINT_PROGRAM to its end, without a terminal.
+ProgramRun runProgram(const std::vector<std::string>& arguments, const RunSetup& setup = {});
 
 /// True when the program was built (the build without it skips these tests).
 bool programExists();

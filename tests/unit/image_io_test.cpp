@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <csignal>
+#include <cstring>
 #include <filesystem>
 
 #include <fcntl.h>
@@ -201,17 +202,19 @@ TEST(AtomicFile, OnlyRegularFilesAreRead) {
     EXPECT_TRUE(checkRegularFile(folder.path("link"), "a file"));
 }
 
-TEST(AtomicFile, ASaveRemovesTheLeftoversOfKilledOnesToTheSameName) {
+TEST(AtomicFile, ASaveRemovesTheLeftoversOfKilledOnesAndNothingOfAUsers) {
     const TempFolder folder;
     const std::string path = folder.write("file", "old");
-    const std::string stale = folder.write("file.4711-0.tmp", "half");
-    const std::string busy = folder.write("file.4711-1.tmp", "in work");
+    const std::string stale = folder.write("file.glint-4711-0.tmp", "half");
+    const std::string staleOfAnother = folder.write("file-000050.png.glint-4711-12.tmp", "half");
+    const std::string busy = folder.write("file.glint-4711-1.tmp", "in work");
     const std::vector<std::string> others = {
-        folder.write("other.4711-0.tmp", "x"), folder.write("file.4711-0.tmp.txt", "x"),
-        folder.write("file.4711.tmp", "x"),    folder.write("file.-0.tmp", "x"),
-        folder.write("file.a-0.tmp", "x"),     folder.write("file.png.4711-0.tmp", "x")};
-    std::filesystem::create_directory(folder.path("file.4711-2.tmp"));
-    std::filesystem::create_symlink(path, folder.path("file.4711-3.tmp"));
+        folder.write("file.2024-11.tmp", "x"),    folder.write("file.glint-4711-0.tmp.txt", "x"),
+        folder.write("file.glint-4711.tmp", "x"), folder.write("file.glint--0.tmp", "x"),
+        folder.write("file.glint-a-0.tmp", "x"),  folder.write("file.glint-4711-0", "x"),
+        folder.write("file.glint-.tmp", "x"),     folder.write("file.glint.4711-0.tmp", "x")};
+    std::filesystem::create_directory(folder.path("file.glint-4711-2.tmp"));
+    std::filesystem::create_symlink(path, folder.path("file.glint-4711-3.tmp"));
     // A lock belongs to an open file: it holds against this process, too.
     const int writer = ::open(busy.c_str(), O_WRONLY | O_CLOEXEC);
     ASSERT_GE(writer, 0);
@@ -220,16 +223,51 @@ TEST(AtomicFile, ASaveRemovesTheLeftoversOfKilledOnesToTheSameName) {
     ASSERT_TRUE(writeFileAtomically(path, "new"));
     EXPECT_EQ(TempFolder::read(path), "new");
     EXPECT_FALSE(std::filesystem::exists(stale));
+    EXPECT_FALSE(std::filesystem::exists(staleOfAnother));
     EXPECT_EQ(TempFolder::read(busy), "in work");
     for (const std::string& other : others) {
         EXPECT_TRUE(std::filesystem::exists(other)) << other;
     }
-    EXPECT_TRUE(std::filesystem::is_directory(folder.path("file.4711-2.tmp")));
-    EXPECT_TRUE(std::filesystem::is_symlink(folder.path("file.4711-3.tmp")));
+    EXPECT_TRUE(std::filesystem::is_directory(folder.path("file.glint-4711-2.tmp")));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.path("file.glint-4711-3.tmp")));
     ::close(writer);
 
     ASSERT_TRUE(writeFileAtomically(path, "newer"));
     EXPECT_FALSE(std::filesystem::exists(busy)) << "its writer is gone now";
+}
+
+TEST(AtomicFile, NamesAsLongAsTheyMayBeAreWritten) {
+    const TempFolder folder;
+    for (const char* character : {"a", "\u00e9", "\U0001f4a1"}) {
+        std::string name;
+        while (name.size() + std::strlen(character) <= 255) {
+            name += character;
+        }
+        const std::string path = folder.path(name);
+        EXPECT_TRUE(checkWritable(path));
+        ASSERT_TRUE(writeFileAtomically(path, "x")) << name.size();
+        EXPECT_EQ(TempFolder::read(path), "x");
+        std::filesystem::remove(path);
+    }
+    EXPECT_FALSE(checkWritable(folder.path(std::string(256, 'a'))));
+    EXPECT_EQ(folder.size(), 0u);
+}
+
+TEST(AtomicFile, ALinkToAFileThatIsNotThereYetStays) {
+    const TempFolder folder;
+    std::filesystem::create_directory(folder.path("there"));
+    std::filesystem::create_symlink("there/second", folder.path("first"));
+    std::filesystem::create_symlink("file", folder.path("there/second"));
+    EXPECT_TRUE(checkWritable(folder.path("first")));
+    ASSERT_TRUE(writeFileAtomically(folder.path("first"), "x"));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.path("first")));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.path("there/second")));
+    EXPECT_EQ(TempFolder::read(folder.path("there/file")), "x");
+
+    std::filesystem::create_symlink("round", folder.path("round"));
+    EXPECT_FALSE(checkWritable(folder.path("round")));
+    EXPECT_FALSE(writeFileAtomically(folder.path("round"), "x"));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.path("round")));
 }
 
 TEST(AtomicFile, ATemporaryFileIsLockedWhileItIsWritten) {

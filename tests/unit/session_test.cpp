@@ -214,6 +214,38 @@ TEST(Session, LayersThatAnEditKeepsHaveTheImagesSizeAfterPreviews) {
     }
 }
 
+TEST(Session, ACaptureThatIsAskedForDuringAPassCostsNoFurtherOne) {
+    Bench bench(false);
+    bench.control->secondsPerPass = 0.2;
+    bench.open(8, 8);
+    ASSERT_TRUE(bench.waitFor([&] { return !bench.control->begunPasses().empty(); }));
+    const auto capture = bench.session->capture();
+    ASSERT_TRUE(capture.has_value());
+    EXPECT_EQ(capture->film.passes(), 1u);
+}
+
+TEST(Session, CapturesHaveTheLayersThatWereAskedFor) {
+    Bench bench(false);
+    bench.limit({.passes = 2});
+    bench.open(8, 8);
+    ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
+    bench.request.aovs = kAovDepth;
+    bench.ask(&RenderRequest::paused, true);
+    const auto capture = bench.session->capture();
+    ASSERT_TRUE(capture.has_value());
+    EXPECT_GT(capture->aovs.passes(), 0u);
+}
+
+TEST(Session, LayersGetNoMorePassesThanTheFilmWhereThatIsAskedFor) {
+    Bench bench(false);
+    bench.request.aovs = kAovDepth;
+    bench.request.aovsEndWithFilm = true;
+    bench.limit({.passes = 3});
+    bench.open(8, 8);
+    ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
+    EXPECT_EQ(bench.session->status().aovPasses, 3u);
+}
+
 TEST(Session, EachEditRebuildsWhatItNamesOnly) {
     Bench bench;
     bench.limit({.passes = 2});

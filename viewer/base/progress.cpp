@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "engine/base/console.h"
+
 namespace glint {
 namespace {
 
@@ -85,14 +87,14 @@ void ProgressLine::update(const SessionStatus& status, const StopLimits& limits,
     const std::string text = describe(status, limits, ahead);
     if (terminal_) {
         const int filled = static_cast<int>(std::lround(ahead.fraction * kBarWidth));
-        fmt::print(stderr, "\r\x1b[K[{:#<{}}{:<{}}] {}", "", filled, "", kBarWidth - filled, text);
+        sayOverLine(fmt::format("[{:#<{}}{:<{}}] {}", "", filled, "", kBarWidth - filled, text));
         drawn_ = true;
         return;
     }
     const bool tenth = std::floor(ahead.fraction * 10.0) > std::floor(lastFraction_ * 10.0);
     if (status.passes > 0 && tenth &&
         (lastFraction_ < 0.0 || status.renderSeconds - lastSeconds_ >= kPlainInterval)) {
-        fmt::print(stderr, "{}\n", text);
+        say("{}\n", text);
         lastFraction_ = ahead.fraction;
         lastSeconds_ = status.renderSeconds;
     }
@@ -100,7 +102,7 @@ void ProgressLine::update(const SessionStatus& status, const StopLimits& limits,
 
 void ProgressLine::finish() {
     if (drawn_) {
-        fmt::print(stderr, "\n");
+        say("\n");
         drawn_ = false;
     }
 }

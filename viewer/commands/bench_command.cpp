@@ -1,6 +1,7 @@
 // `glint bench`: one subcommand per figure. A new benchmark adds its line to kBenchmarks.
 #include <fmt/format.h>
 
+#include "engine/base/console.h"
 #include "engine/base/parallel.h"
 #include "engine/builders/scene_builder.h"
 #include "viewer/commands/bench.h"
@@ -52,7 +53,7 @@ int runBenchmark(BenchRun run) {
     }
     const auto report = run.benchmark.measure(subject);
     if (!report) { return reportError(report.error(), run.benchmark.onError); }
-    if (!jsonTakesOutput(run.json)) { fmt::print("{}", report->text); }
+    if (!jsonTakesOutput(run.json)) { put("{}", report->text); }
     const Status written = writeJson(run.json, report->json);
     if (!written) { return reportError(written.error(), kExitFailed); }
     return report->isWrong ? kExitFailed : kExitDone;

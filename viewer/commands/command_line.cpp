@@ -7,7 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "viewer/commands/output_files.h"
+#include "engine/io/atomic_file.h"
 
 namespace glint {
 namespace {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "engine/base/result.h"
+#include "viewer/base/interrupt.h"
 
 namespace glint {
 
@@ -13,10 +14,10 @@ class Command;
 
 enum ExitCode : int {
     kExitDone = 0,
-    kExitBadInput = 1,       ///< the input or the options are wrong
-    kExitFailed = 2,         ///< the run failed: disk full, no context, device lost
-    kExitBeyondLimit = 3,    ///< done, and what was measured is beyond a limit that was asked for
-    kExitInterrupted = 130,  ///< by Ctrl-C, after saving
+    kExitBadInput = 1,     ///< the input or the options are wrong
+    kExitFailed = 2,       ///< the run failed: disk full, no context, device lost
+    kExitBeyondLimit = 3,  ///< done, and what was measured is beyond a limit that was asked for
+    kExitInterrupted = kInterruptedExitCode,  ///< by Ctrl-C or another signal, after saving
 };
 
 /// Prints the command's one error message to standard error and gives back the exit code.

@@ -9,17 +9,18 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include "engine/base/console.h"
 #include "engine/base/log.h"
 #include "engine/base/parallel.h"
 #include "engine/builders/scene_builder.h"
 #include "engine/io/scene_loader.h"
+#include "viewer/base/interrupt.h"
 #include "viewer/commands/command_line.h"
 #include "viewer/commands/commands.h"
 #include "viewer/commands/converge_options.h"
 #include "viewer/commands/converge_output.h"
 #include "viewer/commands/converge_print.h"
 #include "viewer/commands/converge_reference.h"
-#include "viewer/commands/interrupt.h"
 #include "viewer/commands/json_output.h"
 
 namespace glint {
@@ -69,7 +70,7 @@ class ConvergeRun {
         line_.finish();
         if (!found) { return reportError(found.error(), finder.failureCode()); }
         if (!*found) {
-            fmt::print(stderr, "interrupted before there was a reference: nothing was measured\n");
+            say("interrupted before there was a reference: nothing was measured\n");
             return kExitInterrupted;
         }
         reference_ = std::move(**found);

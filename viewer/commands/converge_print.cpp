@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "engine/base/console.h"
+
 namespace glint {
 namespace {
 
@@ -23,7 +25,7 @@ std::string shortTime(const TimeToReach& time) {
 void printVariant(const MeasuredVariant& variant, const VariantSummary& summary) {
     const std::string name = variant.variant.name + (summary.sameMethodAsReference ? " *" : "");
     if (summary.points.empty()) {
-        fmt::print("{:<34}nothing measured\n", name);
+        put("{:<34}nothing measured\n", name);
         return;
     }
     const SummaryPoint& last = summary.points.back();
@@ -31,12 +33,12 @@ void printVariant(const MeasuredVariant& variant, const VariantSummary& summary)
     const std::string slope = summary.fit ? fmt::format("{:.3f} ({:.3f} ... {:.3f})", summary.fit->slope,
                                                         summary.fit->slopeLow, summary.fit->slopeHigh)
                                           : "-";
-    fmt::print("{:<34}{:>8}{:>9.3g}{:>8.3g} %   {:<26}", name, last.passes, last.seconds.mean,
-               100.0 * error.mean, slope);
+    put("{:<34}{:>8}{:>9.3g}{:>8.3g} %   {:<26}", name, last.passes, last.seconds.mean, 100.0 * error.mean,
+        slope);
     for (const TimeToReach& time : summary.targets) {
-        fmt::print("{:>9}", shortTime(time));
+        put("{:>9}", shortTime(time));
     }
-    fmt::print("\n");
+    put("\n");
 }
 
 }  // namespace
@@ -44,45 +46,43 @@ void printVariant(const MeasuredVariant& variant, const VariantSummary& summary)
 PartLine::PartLine() : terminal_(isatty(STDERR_FILENO) == 1) {}
 
 void PartLine::begin(const std::string& part) {
-    if (!terminal_) { fmt::print(stderr, "{}\n", part); }
+    if (!terminal_) { say("{}\n", part); }
 }
 
 void PartLine::draw(const std::string& text) {
     if (terminal_) {
-        fmt::print(stderr, "\r\x1b[K{}", text);
+        sayOverLine(text);
         drawn_ = true;
     }
 }
 
 void PartLine::finish() {
     if (drawn_) {
-        fmt::print(stderr, "\r\x1b[K");
+        sayOverLine("");
         drawn_ = false;
     }
 }
 
 void printReport(const ConvergenceReport& report) {
-    fmt::print("{:<34}{:>8}{:>9}{:>10}   {:<26}", "variant", "passes", "seconds", "error",
-               "slope (95 % interval)");
+    put("{:<34}{:>8}{:>9}{:>10}   {:<26}", "variant", "passes", "seconds", "error", "slope (95 % interval)");
     for (const double target : kTargetErrors) {
-        fmt::print("{:>9}", fmt::format("to {:g} %", 100.0 * target));
+        put("{:>9}", fmt::format("to {:g} %", 100.0 * target));
     }
-    fmt::print("\n");
+    put("\n");
     for (size_t i = 0; i < report.result.variants.size(); ++i) {
         printVariant(report.result.variants[i], report.summary.variants[i]);
     }
-    fmt::print("{}\n", kSecondsMeaning);
-    fmt::print(
-        "seconds to an error: ~ not reached, predicted by the fit; < already at the first measurement\n");
+    put("{}\n", kSecondsMeaning);
+    put("seconds to an error: ~ not reached, predicted by the fit; < already at the first measurement\n");
     const ReferenceImage& reference = report.reference;
     if (reference.knowsItsError()) {
-        fmt::print("reference: {} by {}, its own error {:.3g} %, {:.2g} of the smallest one measured{}\n",
-                   reference.path, reference.method.empty() ? "an unknown method" : reference.method,
-                   100.0 * report.summary.floor, report.summary.floorRatio,
-                   reference.endedBy.empty() ? "" : fmt::format(" (it ended by {})", reference.endedBy));
+        put("reference: {} by {}, its own error {:.3g} %, {:.2g} of the smallest one measured{}\n",
+            reference.path, reference.method.empty() ? "an unknown method" : reference.method,
+            100.0 * report.summary.floor, report.summary.floorRatio,
+            reference.endedBy.empty() ? "" : fmt::format(" (it ended by {})", reference.endedBy));
     }
     for (const std::string& warning : reportWarnings(report)) {
-        fmt::print("! {}\n", warning);
+        put("! {}\n", warning);
     }
 }
 

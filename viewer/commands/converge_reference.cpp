@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/base/console.h"
 #include "engine/io/atomic_file.h"
 #include "engine/report/convergence_pilot.h"
 #include "viewer/base/make_backend.h"
@@ -98,13 +99,12 @@ ConvergeReference::Found ConvergeReference::takeCached(ReferencePlan* wanted) {
     }
     line_.finish();
     if (!same || !enough) {
-        fmt::print(stderr, "{} is replaced: made by {} with a limit of {:.3g} s, its own error is {:.3g} %\n",
-                   folder_.reference(), old->method.empty() ? "something else" : old->method,
-                   old->timeLimitSeconds, 100.0 * old->relativeError());
+        say("{} is replaced: made by {} with a limit of {:.3g} s, its own error is {:.3g} %\n",
+            folder_.reference(), old->method.empty() ? "something else" : old->method, old->timeLimitSeconds,
+            100.0 * old->relativeError());
         return std::optional<ReferenceImage>();
     }
-    fmt::print(stderr, "{} is used again ({:.3g} s by {})\n", folder_.reference(), old->renderSeconds,
-               old->method);
+    say("{} is used again ({:.3g} s by {})\n", folder_.reference(), old->renderSeconds, old->method);
     old->cached = true;
     return std::optional(std::move(*old));
 }
@@ -136,15 +136,13 @@ ConvergeReference::Found ConvergeReference::makeNew(ReferencePlan wanted) {
 void ConvergeReference::announce(const ReferencePlan& wanted, const ReferenceImage& made) const {
     line_.finish();
     const double own = made.relativeError();
-    fmt::print(stderr, "the reference's own error is {:.3g} % after {} s", 100.0 * own,
-               secondsText(made.renderSeconds));
+    say("the reference's own error is {:.3g} % after {} s", 100.0 * own, secondsText(made.renderSeconds));
     if (wanted.relativeError > 0.0 && own > wanted.relativeError) {
         const double times = std::pow(own / wanted.relativeError, 2.0);
-        fmt::print(stderr,
-                   "; a tenth of the smallest error expected is {:.3g} %, which would take about {} s",
-                   100.0 * wanted.relativeError, secondsText(times * made.renderSeconds));
+        say("; a tenth of the smallest error expected is {:.3g} %, which would take about {} s",
+            100.0 * wanted.relativeError, secondsText(times * made.renderSeconds));
     }
-    fmt::print(stderr, "\n");
+    say("\n");
 }
 
 }  // namespace glint

@@ -2,12 +2,12 @@
 #include <fmt/format.h>
 
 #include "engine/base/log.h"
+#include "engine/io/atomic_file.h"
 #include "engine/io/file_path.h"
 #include "engine/io/scene_json.h"
 #include "engine/io/scene_loader.h"
 #include "viewer/commands/command_line.h"
 #include "viewer/commands/commands.h"
-#include "viewer/commands/output_files.h"
 
 namespace glint {
 namespace {

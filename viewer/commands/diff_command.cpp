@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "engine/base/console.h"
 #include "engine/base/log.h"
 #include "engine/io/image_io.h"
 #include "engine/report/metric_table.h"
@@ -84,12 +85,12 @@ std::string limitOption(const MetricInfo& metric) {
 }
 
 void printMetrics(const DiffOptions& options, const ImageMetrics& metrics, const ImageF& image) {
-    fmt::print("{} against the reference {}\n", options.test, options.reference);
-    fmt::print("{}x{} pixels", image.width, image.height);
+    put("{} against the reference {}\n", options.test, options.reference);
+    put("{}x{} pixels", image.width, image.height);
     if (metrics.trimmedPixels > 0) {
-        fmt::print("; the worst {} left out of relMSE trimmed", metrics.trimmedPixels);
+        put("; the worst {} left out of relMSE trimmed", metrics.trimmedPixels);
     }
-    fmt::print("\n");
+    put("\n");
     for (const MetricInfo& metric : metricTable()) {
         const double value = metric.value(metrics);
         if (std::isnan(value)) {
@@ -105,7 +106,7 @@ void printMetrics(const DiffOptions& options, const ImageMetrics& metrics, const
                                 within ? "within" : "BEYOND");
         }
         const std::string line = fmt::format("  {:<16}{:<14.6g}{}", metric.name, value, note);
-        fmt::print("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
+        put("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
     }
 }
 
@@ -123,8 +124,8 @@ nlohmann::ordered_json mapsJson(const std::vector<WrittenMap>& maps) {
 
 void printMaps(const std::vector<WrittenMap>& maps) {
     for (const WrittenMap& map : maps) {
-        fmt::print("{}: colours from {:g} to {:g}{}\n", map.file, map.range.low, map.range.high,
-                   map.range.logarithmic ? ", logarithmic" : "");
+        put("{}: colours from {:g} to {:g}{}\n", map.file, map.range.low, map.range.high,
+            map.range.logarithmic ? ", logarithmic" : "");
     }
 }
 

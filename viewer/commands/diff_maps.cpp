@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "engine/base/nearest_name.h"
+#include "engine/io/atomic_file.h"
 #include "engine/io/image_io.h"
 #include "engine/report/map_legend.h"
-#include "viewer/commands/output_files.h"
 
 namespace glint {
 namespace {

@@ -1,9 +1,9 @@
 // nlohmann writes numbers so that they read back exactly, and infinities as null.
 #include "viewer/commands/json_output.h"
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "engine/base/console.h"
 #include "engine/io/atomic_file.h"
 #include "viewer/commands/command_line.h"
 
@@ -20,7 +20,7 @@ Status writeJson(const std::string& target, const nlohmann::ordered_json& report
     const std::string text =
         report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
     if (jsonTakesOutput(target)) {
-        fmt::print("{}", text);
+        putData(text);
         return {};
     }
     return writeFileAtomically(target, text);

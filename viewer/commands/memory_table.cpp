@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "engine/base/console.h"
 #include "engine/render/checkpoint.h"
 
 namespace glint {
@@ -82,9 +83,9 @@ void printMemory(const MemoryTable& table) {
                                                      const std::string& why) {
         const std::string line = fmt::format("  {:<46}{:>12}{}{:>16}  {}", part, used,
                                              held ? fmt::format("{:>14}", unused) : "", without, why);
-        fmt::print("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
+        put("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
     };
-    fmt::print("memory\n");
+    put("memory\n");
     print("", "used", "held unused", "not allocated", "");
     for (const MemoryRow& row : table.rows) {
         print(row.part, cell(row.used), cell(row.heldUnused), cell(row.notAllocated), row.why);

@@ -8,10 +8,7 @@
 
 namespace glint {
 
-/// Error: the folder does not exist or cannot be written to, or `path` is a folder. Leaves nothing behind.
-Status checkWritable(const std::string& path);
-
-/// Of all that are not empty. Error also: two of them are one file.
+/// checkWritable() of all that are not empty. Error also: two of them are one file.
 Status checkAllWritable(const std::vector<std::string>& paths);
 
 }  // namespace glint

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/base/console.h"
 #include "engine/render/photon_store.h"
 #include "engine/render/sppm_state.h"
 
@@ -38,12 +39,12 @@ void printList(std::string_view label, std::string_view lead, const std::vector<
     for (size_t i = 0; i < items.size(); ++i) {
         const std::string text = items[i] + (i + 1 < items.size() ? "," : "");
         if (line.size() + text.size() > kWidth) {
-            fmt::print("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
+            put("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
             line.assign(kIndent, ' ');
         }
         line += text + " ";
     }
-    fmt::print("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
+    put("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
 }
 
 std::vector<std::string> counted(const std::vector<NamedCount>& counts) {
@@ -60,7 +61,7 @@ void printLights(const std::vector<NamedCount>& lights) {
     const std::string table = items.back();
     items.pop_back();
     if (items.empty()) {
-        fmt::print("lights     none: the picture is black\n");
+        put("lights     none: the picture is black\n");
         return;
     }
     items.back() += fmt::format(" ({})", table);
@@ -75,21 +76,21 @@ void printLeftOut(const std::vector<std::string>& leftOut) {
     }
     printList("left out", "of the kernel: ", kernel);
     for (const std::string& item : data) {
-        fmt::print("{:<{}}{}\n", "", kIndent, item);
+        put("{:<{}}{}\n", "", kIndent, item);
     }
 }
 
 void printMeshes(const SceneReport& report) {
     if (report.meshes == 0) {
-        fmt::print("meshes     none\n");
+        put("meshes     none\n");
         return;
     }
     const char* triangles = report.triangles == 1 ? "triangle" : "triangles";
     const std::string placed = report.placedMeshes < report.meshes
                                    ? fmt::format(", {} of them placed,", report.placedMeshes)
                                    : std::string();
-    fmt::print("meshes     {}{} with {} {}, {} as placed\n", report.meshes, placed, report.triangles,
-               triangles, report.placedTriangles);
+    put("meshes     {}{} with {} {}, {} as placed\n", report.meshes, placed, report.triangles, triangles,
+        report.placedTriangles);
 }
 
 /// A library of a thousand textures needs a few lines to make the point.
@@ -99,33 +100,30 @@ void printNotRead(const std::vector<NotRead>& items) {
         const NotRead& item = items[i];
         const std::string name = item.name == item.file ? "" : fmt::format(" '{}'", item.name);
         const std::string size = item.fileBytes ? fmt::format(" ({})", formatBytes(*item.fileBytes)) : "";
-        fmt::print("{:<{}}{}{}{}{}: {}\n", i == 0 ? "not read" : "", kIndent, item.kind, name,
-                   item.file.empty() ? "" : " " + item.file, size, item.why);
+        put("{:<{}}{}{}{}{}: {}\n", i == 0 ? "not read" : "", kIndent, item.kind, name,
+            item.file.empty() ? "" : " " + item.file, size, item.why);
     }
     if (items.size() > kMostLines) {
-        fmt::print("{:<{}}and {} more (--json lists them)\n", "", kIndent, items.size() - kMostLines);
+        put("{:<{}}and {} more (--json lists them)\n", "", kIndent, items.size() - kMostLines);
     }
 }
 
 void printPhotons(const SceneDescription& scene, const SceneReport& report) {
     const SppmMemory& plan = report.sppm;
     const uint32_t asked = scene.sppm.photonsPerPass;
-    fmt::print("photon map {} photons a pass, {} bytes a pixel, {} bytes a stored photon: {} in all{}\n",
-               plan.photonsPerPass, kSppmBytesPerPixel, PhotonStore::kBytesPerPhoton,
-               formatBytes(plan.total()),
-               scene.options.integrator == IntegratorKind::Sppm ? "" : " (with --integrator sppm)");
+    put("photon map {} photons a pass, {} bytes a pixel, {} bytes a stored photon: {} in all{}\n",
+        plan.photonsPerPass, kSppmBytesPerPixel, PhotonStore::kBytesPerPhoton, formatBytes(plan.total()),
+        scene.options.integrator == IntegratorKind::Sppm ? "" : " (with --integrator sppm)");
     if (plan.photonsPerPass < asked) {
-        fmt::print("           fewer than the {} asked for, which do not fit into {} MiB\n", asked,
-                   scene.sppm.memoryBudgetMiB);
+        put("           fewer than the {} asked for, which do not fit into {} MiB\n", asked,
+            scene.sppm.memoryBudgetMiB);
     }
     if (!report.hasCausticCaster) {
-        fmt::print(
-            "           gains nothing here: no mirror, glass, metal or coating gathers light into "
+        put("           gains nothing here: no mirror, glass, metal or coating gathers light into "
             "caustics\n");
     }
     if (report.hasGlowingPlane) {
-        fmt::print(
-            "           infinite planes that shine send no photons: what they light only by way of other "
+        put("           infinite planes that shine send no photons: what they light only by way of other "
             "surfaces stays dark; a large rectangle does it\n");
     }
 }
@@ -133,27 +131,27 @@ void printPhotons(const SceneDescription& scene, const SceneReport& report) {
 }  // namespace
 
 void printSceneReport(const SceneDescription& scene, const SceneReport& report) {
-    fmt::print("{}\n", scene.title.empty() ? scene.path : scene.title);
-    fmt::print("picture    {}x{} pixels, depth {}\n", scene.resolution.width, scene.resolution.height,
-               scene.options.maxDepth);
+    put("{}\n", scene.title.empty() ? scene.path : scene.title);
+    put("picture    {}x{} pixels, depth {}\n", scene.resolution.width, scene.resolution.height,
+        scene.options.maxDepth);
     printList("objects", "", counted(report.objects));
     printMeshes(report);
     printList("materials", "", counted(report.materials));
     if (report.usedTextures < report.textures) {
-        fmt::print("textures   {}, {} of them used\n", report.textures, report.usedTextures);
+        put("textures   {}, {} of them used\n", report.textures, report.usedTextures);
     } else {
-        fmt::print("textures   {}\n", report.textures == 0 ? "none" : fmt::to_string(report.textures));
+        put("textures   {}\n", report.textures == 0 ? "none" : fmt::to_string(report.textures));
     }
     printLights(report.lights);
     printList("needs", "", report.features);
-    fmt::print("kernel     {}; photon mapping: {}\n", report.kernel, report.sppmKernel);
+    put("kernel     {}; photon mapping: {}\n", report.kernel, report.sppmKernel);
     printLeftOut(report.leftOut);
     printNotRead(report.notRead);
     printPhotons(scene, report);
-    fmt::print("memory     {} for a render, {} not allocated (--memory: by part)\n",
-               formatBytes(report.memory.used), formatBytes(report.memory.notAllocated));
+    put("memory     {} for a render, {} not allocated (--memory: by part)\n", formatBytes(report.memory.used),
+        formatBytes(report.memory.notAllocated));
     for (const std::string& warning : scene.warnings) {
-        fmt::print("warning    {}\n", warning);
+        put("warning    {}\n", warning);
     }
 }
 

@@ -2,15 +2,16 @@
 #include "viewer/commands/program.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
 #include <cstring>
+#include <new>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "engine/base/console.h"
 #include "engine/base/log.h"
 #include "engine/base/nearest_name.h"
+#include "viewer/base/interrupt.h"
 #include "viewer/commands/command_line.h"
 #include "viewer/commands/commands.h"
 
@@ -78,8 +79,7 @@ void printUnknown(const CLI::App& app, const CLI::App& chosen, const std::string
     const std::string bare = word.substr(0, word.find('='));
     const std::vector<std::string> known = option ? optionNames(chosen) : commandNames(chosen);
     const char* what = option ? "option" : known.empty() ? "argument" : "command";
-    fmt::print(stderr, "{}: unknown {} '{}'{}; see `{} --help`\n", name, what, bare, nearest(bare, known),
-               name);
+    say("{}: unknown {} '{}'{}; see `{} --help`\n", name, what, bare, nearest(bare, known), name);
 }
 
 int answerParseError(const CLI::App& app, const CLI::ParseError& problem) {
@@ -92,7 +92,7 @@ int answerParseError(const CLI::App& app, const CLI::ParseError& problem) {
     if (!app.remaining(true).empty()) {
         printUnknown(app, *chosen, name);
     } else {
-        fmt::print(stderr, "{}: {}; see `{} --help`\n", name, problem.what(), name);
+        say("{}: {}; see `{} --help`\n", name, problem.what(), name);
     }
     return kExitBadInput;
 }
@@ -114,8 +114,9 @@ void addViewWhereItIsMeant(const CLI::App& app, std::vector<std::string>* argume
 
 /// Text that went to a full disk or a closed pipe is a result that nobody got.
 int flushOutput(int exitCode) {
-    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) { return exitCode; }
-    fmt::print(stderr, "error: standard output cannot be written: {}\n", std::strerror(errno));
+    const int problem = finishOutput();
+    if (problem == 0) { return exitCode; }
+    say("error: standard output cannot be written: {}\n", std::strerror(problem));
     return exitCode == kExitDone ? kExitFailed : exitCode;
 }
 
@@ -144,10 +145,15 @@ int parseAndRun(std::vector<std::string> arguments) {
 }  // namespace
 
 int runProgram(std::vector<std::string> arguments) {
+    prepareStandardStreams();
+    takeSignals();
     try {
         return flushOutput(parseAndRun(std::move(arguments)));
+    } catch (const std::bad_alloc&) {
+        say("error: not enough memory\n");
+        return kExitFailed;
     } catch (const std::exception& problem) {
-        fmt::print(stderr, "glint: {}\n", problem.what());
+        say("glint: {}\n", problem.what());
         return kExitFailed;
     }
 }

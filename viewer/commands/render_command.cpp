@@ -42,7 +42,8 @@ Status checkOutputs(const RenderCommandOptions& o) {
         return Error{"--checkpoint-every with seconds needs --checkpoint FILE", {}};
     }
     if (o.replayPass) { return Error{"--pass needs --pixel X,Y: the path to look into", {}}; }
-    return checkAllWritable({o.output, o.checkpoint, o.json == "-" ? std::string() : o.json});
+    const std::string numbered = interval->passes > 0 ? numberedPath(o.output, interval->passes) : "";
+    return checkAllWritable({o.output, numbered, o.checkpoint, o.json == "-" ? std::string() : o.json});
 }
 
 int runCommand(const RenderCommandOptions& options) {

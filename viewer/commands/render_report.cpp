@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "engine/base/console.h"
 #include "engine/base/log.h"
 #include "engine/render/error_estimate.h"
 #include "engine/render/sppm_state.h"
@@ -26,13 +27,13 @@ std::string describe(const ErrorEstimate& error) {
 void printSummary(const RenderReport& r, const ErrorEstimate& error) {
     const Film& film = r.capture.film;
     const double seconds = r.capture.renderSeconds;
-    fmt::print("{}: {}x{}, {} passes in {:.2f} s ({:.2f} Mpaths/s, {}, kernel {}), relative error {}\n",
-               r.options.output, film.width(), film.height(), film.passes(), seconds,
-               pathCount(film) / seconds * 1e-6, r.status.backend, r.status.kernel, describe(error));
+    put("{}: {}x{}, {} passes in {:.2f} s ({:.2f} Mpaths/s, {}, kernel {}), relative error {}\n",
+        r.options.output, film.width(), film.height(), film.passes(), seconds,
+        pathCount(film) / seconds * 1e-6, r.status.backend, r.status.kernel, describe(error));
     if (const SppmState* photons = asSppm(r.capture.statistics.get())) {
         const auto emitted = static_cast<double>(photons->emittedPhotons);
-        fmt::print("photons: {} a pass, {:.4g} in all ({:.3f} M/s)\n", r.photonsPerPass, emitted,
-                   emitted / seconds * 1e-6);
+        put("photons: {} a pass, {:.4g} in all ({:.3f} M/s)\n", r.photonsPerPass, emitted,
+            emitted / seconds * 1e-6);
     }
 }
 
@@ -41,12 +42,12 @@ void reportFaults(const RenderReport& r) {
     const auto& counts = film.faultCounts();
     const uint64_t dropped = counts[1] + counts[2] + counts[3];
     if (dropped == 0) { return; }
-    fmt::print(stderr, "{} samples were dropped: {} not a number, {} infinite, {} negative\n", dropped,
-               counts[1], counts[2], counts[3]);
+    say("{} samples were dropped: {} not a number, {} infinite, {} negative\n", dropped, counts[1], counts[2],
+        counts[3]);
     if (!film.faults().empty() && integratorOf(r) == IntegratorKind::PathTracing) {
         const FaultRecord& first = film.faults().front();
-        fmt::print(stderr, "  look into the first with: glint render {}{} --pixel {},{} --pass {}\n",
-                   quotedForShell(r.options.scene), r.options.sceneOptions, first.x, first.y, first.pass);
+        say("  look into the first with: glint render {}{} --pixel {},{} --pass {}\n",
+            quotedForShell(r.options.scene), r.options.sceneOptions, first.x, first.y, first.pass);
     }
 }
 
@@ -55,10 +56,10 @@ void printTimeToError(const RenderReport& r) {
     const double target = r.options.limits.relativeError;
     if (!(target > 0.0) || hasReached(r.capture.curve, target)) { return; }
     if (const auto ahead = forecastError(r.capture.curve, target)) {
-        fmt::print("an error below {:g} % would take about {:.3g} s more ({:.3g} to {:.3g})\n",
-                   100.0 * target, ahead->secondsLeft, ahead->secondsLow, ahead->secondsHigh);
+        put("an error below {:g} % would take about {:.3g} s more ({:.3g} to {:.3g})\n", 100.0 * target,
+            ahead->secondsLeft, ahead->secondsLow, ahead->secondsHigh);
     } else {
-        fmt::print("how long an error below {:g} % would take is not known yet\n", 100.0 * target);
+        put("how long an error below {:g} % would take is not known yet\n", 100.0 * target);
     }
 }
 

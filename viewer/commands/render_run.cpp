@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/base/console.h"
 #include "engine/base/log.h"
 #include "engine/builders/scene_builder.h"
 #include "engine/render/checkpoint.h"
@@ -14,10 +15,10 @@
 #include "engine/render/path_replay.h"
 #include "engine/render/snapshot.h"
 #include "engine/render/sppm_state.h"
+#include "viewer/base/interrupt.h"
 #include "viewer/base/make_backend.h"
 #include "viewer/base/progress.h"
 #include "viewer/commands/commands.h"
-#include "viewer/commands/interrupt.h"
 #include "viewer/commands/render_report.h"
 
 namespace glint {
@@ -26,12 +27,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kPollSeconds = 0.1;
-
-/// "out.png" after 10 passes: "out-000010.png".
-std::string numberedPath(const std::string& path, uint32_t passes) {
-    const size_t dot = path.rfind('.');
-    return fmt::format("{}-{:06}{}", path.substr(0, dot), passes, path.substr(dot));
-}
 
 class BatchRender {
   public:
@@ -60,6 +55,7 @@ class BatchRender {
     int run() {
         if (const int code = start(); code != kExitDone) { return code; }
         const bool finished = waitUntilDone();
+        if (!finished && !stopsWithPicture()) { return kExitInterrupted; }
         const SessionStatus status = session_->status();
         if (status.state == SessionState::Failed && status.passes == 0) {
             return kExitBadInput;  // The session has logged why.
@@ -101,6 +97,7 @@ class BatchRender {
         session_ = std::make_unique<RenderSession>(std::move(*backend), session);
         request_ = {.limits = limitsUntilNextImage(startPasses_),
                     .aovs = aovs_.aovs,
+                    .aovsEndWithFilm = true,
                     .standardError = aovs_.standardError};
         session_->request(request_);
         if (from) {
@@ -113,11 +110,10 @@ class BatchRender {
 
     /// True when a limit was reached or the session failed, false when the user interrupted.
     bool waitUntilDone() {
-        const InterruptGuard interrupt;
         ProgressLine progress;
         auto savedAt = Clock::now();
         bool finished = false;
-        while (!finished && !interrupt.interrupted()) {
+        while (!finished && !interrupt_.interrupted()) {
             const SessionState state = session_->wait(kPollSeconds);
             finished = state == SessionState::Finished || state == SessionState::Failed;
             if (state == SessionState::Finished && goesOnAfterImage()) { finished = false; }
@@ -131,6 +127,14 @@ class BatchRender {
         }
         progress.finish();
         return finished;
+    }
+
+    /// After a signal: gives up the pass in flight where there is a picture without it. False: there is none,
+    /// and none will be soon.
+    bool stopsWithPicture() {
+        request_.paused = true;
+        session_->request(request_);
+        return announceInterruption(session_->status());
     }
 
     /// The limits, or fewer passes where a numbered picture comes before.
@@ -201,10 +205,16 @@ class BatchRender {
     uint32_t startPasses_ = 0;     ///< that the checkpoint brought
     uint32_t nextImage_ = 0;       ///< pass count of the next numbered picture; 0: none before the end
     RenderRequest request_;
+    InterruptGuard interrupt_;
     std::unique_ptr<RenderSession> session_;
 };
 
 }  // namespace
+
+std::string numberedPath(const std::string& path, uint32_t passes) {
+    const size_t dot = path.rfind('.');
+    return fmt::format("{}-{:06}{}", path.substr(0, dot), passes, path.substr(dot));
+}
 
 int runRender(std::shared_ptr<const SceneDescription> scene, const RenderCommandOptions& options,
               double loadSeconds) {
@@ -234,7 +244,7 @@ int runReplay(const SceneDescription& scene, const RenderCommandOptions& options
     for (PathEvent& event : replay.events) {
         event.position += (*built)->origin();
     }
-    fmt::print("{}", formatPathLog(replay, params, pixel->x, pixel->y));
+    put("{}", formatPathLog(replay, params, pixel->x, pixel->y));
     return kExitDone;
 }
 

@@ -1,12 +1,11 @@
 // The one form of a command's error message.
-#include <fmt/format.h>
-
+#include "engine/base/console.h"
 #include "viewer/commands/commands.h"
 
 namespace glint {
 
 int reportError(const Error& error, int exitCode) {
-    fmt::print(stderr, "error: {}\n", error.format());
+    say("error: {}\n", error.format());
     return exitCode;
 }
 

@@ -1,6 +1,5 @@
 // `glint schema`: prints what scenes/glint.schema.json holds.
-#include <fmt/format.h>
-
+#include "engine/base/console.h"
 #include "engine/io/scene_schema.h"
 #include "viewer/commands/command_line.h"
 #include "viewer/commands/commands.h"
@@ -10,7 +9,7 @@ namespace glint {
 void addSchemaCommand(const Command& program) {
     const Command command = program.subcommand("schema", "Prints the JSON schema of Glint's scene files");
     command.onRun([] {
-        fmt::print("{}", sceneSchema());
+        putData(sceneSchema());
         return static_cast<int>(kExitDone);
     });
 }

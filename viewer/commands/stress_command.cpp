@@ -5,13 +5,14 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "engine/base/console.h"
 #include "engine/io/atomic_file.h"
 #include "engine/report/stress_html.h"
 #include "engine/report/stress_suite.h"
 #include "engine/report/stress_summary.h"
+#include "viewer/base/interrupt.h"
 #include "viewer/commands/command_line.h"
 #include "viewer/commands/commands.h"
-#include "viewer/commands/interrupt.h"
 #include "viewer/commands/json_output.h"
 #include "viewer/commands/output_files.h"
 
@@ -49,7 +50,7 @@ class InterruptWatch {
 void printHeading(const StressCase& c, std::string* last) {
     const std::string heading = c.family + ": truth: " + c.truth;
     if (heading == *last) { return; }
-    fmt::print("\n{}\n", heading);
+    put("\n{}\n", heading);
     *last = heading;
 }
 
@@ -57,9 +58,9 @@ void printList(const std::vector<StressCase>& cases) {
     std::string heading;
     for (const StressCase& c : cases) {
         printHeading(c, &heading);
-        fmt::print("  {:<36} {}{}\n", c.grade, c.extreme, c.quick ? "" : " (not in --quick)");
+        put("  {:<36} {}{}\n", c.grade, c.extreme, c.quick ? "" : " (not in --quick)");
     }
-    fmt::print("\n{} cases\n", cases.size());
+    put("\n{} cases\n", cases.size());
 }
 
 void printRow(const StressResult& result) {
@@ -67,9 +68,9 @@ void printRow(const StressResult& result) {
     const bool known = result.judgement.verdict != StressVerdict::Ok && !result.unexpected();
     std::string remark = result.judgement.reason;
     if (known) { remark += ", a documented limit"; }
-    fmt::print("  {:<32} {:<72} {:>22} {:>8} {:<9}{}\n", c.grade, c.extreme,
-               stressErrorText(result.judgement), result.outcome.dropped(),
-               stressVerdictName(result.judgement.verdict), remark.empty() ? "" : " " + remark);
+    put("  {:<32} {:<72} {:>22} {:>8} {:<9}{}\n", c.grade, c.extreme, stressErrorText(result.judgement),
+        result.outcome.dropped(), stressVerdictName(result.judgement.verdict),
+        remark.empty() ? "" : " " + remark);
     std::fflush(stdout);
 }
 
@@ -120,8 +121,8 @@ void printEnd(const std::vector<StressResult>& results) {
         ++counts[static_cast<int>(result.judgement.verdict)];
         unexpected += result.unexpected() ? 1 : 0;
     }
-    fmt::print("\n{}\n{} ok, {} degraded, {} broken; {} worse than documented; {:.0f} s\n", stressRuleText(),
-               counts[0], counts[1], counts[2], unexpected, seconds);
+    put("\n{}\n{} ok, {} degraded, {} broken; {} worse than documented; {:.0f} s\n", stressRuleText(),
+        counts[0], counts[1], counts[2], unexpected, seconds);
 }
 
 /// Runs the cases and prints each as it ends. False: interrupted.
@@ -160,9 +161,9 @@ int runStress(const StressOptions& options) {
     std::vector<StressResult> results;
     const bool finished = runCases(*cases, options, &results);
     if (!jsonTakesOutput(options.json)) {
-        if (options.summary) { fmt::print("{}", stressMarkdown(results)); }
+        if (options.summary) { put("{}", stressMarkdown(results)); }
         if (!options.summary) { printEnd(results); }
-        if (leftOut > 0) { fmt::print("\n{} more cases are not part of --quick\n", leftOut); }
+        if (leftOut > 0) { put("\n{} more cases are not part of --quick\n", leftOut); }
     }
     Status written = options.html.empty()
                          ? Status()

@@ -117,8 +117,8 @@ int runCommand(const ViewCommandOptions& o) {
             kExitFailed);
     }
     bool scriptFailed = false;
-    const Status done = runViewer(*options, std::move(*backend), std::move(scene), &scriptFailed);
-    const int exitCode = done ? static_cast<int>(kExitDone)
+    const Result<bool> done = runViewer(*options, std::move(*backend), std::move(scene), &scriptFailed);
+    const int exitCode = done ? (*done ? kExitDone : kExitInterrupted)
                               : reportError(done.error(), scriptFailed ? kExitBadInput : kExitFailed);
     if (JobQueue::anyAbandoned()) {
         // A scene is still being loaded by a thread that nobody needs any more; it must not outlive

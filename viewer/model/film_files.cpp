@@ -20,6 +20,10 @@ std::shared_ptr<FilmSnapshot> snapshotOf(const SessionCapture& capture, bool err
     return snapshot;
 }
 
+ImageOptions optionsOf(const DisplaySettings& display) {
+    return {.exposureStops = display.exposureStops, .toneMap = display.toneMap};
+}
+
 double secondsNow() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
@@ -44,10 +48,15 @@ void FilmFiles::saveCaptured(const std::string& path, std::function<Status(const
 }
 
 void FilmFiles::savePng(const DisplaySettings& display) {
-    const ImageOptions options{.exposureStops = display.exposureStops, .toneMap = display.toneMap};
-    saveCaptured(png, [path = png, options](const SessionCapture& capture) {
+    saveCaptured(png, [path = png, options = optionsOf(display)](const SessionCapture& capture) {
         return saveImage(path, *snapshotOf(capture, false), *capture.scene, options);
     });
+}
+
+Status FilmFiles::saveNow(const std::string& path, const DisplaySettings& display) {
+    const auto capture = render_->capture();
+    if (!capture) { return Error{"there is no picture to save", {.file = path}}; }
+    return saveImage(path, *snapshotOf(*capture, false), *capture->scene, optionsOf(display));
 }
 
 void FilmFiles::saveExr() {

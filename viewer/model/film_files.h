@@ -31,6 +31,8 @@ class FilmFiles {
 
     /// As shown, with exposure and tone map.
     void savePng(const DisplaySettings& display);
+    /// The same into the file `path`; blocks.
+    Status saveNow(const std::string& path, const DisplaySettings& display);
     /// Waits for the layers first, where they are wanted.
     void saveExr();
     void saveCheckpointFile();

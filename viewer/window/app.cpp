@@ -1,7 +1,6 @@
 #include "viewer/window/app.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 
@@ -9,11 +8,11 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "engine/base/console.h"
 #include "engine/base/log.h"
 #include "engine/io/atomic_file.h"
 #include "engine/io/image_io.h"
-#include "engine/render/image_file.h"
-#include "engine/render/snapshot.h"
+#include "viewer/base/interrupt.h"
 #include "viewer/base/progress.h"
 #include "viewer/ui/theme.h"
 #include "viewer/ui/widgets.h"
@@ -50,7 +49,8 @@ class App {
     ~App();
 
     Status open(std::optional<SceneDescription> scene);
-    Status run(bool* scriptFailed);
+    /// False: interrupted.
+    Result<bool> run(bool* scriptFailed);
 
   private:
     void fitToScreen();
@@ -83,6 +83,7 @@ class App {
     double wakeMs_ = 0.0;
     FramePacer pacer_;
     int settled_ = 0;
+    InterruptGuard interrupt_;
     std::optional<ProgressLine> progress_;  // headless, when no script says what happens
 };
 
@@ -198,15 +199,15 @@ bool App::isIdle() const {
            !options_.headless;
 }
 
-Status App::run(bool* scriptFailed) {
+Result<bool> App::run(bool* scriptFailed) {
     auto planned = Clock::now();
-    while (!surface_->shouldClose() && !shell_.quitWanted()) {
+    while (!surface_->shouldClose() && !shell_.quitWanted() && !interrupt_.interrupted()) {
         wakeMs_ = std::max(0.0, milliseconds(planned, Clock::now()));
         workspace_.refresh();
         if (player_) {
             if (Status stepped = player_->step(); !stepped) {
                 *scriptFailed = true;
-                return stepped;
+                return stepped.error();
             }
         }
         if (surface_->takeInputFlag()) { pacer_.noteInput(); }
@@ -225,7 +226,8 @@ Status App::run(bool* scriptFailed) {
             planned = Clock::now();  // an event woke it
         }
     }
-    return finish();
+    if (const Status finished = finish(); !finished) { return finished.error(); }
+    return !interrupt_.interrupted();
 }
 
 std::string App::currentTitle() const {
@@ -256,12 +258,9 @@ Status App::finish() {
     }
     if (!options_.screenshot.empty()) {
         if (Status saved = saveScreenshot(options_.screenshot); !saved) { return saved; }
-        fmt::print(stderr, "the window is in {}\n", options_.screenshot);
+        say("the window is in {}\n", options_.screenshot);
     }
-    if (!options_.output.empty()) {
-        if (Status saved = saveImageFile(); !saved) { return saved; }
-        fmt::print(stderr, "the picture is in {}\n", options_.output);
-    }
+    if (const Status saved = saveImageFile(); !saved) { return saved; }
     return options_.frameStats.empty() ? Status() : saveFrameStats();
 }
 
@@ -271,27 +270,30 @@ Status App::saveScreenshot(const std::string& path) const {
 }
 
 Status App::saveImageFile() {
-    const auto capture = workspace_.render.capture();
-    if (!capture) { return Error{"there is no picture to save", SourcePlace{options_.output, 0, 0, ""}}; }
-    auto image = makeSnapshot(*capture, {.standardError = true}, 0);
-    const ImageOptions look{.exposureStops = workspace_.display.exposureStops,
-                            .toneMap = workspace_.display.toneMap};
-    return saveImage(options_.output, *image, *capture->scene, look);
+    if (options_.output.empty()) { return {}; }
+    if (interrupt_.interrupted()) {
+        workspace_.render.request.paused = true;
+        workspace_.render.send();
+        if (!announceInterruption(workspace_.render.statusNow())) { return {}; }
+    }
+    const Status saved = workspace_.filmFiles.saveNow(options_.output, workspace_.display);
+    if (saved) { say("the picture is in {}\n", options_.output); }
+    return saved;
 }
 
 Status App::saveFrameStats() {
     const std::string report = stats_.json(workspace_.render.statusNow(), workspace_.document.draft().camera);
     if (options_.frameStats != "-") { return writeFileAtomically(options_.frameStats, report); }
-    std::fputs(report.c_str(), stdout);
+    putData(report);
     return {};
 }
 
 }  // namespace
 
-Status runViewer(const ViewerOptions& options, std::unique_ptr<Backend> backend,
-                 std::optional<SceneDescription> scene, bool* scriptFailed) {
+Result<bool> runViewer(const ViewerOptions& options, std::unique_ptr<Backend> backend,
+                       std::optional<SceneDescription> scene, bool* scriptFailed) {
     App app(options, std::move(backend));
-    if (Status opened = app.open(std::move(scene)); !opened) { return opened; }
+    if (Status opened = app.open(std::move(scene)); !opened) { return opened.error(); }
     return app.run(scriptFailed);
 }
 

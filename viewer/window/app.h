@@ -23,10 +23,11 @@ struct ViewerOptions {
     std::string frameStats;  ///< JSON file of frame times, "-": standard output; draws every frame for them
 };
 
-/// Runs until the window is closed, or headless until the passes or the script are done. Error: no context, a
-/// shader that fails, a file that cannot be written, or a script that failed; `scriptFailed` tells the last
-/// from the others.
-Status runViewer(const ViewerOptions& options, std::unique_ptr<Backend> backend,
-                 std::optional<SceneDescription> scene, bool* scriptFailed);
+/// Runs until the window is closed, or headless until the passes or the script are done. False: until the
+/// user interrupted (interrupt.h); what the options name is saved all the same. Error: no context, a shader
+/// that fails, a file that cannot be written, or a script that failed; `scriptFailed` tells the last from the
+/// others.
+Result<bool> runViewer(const ViewerOptions& options, std::unique_ptr<Backend> backend,
+                       std::optional<SceneDescription> scene, bool* scriptFailed);
 
 }  // namespace glint

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/base/console.h"
 #include "viewer/window/frame_stats.h"
 #include "viewer/window/script_player.h"
 
@@ -95,22 +96,22 @@ void ScriptPlayer::print(const ScriptStatement& statement) const {
     const std::string& what = statement.words[0].text;
     if (!statement.words[0].quoted && what == "status") {
         const SessionStatus status = workspace_->render.statusNow();
-        fmt::print("state={} integrator={} passes={} seconds={:.3f}", stateName(status.state),
-                   integratorInfo(status.integrator).key, status.passes, status.renderSeconds);
+        put("state={} integrator={} passes={} seconds={:.3f}", stateName(status.state),
+            integratorInfo(status.integrator).key, status.passes, status.renderSeconds);
         for (const NamedCounter& counter : kCounters) {
-            fmt::print(" {}={}", counter.name, status.counters.*counter.member - mark_.*counter.member);
+            put(" {}={}", counter.name, status.counters.*counter.member - mark_.*counter.member);
         }
-        fmt::print("\n");
+        put("\n");
     } else if (!statement.words[0].quoted && what == "widgets") {
         for (const WidgetRecord& widget : registry_->widgets()) {
             const Vec2 size = widget.max - widget.min;
-            fmt::print("\"{}\" {:.0f} {:.0f} {:.0f} {:.0f} {}\n", widget.fullName(), widget.min.x,
-                       widget.min.y, size.x, size.y, widget.value);
+            put("\"{}\" {:.0f} {:.0f} {:.0f} {:.0f} {}\n", widget.fullName(), widget.min.x, widget.min.y,
+                size.x, size.y, widget.value);
         }
     } else if (const auto widget = registry_->find(what)) {
-        fmt::print("\"{}\" {}\n", widget->fullName(), widget->value);
+        put("\"{}\" {}\n", widget->fullName(), widget->value);
     } else {
-        fmt::print("{}\n", widget.error().message);
+        put("{}\n", widget.error().message);
     }
     std::fflush(stdout);
 }
