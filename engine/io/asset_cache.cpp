@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "engine/io/atomic_file.h"
+#include "engine/io/environment_image.h"
 #include "engine/io/file_kind.h"
 #include "engine/io/image_io.h"
 #include "engine/io/importer.h"
@@ -30,13 +31,16 @@ AssetCache::StoredFile AssetCache::keyOf(StoredFile file) const {
     return file;
 }
 
-Result<std::shared_ptr<const std::string>> AssetCache::open(const StoredFile& file, std::string* name) const {
-    if (const auto* embedded = std::get_if<EmbeddedFile>(&file)) {
-        *name = fmt::format("{} in {}", embedded->name, scenePath_);
-        return embedded->bytes;
-    }
-    *name = resolvePath(std::get<FileSource>(file).path, scenePath_);
-    Result<std::string> bytes = readFile(*name);
+std::string AssetCache::nameOf(const StoredFile& file) const {
+    const auto* embedded = std::get_if<EmbeddedFile>(&file);
+    return embedded != nullptr ? fmt::format("{} in {}", embedded->name, scenePath_)
+                               : resolvePath(std::get<FileSource>(file).path, scenePath_);
+}
+
+Result<std::shared_ptr<const std::string>> AssetCache::open(
+    const StoredFile& file, Result<std::string> (*read)(const std::string& path)) const {
+    if (const auto* embedded = std::get_if<EmbeddedFile>(&file)) { return embedded->bytes; }
+    Result<std::string> bytes = read(nameOf(file));
     if (!bytes) { return bytes.error(); }
     return std::make_shared<const std::string>(std::move(*bytes));
 }
@@ -44,10 +48,9 @@ Result<std::shared_ptr<const std::string>> AssetCache::open(const StoredFile& fi
 Result<AssetCache::LoadedMesh*> AssetCache::loadMesh(const StoredFile& file) {
     const StoredFile key = keyOf(file);
     if (const auto found = meshes_.find(key); found != meshes_.end()) { return &found->second; }
-    std::string name;
-    const auto bytes = open(file, &name);
+    const auto bytes = open(file, [](const std::string& path) { return readFile(path); });
     if (!bytes) { return bytes.error(); }
-    Result<MeshFile> read = readMeshFile(**bytes, name);
+    Result<MeshFile> read = readMeshFile(**bytes, nameOf(file));
     if (!read) { return read.error(); }
     ++counts_->meshFiles;
     counts_->meshFileBytes += (*bytes)->size();
@@ -107,10 +110,9 @@ Result<std::shared_ptr<const MeshData>> AssetCache::mesh(const MeshSource& sourc
 }
 
 Result<SceneImage> AssetCache::loadImage(const StoredFile& file) {
-    std::string name;
-    const auto bytes = open(file, &name);
+    const auto bytes = open(file, readImageFile);
     if (!bytes) { return bytes.error(); }
-    Result<SceneImage> image = decodeImage(**bytes, name);
+    Result<SceneImage> image = decodeImage(**bytes, nameOf(file));
     if (image) {
         ++counts_->imageFiles;
         counts_->imageFileBytes += (*bytes)->size();
@@ -119,7 +121,8 @@ Result<SceneImage> AssetCache::loadImage(const StoredFile& file) {
 }
 
 void AssetCache::countPixels(const SceneImage& image) {
-    counts_->pixelBytes += image.bytes ? image.bytes->rgb.size() : image.floats->rgb.size() * sizeof(float);
+    counts_->pixelBytes += image.bytes ? image.bytes->rgb.size() + image.bytes->alpha.size()
+                                       : image.floats->rgb.size() * sizeof(float);
 }
 
 Result<SceneImage> AssetCache::texture(const ImageSource& source) {
@@ -131,6 +134,11 @@ Result<SceneImage> AssetCache::texture(const ImageSource& source) {
     if (!cached.isRead()) {
         Result<SceneImage> image = loadImage(*file);
         if (!image) { return image.error(); }
+        if (image->floats) {
+            if (Status finite = checkFinite(*image->floats, nameOf(*file)); !finite) {
+                return finite.error();
+            }
+        }
         countPixels(*image);
         cached = std::move(*image);
     }
@@ -142,7 +150,7 @@ void AssetCache::remember(const SceneImage& texture) {
     if (file && texture.isRead()) { textures_[keyOf(*file)] = texture; }
 }
 
-Result<SceneImage> AssetCache::environment(const ImageSource& source) {
+Result<SceneImage> AssetCache::environment(const ImageSource& source, std::vector<std::string>* warnings) {
     SceneImage out{source};
     if (const auto* sky = std::get_if<SkySource>(&source)) {
         out.floats = generateSky(*sky);
@@ -155,7 +163,7 @@ Result<SceneImage> AssetCache::environment(const ImageSource& source) {
         }
         Result<SceneImage> image = loadImage(*file);
         if (!image) { return image.error(); }
-        out.floats = linearColors(*image);
+        out.floats = environmentImage(*image, nameOf(*file), warnings);
     }
     countPixels(out);
     return out;

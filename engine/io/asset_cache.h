@@ -37,9 +37,10 @@ class AssetCache {
     Result<const MeshFile*> meshFile(const std::string& path);
     Result<const MeshFile*> meshFileWithMaterials(const std::string& path);
 
-    /// The image of `source`, as a texture or as an environment (linear colours), with its source.
+    /// The image of `source`, as a texture or as an environment (environment_image.h), with its source; what
+    /// was repaired is appended to `warnings`. Error: also a texture's value that is not finite.
     Result<SceneImage> texture(const ImageSource& source);
-    Result<SceneImage> environment(const ImageSource& source);
+    Result<SceneImage> environment(const ImageSource& source, std::vector<std::string>* warnings);
     /// A texture that was read before, so that it is not read again.
     void remember(const SceneImage& texture);
 
@@ -59,8 +60,11 @@ class AssetCache {
     static std::optional<StoredFile> storedFile(const AssetSource<Generator>& source);
     /// One file that is written in two ways is one file.
     StoredFile keyOf(StoredFile file) const;
-    /// The file's bytes; `name` becomes what messages call it.
-    Result<std::shared_ptr<const std::string>> open(const StoredFile& file, std::string* name) const;
+    /// What messages call the file.
+    std::string nameOf(const StoredFile& file) const;
+    /// The file's bytes, by `read` from the disk.
+    Result<std::shared_ptr<const std::string>> open(
+        const StoredFile& file, Result<std::string> (*read)(const std::string& path)) const;
     Result<LoadedMesh*> loadMesh(const StoredFile& file);
     Result<SceneImage> loadImage(const StoredFile& file);
     void countPixels(const SceneImage& image);

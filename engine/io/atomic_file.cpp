@@ -145,15 +145,14 @@ Status checkRegularFile(const std::string& path, std::string_view expected) {
     return S_ISREG(info.st_mode) ? Status() : Status(notRegular(path, info.st_mode, expected));
 }
 
-Result<std::string> readFile(const std::string& path) {
+Result<std::string> readFile(const std::string& path, uint64_t most) {
     // Opening a pipe would otherwise wait until somebody writes to it.
     const FileDescriptor fd(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
     struct stat info {};
     if (!fd.valid() || ::fstat(fd.get(), &info) != 0) { return fileError(path, "cannot open", errno); }
     if (!S_ISREG(info.st_mode)) { return notRegular(path, info.st_mode, "a file"); }
-    if (static_cast<uint64_t>(info.st_size) > kMaxFileBytes) {
-        return fileError(path, fmt::format("has {} bytes; at most {} are read", info.st_size, kMaxFileBytes),
-                         0);
+    if (static_cast<uint64_t>(info.st_size) > most) {
+        return fileError(path, fmt::format("has {} bytes; at most {} are read", info.st_size, most), 0);
     }
     // Files that grow, and those of /proc, have no size to rely on, so reading ends only at the end. The one
     // byte more lets a file of the expected size end without growing the buffer.
@@ -167,9 +166,7 @@ Result<std::string> readFile(const std::string& path) {
             return bytes;
         }
         filled += count > 0 ? static_cast<size_t>(count) : 0;
-        if (filled > kMaxFileBytes) {
-            return fileError(path, fmt::format("is longer than {} bytes", kMaxFileBytes), 0);
-        }
+        if (filled > most) { return fileError(path, fmt::format("is longer than {} bytes", most), 0); }
     }
 }
 

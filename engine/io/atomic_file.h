@@ -19,9 +19,9 @@ constexpr uint64_t kMaxFileBytes = uint64_t{16} << 30;
 /// What is read by other means asks before it opens, since opening a pipe waits for its other end.
 Status checkRegularFile(const std::string& path, std::string_view expected);
 
-/// The file's bytes. Error: missing, a folder, a pipe or a device, unreadable, larger than kMaxFileBytes; the
-/// place names the file.
-Result<std::string> readFile(const std::string& path);
+/// The file's bytes. Error: missing, a folder, a pipe or a device, unreadable, more than `most`; the place
+/// names the file.
+Result<std::string> readFile(const std::string& path, uint64_t most = kMaxFileBytes);
 
 /// Error: writeFileAtomically() would find that nothing can be written to `path`: no such folder, none that
 /// may be written to, a folder, a name that is too long. Makes the new file and removes it again.

@@ -1,10 +1,11 @@
 // OpenEXR pictures with any number of named channels and text attributes.
 //
-// The only place that sees OpenEXR's headers and its exceptions, none of which escape. Which layers and
-// attributes a render saves is decided in render/image_file.h.
+// exr_io.cpp writes through OpenEXR's C++ library, whose exceptions do not escape it; exr_file.h reads. Which
+// layers and attributes a render saves is decided in render/image_file.h.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -38,13 +39,27 @@ struct ExrImage {
 /// True when the bytes begin like an OpenEXR file.
 bool looksLikeExr(std::string_view bytes);
 
-/// Error: not an OpenEXR file, broken, truncated, deep, or more than kMaxImagePixels (image_io.h) in the data
-/// window. Only text attributes are returned. `path` is used in messages.
-Result<ExrImage> decodeExr(std::string_view bytes, const std::string& path);
+/// The channels of the file's first flat part that `wanted` accepts, in the data window, but for those that
+/// are not there for each pixel; no others are unpacked to memory. Error: not an OpenEXR file, broken,
+/// truncated, deep, more pixels than kMaxImagePixels (image_io.h) or than its size allows. Only text
+/// attributes are returned. `path` is used in messages.
+Result<ExrImage> decodeExr(
+    std::string_view bytes, const std::string& path,
+    const std::function<bool(std::string_view name)>& wanted = [](std::string_view) { return true; });
 Result<ExrImage> loadExr(const std::string& path);
 
-/// The picture's colour: R, G and B, or Y alone as grey. Error: neither there, or a value is not finite.
-Result<ImageF> exrColor(const ExrImage& image, const std::string& path);
+/// The colour of a file, and its text attributes.
+struct ExrPicture {
+    ImageF color;  ///< linear Rec.709, in the display window; values may be negative or not finite
+    std::map<std::string, std::string> attributes;
+};
+
+/// Reads the colour alone: R, G and B, or luminance Y with or without chroma RY and BY, of the file's own
+/// layer, else of its only one with R, G and B ("ViewLayer.Combined.R"), else of one with a usual name.
+/// Chromaticities are followed, without adapting the white. Error: as decodeExr(); no such layer, with the
+/// channels that are there.
+Result<ExrPicture> decodeExrColor(std::string_view bytes, const std::string& path);
+Result<ExrPicture> loadExrColor(const std::string& path);
 
 /// ZIP-compressed scan lines, saved atomically. Finite half values beyond 65504 are stored as 65504.
 Status saveExr(const std::string& path, const ExrImage& image);

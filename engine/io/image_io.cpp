@@ -1,21 +1,23 @@
 // stb_image_write comes compiled from the distribution's libstb; only its declarations are included.
 #include "engine/io/image_io.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
+#include <fmt/format.h>
 #include <stb/stb_image_write.h>
 
 #include "engine/io/atomic_file.h"
-#include "engine/io/image_decoder.h"
+#include "engine/io/file_kind.h"
+#include "engine/io/image_builder.h"
 #include "engine/io/image_formats.h"
 #include "engine/math/color.h"
 
 namespace glint {
 namespace {
 
-Error imageError(const std::string& path, std::string message) {
-    return {std::move(message), {.file = path}};
-}
+constexpr uint64_t kMaxImageFileBytes = uint64_t{2} << 30;
 
 std::shared_ptr<const ImageF> decodedFromSrgb(const Image8& image) {
     std::array<float, 256> linear{};
@@ -47,15 +49,43 @@ Status checkToSave(const Image& image, const std::string& path) {
 }  // namespace
 
 Result<SceneImage> decodeImage(const std::string& bytes, const std::string& path) {
+    if (bytes.empty()) {
+        return imageError(path, fmt::format("the file is empty; expected {}", listReadableImages()));
+    }
     const ImageFormat* format = imageFormatOf(path, bytes);
-    return format != nullptr ? format->decode(bytes, path) : decode8(bytes, path);
+    if (format == nullptr || !format->looksLike(bytes)) {
+        return imageError(path,
+                          fmt::format("is not an image that can be read; expected {}", listReadableImages()));
+    }
+    return format->decode(bytes, path);
+}
+
+Result<std::string> readImageFile(const std::string& path) {
+    const std::string head = readHead(path);
+    const ImageFormat* format = imageFormatOf(path, head);
+    const bool isImage = format != nullptr && format->looksLike(head);
+    return isImage || head.size() < kHeadBytes ? readFile(path, kMaxImageFileBytes)
+                                               : Result<std::string>(head);
+}
+
+Status checkFinite(const ImageF& image, const std::string& path) {
+    const auto found = std::ranges::find_if(image.rgb, [](float value) { return !std::isfinite(value); });
+    if (found == image.rgb.end()) { return {}; }
+    const auto pixel = static_cast<size_t>(found - image.rgb.begin()) / 3;
+    const auto width = static_cast<size_t>(image.width);
+    return imageError(path, fmt::format("the pixel in column {}, row {} is {}; expected finite numbers",
+                                        pixel % width, pixel / width, *found));
 }
 
 Result<SceneImage> loadImage(const std::string& path) {
-    const Result<std::string> bytes = readFile(path);
+    const Result<std::string> bytes = readImageFile(path);
     if (!bytes) { return bytes.error(); }
     Result<SceneImage> image = decodeImage(*bytes, path);
-    if (image) { image->source = FileSource{path}; }
+    if (!image) { return image; }
+    if (image->floats) {
+        if (Status finite = checkFinite(*image->floats, path); !finite) { return finite.error(); }
+    }
+    image->source = FileSource{path};
     return image;
 }
 

@@ -103,43 +103,49 @@ Status readAsset(const Asset& asset, AssetCache* assets, SceneDescription* scene
             break;
     }
     SceneImage& image = scene->environmentImages[asset.index];
-    return readImage(assets->environment(image.source), &image);
+    return readImage(assets->environment(image.source, &scene->warnings), &image);
 }
 
-void goWithout(const Asset& asset, SceneDescription* scene) {
-    const int index = static_cast<int>(asset.index);
-    switch (asset.kind) {
-        case AssetKind::Mesh:
-            std::erase_if(scene->objects, [index](const Object& object) {
-                return object.shape == ShapeKind::Mesh && object.mesh == index;
-            });
-            break;
-        case AssetKind::Texture:
-            for (Material& material : scene->materials) {
-                for (int* texture : inputTextures(&material)) {
-                    *texture = *texture == index ? -1 : *texture;
-                }
-            }
-            break;
-        case AssetKind::Environment:
-            scene->environment.image = -1;
-            break;
+void goWithout(std::span<const Asset> assets, SceneDescription* scene) {
+    std::vector<bool> meshes(scene->meshes.size(), false);
+    std::vector<bool> textures(scene->textures.size(), false);
+    for (const Asset& asset : assets) {
+        switch (asset.kind) {
+            case AssetKind::Mesh:
+                meshes[asset.index] = true;
+                break;
+            case AssetKind::Texture:
+                textures[asset.index] = true;
+                break;
+            case AssetKind::Environment:
+                scene->environment.image = -1;
+                break;
+        }
+    }
+    std::erase_if(scene->objects, [&meshes](const Object& object) {
+        return object.shape == ShapeKind::Mesh && meshes[static_cast<size_t>(object.mesh)];
+    });
+    for (Material& material : scene->materials) {
+        for (int* texture : inputTextures(&material)) {
+            if (*texture >= 0 && textures[static_cast<size_t>(*texture)]) { *texture = -1; }
+        }
     }
 }
 
 void readUsedAssets(AssetCache* assets, SceneDescription* scene,
                     const std::function<bool(const Asset&, const Error&)>& goesOn) {
-    bool again = true;  // going without one may leave others without use
-    while (again) {
-        again = false;
-        for (const Asset& asset : lackingAssets(*scene)) {
+    // Going without meshes may leave textures without use: one kind is settled before the next.
+    for (std::vector<Asset> lacking = lackingAssets(*scene); !lacking.empty();
+         lacking = lackingAssets(*scene)) {
+        std::vector<Asset> missing;
+        for (const Asset& asset : lacking) {
+            if (asset.kind != lacking.front().kind) { break; }
             if (Status read = readAsset(asset, assets, scene); !read) {
                 if (!goesOn(asset, read.error())) { return; }
-                goWithout(asset, scene);
-                again = true;
-                break;
+                missing.push_back(asset);
             }
         }
+        goWithout(missing, scene);
     }
     assets->dropUnusedUvs(*scene);
 }

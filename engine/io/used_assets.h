@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,9 +37,9 @@ std::string assetFile(const SceneDescription& scene, const Asset& asset);
 /// Error: the file cannot be read or is malformed; it holds other triangles than those it has given before.
 Status readAsset(const Asset& asset, AssetCache* assets, SceneDescription* scene);
 
-/// What used the asset goes without: materials take their colour, the environment too; objects of a mesh
+/// What used the assets goes without: materials take their colour, the environment too; objects of a mesh
 /// are removed.
-void goWithout(const Asset& asset, SceneDescription* scene);
+void goWithout(std::span<const Asset> assets, SceneDescription* scene);
 
 /// Reads what the scene uses and drops the texture coordinates that it does not. `goesOn` is asked about each
 /// asset that cannot be read: whether to go without it and on.

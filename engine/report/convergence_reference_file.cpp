@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "engine/io/exr_io.h"
+#include "engine/io/image_io.h"
 #include "engine/report/convergence_reference.h"
 #include "engine/scene/scene_hash.h"
 
@@ -165,22 +166,24 @@ std::string referenceDifference(const Attributes& attributes, SceneDescription s
 }
 
 Result<ReferenceImage> loadReference(const std::string& path, const SceneDescription& scene, bool anyScene) {
-    const Result<ExrImage> exr = loadExr(path);
-    if (!exr) { return exr.error(); }
-    Result<ImageF> color = exrColor(*exr, path);
-    if (!color) { return color.error(); }
+    const Result<std::string> bytes = readImageFile(path);
+    if (!bytes) { return bytes.error(); }
+    Result<ExrPicture> picture = decodeExrColor(*bytes, path);
+    if (!picture) { return picture.error(); }
+    const Attributes& attributes = picture->attributes;
     ReferenceImage out;
     out.path = path;
-    out.image = std::move(*color);
+    out.image = std::move(picture->color);
+    if (Status finite = checkFinite(out.image, path); !finite) { return finite.error(); }
     const Resolution& size = scene.resolution;
     if (out.image.width != size.width || out.image.height != size.height) {
         return inFile(path, fmt::format("the reference has {}x{} pixels, and the scene is rendered at {}x{}; "
                                         "expected the same size (--size)",
                                         out.image.width, out.image.height, size.width, size.height));
     }
-    if (attribute(exr->attributes, "sceneHash").empty()) {
+    if (attribute(attributes, "sceneHash").empty()) {
         out.remarks.emplace_back("The reference does not say which scene it shows: nothing vouches for it.");
-    } else if (const std::string problem = referenceDifference(exr->attributes, scene); !problem.empty()) {
+    } else if (const std::string problem = referenceDifference(attributes, scene); !problem.empty()) {
         if (!anyScene) {
             return inFile(
                 path, fmt::format("not a reference of this scene: {}; --any-reference compares all the same",
@@ -188,11 +191,16 @@ Result<ReferenceImage> loadReference(const std::string& path, const SceneDescrip
         }
         out.remarks.push_back(fmt::format("THE REFERENCE MAY NOT SHOW THIS SCENE: {}.", problem));
     }
+    const auto isUsed = [](std::string_view name) {
+        return name == "R" || name.starts_with("standardError.");
+    };
+    const Result<ExrImage> exr = decodeExr(*bytes, path, isUsed);
+    if (!exr) { return exr.error(); }
     if (const ExrChannel* red = exr->find("R"); red != nullptr && red->type == ExrPixelType::Half) {
         out.remarks.emplace_back(
             "The reference is stored in 16 bits: rounding adds a relative error of about 1e-4.");
     }
-    readMetadata(exr->attributes, &out);
+    readMetadata(attributes, &out);
     readVariance(*exr, &out);
     out.summarize();
     return out;

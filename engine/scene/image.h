@@ -13,11 +13,13 @@
 
 namespace glint {
 
-/// 8-bit colour as stored in PNG, JPEG and BMP files: usually sRGB-encoded. 3 channels.
+/// 8-bit colour as stored in PNG, JPEG and BMP files: usually sRGB-encoded. 3 channels, not multiplied by
+/// alpha.
 struct Image8 {
     int width = 0;
     int height = 0;
     std::vector<uint8_t> rgb;
+    std::vector<uint8_t> alpha = {};  ///< of each pixel, 255 opaque; empty where all of them are
 };
 
 /// Linear float colour. 3 channels.

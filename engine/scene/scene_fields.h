@@ -163,7 +163,8 @@ struct FieldsOf<Texture> {
     static constexpr std::tuple kList{
         label("", &Texture::name),
         field("file", &Texture::image,
-              {.help = "PNG, JPEG, BMP, TGA, HDR or EXR; relative to the scene's folder", .required = true}),
+              {.help = "PNG, JPEG, BMP, TGA, TIFF, WebP, DDS, HDR or EXR; relative to the scene's folder",
+               .required = true}),
         field("encoding", &Texture::encoding, {.help = "how 8-bit files hold colour"}),
         field("flipV", &Texture::flipV, {.help = "counts v from the image's top row"}),
         field("scale", &Texture::scale, {.help = "factors on u and v; the image repeats"})};

@@ -58,9 +58,12 @@ TEST(FileKind, FirstBytesDecideBetweenNamesAndScenes) {
 TEST(FileKind, FirstBytesDecideBetweenImages) {
     const std::string tga("\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\x18\0", 18);
     const std::pair<std::string, std::string_view> contents[] = {
-        {"\x89PNG\r\n", "PNG"}, {"\xff\xd8\xff\xe0", "JPEG"}, {"BM1234", "BMP"},
-        {tga, "TGA"},           {"#?RADIANCE\n", "HDR"},      {"\x76\x2f\x31\x01", "EXR"},
-        {"GIF89a", "GIF"},      {"P6\n1 1\n255\n", "PNM"},    {"8BPS", "PSD"}};
+        {"\x89PNG\r\n", "PNG"},   {"\xff\xd8\xff\xe0", "JPEG"},
+        {"BM1234", "BMP"},        {tga, "TGA"},
+        {"#?RADIANCE\n", "HDR"},  {"\x76\x2f\x31\x01", "EXR"},
+        {"GIF89a", "GIF"},        {"P6\n1 1\n255\n", "PNM"},
+        {"8BPS", "PSD"},          {std::string("II*\0", 4), "TIFF"},
+        {"RIFF1234WEBP", "WebP"}, {"DDS |", "DDS"}};
     for (const auto& [content, name] : contents) {
         for (const char* path : {"a", "a.png", "a.JPG", "a.tga", "a.exr", "a.xyz"}) {
             EXPECT_EQ(formatName(path, content), name) << path;
@@ -74,7 +77,7 @@ TEST(FileKind, FirstBytesDecideBetweenImages) {
 TEST(FileKind, ListsNameEveryImporterAndFormat) {
     EXPECT_EQ(listImporters(), "Glint JSON (.json), 6.837 text (.txt), OBJ (.obj) or PLY (.ply)");
     EXPECT_EQ(listImporters(true), "OBJ (.obj) or PLY (.ply)");
-    EXPECT_EQ(listReadableImages(), "PNG, JPEG, BMP, TGA, HDR or EXR");
+    EXPECT_EQ(listReadableImages(), "PNG, JPEG, BMP, TGA, TIFF, WebP, DDS, HDR or EXR");
     EXPECT_EQ(listSavedExtensions(), ".png, .hdr or .exr");
     for (const char* path : {"a.png", "a.PNG", "a.Hdr", "a.EXR"}) {
         EXPECT_NE(savedFormatOf(path), nullptr) << path;

@@ -246,7 +246,7 @@ TEST(TexturedInputUse, CountsOnlyWhatTheKindLooksAt) {
     ASSERT_EQ(lackingAssets(scene).size(), 1u);
     EXPECT_EQ(lackingAssets(scene)[0].kind, AssetKind::Texture);
     EXPECT_TRUE(texturedMeshes(scene).empty());
-    goWithout(lackingAssets(scene)[0], &scene);
+    goWithout(lackingAssets(scene), &scene);
     EXPECT_EQ(scene.materials[0].roughness.texture, -1);
     EXPECT_TRUE(lackingAssets(scene).empty());
 

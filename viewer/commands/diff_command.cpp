@@ -23,7 +23,7 @@ namespace glint {
 namespace {
 
 constexpr const char* kFooter =
-    R"(Both are compared as linear Rec.709 colours: EXR and HDR as stored, PNG, JPEG, BMP and TGA decoded from sRGB.
+    R"(Both are compared as linear Rec.709 colours: EXR, HDR and floats in TIFF as stored, all others decoded from sRGB.
 An 8-bit picture holds nothing above 1, so beside an EXR that does, its lamps and highlights count as errors.
 With t the picture, r the reference, and means over all pixels and channels:
   MSE            mean of (t - r)^2; RMSE is its square root

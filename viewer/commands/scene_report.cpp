@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "engine/builders/light_table.h"
-#include "engine/io/image_decoder.h"
+#include "engine/io/image_io.h"
 #include "engine/io/used_assets.h"
 #include "engine/render/cpu_variants.h"
 #include "engine/render/sppm_kernel.h"

@@ -8,7 +8,6 @@
 
 #include "engine/base/log.h"
 #include "engine/base/thread_priority.h"
-#include "engine/io/atomic_file.h"
 #include "engine/io/exr_io.h"
 #include "engine/io/image_io.h"
 #include "engine/report/metrics.h"
@@ -28,32 +27,29 @@ double meanOf(const ImageF& image) {
 }
 
 Status readExr(std::string_view bytes, LoadedReference* reference) {
-    auto exr = decodeExr(bytes, reference->path);
-    if (!exr) { return exr.error(); }
-    auto image = exrColor(*exr, reference->path);
-    if (!image) { return image.error(); }
-    reference->image = std::move(*image);
-    reference->attributes = std::move(exr->attributes);
+    auto picture = decodeExrColor(bytes, reference->path);
+    if (!picture) { return picture.error(); }
+    if (Status finite = checkFinite(picture->color, reference->path); !finite) { return finite; }
+    reference->image = std::move(picture->color);
+    reference->attributes = std::move(picture->attributes);
     return {};
 }
 
-Status readOther(LoadedReference* reference) {
-    const auto source = loadImage(reference->path);
-    if (!source) { return source.error(); }
-    reference->isEightBit = source->bytes != nullptr;
-    const auto image = reference->isEightBit ? loadImageF(reference->path)
-                                             : Result<std::shared_ptr<const ImageF>>(source->floats);
-    if (!image) { return image.error(); }
-    reference->image = **image;
-    return {};
+Status readOther(const std::string& bytes, LoadedReference* reference) {
+    const auto picture = decodeImage(bytes, reference->path);
+    if (!picture) { return picture.error(); }
+    reference->isEightBit = picture->bytes != nullptr;
+    reference->image = *linearColors(*picture);
+    return checkFinite(reference->image, reference->path);
 }
 
 Result<std::shared_ptr<const LoadedReference>> loadReference(const std::string& path) {
-    auto bytes = readFile(path);
+    auto bytes = readImageFile(path);
     if (!bytes) { return bytes.error(); }
     auto image = std::make_shared<LoadedReference>();
     image->path = path;
-    if (Status read = looksLikeExr(*bytes) ? readExr(*bytes, image.get()) : readOther(image.get()); !read) {
+    if (Status read = looksLikeExr(*bytes) ? readExr(*bytes, image.get()) : readOther(*bytes, image.get());
+        !read) {
         return read.error();
     }
     image->mean = meanOf(image->image);

@@ -46,8 +46,8 @@ struct ReferencePoint {
 
 class ReferenceErrors {
   public:
-    /// Loads EXR, HDR, PNG, JPEG, BMP or TGA in the background; loadError() says if it could not. Until it is
-    /// there, the one before stays. Of several asked for at once, the last counts.
+    /// Loads any picture that is read (image_formats.h) in the background; loadError() says if it could not.
+    /// Until it is there, the one before stays. Of several asked for at once, the last counts.
     void load(const std::string& path);
     void clear();
     bool loading() const { return loading_; }

@@ -1,0 +1,20 @@
+// Makes an environment's image of a picture: linear, as a latitude-longitude map, with values that light can
+// have.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/scene/image.h"
+
+namespace glint {
+
+/// A picture six times as high as wide is a cube map as OpenEXR lays them out, and becomes a map of the same
+/// resolution at the equator. Values below 0 and those that are not numbers become 0, infinite ones the
+/// largest finite one, at least 65504; a warning, appended to `warnings`, says how many and where they are.
+/// `name` is the file's.
+std::shared_ptr<const ImageF> environmentImage(const SceneImage& picture, const std::string& name,
+                                               std::vector<std::string>* warnings);
+
+}  // namespace glint

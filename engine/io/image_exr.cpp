@@ -1,0 +1,28 @@
+#include "engine/io/exr_io.h"
+#include "engine/io/image_formats.h"
+
+namespace glint {
+namespace {
+
+Result<SceneImage> decode(const std::string& bytes, const std::string& path) {
+    Result<ExrPicture> picture = decodeExrColor(bytes, path);
+    if (!picture) { return picture.error(); }
+    return SceneImage{.floats = std::make_shared<const ImageF>(std::move(picture->color))};
+}
+
+Status save(const std::string& path, const ImageForms& image) {
+    const Result<ExrImage> layers = image.layers();
+    return layers ? saveExr(path, *layers) : Status(layers.error());
+}
+
+}  // namespace
+
+extern const ImageFormat kImageExr;
+const ImageFormat kImageExr{.name = "EXR",
+                            .extensions = ".exr",
+                            .looksLike = looksLikeExr,
+                            .decode = decode,
+                            .save = save,
+                            .hasLayers = true};
+
+}  // namespace glint

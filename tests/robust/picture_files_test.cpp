@@ -1,0 +1,178 @@
+// Pictures of every kind that is read: what they show, what a cut-off or damaged one does, and that nothing
+// but the file decides.
+#include "tests/support/picture_files.h"
+
+#include <cmath>
+#include <random>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <malloc.h>
+
+#include "engine/io/image_formats.h"
+#include "engine/io/image_io.h"
+#include "tests/support/temp_folder.h"
+
+namespace glint {
+namespace {
+
+using test::PictureFile;
+using test::TempFolder;
+using testing::HasSubstr;
+
+std::vector<PictureFile> allFiles() {
+    std::vector<PictureFile> files = test::pictureFiles();
+    std::ranges::move(test::floatPictureFiles(), std::back_inserter(files));
+    return files;
+}
+
+/// What is read, floats in steps of 1 / 255.
+std::vector<int> valuesOf(const SceneImage& image) {
+    if (image.bytes) { return {image.bytes->rgb.begin(), image.bytes->rgb.end()}; }
+    std::vector<int> values;
+    for (const float value : image.floats->rgb) {
+        values.push_back(static_cast<int>(std::lround(value * 255.0f)));
+    }
+    return values;
+}
+
+TEST(PictureFiles, ShowTheirPixels) {
+    for (const PictureFile& file : allFiles()) {
+        SCOPED_TRACE(file.name);
+        const Result<SceneImage> image = decodeImage(file.bytes, file.name);
+        ASSERT_TRUE(image) << image.error().format();
+        EXPECT_EQ(imageFormatOf("", file.bytes), imageFormatOf(file.name, ""))
+            << "told by name and content alike";
+        const std::vector<int> values = valuesOf(*image);
+        ASSERT_EQ(values.size(), file.pixels.rgb.size());
+        for (size_t i = 0; i < values.size(); ++i) {
+            EXPECT_NEAR(values[i], file.pixels.rgb[i], file.tolerance) << "value " << i;
+        }
+        if (image->bytes) {
+            EXPECT_EQ(image->bytes->width, 6);
+            EXPECT_EQ(image->bytes->alpha, file.pixels.alpha);
+        }
+    }
+}
+
+/// The bits of a picture, or "" where it is refused.
+std::string decoded(const std::string& bytes, const std::string& name) {
+    const Result<SceneImage> image = decodeImage(bytes, name);
+    if (!image) {
+        EXPECT_FALSE(image.error().message.empty());
+        return "";
+    }
+    if (image->bytes) {
+        std::string out(image->bytes->rgb.begin(), image->bytes->rgb.end());
+        return out + std::string(image->bytes->alpha.begin(), image->bytes->alpha.end());
+    }
+    return {reinterpret_cast<const char*>(image->floats->rgb.data()),
+            image->floats->rgb.size() * sizeof(float)};
+}
+
+TEST(PictureFiles, CutOffOnesAreRefusedUnlessNoPixelIsMissing) {
+    for (const PictureFile& file : allFiles()) {
+        const std::string whole = decoded(file.bytes, file.name);
+        // Digits that are missing at the end of a text nobody can miss.
+        const size_t end =
+            file.name == "text.ppm" ? file.bytes.rfind(' ', file.bytes.size() - 2) : file.bytes.size();
+        for (size_t size = 0; size < end; ++size) {
+            const std::string cut = decoded(file.bytes.substr(0, size), file.name);
+            EXPECT_TRUE(cut.empty() || cut == whole) << file.name << ", its first " << size << " bytes";
+        }
+    }
+}
+
+std::string damaged(std::string bytes, std::mt19937& random) {
+    for (size_t changes = 1 + random() % 3; changes > 0; --changes) {
+        bytes[random() % bytes.size()] = static_cast<char>(random());
+    }
+    return random() % 4 == 0 ? bytes.substr(0, random() % bytes.size()) : bytes;
+}
+
+/// What memory held before must not show: malloc fills what it hands out with one pattern, then with another.
+TEST(PictureFiles, DamagedOnesShowNothingOfTheMemory) {
+    std::mt19937 random(11);
+    for (const PictureFile& file : allFiles()) {
+        for (int round = 0; round < 100; ++round) {
+            const std::string bytes = damaged(file.bytes, random);
+            mallopt(M_PERTURB, 0x5a);
+            const std::string first = decoded(bytes, file.name);
+            mallopt(M_PERTURB, 0xc3);
+            const std::string second = decoded(bytes, file.name);
+            mallopt(M_PERTURB, 0);
+            ASSERT_TRUE(first == second) << file.name << ", round " << round;
+        }
+    }
+}
+
+TEST(PictureFiles, PngWithAWrongChecksumIsRefused) {
+    for (const PictureFile& file : test::pictureFiles()) {
+        if (!file.name.ends_with(".png")) { continue; }
+        for (const char* chunk : {"IHDR", "PLTE", "IDAT", "IEND"}) {
+            const size_t at = file.bytes.find(chunk);
+            if (at == std::string::npos) { continue; }
+            std::string bytes = file.bytes;
+            const auto length = static_cast<size_t>(static_cast<uint8_t>(bytes[at - 1])) +
+                                256 * static_cast<size_t>(static_cast<uint8_t>(bytes[at - 2]));
+            bytes[at + 4 + length] ^= 1;
+            const Result<SceneImage> image = decodeImage(bytes, file.name);
+            ASSERT_FALSE(image) << file.name << " " << chunk;
+            EXPECT_THAT(image.error().format(), HasSubstr("CRC")) << file.name << " " << chunk;
+        }
+    }
+}
+
+TEST(PictureFiles, JpegFollowsTheOrientationOfItsExif) {
+    // Where the white half of the stored picture, its left one, is shown.
+    const char* const kWhite[] = {"left", "right", "right", "left", "top", "top", "bottom", "bottom"};
+    for (int orientation = 1; orientation <= 8; ++orientation) {
+        const auto image = decodeImage(test::jpegWithOrientation(orientation), "a.jpg");
+        ASSERT_TRUE(image) << image.error().format();
+        const Image8& pixels = *image->bytes;
+        EXPECT_EQ(pixels.width, orientation < 5 ? 16 : 8);
+        const auto isWhite = [&](int x, int y) {
+            return pixels.rgb[static_cast<size_t>(3 * (y * pixels.width + x))] > 128;
+        };
+        const int right = pixels.width - 1, bottom = pixels.height - 1;
+        const std::string white = isWhite(0, 0) && isWhite(0, bottom)           ? "left"
+                                  : isWhite(right, 0) && isWhite(right, bottom) ? "right"
+                                  : isWhite(0, 0) && isWhite(right, 0)          ? "top"
+                                                                                : "bottom";
+        EXPECT_EQ(white, kWhite[orientation - 1]) << "orientation " << orientation;
+    }
+}
+
+TEST(PictureFiles, XyzeHasItsColours) {
+    // Y = 0.5 of D65's white: X = 0.9505 Y, Z = 1.089 Y.
+    std::string bytes = "#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n";
+    for (const int value : {122, 128, 139, 128}) {
+        bytes += static_cast<char>(value);
+    }
+    const auto image = decodeImage(bytes, "a.hdr");
+    ASSERT_TRUE(image) << image.error().format();
+    for (const float value : image->floats->rgb) {
+        EXPECT_NEAR(value, 0.5f, 0.01f);
+    }
+    const auto other = decodeImage("#?RADIANCE\nFORMAT=32-bit_yuv\n\n-Y 1 +X 1\nabcd", "a.hdr");
+    ASSERT_FALSE(other);
+    EXPECT_THAT(other.error().format(), HasSubstr("32-bit_yuv"));
+}
+
+/// 15 GB of zeros that take no room on the disk: their first bytes decide.
+TEST(PictureFiles, WhatIsNoPictureIsNotReadWhole) {
+    const TempFolder folder;
+    const std::string path = folder.write("sparse.png", "no picture");
+    std::error_code error;
+    std::filesystem::resize_file(path, uintmax_t{15} << 30, error);
+    if (error) { GTEST_SKIP() << "the disk has no sparse files: " << error.message(); }
+    const Result<std::string> bytes = readImageFile(path);
+    ASSERT_TRUE(bytes) << bytes.error().format();
+    EXPECT_LE(bytes->size(), 4096u);
+    const auto image = loadImage(path);
+    ASSERT_FALSE(image);
+    EXPECT_THAT(image.error().format(), HasSubstr("is not an image that can be read"));
+}
+
+}  // namespace
+}  // namespace glint

@@ -1,0 +1,15 @@
+// Picture files that libpng, libjpeg, libtiff and giflib write, for picture_files.cpp.
+#pragma once
+
+#include <vector>
+
+#include "tests/support/picture_files.h"
+
+namespace glint::test {
+
+void addPng(std::vector<PictureFile>* files);
+void addJpeg(std::vector<PictureFile>* files);
+void addTiff(std::vector<PictureFile>* files);
+void addGif(std::vector<PictureFile>* files);
+
+}  // namespace glint::test
