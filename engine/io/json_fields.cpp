@@ -122,7 +122,8 @@ JsonFields::JsonFields(JsonErrors& errors, const JsonValue& object, std::string_
     : errors_(errors), what_(what), keys_(std::move(keys)) {
     if (errors.failed() || !expectType(errors, object, what, JsonType::Object)) { return; }
     object_ = object;
-    for (JsonValue key = object.first(); key.present(); key = object.next(object.next(key))) {
+    for (JsonValue key = object.first(); key.present() && !errors.failed();
+         key = object.next(object.next(key))) {
         const std::string name = key.string();
         if (std::ranges::find(keys_, name) == keys_.end()) {
             const std::string hint = didYouMean(name, keys_);

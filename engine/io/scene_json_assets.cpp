@@ -24,9 +24,8 @@ void SceneJsonReader::checkIdleAssets() {
     for (const Asset& asset : idleAssets(scene_)) {
         const std::string file = assetFile(scene_, asset);
         if (!file.empty() && !fileExists(resolvePath(file, assets_.scenePath()))) {
-            const SourcePlace place = placeOf(asset).error("").place;
             scene_.warnings.push_back(
-                fmt::format("{}:{}: \"{}\" is missing; nothing uses it", place.file, place.line, file));
+                placeOf(asset).warning(fmt::format("\"{}\" is missing; nothing uses it", file)));
         }
     }
 }
@@ -48,9 +47,7 @@ void SceneJsonReader::reportFile(const JsonValue& at, const std::string& path, c
     if (fileExists(resolved)) {
         errors_.add(error);  // It is there but broken: its own place says more.
     } else if (options_.allowMissing) {
-        const SourcePlace place = at.error("").place;
-        scene_.warnings.push_back(
-            fmt::format("{}:{}: \"{}\" is missing and left out", place.file, place.line, path));
+        scene_.warnings.push_back(at.warning(fmt::format("\"{}\" is missing and left out", path)));
     } else {
         errors_.add(at,
                     fmt::format("the file \"{}\" cannot be read: {} (looked for {}); --allow-missing goes on "

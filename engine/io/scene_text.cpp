@@ -183,9 +183,8 @@ void SceneTextReader::readDiskLights() {
     }
     tokens_.expect("}", fmt::format("{} DiskLights", count));
     if (count > 0 && !tokens_.failed()) {
-        scene_.warnings.push_back(
-            fmt::format("{}:{}: DiskLights are left out, as the original's path tracer does", scene_.path,
-                        tokens_.source().place(at.offset).line));
+        scene_.warnings.push_back(tokens_.source().warning(
+            at.offset, "DiskLights are left out, as the original's path tracer does"));
     }
 }
 
@@ -207,8 +206,7 @@ void SceneTextReader::finish() {
         useLights();
     }
     for (const Missing& missing : missing_) {
-        const SourcePlace place = tokens_.source().place(missing.at.offset);
-        scene_.warnings.push_back(fmt::format("{}:{}: {}; left out", place.file, place.line, missing.what));
+        scene_.warnings.push_back(tokens_.source().warning(missing.at.offset, missing.what + "; left out"));
     }
     if (!missing_.empty() && !options_.allowMissing) {
         const std::string more =

@@ -99,9 +99,10 @@ void SceneTextReader::readTextures() {
     };
     for (const Asset& asset : idleAssets(scene_)) {
         if (isMissing(asset)) {
-            const SourcePlace place = tokens_.source().place(texturePlaces_[asset.index].offset);
-            scene_.warnings.push_back(fmt::format("{}:{}: the texture \"{}\" is missing; no object uses it",
-                                                  place.file, place.line, scene_.textures[asset.index].name));
+            scene_.warnings.push_back(
+                tokens_.source().warning(texturePlaces_[asset.index].offset,
+                                         fmt::format("the texture \"{}\" is missing; no object uses it",
+                                                     scene_.textures[asset.index].name)));
         }
     }
     readUsedAssets(&assets_, &scene_, [&](const Asset& asset, const Error& error) {

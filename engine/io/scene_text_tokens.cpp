@@ -12,8 +12,9 @@
 namespace glint {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\n\v\f";
-constexpr std::string_view kBraces = "{}[]";
+constexpr std::string_view kWordEnds = " \t\r\n\v\f{}[]";
+constexpr std::string_view kBlanks = kWordEnds.substr(0, 6);
+constexpr std::string_view kBraces = kWordEnds.substr(6);
 
 std::string shown(const TextToken& token) {
     return token.text.empty() ? "the end of the file" : fmt::format("'{}'", token.text.substr(0, 40));
@@ -28,8 +29,7 @@ TextToken SceneTextTokens::scan(size_t from) const {
     const size_t begin = text.find_first_not_of(kBlanks, from);
     if (begin == std::string_view::npos) { return {{}, text.size()}; }
     if (kBraces.find(text[begin]) != std::string_view::npos) { return {text.substr(begin, 1), begin}; }
-    const size_t end =
-        std::min({text.find_first_of(kBlanks, begin), text.find_first_of(kBraces, begin), text.size()});
+    const size_t end = std::min(text.find_first_of(kWordEnds, begin), text.size());
     return {text.substr(begin, end - begin), begin};
 }
 

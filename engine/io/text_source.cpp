@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 
 #include <fmt/format.h>
 
@@ -18,37 +16,38 @@ constexpr size_t kMaxSceneBytes = size_t{256} << 20;
 
 }  // namespace
 
+int LineIndex::line(const std::string& text, size_t offset) {
+    if (!isListed_) {
+        for (size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1)) {
+            ends_.push_back(static_cast<uint32_t>(at));
+        }
+        searchedBytes_ += text.size();
+        isListed_ = true;
+    }
+    return 1 + static_cast<int>(std::ranges::lower_bound(ends_, offset) - ends_.begin());
+}
+
 SourcePlace TextSource::place(size_t offset) const {
     offset = std::min(offset, text.size());
     const size_t before = offset == 0 ? std::string::npos : text.rfind('\n', offset - 1);
     const size_t lineStart = before == std::string::npos ? 0 : before + 1;
     size_t lineEnd = std::min(text.find('\n', offset), text.size());
     if (lineEnd > lineStart && text[lineEnd - 1] == '\r') { lineEnd = std::max(lineEnd - 1, offset); }
-    const auto line =
-        std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(lineStart), '\n') + 1;
-    return {path, static_cast<int>(line), static_cast<int>(offset - lineStart + 1),
+    return {path, lines.line(text, offset), static_cast<int>(offset - lineStart + 1),
             text.substr(lineStart, lineEnd - lineStart)};
 }
 
+std::string TextSource::warning(size_t offset, std::string_view message) const {
+    return fmt::format("{}:{}: {}", path, lines.line(text, std::min(offset, text.size())), message);
+}
+
 Result<TextSource> readSceneFile(const std::string& path) {
-    const SourcePlace place{path, 0, 0, ""};
-    if (Status regular = checkRegularFile(path, "a file"); !regular) { return regular.error(); }
-    std::ifstream file(path, std::ios::binary);
-    if (!file) { return Error{fmt::format("cannot be opened: {}", std::strerror(errno)), place}; }
-    TextSource source{path, {}};
-    char block[1 << 16];
-    while (file.read(block, sizeof block), file.gcount() > 0) {
-        source.text.append(block, static_cast<size_t>(file.gcount()));
-        if (source.text.size() > kMaxSceneBytes) {
-            return Error{
-                fmt::format("is larger than {} MiB, the most a scene file may be", kMaxSceneBytes >> 20),
-                place};
-        }
+    Result<std::string> text = readFile(path, kMaxSceneBytes);
+    if (!text) { return text.error(); }
+    if (text->find_first_not_of(" \t\r\n") == std::string::npos) {
+        return Error{"is empty; expected a scene", {.file = path}};
     }
-    if (source.text.find_first_not_of(" \t\r\n") == std::string::npos) {
-        return Error{"is empty; expected a scene", place};
-    }
-    return source;
+    return TextSource{path, std::move(*text)};
 }
 
 NumberParse parseFloat(std::string_view text, float* value) {

@@ -1,0 +1,142 @@
+// What loading costs: memory in proportion to the file, time that does not grow faster than it. Scenes here
+// are of the kinds that take most for their size.
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <malloc.h>
+
+#include "engine/io/scene_loader.h"
+#include "engine/io/text_source.h"
+#include "tests/support/temp_folder.h"
+
+namespace {
+
+std::atomic<size_t> heldBytes{0}, mostBytes{0};
+
+void* counted(void* block) {
+    if (block == nullptr) { throw std::bad_alloc(); }
+    const size_t held = heldBytes += malloc_usable_size(block);
+    size_t most = mostBytes;
+    while (held > most && !mostBytes.compare_exchange_weak(most, held)) {}
+    return block;
+}
+
+void release(void* block) {
+    heldBytes -= malloc_usable_size(block);
+    std::free(block);
+}
+
+}  // namespace
+
+void* operator new(size_t size) { return counted(std::malloc(size)); }
+void* operator new(size_t size, std::align_val_t alignment) {
+    return counted(std::aligned_alloc(
+        static_cast<size_t>(alignment),
+        (size + static_cast<size_t>(alignment) - 1) & ~(static_cast<size_t>(alignment) - 1)));
+}
+void operator delete(void* block) noexcept { release(block); }
+void operator delete(void* block, size_t) noexcept { release(block); }
+void operator delete(void* block, std::align_val_t) noexcept { release(block); }
+void operator delete(void* block, size_t, std::align_val_t) noexcept { release(block); }
+
+namespace glint {
+namespace {
+
+using test::TempFolder;
+using testing::HasSubstr;
+
+std::string repeated(int count, const std::string& text) {
+    std::string out;
+    for (int i = 0; i < count; ++i) {
+        std::string one = text;
+        for (size_t at = one.find('#'); at != std::string::npos; at = one.find('#', at + 1)) {
+            one.replace(at, 1, std::to_string(i));
+        }
+        out += one;
+    }
+    return out;
+}
+
+/// A list of JSON values with their commas.
+std::string list(int count, const std::string& text) {
+    std::string out = repeated(count, text + ",");
+    out.pop_back();
+    return out;
+}
+
+struct Scene {
+    const char* name;  ///< its extension tells the kind
+    std::string text;
+    bool loads = true;
+};
+
+TEST(LoadCost, MemoryIsInProportionToTheFile) {
+    constexpr int kCount = 30'000;
+    const std::string count = std::to_string(kCount);
+    const std::string grey = R"({"glint":1,"materials":{"a":{"type":"mirror"}},)";
+    const Scene scenes[] = {
+        {"materials.txt", "Materials{numMaterials " + count + " " + repeated(kCount, "Material{}") + "}"},
+        {"planes.txt", "Group{numObjects " + count + " " + repeated(kCount, "Plane{}") + "}"},
+        {"lights.txt", "Lights{numLights " + count + " " + repeated(kCount, "PointLight{}") + "}"},
+        {"triangles.txt", "Group{numObjects " + count + " " +
+                              repeated(kCount, "Triangle{vertex0 0 0 0 vertex1 1 0 0 vertex2 0 1 0}") + "}"},
+        {"materials.json", R"({"glint":1,"materials":{)" + list(kCount, R"("#":{"type":"mirror"})") + "}}"},
+        {"objects.json", grey + R"("objects":[)" + list(kCount, R"({"type":"plane","material":"a"})") + "]}"},
+        {"own.json",
+         grey + R"("objects":[)" + list(kCount, R"({"type":"plane","material":{"type":"mirror"}})") + "]}"},
+        {"lights.json",
+         R"({"glint":1,"lights":[)" + list(kCount, R"({"type":"point","position":[0,0,0]})") + "]}"},
+        {"textures.json", R"({"glint":1,"textures":{)" + list(kCount, R"("#":{"file":"a"})") + "}}"},
+        {"meshes.json", grey + R"("meshes":{)" +
+                            list(kCount, R"("#":{"positions":[[0,0,0]],"triangles":[[0,0,0]]})") + "}}"},
+        {"lists.json", R"({"glint":1,"objects":[)" + list(10 * kCount, "[]") + "]}", false},
+        {"keys.json", R"({"glint":1,"objects":{)" + list(kCount, R"("#":0)") + "}}", false},
+    };
+    const TempFolder folder;
+    for (const Scene& scene : scenes) {
+        const std::string path = folder.write(scene.name, scene.text);
+        mostBytes = heldBytes.load();
+        const size_t before = heldBytes;
+        const auto loaded = loadScene(path);
+        EXPECT_EQ(loaded.ok(), scene.loads) << scene.name << ": " << (loaded ? "" : loaded.error().format());
+        EXPECT_LE(mostBytes - before, 64 * scene.text.size()) << scene.name;
+        std::printf("%s: %.1f bytes for each of the file's\n", scene.name,
+                    static_cast<double>(mostBytes - before) / static_cast<double>(scene.text.size()));
+    }
+}
+
+TEST(LoadCost, LinesAreListedOnceHoweverManyAreAskedFor) {
+    const TextSource source{"a", repeated(1000, "line #\n") + "last"};
+    for (size_t offset = 0, line = 1; offset < source.text.size(); ++offset) {
+        ASSERT_EQ(source.warning(offset, "x"), "a:" + std::to_string(line) + ": x");
+        ASSERT_EQ(source.place(offset).line, static_cast<int>(line));
+        line += source.text[offset] == '\n' ? 1 : 0;
+    }
+    EXPECT_EQ(source.lines.searchedBytes(), source.text.size());
+}
+
+/// Where time grew with the square of the size, these would take hours.
+TEST(LoadCost, TimeIsInProportionToTheFile) {
+    const TempFolder folder;
+    const auto fields =
+        loadScene(folder.write("fields.txt", "PerspectiveCamera { " + repeated(500'000, "angle 30 ") + "}"));
+    ASSERT_TRUE(fields) << fields.error().format();
+    EXPECT_EQ(fields->camera.verticalFovDeg, 30.0f);
+    constexpr int kCount = 100'000;
+    const std::string missing = R"({"glint":1,"textures":{)" + list(kCount, "\n\"#\":{\"file\":\"none#\"}") +
+                                "},\"materials\":{" +
+                                list(kCount, R"("#":{"type":"diffuse","color":{"texture":"#"}})") +
+                                "},\"objects\":[" + list(kCount, R"({"type":"plane","material":"#"})") + "]}";
+    const auto without = loadScene(folder.write("missing.json", missing), {.allowMissing = true});
+    ASSERT_TRUE(without) << without.error().format();
+    ASSERT_GE(without->warnings.size(), size_t{kCount});
+    EXPECT_THAT(without->warnings[kCount - 1],
+                HasSubstr("missing.json:100001: \"none99999\" is missing and left out"));
+}
+
+}  // namespace
+}  // namespace glint
