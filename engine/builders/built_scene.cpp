@@ -29,4 +29,11 @@ SceneView BuiltScene::view() const {
     return scene;
 }
 
+bool BuiltScene::looksLike(const BuiltScene& other) const {
+    const bool isComplete = instances && materials && textures && lights;
+    return isComplete && meshes == other.meshes && instances == other.instances &&
+           materials == other.materials && textures == other.textures && lights == other.lights &&
+           camera == other.camera && recentring == other.recentring;
+}
+
 }  // namespace glint

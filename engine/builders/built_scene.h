@@ -10,12 +10,12 @@
 
 namespace glint {
 
-struct BuiltMesh;      // build/mesh_builder.h: one mesh with its acceleration structure
-struct Recentring;     // build/recentring.h: where a scene far from the origin was moved to
-struct InstanceTable;  // build/instance_builder.h: instances and the top-level structure
-struct MaterialTable;  // build/material_table.h
-struct TextureTable;   // build/texture_table.h
-struct LightTable;     // build/light_table.h
+struct BuiltMesh;      // builders/mesh_builder.h: one mesh with its acceleration structure
+struct Recentring;     // builders/recentring.h: where a scene far from the origin was moved to
+struct InstanceTable;  // builders/instance_builder.h: instances and the top-level structure
+struct MaterialTable;  // builders/material_table.h
+struct TextureTable;   // builders/texture_table.h
+struct LightTable;     // builders/light_table.h
 
 struct BuiltScene {
     std::vector<std::shared_ptr<const BuiltMesh>> meshes;  ///< same indices as SceneDescription::meshes
@@ -31,6 +31,10 @@ struct BuiltScene {
     Vec3 origin() const;
     /// Host pointers into this object's parts: valid while it lives.
     SceneView view() const;
+
+    /// Whether all that kernels read is the same, but for features that only one of them needs. False where
+    /// parts are missing.
+    bool looksLike(const BuiltScene& other) const;
 };
 
 }  // namespace glint

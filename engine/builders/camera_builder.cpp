@@ -78,9 +78,14 @@ Result<CameraData> buildCamera(const Camera& camera, float aspect) {
     data.tanHalfFovX = static_cast<float>(tanHalfFov * static_cast<double>(aspect) *
                                           static_cast<double>(camera.horizontalScale));
     data.lensRadius = 0.5f * camera.apertureDiameter;
-    data.focalDistance = camera.focalDistance;
-    data.blades = camera.apertureBlades;
-    data.bladeRotationRad = glm::radians(std::fmod(camera.bladeRotationDeg, 360.0f));
+    // What a pinhole does not look at is not taken over, so that editing it changes nothing.
+    if (data.lensRadius > 0.0f) {
+        data.focalDistance = camera.focalDistance;
+        data.blades = camera.apertureBlades;
+        if (data.blades > 0) {
+            data.bladeRotationRad = glm::radians(std::fmod(camera.bladeRotationDeg, 360.0f));
+        }
+    }
     return data;
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "engine/base/parallel.h"
+#include "engine/builders/emission_means.h"
 #include "engine/builders/light_tree_builder.h"
 #include "engine/builders/repeated_triangles.h"
 #include "engine/kernels/shapes/shape_facts.h"
@@ -12,8 +13,6 @@
 
 namespace glint {
 namespace {
-
-Vec3 emittedRadiance(const Material& material) { return material.emission.value * material.emissionStrength; }
 
 /// 1 - cos as 2 sin^2 of the half: keeps its digits for narrow angles.
 float oneMinusCosine(float angleDeg) {
@@ -72,7 +71,8 @@ LightNode leafNode(const EmitterData& e) {
 
 class TableBuilder {
   public:
-    TableBuilder(const SceneDescription& scene, int threads) : scene_(scene), threads_(threads) {}
+    TableBuilder(const SceneDescription& scene, const TextureTable& textures, int threads)
+        : scene_(scene), textures_(textures), threads_(threads) {}
 
     std::shared_ptr<LightTable> build() {
         table_->firstEmitter.assign(scene_.objects.size(), kNone);
@@ -104,10 +104,35 @@ class TableBuilder {
         }
         for (size_t i = first; i < table_->emitters.size(); ++i) {
             table_->emitters[i].shape = object.shape;
-            table_->emitters[i].radiance = emittedRadiance(material);
+            table_->emitters[i].radiance = material.emission.value * material.emissionStrength;
             table_->emitters[i].emitsBothSides = material.emitsBothSides && !object.frontOnly;
             table_->emitters[i].instance = static_cast<uint32_t>(index);
         }
+        const uint32_t texture = textures_.packed(material.emission.texture);
+        if (texture != kNone) {
+            setMeans(object, textures_.textures[texture], material.emissionStrength, first);
+        }
+    }
+
+    /// The radiance of one object's emitters by its emission texture.
+    void setMeans(const Object& object, const TextureView& texture, float strength, size_t first) {
+        const EmissionMeans means(texture);
+        if (object.shape != ShapeKind::Mesh) {
+            table_->emitters[first].radiance = means.overAll() * strength;
+            return;
+        }
+        const MeshData& mesh = *scene_.meshes[static_cast<size_t>(object.mesh)].data;
+        const auto uvOf = [&](size_t corner) {
+            constexpr Vec2 kOfWeights[] = {Vec2(0.0f), Vec2(1.0f, 0.0f), Vec2(0.0f, 1.0f)};
+            return mesh.uvs.empty() ? kOfWeights[corner % 3] : mesh.uvs[mesh.indices[corner]];
+        };
+        parallelChunks(mesh.triangleCount(), 1 << 12, threads_, [&](int64_t begin, int64_t end) {
+            for (int64_t i = begin; i < end; ++i) {
+                const size_t corner = 3 * static_cast<size_t>(i);
+                table_->emitters[first + static_cast<size_t>(i)].radiance =
+                    means.overTriangle(uvOf(corner), uvOf(corner + 1), uvOf(corner + 2)) * strength;
+            }
+        });
     }
 
     void addMesh(const Object& object, const MeshData& mesh, bool bothSides) {
@@ -135,6 +160,7 @@ class TableBuilder {
     }
 
     const SceneDescription& scene_;
+    const TextureTable& textures_;
     const int threads_;
     std::shared_ptr<LightTable> table_ = std::make_shared<LightTable>();
 };
@@ -213,11 +239,13 @@ size_t LightTable::bytes() const {
            (environment ? environment->bytes() : 0);
 }
 
-std::shared_ptr<const LightTable> buildLightTable(const SceneDescription& scene, const LightTable* previous,
+std::shared_ptr<const LightTable> buildLightTable(const SceneDescription& scene, const TextureTable& textures,
+                                                  const std::shared_ptr<const LightTable>& previous,
                                                   int threads) {
-    std::shared_ptr<LightTable> table = TableBuilder(scene, threads).build();
-    addEnvironment(scene, previous, threads, table.get());
+    std::shared_ptr<LightTable> table = TableBuilder(scene, textures, threads).build();
+    addEnvironment(scene, previous.get(), threads, table.get());
     addSelection(table.get());
+    if (previous && *previous == *table) { return previous; }
     return table;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/builders/environment_table.h"
+#include "engine/builders/texture_table.h"
 #include "engine/kernels/features.h"
 #include "engine/kernels/light_view.h"
 #include "engine/scene/scene.h"
@@ -37,12 +38,16 @@ struct LightTable {
     /// Host pointers into this object.
     LightView view() const;
     size_t bytes() const;
+
+    bool operator==(const LightTable&) const = default;
 };
 
-/// `previous` (may be null) lends its environment distribution when the image is the same object.
+/// `previous` (may be null) lends its environment distribution when the image is the same object, and is
+/// returned itself where nothing changed.
 /// Deterministic for any number of threads (0: all). The description must be valid: indices in range,
 /// transforms invertible.
-std::shared_ptr<const LightTable> buildLightTable(const SceneDescription& scene, const LightTable* previous,
+std::shared_ptr<const LightTable> buildLightTable(const SceneDescription& scene, const TextureTable& textures,
+                                                  const std::shared_ptr<const LightTable>& previous,
                                                   int threads);
 
 }  // namespace glint

@@ -107,9 +107,17 @@ void setCoat(const MaterialData* before, const std::vector<CoatRow>* rowsBefore,
 uint8_t flagsOf(const Material& material) {
     int flags = 0;
     flags |= material.kind == MaterialKind::Dielectric && material.thin ? kMaterialThin : 0;
-    flags |= material.emitsBothSides ? kMaterialEmitsBothSides : 0;
+    flags |= material.emissive() && material.emitsBothSides ? kMaterialEmitsBothSides : 0;
     flags |= material.emissive() ? kMaterialEmissive : 0;
     return static_cast<uint8_t>(flags);
+}
+
+void setEmission(const Material& material, const TextureTable& textures, MaterialData* data) {
+    data->emissionTexture = textures.packed(material.emission.texture);
+    const bool isTexture = data->emissionTexture != kNone;
+    if (isTexture) { data->flags |= kMaterialInputTextures; }
+    data->emission =
+        (isTexture ? Vec3(1.0f) : glm::max(material.emission.value, Vec3(0.0f))) * material.emissionStrength;
 }
 
 /// What only one kind of material has. Error: it makes no sense.
@@ -137,9 +145,7 @@ Result<MaterialData> makeMaterial(const Material& material, const TextureTable& 
     data.color = glm::clamp(material.color.value, Vec3(0.0f), Vec3(1.0f));
     data.colorTexture = textures.packed(material.color.texture);
     setInputs(material, textures, &data);
-    if (material.emissive()) {
-        data.emission = glm::max(material.emission.value, Vec3(0.0f)) * material.emissionStrength;
-    }
+    if (material.emissive()) { setEmission(material, textures, &data); }
     if (const Status status = setOwn(material, &data); !status) { return status.error(); }
     settleConstants(&data);
     return data;
@@ -147,7 +153,7 @@ Result<MaterialData> makeMaterial(const Material& material, const TextureTable& 
 
 bool sameMaterial(const MaterialData& a, const MaterialData& b) {
     bool same = a.color == b.color && a.colorTexture == b.colorTexture && a.emission == b.emission &&
-                a.kind == b.kind && a.flags == b.flags;
+                a.emissionTexture == b.emissionTexture && a.kind == b.kind && a.flags == b.flags;
     forEachModelInput([&](const InputInfo&, const auto& x, const auto& y, const TextureSlot& s,
                           const TextureSlot& t) { same = same && x == y && s.index == t.index; },
                       a.inputs, b.inputs, a.textures, b.textures);

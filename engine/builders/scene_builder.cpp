@@ -138,7 +138,11 @@ class SceneBuild {
         auto table = buildMaterialTable(*scene_, *built_->textures, built_->materials);
         if (!table) { return table.error(); }
         report_.materialsBuilt = *table != built_->materials;
-        emissionChanged_ = !sameEmission(built_->materials.get(), **table);
+        emissionChanged_ =
+            !sameEmission(built_->materials.get(), **table) ||
+            (report_.texturesBuilt && std::ranges::any_of((*table)->materials, [](const MaterialData& m) {
+                 return m.emissionTexture != kNone;
+             }));
         materialFeaturesChanged_ = !sameFeatures(built_->materials.get(), **table);
         built_->materials = std::move(table).value();
         return {};
@@ -147,10 +151,10 @@ class SceneBuild {
     Status lights() {
         const bool emittersMoved = concerns(EditKind::ObjectTransform) && shapesEmit();
         if (!concerns(EditKind::Lights) && !emittersMoved && !emissionChanged_) { return {}; }
-        auto table = buildLightTable(*scene_, built_->lights.get(), threads_);
+        auto table = buildLightTable(*scene_, *built_->textures, built_->lights, threads_);
         emittersMoved_ = !built_->lights || table->firstEmitter != built_->lights->firstEmitter;
+        report_.lightsBuilt = table != built_->lights;
         built_->lights = std::move(table);
-        report_.lightsBuilt = true;
         return {};
     }
 
@@ -197,7 +201,10 @@ class SceneBuild {
         constexpr uint8_t kEmissionFlags = kMaterialEmissive | kMaterialEmitsBothSides;
         for (size_t i = 0; i < after.materials.size(); ++i) {
             const MaterialData &a = before->materials[i], &b = after.materials[i];
-            if (a.emission != b.emission || ((a.flags ^ b.flags) & kEmissionFlags) != 0) { return false; }
+            if (a.emission != b.emission || a.emissionTexture != b.emissionTexture ||
+                ((a.flags ^ b.flags) & kEmissionFlags) != 0) {
+                return false;
+            }
         }
         return true;
     }

@@ -1,10 +1,53 @@
-// Light that a surface sends out itself.
+// Light that surfaces send out themselves.
 #pragma once
 
 #include "engine/kernels/scene_view.h"
+#include "engine/kernels/shapes/shapes.h"
 #include "engine/kernels/surface.h"
+#include "engine/kernels/texture.h"
 
 namespace glint {
+namespace detail {
+
+/// Whether the mask and the material say that the emission is a texture.
+template <FeatureMask kMask>
+GLINT_HD inline bool emitsTexture(const SceneView& view, const MaterialData& material) {
+    return hasFeature<kMask>(kFeatureInputTextures) && material.emissionTexture < view.textures.count;
+}
+
+/// The texture coordinates that a hit at the point `p` of an emitter would have.
+template <FeatureMask kMask>
+GLINT_HD inline Vec2 emitterUv(const GeometryView& geometry, const EmitterData& e, const Vec3& p) {
+    const InstanceData& instance = geometry.instances[e.instance];
+    if (isMesh<kMask>(instance)) {
+        return MeshShape::emitterUv(geometry.meshes[instance.mesh], e, e.original - instance.firstEmitter, p);
+    }
+    return visitShape<Vec2, kAnalyticOnly<kMask>>(instance.shape, [&](auto shape) {
+        return decltype(shape)::template surface<kMask>(instance.worldToObject.point(p)).uv;
+    });
+}
+
+}  // namespace detail
+
+/// Radiance that an emissive material sends out at texture coordinates uv, on a side that emits.
+template <FeatureMask kMask>
+GLINT_HD inline Vec3 emissionAt(const SceneView& view, const MaterialData& material, const Vec2& uv) {
+    if (!detail::emitsTexture<kMask>(view, material)) { return material.emission; }
+    return material.emission *
+           glm::max(sampleTexture(view.textures[material.emissionTexture], uv), Vec3(0.0f));
+}
+
+/// Radiance of an area emitter at its point p, on a side that emits.
+template <FeatureMask kMask>
+GLINT_HD inline Vec3 emitterRadiance(const SceneView& view, const EmitterData& e, const Vec3& p) {
+    if (hasFeature<kMask>(kFeatureInputTextures) && view.textures.count > 0) {
+        const MaterialData& material = view.materials[view.geometry.instances[e.instance].material];
+        if (detail::emitsTexture<kMask>(view, material)) {
+            return emissionAt<kMask>(view, material, detail::emitterUv<kMask>(view.geometry, e, p));
+        }
+    }
+    return e.radiance;
+}
 
 /// Radiance that leaves `surface` towards the unit direction woWorld; 0 from the back of a one-sided emitter.
 template <FeatureMask kMask>
@@ -13,7 +56,7 @@ GLINT_HD inline Vec3 emittedRadiance(const SceneView& view, const SurfacePoint& 
     const MaterialData& material = view.materials[surface.material];
     if ((material.flags & kMaterialEmissive) == 0) { return Vec3(0.0f); }
     const bool seen = (material.flags & kMaterialEmitsBothSides) != 0 || glm::dot(woWorld, surface.ng) > 0.0f;
-    return seen ? material.emission : Vec3(0.0f);
+    return seen ? emissionAt<kMask>(view, material, surface.uv) : Vec3(0.0f);
 }
 
 }  // namespace glint

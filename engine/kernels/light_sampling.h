@@ -2,6 +2,7 @@
 // otherwise would have been sampled.
 #pragma once
 
+#include "engine/kernels/emitted_radiance.h"
 #include "engine/kernels/environment.h"
 #include "engine/kernels/light_tree.h"
 #include "engine/kernels/scene_view.h"
@@ -59,7 +60,7 @@ GLINT_HD inline LightSample sampleAreaLight(const SceneView& view, const Emitter
     s.point = point.p;
     s.pointError = point.pError;
     s.pointNormal = point.normal;
-    s.radiance = e.radiance;
+    s.radiance = emitterRadiance<kMask>(view, e, point.p);
     s.pdfSolidAngle = point.pdf;
     return s;
 }

@@ -1,7 +1,7 @@
 // Lights as kernels see them: emitters of every kind, how one is chosen, and the environment. Plain data.
 //
-// Filled by build/light_table, read by light_sampling.h. All of it is in world space: no transform is needed
-// to sample a light, except for ellipsoids, which use their instance's.
+// Filled by builders/light_table, read by light_sampling.h. All of it is in world space: no transform is
+// needed to sample a light, except for ellipsoids, which use their instance's.
 #pragma once
 
 #include "engine/base/kinds.h"
@@ -31,7 +31,9 @@ struct EmitterData {
     Vec3 axisV{0.0f};  ///< likewise; triangle: vertex 2 - vertex 0
     Vec3 direction{
         0.0f};  ///< flat shapes: unit normal of the front; spot, directional: unit, where the light travels
-    Vec3 radiance{0.0f};  ///< area: W/(sr m^2); point, spot: W/sr; directional: W/m^2 facing it
+    /// area: W/(sr m^2), with an emission texture about its mean; point, spot: W/sr; directional: W/m^2
+    /// facing it
+    Vec3 radiance{0.0f};
     /// rectangle, parallelogram, disc, triangle: area; directional: luminance of `radiance`
     float area = 0.0f;
     float radiusWorld = 0.0f;       ///< sphere
@@ -45,6 +47,8 @@ struct EmitterData {
     /// the transform keeps the shape's angles: a sphere stays a sphere, a rectangle a rectangle
     bool keepsAngles = false;
     bool emitsBothSides = false;
+
+    bool operator==(const EmitterData&) const = default;
 };
 
 /// Bounds of where a light or a group of lights is, where it shines and how strongly (Conty Estevez and Kulla
@@ -62,6 +66,8 @@ struct LightNode {
     uint32_t parent = 0;  ///< tree only; the root is its own parent
     bool isLeaf = true;
     bool bothSides = false;  ///< some light also emits around the opposite of its normal
+
+    bool operator==(const LightNode&) const = default;
 };
 
 /// A lat-long image around the scene and the distribution that samples it. Row 0 is +y, the middle column is

@@ -52,7 +52,8 @@ GLINT_HD inline EmittedPhoton emitFromArea(const SceneView& view, const EmitterD
     }
     const Vec3 direction = Frame::fromNormal(side * surface.ng).toWorld(sampleCosineHemisphere(u));
     photon.ray = spawnRay(surface, direction);
-    photon.flux = e.radiance * (kPi / point.pdf * (e.emitsBothSides ? 2.0f : 1.0f));
+    photon.flux =
+        emitterRadiance<kMask>(view, e, point.p) * (kPi / point.pdf * (e.emitsBothSides ? 2.0f : 1.0f));
     return photon;
 }
 

@@ -13,7 +13,7 @@ enum MaterialFlag : uint8_t {
     kMaterialThin = 1u << 0,
     kMaterialEmitsBothSides = 1u << 1,
     kMaterialEmissive = 1u << 2,
-    kMaterialInputTextures = 1u << 3,  ///< some input other than the colour is a texture
+    kMaterialInputTextures = 1u << 3,  ///< some input other than the colour is a texture; emission included
 };
 
 /// A GGX alpha below this is treated as perfectly smooth: its lobe is narrower than float directions
@@ -53,7 +53,9 @@ struct MaterialData {
     ShadingInputs inputs;                               ///< constants; what textures replace is not looked at
     MaterialInputs<TextureSlot, TextureSlot> textures;  ///< none in masks without kFeatureInputTextures
     uint32_t coatTable = TextureSlot::kNone;  ///< plastic with textures: first row in SceneView::coats
-    Vec3 emission{0.0f};                      ///< radiance, strength included
+    /// radiance, strength included; with a texture: the strength, which multiplies it
+    Vec3 emission{0.0f};
+    uint32_t emissionTexture = TextureSlot::kNone;  ///< none in masks without kFeatureInputTextures
     MaterialKind kind = MaterialKind::Diffuse;
     uint8_t flags = 0;
 };
@@ -80,6 +82,8 @@ struct CameraData {
     float focalDistance = 1.0f;
     int blades = 0;
     float bladeRotationRad = 0.0f;
+
+    bool operator==(const CameraData&) const = default;
 };
 
 }  // namespace glint

@@ -8,6 +8,8 @@ namespace glint {
 struct Frame {
     Vec3 s, t, n;  ///< world-space axes, right-handed: s x t = n
 
+    bool operator==(const Frame&) const = default;
+
     /// Duff et al. 2017, "Building an Orthonormal Basis, Revisited": continuous but for n.z changing
     /// its sign.
     GLINT_HD static Frame fromNormal(const Vec3& n) {

@@ -14,6 +14,10 @@ void count(const BuildReport& report, SessionCounters* counters) {
     counters->featureScans += report.featuresScanned;
 }
 
+/// What the built scene alone says: where it stays the same, these edits change no image.
+constexpr EditKind kOfBuiltScene = EditKind::Camera | EditKind::MaterialParameters | EditKind::MaterialKind |
+                                   EditKind::Lights | EditKind::ObjectTransform;
+
 /// Nothing of the built scene depends on them.
 bool needsNoBuild(EditKind kinds) { return (kinds & (allOwnEdits() | EditKind::Integrator)) == kinds; }
 
@@ -22,7 +26,7 @@ bool needsNoBuild(EditKind kinds) { return (kinds & (allOwnEdits() | EditKind::I
 SceneKeeper::Outcome SceneKeeper::take(SceneEdit* edit, SessionStatus* status) {
     edit->kinds |= refusedKinds_;
     if (!built_) { edit->kinds |= EditKind::Everything; }
-    const Status built = needsNoBuild(edit->kinds) ? Status() : rebuild(*edit, status);
+    const Status built = needsNoBuild(edit->kinds) ? Status() : rebuild(edit, status);
     if (built) {
         refusedKinds_ = EditKind::None;
         status->error.clear();
@@ -37,16 +41,17 @@ SceneKeeper::Outcome SceneKeeper::take(SceneEdit* edit, SessionStatus* status) {
     return Outcome::Refused;
 }
 
-Status SceneKeeper::rebuild(const SceneEdit& edit, SessionStatus* status) {
+Status SceneKeeper::rebuild(SceneEdit* edit, SessionStatus* status) {
     const auto began = SessionClock::now();
     BuildReport report;
-    auto result = build_(edit, built_.get(), threads_, &queue_->abandonBuild(), &report);
+    auto result = build_(*edit, built_.get(), threads_, &queue_->abandonBuild(), &report);
     count(report, &status->counters);
     if (!result) { return result.error(); }
+    if (built_ && (*result)->looksLike(*built_)) { edit->kinds = without(edit->kinds, kOfBuiltScene); }
     if (const Status taken = backend_->setScene(*result); !taken) { return taken; }
     built_ = std::move(result).value();
     memory_ = memoryOf(*built_);
-    status->kernel = backend_->kernelName(edit.scene->options.sampler);
+    status->kernel = backend_->kernelName(edit->scene->options.sampler);
     status->lastBuildSeconds = secondsSince(began);
     return {};
 }

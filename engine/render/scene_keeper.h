@@ -19,14 +19,14 @@ class SceneKeeper {
         Abandoned,  ///< given up for a newer scene, which waits
     };
     /// Builds what the edit changes and hands it to the back end. What was refused before is made up for: it
-    /// is added to the edit's kinds.
+    /// is added to the edit's kinds. Kinds that left the built scene as it was are taken from them.
     Outcome take(SceneEdit* edit, SessionStatus* status);
 
     bool hasScene() const { return built_ != nullptr; }
     const MemoryUse& memory() const { return memory_; }
 
   private:
-    Status rebuild(const SceneEdit& edit, SessionStatus* status);
+    Status rebuild(SceneEdit* edit, SessionStatus* status);
 
     Backend* backend_;
     SceneBuildFunction build_;

@@ -49,10 +49,7 @@ void SessionWorker::runOnce(Commands commands) {
     std::ranges::move(commands.captures, std::back_inserter(captures_));
     if (commands.firstPosted) { snapshots_.expectAnswer(*commands.firstPosted); }
     if (commands.edit) {
-        if (commands.restart) {
-            commands.edit->kinds |= EditKind::Camera;  // empties the films of all integrators
-        }
-        takeEdit(std::move(*commands.edit), std::move(commands.resume));
+        takeEdit(std::move(*commands.edit), commands.restart, std::move(commands.resume));
     } else if (commands.restart && keeper_.hasScene()) {
         failed_ = false;
         images_.takeTicket(status_.ticket);
@@ -80,7 +77,7 @@ void SessionWorker::fail(const std::string& why) {
     setStatus();
 }
 
-void SessionWorker::takeEdit(SceneEdit edit, std::optional<ResumePoint> resume) {
+void SessionWorker::takeEdit(SceneEdit edit, bool restarts, std::optional<ResumePoint> resume) {
     status_.state = SessionState::Building;
     published_->set(status_, messages_);
     const SceneKeeper::Outcome outcome = keeper_.take(&edit, &status_);
@@ -92,6 +89,7 @@ void SessionWorker::takeEdit(SceneEdit edit, std::optional<ResumePoint> resume) 
         return;
     }
     failed_ = false;
+    if (restarts) { edit.kinds |= EditKind::Camera; }  // empties the films of all integrators
     publishCurves(images_.takeScene(std::move(edit.scene), edit.kinds, request_));
     if (resume) { goOnFrom(std::move(*resume)); }
 }

@@ -25,7 +25,7 @@ class SessionWorker {
     void runOnce(Commands commands);
     void fail(const std::string& why);
 
-    void takeEdit(SceneEdit edit, std::optional<ResumePoint> resume);
+    void takeEdit(SceneEdit edit, bool restarts, std::optional<ResumePoint> resume);
     void goOnFrom(ResumePoint resume);
     void publishCurves(const std::vector<IntegratorKind>& kinds);
 

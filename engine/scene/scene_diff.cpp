@@ -1,6 +1,6 @@
 #include "engine/scene/scene_diff.h"
 
-#include "engine/scene/scene_fields.h"
+#include "engine/scene/scene_use.h"
 
 namespace glint {
 namespace {
@@ -15,6 +15,51 @@ template <class Value>
 constexpr bool kIsVector = false;
 template <class Item>
 constexpr bool kIsVector<std::vector<Item>> = true;
+
+/// Which of the scene's materials, textures or meshes make a picture.
+std::vector<bool> usedOf(const SceneDescription& scene, const std::vector<Material>&) {
+    return usedMaterials(scene);
+}
+std::vector<bool> usedOf(const SceneDescription& scene, const std::vector<Texture>&) {
+    return usedTextures(scene);
+}
+std::vector<bool> usedOf(const SceneDescription& scene, const std::vector<Mesh>&) {
+    return usedMeshes(scene);
+}
+
+template <class Value>
+concept MayBeUnused = requires(const SceneDescription& scene, const Value& value) {
+    usedOf(scene, value);
+};
+
+template <class Value>
+EditKind compare(const Value& a, const Value& b, EditKind edit);
+
+/// Items that neither scene uses are passed over.
+template <class Items>
+EditKind compareUsed(const Items& a, const std::vector<bool>& usedA, const Items& b,
+                     const std::vector<bool>& usedB, EditKind edit) {
+    if (a.size() != b.size()) { return edit; }
+    EditKind kinds = EditKind::None;
+    for (size_t i = 0; i < a.size(); ++i) {
+        if (usedA[i] || usedB[i]) { kinds |= compare(a[i], b[i], edit); }
+    }
+    return kinds;
+}
+
+EditKind compareScenes(const SceneDescription& a, const SceneDescription& b) {
+    EditKind kinds = EditKind::None;
+    forEachField<SceneDescription>([&](const auto& field) {
+        const auto &itemsA = a.*field.member, &itemsB = b.*field.member;
+        const EditKind own = editOf(field);
+        if constexpr (MayBeUnused<std::remove_cvref_t<decltype(itemsA)>>) {
+            kinds |= compareUsed(itemsA, usedOf(a, itemsA), itemsB, usedOf(b, itemsB), own);
+        } else if (own != EditKind::None) {
+            kinds |= compare(itemsA, itemsB, own);
+        }
+    });
+    return kinds;
+}
 
 template <class Value>
 EditKind compare(const Value& a, const Value& b, EditKind edit) {
@@ -43,7 +88,7 @@ EditKind compare(const Value& a, const Value& b, EditKind edit) {
 }  // namespace
 
 EditKind differences(const SceneDescription& before, const SceneDescription& after) {
-    const EditKind kinds = compare(before, after, EditKind::Everything);
+    const EditKind kinds = compareScenes(before, after);
     return has(kinds, EditKind::Everything) ? EditKind::Everything : kinds;
 }
 

@@ -8,8 +8,8 @@
 
 namespace glint {
 
-/// None when nothing that is rendered differs. Parts that no panel edits (meshes, images, names) count as
-/// another scene.
+/// None when nothing that is rendered differs; what no object refers to in either scene is not rendered.
+/// Parts that no panel edits (meshes, images, names) count as another scene.
 EditKind differences(const SceneDescription& before, const SceneDescription& after);
 
 }  // namespace glint

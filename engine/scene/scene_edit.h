@@ -29,6 +29,9 @@ constexpr EditKind operator|(EditKind a, EditKind b) {
 constexpr EditKind operator&(EditKind a, EditKind b) {
     return static_cast<EditKind>(static_cast<uint32_t>(a) & static_cast<uint32_t>(b));
 }
+constexpr EditKind without(EditKind set, EditKind kinds) {
+    return static_cast<EditKind>(static_cast<uint32_t>(set) & ~static_cast<uint32_t>(kinds));
+}
 constexpr EditKind& operator|=(EditKind& a, EditKind b) { return a = a | b; }
 constexpr bool has(EditKind set, EditKind kind) { return (set & kind) != EditKind::None; }
 

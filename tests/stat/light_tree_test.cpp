@@ -160,8 +160,8 @@ TEST(LightChoice, TreeBeatsUniformChoiceAmongThousands) {
 
 TEST(LightTree, IsTheSameForAnyNumberOfThreads) {
     const SceneDescription scene = mixedLights(3000, false);
-    const auto one = buildLightTable(scene, nullptr, 1);
-    const auto three = buildLightTable(scene, nullptr, 3);
+    const auto one = buildLightTable(scene, {}, nullptr, 1);
+    const auto three = buildLightTable(scene, {}, nullptr, 3);
     ASSERT_EQ(one->nodes.size(), three->nodes.size());
     for (size_t i = 0; i < one->nodes.size(); ++i) {
         ASSERT_EQ(one->nodes[i].center, three->nodes[i].center);

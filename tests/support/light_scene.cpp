@@ -10,7 +10,7 @@ LightScene::LightScene(const SceneDescription& scene) {
     for (const Mesh& mesh : scene.meshes) {
         meshes.push_back(buildMesh(mesh.data, 1));
     }
-    lights = buildLightTable(scene, nullptr, 1);
+    lights = buildLightTable(scene, {}, nullptr, 1);
     instances = buildInstances(scene, meshes, lights->firstEmitter);
     view.geometry = instances->view();
     view.lights = lights->view();

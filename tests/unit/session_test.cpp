@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/builders/scene_builder.h"
 #include "tests/support/fake_backend.h"
 
 namespace glint {
@@ -244,6 +245,31 @@ TEST(Session, LayersGetNoMorePassesThanTheFilmWhereThatIsAskedFor) {
     bench.open(8, 8);
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
     EXPECT_EQ(bench.session->status().aovPasses, 3u);
+}
+
+TEST(Session, AnEditThatNoImageShowsRestartsNothing) {
+    Bench bench;
+    bench.options.build = buildScene;
+    bench.session = std::make_unique<RenderSession>(makeFakeBackend(bench.control), bench.options);
+    bench.limit({.passes = 3});
+    auto scene = fakeScene(8, 8);
+    bench.session->post({scene, EditKind::Everything});
+    ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
+    const auto restartsAfter = [&](EditKind kinds) {
+        scene = std::make_shared<SceneDescription>(*scene);
+        scene->camera.focalDistance *= 2.0f;  // of a pinhole
+        const uint64_t before = bench.session->status().counters.filmRestarts;
+        bench.session->post({scene, kinds});
+        EXPECT_EQ(bench.session->wait(kPatience), SessionState::Finished);
+        EXPECT_EQ(bench.session->status().passes, 3u);
+        return bench.session->status().counters.filmRestarts - before;
+    };
+    EXPECT_EQ(restartsAfter(EditKind::Camera), 0u);
+    EXPECT_EQ(restartsAfter(EditKind::Camera | EditKind::Lights | EditKind::MaterialParameters), 0u);
+    EXPECT_EQ(restartsAfter(EditKind::Camera | EditKind::Options), 1u) << "options are not the built scene's";
+    EXPECT_EQ(restartsAfter(EditKind::Everything), 1u);
+    bench.session->restart();
+    EXPECT_EQ(restartsAfter(EditKind::Camera), 1u) << "a restart that was asked for, too";
 }
 
 TEST(Session, EachEditRebuildsWhatItNamesOnly) {

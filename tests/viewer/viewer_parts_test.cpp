@@ -21,7 +21,9 @@ SceneDescription smallScene() {
     SceneDescription scene;
     scene.materials.resize(2);
     scene.lights.resize(1);
-    scene.objects.resize(1);
+    scene.objects.resize(2);
+    scene.objects[0].material = 0;
+    scene.objects[1].material = 1;
     scene.textures.resize(1);
     return scene;
 }
@@ -67,6 +69,25 @@ TEST(SceneDiff, EachChangeIsTheSmallestEdit) {
                   s.lights[0].color.x = 3.0f;
               }),
               EditKind::Camera | EditKind::Lights);
+}
+
+TEST(SceneDiff, WhatNothingUsesIsNoEdit) {
+    using S = SceneDescription;
+    SceneDescription before = smallScene();
+    before.materials.resize(4);
+    before.textures.resize(2);
+    before.meshes.resize(1);
+    const auto kindFrom = [&](auto change) {
+        SceneDescription after = before;
+        change(after);
+        return differences(before, after);
+    };
+    EXPECT_EQ(kindFrom([](S& s) { s.materials[3].kind = MaterialKind::Mirror; }), EditKind::None);
+    EXPECT_EQ(kindFrom([](S& s) { s.materials[3].emission.value = Vec3(1.0f); }), EditKind::None);
+    EXPECT_EQ(kindFrom([](S& s) { s.textures[1].scale = Vec2(2.0f); }), EditKind::None);
+    EXPECT_EQ(kindFrom([](S& s) { s.meshes[0].data = std::make_shared<MeshData>(); }), EditKind::None);
+    EXPECT_EQ(kindFrom([](S& s) { s.objects[0].material = 3; }), EditKind::Everything);
+    EXPECT_EQ(kindFrom([](S& s) { s.materials[0].color.texture = 1; }), EditKind::MaterialKind);
 }
 
 TEST(SceneDocument, HandsOverEachEditOnce) {

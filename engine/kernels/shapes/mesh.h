@@ -87,6 +87,23 @@ struct MeshShape {
                 (a.x * edges.dpdv - b.x * edges.dpdu) * inverse};
     }
 
+    /// The texture coordinates at the point p, in world space, of the triangle that the emitter is. An affine
+    /// transform keeps barycentric weights.
+    GLINT_HD static Vec2 emitterUv(const MeshView& mesh, const EmitterData& e, uint32_t primitive,
+                                   const Vec3& p) {
+        const Vec3 d = p - e.position;
+        const float uu = glm::dot(e.axisU, e.axisU);
+        const float uv = glm::dot(e.axisU, e.axisV);
+        const float vv = glm::dot(e.axisV, e.axisV);
+        const float inverse = 1.0f / differenceOfProducts(uu, vv, uv, uv);
+        const float du = glm::dot(d, e.axisU);
+        const float dv = glm::dot(d, e.axisV);
+        const Vec2 b(differenceOfProducts(vv, du, uv, dv) * inverse,
+                     differenceOfProducts(uu, dv, uv, du) * inverse);
+        if (mesh.uvs == nullptr) { return b; }
+        return interpolate(mesh.uvs, Triangle(mesh, primitive).corner, {1.0f - b.x - b.y, b.x, b.y});
+    }
+
     static Bounds worldBounds(const Affine& m, const Bounds& meshBounds) {
         return transformBounds(m, meshBounds);
     }
