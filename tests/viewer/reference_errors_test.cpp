@@ -40,7 +40,7 @@ struct Bench {
     explicit Bench(float reference) {
         const ImageF image{kSize, kSize, std::vector<float>(kSize * kSize * 3, reference)};
         EXPECT_TRUE(saveHdr("reference.hdr", image));
-        errors.load("reference.hdr");
+        errors.load("reference.hdr", {kSize, kSize});
         settle();
         errors.follow(IntegratorKind::PathTracing, curveFrom(1.0));
     }
@@ -62,6 +62,21 @@ struct Bench {
         return all;
     }
 };
+
+TEST(ReferenceErrors, AnotherSizeNeverReplacesAGoodReference) {
+    Bench bench(0.5f);
+    const ImageF small{2, 1, std::vector<float>(6, 0.25f)};
+    ASSERT_TRUE(saveHdr("small.hdr", small));
+    bench.errors.load("small.hdr", {kSize, kSize});
+    bench.settle();
+    ASSERT_TRUE(bench.errors.loadError());
+    EXPECT_THAT(bench.errors.loadError()->format(), HasSubstr("small.hdr"));
+    ASSERT_TRUE(bench.errors.loaded());
+    EXPECT_EQ(bench.errors.loaded()->path, "reference.hdr");
+    bench.errors.load("small.hdr", {2, 1});
+    bench.settle();
+    EXPECT_EQ(bench.errors.loaded()->path, "small.hdr") << "the picture has its size now";
+}
 
 TEST(ReferenceErrors, AreMeasuredAtGrowingDistancesAndAtTheEnd) {
     Bench bench(0.5f);
@@ -126,7 +141,7 @@ TEST(ReferenceErrors, AnotherSizeIsNotCompared) {
     EXPECT_TRUE(bench.passes().empty());
     EXPECT_EQ(bench.errors.mismatch(kSize, kSize), "");
     EXPECT_THAT(bench.errors.mismatch(8, 4), HasSubstr("4 × 4 pixels, the picture 8 × 4"));
-    bench.errors.load("missing.exr");
+    bench.errors.load("missing.exr", {kSize, kSize});
     bench.settle();
     ASSERT_TRUE(bench.errors.loadError());
     EXPECT_THAT(bench.errors.loadError()->format(), HasSubstr("missing.exr"));

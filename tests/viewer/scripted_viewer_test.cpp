@@ -135,13 +135,17 @@ expect mesh-builds 0
 )"));
 }
 
-TEST(ScriptedViewer, TheEnvironmentTurns) {
+TEST(ScriptedViewer, AConstantEnvironmentTurnsWithoutARestart) {
     expectPlayed(play(R"(
 wait picture
 open "Lights"
 wait frames 2
 mark
 set "Lights/Rotation" 45
+wait frames 3
+expect restarts 0
+expect light-tables 0
+set "Lights/Env. strength" 0.5
 wait picture
 expect restarts 1
 expect light-tables 1
@@ -163,6 +167,76 @@ wait picture
 key home
 wait picture
 expect "Camera/Position" 0 1 4
+)"));
+}
+
+TEST(ScriptedViewer, APressIsADragOnlyAfterSomePixels) {
+    expectPlayed(play(R"(
+wait picture
+mark
+move 300 200
+press
+move 302 201
+wait frames 3
+release
+wait frames 3
+expect restarts 0
+expect "Camera/Position" 0 1 4
+)"));
+}
+
+TEST(ScriptedViewer, NumbersAreTypedAsPeopleWriteThem) {
+    expectPlayed(play(R"(
+wait picture
+key ctrl down
+click "f-stop"
+key ctrl up
+wait frames 3
+text "2,8"
+key enter
+wait frames 3
+expect "f-stop" 2.8
+key ctrl down
+click "f-stop"
+key ctrl up
+wait frames 3
+text "f/4"
+key enter
+wait frames 3
+expect "f-stop" 4
+mark
+key ctrl down
+click "Focal distance"
+key ctrl up
+wait frames 3
+text "1.2.3"
+key enter
+wait frames 3
+expect "Focal distance" 4
+screenshot "refused.png"
+key ctrl down
+click "Focal distance"
+key ctrl up
+wait frames 3
+text "77"
+key escape
+wait frames 3
+expect "Focal distance" 4
+expect restarts 0
+key ctrl down
+click "Position.x"
+key ctrl up
+wait frames 3
+text "1,5"
+key tab
+wait frames 4
+text "2"
+key tab
+wait frames 4
+text "3.25"
+key enter
+wait frames 3
+expect "Camera/Position" 1.5 2 3.25
 )"));
 }
 
@@ -273,7 +347,7 @@ wait frames 2
 set "Checkpoint file" six.glintfilm
 click "Save"
 wait jobs
-expect message "Saved six.glintfilm (6 passes"
+expect message "/six.glintfilm (6 passes"
 click "Restart"
 wait finished
 set "Pass limit" 8
@@ -301,7 +375,7 @@ wait frames 2
 set "PNG file" saved.png
 click "Save PNG"
 wait jobs
-expect message "Saved saved.png (4 passes"
+expect message "/saved.png (4 passes"
 )",
                       "--passes 4"));
     // `glint render` goes through the processor's tone map.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -17,6 +18,27 @@ std::string withPrefix(double value, const char* unit) {
     }
     const int decimals = value >= 99.95 ? 0 : value >= 9.995 ? 1 : 2;
     return fmt::format("{:.{}f} {}{}{}", value, decimals, kPrefixes[step], step > 0 ? " " : "", unit);
+}
+
+std::optional<float> parseNumber(std::string_view text) {
+    const auto isBlank = [](char c) { return c == ' ' || c == '\t'; };
+    while (!text.empty() && isBlank(text.front())) {
+        text.remove_prefix(1);
+    }
+    while (!text.empty() && isBlank(text.back())) {
+        text.remove_suffix(1);
+    }
+    if (text.starts_with("f/") || text.starts_with("F/")) { text.remove_prefix(2); }
+    if (text.starts_with('+')) { text.remove_prefix(1); }
+    std::string digits(text);
+    // One comma is a decimal comma; with a point beside it, it could as well part thousands.
+    if (std::ranges::count(digits, ',') == 1 && digits.find('.') == std::string::npos) {
+        std::ranges::replace(digits, ',', '.');
+    }
+    float value = 0.0f;
+    const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    const bool isWhole = problem == std::errc() && end == digits.data() + digits.size();
+    return isWhole && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 std::string duration(double seconds) {

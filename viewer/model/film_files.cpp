@@ -41,7 +41,7 @@ void FilmFiles::saveCaptured(const std::string& path, std::function<Status(const
                         : Status(Error{"there is no picture to save yet", SourcePlace{path, 0, 0, ""}});
             const uint32_t passes = capture ? capture->film.passes() : 0;
             return [this, path, result, passes] {
-                notice_->tell(result, fmt::format("Saved {} ({} passes)", path, passes));
+                notice_->tell(result, fmt::format("Saved {} ({} passes)", Notice::placeOf(path), passes));
             };
         },
         true);

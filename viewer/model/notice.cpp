@@ -1,5 +1,6 @@
 #include "viewer/model/notice.h"
 
+#include <filesystem>
 #include <utility>
 
 #include "engine/base/log.h"
@@ -13,6 +14,12 @@ void Notice::tell(const Status& result, const std::string& success) {
     } else {
         logError("{}", text_);
     }
+}
+
+std::string Notice::placeOf(const std::string& path) {
+    std::error_code problem;
+    const std::filesystem::path absolute = std::filesystem::absolute(path, problem);
+    return problem ? path : absolute.lexically_normal().string();
 }
 
 void Notice::show(std::string text, bool isError) {

@@ -11,6 +11,8 @@ class Notice {
   public:
     /// Logs it too.
     void tell(const Status& result, const std::string& success);
+    /// Where a file is, for people who may not know which folder the program runs in.
+    static std::string placeOf(const std::string& path);
     /// Of work that has just begun; the log is not told.
     void show(std::string text, bool isError = false);
 

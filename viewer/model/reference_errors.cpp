@@ -75,8 +75,9 @@ double ReferencePoint::error(ReferenceMetric metric) const {
     return metric == ReferenceMetric::RmseOverMean ? rmseOverMean : mape;
 }
 
-void ReferenceErrors::load(const std::string& path) {
+void ReferenceErrors::load(const std::string& path, const Resolution& picture) {
     if (path.empty()) { return; }
+    picture_ = picture;
     if (loading_) {
         next_ = path;
         return;
@@ -89,10 +90,11 @@ void ReferenceErrors::load(const std::string& path) {
                 std::make_shared<Result<std::shared_ptr<const LoadedReference>>>(loadReference(path));
             return [this, loaded] {
                 loading_ = false;
-                if (!*loaded) { logError("{}", loaded->error().format()); }
-                if (!next_.empty()) { return load(std::exchange(next_, "")); }
-                if (!*loaded) {
-                    loadError_ = loaded->error();
+                Status taken = *loaded ? whyWorse(***loaded) : Status(loaded->error());
+                if (!taken) { logError("{}", taken.error().format()); }
+                if (!next_.empty()) { return load(std::exchange(next_, ""), picture_); }
+                if (!taken) {
+                    loadError_ = taken.error();
                     return;
                 }
                 loaded_ = std::move(loaded->value());
@@ -102,6 +104,17 @@ void ReferenceErrors::load(const std::string& path) {
             };
         },
         false);
+}
+
+/// Error: the reference before can be compared with the picture, and this one cannot.
+Status ReferenceErrors::whyWorse(const LoadedReference& reference) const {
+    const auto fits = [&](const ImageF& image) {
+        return image.width == picture_.width && image.height == picture_.height;
+    };
+    if (!loaded_ || !fits(loaded_->image) || fits(reference.image)) { return {}; }
+    return Error{fmt::format("the picture has {} × {} pixels, this reference {} × {}; the one before stays",
+                             picture_.width, picture_.height, reference.image.width, reference.image.height),
+                 {reference.path, 0, 0, ""}};
 }
 
 void ReferenceErrors::clear() {

@@ -14,6 +14,7 @@
 #include "engine/render/convergence_curve.h"
 #include "engine/render/render_session.h"
 #include "engine/scene/image.h"
+#include "engine/scene/render_options.h"
 #include "viewer/base/job_queue.h"
 
 namespace glint {
@@ -46,9 +47,10 @@ struct ReferencePoint {
 
 class ReferenceErrors {
   public:
-    /// Loads any picture that is read (image_formats.h) in the background; loadError() says if it could not.
-    /// Until it is there, the one before stays. Of several asked for at once, the last counts.
-    void load(const std::string& path);
+    /// Loads any picture that is read (image_formats.h) in the background; loadError() says if it could not. Until
+    /// it is there, the one before stays; it also stays where it has the picture's size and the new one has not. Of several
+    /// asked for at once, the last counts.
+    void load(const std::string& path, const Resolution& picture);
     void clear();
     bool loading() const { return loading_; }
     const std::optional<Error>& loadError() const { return loadError_; }
@@ -80,6 +82,7 @@ class ReferenceErrors {
         bool measuring = false;
     };
     const Series& seriesOf(IntegratorKind kind) const { return series_[static_cast<size_t>(kind)]; }
+    Status whyWorse(const LoadedReference& reference) const;
     void forgetPoints();
     void measure(std::shared_ptr<const FilmSnapshot> snapshot, Series* series);
 
@@ -87,7 +90,8 @@ class ReferenceErrors {
     std::shared_ptr<const LoadedReference> loaded_;
     std::optional<Error> loadError_;
     bool loading_ = false;
-    std::string next_;  ///< to be loaded after the one that is being loaded
+    std::string next_;         ///< to be loaded after the one that is being loaded
+    Resolution picture_{0, 0};  ///< its size
     std::array<Series, kIntegratorTable.size()> series_;
 };
 

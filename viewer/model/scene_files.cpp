@@ -29,6 +29,7 @@ void SceneFiles::open(const std::string& path) {
                     adopt_(std::move(loaded->value()));
                 } else {
                     error_ = loaded->error();
+                    notice_->show(error_->format(), true);
                 }
             };
         },
@@ -39,7 +40,7 @@ void SceneFiles::save(std::shared_ptr<const SceneDescription> scene) {
     jobs_->start(
         [this, path = saved, scene = std::move(scene)]() -> JobQueue::Completion {
             const Status result = scene ? saveSceneJson(*scene, path) : Status(Error{"no scene is open", {}});
-            return [this, path, result] { notice_->tell(result, fmt::format("Saved {}", path)); };
+            return [this, path, result] { notice_->tell(result, fmt::format("Saved {}", Notice::placeOf(path))); };
         },
         true);
 }

@@ -51,7 +51,7 @@ void Workspace::adopt(SceneDescription scene) {
 void Workspace::takeDroppedFile(const std::string& path) {
     if (isImage(path)) {
         convergence.referencePath = path;
-        convergence.reference.load(path);
+        convergence.reference.load(path, document.draft().resolution);
     } else if (document.isOpen() && hasExtension(path, ".glintfilm")) {
         filmFiles.checkpoint = path;
         filmFiles.resumeCheckpoint();

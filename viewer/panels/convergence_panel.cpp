@@ -202,7 +202,9 @@ void drawReference(ConvergenceWatch* convergence, const SceneDescription& scene)
     const float half = ui::buttonWidth(2);
     const bool loading = convergence->reference.loading();
     const bool pressed = ui::button(loading ? "Loading…" : "Load", half, "Compares with this file");
-    if ((pressed || entered) && !loading) { convergence->reference.load(convergence->referencePath); }
+    if ((pressed || entered) && !loading) {
+        convergence->reference.load(convergence->referencePath, scene.resolution);
+    }
     ImGui::SameLine();
     if (ui::button("Clear", half, "Back to the estimate")) { convergence->reference.clear(); }
     drawReferenceState(*convergence, scene);

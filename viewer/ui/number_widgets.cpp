@@ -3,25 +3,20 @@
 #include <array>
 #include <cfloat>
 #include <cmath>
-#include <cstdlib>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include "engine/math/color.h"
+#include "viewer/base/units.h"
+#include "viewer/ui/typed_number.h"
 #include "viewer/ui/widget_row.h"
 #include "viewer/ui/widgets.h"
 
 namespace glint::ui {
 namespace {
-
-bool parseNumber(const std::string& word, float* value) {
-    char* end = nullptr;
-    const float parsed = std::strtof(word.c_str(), &end);
-    if (word.empty() || *end != '\0' || !std::isfinite(parsed)) { return false; }
-    *value = parsed;
-    return true;
-}
 
 float clamped(float value, const NumberStyle& style) {
     return style.min < style.max ? std::clamp(value, style.min, style.max) : value;
@@ -34,7 +29,9 @@ bool assignNumbers(std::string_view label, float* values, int count, const Numbe
     std::array<float, 3> parsed{};
     bool good = static_cast<int>(words->size()) == count;
     for (int i = 0; good && i < count; ++i) {
-        good = parseNumber((*words)[static_cast<size_t>(i)], &parsed[static_cast<size_t>(i)]);
+        const std::optional<float> number = parseNumber((*words)[static_cast<size_t>(i)]);
+        good = number.has_value();
+        parsed[static_cast<size_t>(i)] = number.value_or(0.0f);
     }
     if (!good) {
         frameRegistry()->reject(count == 1 ? "expected a number" : fmt::format("expected {} numbers", count));
@@ -49,17 +46,33 @@ bool assignNumbers(std::string_view label, float* values, int count, const Numbe
     return changed;
 }
 
-/// A number that is typed in and has no place in a float leaves the old one.
+/// Typed numbers keep the bounds that dragged ones have.
 bool dragField(const char* id, float* value, const NumberStyle& style) {
+    if (isTyped(id)) {
+        const float next = clamped(typedNumber(id).value_or(*value), style);
+        return std::exchange(*value, next) != next;
+    }
     const char* format = *value == 0.0f && style.zeroText != nullptr ? style.zeroText : style.format;
-    constexpr ImGuiSliderFlags kClamp = ImGuiSliderFlags_AlwaysClamp;
-    const float before = *value;
+    constexpr ImGuiSliderFlags kFlags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput;
     const bool changed = style.slider
-                             ? ImGui::SliderFloat(id, value, style.min, style.max, format, kClamp)
-                             : ImGui::DragFloat(id, value, style.speed, style.min, style.max, format, kClamp);
-    if (std::isfinite(*value)) { return changed; }
-    *value = before;
-    return false;
+                             ? ImGui::SliderFloat(id, value, style.min, style.max, format, kFlags)
+                             : ImGui::DragFloat(id, value, style.speed, style.min, style.max, format, kFlags);
+    offerTyping(id, *value);
+    return changed;
+}
+
+bool dragInteger(const char* id, int* value, const NumberStyle& style) {
+    if (isTyped(id)) {
+        const float next = clamped(typedNumber(id).value_or(static_cast<float>(*value)), style);
+        const auto whole = static_cast<int>(std::lround(std::clamp(next, -2e9f, 2e9f)));
+        return std::exchange(*value, whole) != whole;
+    }
+    const char* format = *value == 0 && style.zeroText != nullptr ? style.zeroText : style.format;
+    const bool changed =
+        ImGui::DragInt(id, value, style.speed, static_cast<int>(style.min), static_cast<int>(style.max),
+                       format, ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
+    offerTyping(id, static_cast<float>(*value));
+    return changed;
 }
 
 /// Three dragged fields that share `width`, named label.x and so on for scripts.
@@ -83,12 +96,16 @@ bool dragFields3(const char* label, Vec3* vector, const NumberStyle& style, cons
 
 bool pickColor(Vec3* value) {
     if (!ImGui::BeginPopup("picker")) { return false; }
-    Vec3 encoded = screenColor(*value);
+    // The picker goes to 1: what is brighter keeps its strength, and the picker edits its hue.
+    const float strength = std::max(1.0f, maxComponent(*value));
+    Vec3 encoded = screenColor(*value / strength);
     const bool changed =
         ImGui::ColorPicker3("##picker", &encoded.x,
                             ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoSmallPreview |
                                 ImGuiColorEditFlags_DisplayRGB | ImGuiColorEditFlags_DisplayHSV);
-    if (changed) { *value = {srgbToLinear(encoded.x), srgbToLinear(encoded.y), srgbToLinear(encoded.z)}; }
+    if (changed) {
+        *value = strength * Vec3(srgbToLinear(encoded.x), srgbToLinear(encoded.y), srgbToLinear(encoded.z));
+    }
     ImGui::EndPopup();
     return changed;
 }
@@ -110,9 +127,7 @@ bool integer(const char* label, int* value, const NumberStyle& style) {
     float assigned = static_cast<float>(*value);
     bool changed = assignNumbers(label, &assigned, 1, style);
     if (changed) { *value = static_cast<int>(std::lround(assigned)); }
-    const char* format = *value == 0 && style.zeroText != nullptr ? style.zeroText : style.format;
-    changed |= ImGui::DragInt("##value", value, style.speed, static_cast<int>(style.min),
-                              static_cast<int>(style.max), format, ImGuiSliderFlags_AlwaysClamp);
+    changed |= dragInteger("##value", value, style);
     record(WidgetKind::Number, label, fmt::format("{}", *value));
     tooltipForItem(style.tooltip);
     endRow();

@@ -3,6 +3,7 @@
 #define GLFW_INCLUDE_NONE
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>
@@ -53,11 +54,26 @@ void ImageView::placeImage(const Workspace& workspace, Vec2 min, Vec2 max) {
     imageMax_ = imageMin_ + shown;
 }
 
+/// The mouse's way since the last frame, once a press has become a drag by some pixels. What it went before
+/// the press does not count, even if both came in one frame.
+Vec2 ImageView::dragged(bool held) {
+    const bool wasDragging = std::exchange(isDragging_, held && isDragging_);
+    if (!held) { return Vec2(0.0f); }
+    if (wasDragging) { return {ImGui::GetIO().MouseDelta.x, ImGui::GetIO().MouseDelta.y}; }
+    for (const int button : {ImGuiMouseButton_Left, ImGuiMouseButton_Right, ImGuiMouseButton_Middle}) {
+        if (!ImGui::IsMouseDragging(button)) { continue; }
+        isDragging_ = true;
+        const ImVec2 way = ImGui::GetMouseDragDelta(button);
+        return {way.x, way.y};
+    }
+    return Vec2(0.0f);
+}
+
 bool ImageView::navigate(Camera* camera, bool hovered, bool held) {
     const ImGuiIO& io = ImGui::GetIO();
     const float height = imageMax_.y - imageMin_.y;
-    const Vec2 delta(io.MouseDelta.x, io.MouseDelta.y);
-    if (held && (delta.x != 0.0f || delta.y != 0.0f)) {
+    const Vec2 delta = dragged(held);
+    if (!isZero(Vec3(delta, 0.0f))) {
         if (!ImGui::IsMouseDown(ImGuiMouseButton_Left) || io.KeyShift) {
             pan(camera, delta, height);
         } else if (io.KeyCtrl) {
@@ -76,7 +92,7 @@ bool ImageView::navigate(Camera* camera, bool hovered, bool held) {
         const float speed = kFlySpeed * (io.KeyShift ? kFastFactor : 1.0f);
         fly(camera, direction * (speed * std::min(io.DeltaTime, 0.1f)));
     }
-    return held || flying || (lastWheel_ >= 0.0 && ImGui::GetTime() - lastWheel_ < kWheelHoldSeconds);
+    return isDragging_ || flying || (lastWheel_ >= 0.0 && ImGui::GetTime() - lastWheel_ < kWheelHoldSeconds);
 }
 
 /// Which pixel the mouse is on, and on whose side.

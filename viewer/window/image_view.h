@@ -25,12 +25,14 @@ class ImageView {
   private:
     void placeImage(const Workspace& workspace, Vec2 min, Vec2 max);
     void findPixel(const Workspace& workspace);
+    Vec2 dragged(bool held);
     bool navigate(Camera* camera, bool hovered, bool held);
 
     Vec2 imageMin_{0.0f};
     Vec2 imageMax_{0.0f};
     float zoom_ = 1.0f;
     double lastWheel_ = -1.0;
+    bool isDragging_ = false;
     std::optional<Vec2i> hoveredPixel_;
     bool hoversOther_ = false;
 };

@@ -1,0 +1,22 @@
+// A number that is typed into a dragged field: the field becomes a text until Enter, Tab, a click elsewhere
+// or Escape.
+#pragma once
+
+#include <optional>
+
+#include <imgui.h>
+
+namespace glint::ui {
+
+/// Whether the field with this label is being typed in; typedNumber() then stands in its place.
+bool isTyped(const char* id);
+
+/// Draws the text. Returns the number once it is there; nothing before, and where the text is no number: then
+/// a note says so for a while, and the field shows its old value. Tab goes on to the next field, Shift + Tab
+/// to the one before.
+std::optional<float> typedNumber(const char* id);
+
+/// To be called after the dragged field was drawn: a double click, Ctrl + click or Tab begins the text.
+void offerTyping(const char* id, float value);
+
+}  // namespace glint::ui
