@@ -78,6 +78,11 @@ TEST(ReferenceErrors, AnotherSizeNeverReplacesAGoodReference) {
     EXPECT_EQ(bench.errors.loaded()->path, "small.hdr") << "the picture has its size now";
 }
 
+TEST(ReferenceErrors, NothingIsRelativeToABlackReference) {
+    Bench bench(0.0f);
+    EXPECT_THAT(bench.errors.mismatch(kSize, kSize), HasSubstr("black"));
+}
+
 TEST(ReferenceErrors, AreMeasuredAtGrowingDistancesAndAtTheEnd) {
     Bench bench(0.5f);
     ASSERT_TRUE(bench.errors.loaded());

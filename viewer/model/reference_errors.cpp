@@ -62,7 +62,7 @@ Result<ReferencePoint> compare(const FilmSnapshot& snapshot, const LoadedReferen
     if (!metrics) { return metrics.error(); }
     ReferencePoint point{.passes = snapshot.passes, .renderSeconds = snapshot.renderSeconds};
     point.relativeRmse = metrics->relativeRmse();
-    point.rmseOverMean = reference.mean > 0.0 ? metrics->rmse / reference.mean : metrics->rmse;
+    point.rmseOverMean = metrics->rmse / reference.mean;
     point.mape = metrics->mape;
     point.relativeBias = metrics->relativeBias;
     return point;
@@ -132,7 +132,9 @@ void ReferenceErrors::forgetPoints() {
 }
 
 std::string ReferenceErrors::mismatch(int width, int height) const {
-    if (!loaded_ || (loaded_->image.width == width && loaded_->image.height == height)) { return ""; }
+    if (!loaded_) { return ""; }
+    if (!(loaded_->mean > 0.0)) { return "The reference is black: an error relative to it has no meaning."; }
+    if (loaded_->image.width == width && loaded_->image.height == height) { return ""; }
     return fmt::format("The reference has {} × {} pixels, the picture {} × {}: they cannot be compared.",
                        loaded_->image.width, loaded_->image.height, width, height);
 }

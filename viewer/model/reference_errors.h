@@ -56,7 +56,8 @@ class ReferenceErrors {
     const std::optional<Error>& loadError() const { return loadError_; }
     /// Null without one.
     const std::shared_ptr<const LoadedReference>& loaded() const { return loaded_; }
-    /// Why it cannot be compared with a picture of this size; "" when it can, or when there is none.
+    /// Why it cannot be compared with a picture of this size: another one, or it is black; "" when it can, or
+    /// when there is none.
     std::string mismatch(int width, int height) const;
 
     /// Once a frame: takes what the jobs found out.
@@ -90,7 +91,7 @@ class ReferenceErrors {
     std::shared_ptr<const LoadedReference> loaded_;
     std::optional<Error> loadError_;
     bool loading_ = false;
-    std::string next_;         ///< to be loaded after the one that is being loaded
+    std::string next_;          ///< to be loaded after the one that is being loaded
     Resolution picture_{0, 0};  ///< its size
     std::array<Series, kIntegratorTable.size()> series_;
 };

@@ -40,7 +40,9 @@ void SceneFiles::save(std::shared_ptr<const SceneDescription> scene) {
     jobs_->start(
         [this, path = saved, scene = std::move(scene)]() -> JobQueue::Completion {
             const Status result = scene ? saveSceneJson(*scene, path) : Status(Error{"no scene is open", {}});
-            return [this, path, result] { notice_->tell(result, fmt::format("Saved {}", Notice::placeOf(path))); };
+            return [this, path, result] {
+                notice_->tell(result, fmt::format("Saved {}", Notice::placeOf(path)));
+            };
         },
         true);
 }
