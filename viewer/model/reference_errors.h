@@ -47,9 +47,9 @@ struct ReferencePoint {
 
 class ReferenceErrors {
   public:
-    /// Loads any picture that is read (image_formats.h) in the background; loadError() says if it could not. Until
-    /// it is there, the one before stays; it also stays where it has the picture's size and the new one has not. Of several
-    /// asked for at once, the last counts.
+    /// Loads any picture that is read (image_formats.h) in the background; loadError() says if it could not.
+    /// Until it is there, the one before stays; it also stays where it has the picture's size and the new one
+    /// has not. Of several asked for at once, the last counts.
     void load(const std::string& path, const Resolution& picture);
     void clear();
     bool loading() const { return loading_; }
