@@ -5,10 +5,13 @@
 #include <atomic>
 #include <chrono>
 #include <deque>
+#include <exception>
 #include <mutex>
 
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
+
+#include "engine/base/console.h"
 
 namespace glint {
 namespace {
@@ -51,18 +54,26 @@ spdlog::level::level_enum consoleLevel(LogLevel level) {
     return spdlog::level::info;
 }
 
-}  // namespace
-
-void logMessage(LogLevel level, std::string_view text) {
+void addLine(LogLevel level, std::string text) {
     Log& log = theLog();
     const LogLevel least = log.least.load();
     if (level >= least) { log.console->log(consoleLevel(level), "{}", text); }
     if (level == LogLevel::Debug && least != LogLevel::Debug) { return; }
     const double seconds = std::chrono::duration<double>(Clock::now() - log.began).count();
     const std::lock_guard lock(log.mutex);
-    log.lines.push_back({level, seconds, std::string(text)});
+    log.lines.push_back({level, seconds, std::move(text)});
     if (log.lines.size() > kLogLinesKept) { log.lines.pop_front(); }
     ++log.count;
+}
+
+}  // namespace
+
+void logMessage(LogLevel level, fmt::string_view format, fmt::format_args args) noexcept {
+    try {
+        addLine(level, printable(fmt::vformat(format, args)));
+    } catch (const std::exception&) {
+        if (level >= LogLevel::Warning) { say("there is not enough memory to say more\n"); }
+    }
 }
 
 void setLogLevel(LogLevel least) { theLog().least = least; }

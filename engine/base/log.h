@@ -21,23 +21,25 @@ struct LogLine {
     std::string text;      ///< without time and level
 };
 
-void logMessage(LogLevel level, std::string_view text);
+/// Adds the line that fmt makes of it, printable (console.h). Never throws: a line for which there is no
+/// memory is lost.
+void logMessage(LogLevel level, fmt::string_view format, fmt::format_args args) noexcept;
 
 template <class... Args>
 void logDebug(fmt::format_string<Args...> format, Args&&... args) {
-    logMessage(LogLevel::Debug, fmt::format(format, std::forward<Args>(args)...));
+    logMessage(LogLevel::Debug, format, fmt::make_format_args(args...));
 }
 template <class... Args>
 void logInfo(fmt::format_string<Args...> format, Args&&... args) {
-    logMessage(LogLevel::Info, fmt::format(format, std::forward<Args>(args)...));
+    logMessage(LogLevel::Info, format, fmt::make_format_args(args...));
 }
 template <class... Args>
 void logWarning(fmt::format_string<Args...> format, Args&&... args) {
-    logMessage(LogLevel::Warning, fmt::format(format, std::forward<Args>(args)...));
+    logMessage(LogLevel::Warning, format, fmt::make_format_args(args...));
 }
 template <class... Args>
 void logError(fmt::format_string<Args...> format, Args&&... args) {
-    logMessage(LogLevel::Error, fmt::format(format, std::forward<Args>(args)...));
+    logMessage(LogLevel::Error, format, fmt::make_format_args(args...));
 }
 
 /// The least level that reaches standard error; Warning at first. The ring keeps every level but Debug,

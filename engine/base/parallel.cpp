@@ -2,6 +2,8 @@
 #include "engine/base/parallel.h"
 
 #include <algorithm>
+#include <atomic>
+#include <exception>
 
 #include <omp.h>
 
@@ -14,10 +16,19 @@ void parallelChunks(int64_t count, int64_t chunkSize, int threads,
     const int64_t size = std::max<int64_t>(1, chunkSize);
     const int64_t chunks = (count + size - 1) / size;
     const int used = threads > 0 ? threads : defaultThreadCount();
+    std::atomic<bool> hasFailed{false};
+    std::exception_ptr problem;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(used) if (chunks > 1 && used > 1)
     for (int64_t chunk = 0; chunk < chunks; ++chunk) {
-        body(chunk * size, std::min(count, (chunk + 1) * size));
+        if (hasFailed.load(std::memory_order_relaxed)) { continue; }
+        // No exception may leave the region: there is nobody to catch it.
+        try {
+            body(chunk * size, std::min(count, (chunk + 1) * size));
+        } catch (...) {
+            if (!hasFailed.exchange(true)) { problem = std::current_exception(); }
+        }
     }
+    if (problem) { std::rethrow_exception(problem); }
 }
 
 }  // namespace glint

@@ -11,6 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "engine/io/file_path.h"
 #include "engine/io/temporary_file.h"
 
 namespace glint {
@@ -83,14 +84,7 @@ struct Target {
 
 /// Follows links, also to a file that is not there yet. Error: a folder; a name that can be no file's.
 Result<Target> targetOf(const std::string& path) {
-    namespace fs = std::filesystem;
-    constexpr int kMostLinks = 40;
-    Target target{path};
-    std::error_code none;
-    for (int link = 0; link < kMostLinks && fs::is_symlink(target.path, none); ++link) {
-        // An absolute path stays as it is.
-        target.path = (fs::path(target.path).parent_path() / fs::read_symlink(target.path, none)).string();
-    }
+    Target target{followLinks(path)};
     struct stat info {};
     if (::stat(target.path.c_str(), &info) != 0) {
         return errno == ENOENT && !path.ends_with('/') && !path.empty()

@@ -35,6 +35,17 @@ bool fileExists(const std::string& resolvedPath) {
     return fs::exists(status) && !fs::is_directory(status);
 }
 
+std::string followLinks(const std::string& path) {
+    constexpr int kMostLinks = 40;
+    fs::path target(path);
+    std::error_code code;
+    for (int link = 0; link < kMostLinks && fs::is_symlink(target, code); ++link) {
+        // An absolute path stays as it is.
+        target = target.parent_path() / fs::read_symlink(target, code);
+    }
+    return target.string();
+}
+
 std::string extensionOf(const std::string& path) {
     std::string ending = fs::path(path).extension().string();
     for (char& c : ending) {

@@ -16,6 +16,9 @@ std::string rebasePath(const std::string& path, const std::string& from, const s
 /// True when the resolved path names an existing file that is not a folder.
 bool fileExists(const std::string& resolvedPath);
 
+/// Where a chain of symbolic links leads, also to a file that is not there yet. Other paths stay as they are.
+std::string followLinks(const std::string& path);
+
 /// ".png" of "a/b.PNG": in lower case (ASCII), with the dot; empty where there is none.
 std::string extensionOf(const std::string& path);
 

@@ -8,6 +8,7 @@
 #include "engine/io/atomic_file.h"
 #include "engine/io/file_kind.h"
 #include "engine/io/importer.h"
+#include "engine/io/scene_names.h"
 #include "engine/scene/stability_warnings.h"
 
 namespace glint {
@@ -20,6 +21,7 @@ Result<SceneDescription> loadScene(const std::string& path, const LoadOptions& o
     }
     auto scene = importer->load(path, options);
     if (scene) {
+        makeNamesText(&*scene);
         std::vector<std::string> limits = stabilityWarnings(*scene);
         std::move(limits.begin(), limits.end(), std::back_inserter(scene->warnings));
     }

@@ -4,10 +4,12 @@
 // some. A section with other letters is skipped. Texts are u64 length and characters.
 #include "engine/render/checkpoint.h"
 
+#include <filesystem>
 #include <map>
 
 #include <fmt/format.h>
 
+#include "engine/base/log.h"
 #include "engine/io/atomic_file.h"
 #include "engine/render/checkpoint_sections.h"
 #include "engine/render/film_checkpoint.h"
@@ -180,6 +182,10 @@ Result<ResumePoint> loadCheckpoint(const std::string& path, const SceneDescripti
     if (const std::string differing = differences(*info, scene); !differing.empty()) {
         return checkpointError(path, fmt::format("cannot go on from this checkpoint: {}", differing));
     }
+    if (info->glintVersion != GLINT_VERSION) {
+        logWarning("{}: was written by glint {}; what is added by {} may differ in its last bits", path,
+                   info->glintVersion, GLINT_VERSION);
+    }
     ResumePoint point;
     point.renderSeconds = info->renderSeconds;
     if (!FilmCheckpoint::read(ByteReader(sections.at("FILM")), &point.film)) {
@@ -194,6 +200,21 @@ Result<ResumePoint> loadCheckpoint(const std::string& path, const SceneDescripti
             path, fmt::format("is damaged: its {} cannot be read", point.statistics->section().name));
     }
     return point;
+}
+
+Status checkReplacesCheckpoint(const std::string& path, uint32_t passes) {
+    std::error_code none;
+    const bool isThere = std::filesystem::is_regular_file(path, none);
+    if (!isThere || std::filesystem::file_size(path, none) == 0) { return {}; }
+    const Result<CheckpointInfo> old = readCheckpointInfo(path);
+    if (!old) {
+        return Error{fmt::format("is there already and is not replaced, since it {}", old.error().message),
+                     {.file = path}};
+    }
+    if (old->passes <= passes) { return {}; }
+    return Error{
+        fmt::format("holds a film of {} passes, which one of {} does not replace", old->passes, passes),
+        {.file = path}};
 }
 
 Result<CheckpointInfo> readCheckpointInfo(const std::string& path) {

@@ -38,6 +38,10 @@ size_t checkpointBytes(int width, int height, IntegratorKind integrator);
 /// in the checkpoint and 16 now").
 Result<ResumePoint> loadCheckpoint(const std::string& path, const SceneDescription& scene);
 
+/// Error: the file at `path`, where there is one, is no checkpoint, or holds a film of more than `passes`: a
+/// longer render is not thrown away for a shorter one.
+Status checkReplacesCheckpoint(const std::string& path, uint32_t passes);
+
 /// For `glint info`. Error: as above, but for differences.
 Result<CheckpointInfo> readCheckpointInfo(const std::string& path);
 

@@ -52,9 +52,11 @@ std::shared_ptr<const ConvergenceCurve> PublishedState::curve(IntegratorKind int
 
 void PublishedState::set(const SessionStatus& status, uint64_t messages) {
     const std::lock_guard lock(mutex_);
-    status_ = status;
     messages_ = messages;
+    // First what needs no memory: whoever waits must not do so in vain.
+    status_.state = status.state;
     changed_.notify_all();
+    status_ = status;
 }
 
 std::shared_ptr<const FilmSnapshot> PublishedState::snapshot() const {

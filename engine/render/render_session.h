@@ -86,6 +86,7 @@ class RenderSession {
     /// Copies the film exactly, as soon as the pass in flight and at least one pass are committed, of the
     /// AOVs too where they were asked for. Nothing: there is no scene, it failed, or the session ended.
     /// captureLater() returns at once; capture() blocks.
+    /// Throws std::bad_alloc (the future does) where there is no memory for the copy; the film stays.
     using Capture = SessionCapture;
     std::future<std::optional<Capture>> captureLater();
     std::optional<Capture> capture();

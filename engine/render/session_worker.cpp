@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <new>
 #include <utility>
 
 #include <fmt/format.h>
@@ -27,19 +28,21 @@ SessionWorker::SessionWorker(std::unique_ptr<Backend> backend, SessionOptions op
 
 void SessionWorker::run() {
     if (options_.lowPriority) { lowerThreadPriority(); }
-    for (;;) {
-        Commands commands = queue_->take(
-            [this](const RenderRequest& request) { return static_cast<bool>(next(request)); }, &request_);
-        if (commands.quit) {
-            std::ranges::move(commands.captures, std::back_inserter(captures_));
-            answerCaptures();
-            return;
-        }
+    bool hasQuit = false;
+    while (!hasQuit) {
         try {
-            runOnce(std::move(commands));
-        } catch (const std::exception& problem) {
-            fail(fmt::format("the render thread stopped: {}", problem.what()));
-        }
+            Commands commands = queue_->take(
+                [this](const RenderRequest& request) { return static_cast<bool>(next(request)); }, &request_);
+            hasQuit = commands.quit;
+            if (hasQuit) {
+                std::ranges::move(commands.captures, std::back_inserter(captures_));
+                answerCaptures();
+            } else {
+                runOnce(std::move(commands));
+            }
+        } catch (const std::bad_alloc&) {
+            fail("not enough memory to render; fewer pixels, layers or photons need less");
+        } catch (const std::exception& problem) { fail(problem.what()); }
     }
 }
 
@@ -68,13 +71,22 @@ void SessionWorker::runOnce(Commands commands) {
     setStatus();
 }
 
-void SessionWorker::fail(const std::string& why) {
+void SessionWorker::fail(std::string_view why) noexcept {
     queue_->endPass();
     failed_ = true;
-    status_.error = why;
+    status_.state = SessionState::Failed;
+    const auto attempt = [](const auto& step) {
+        try {
+            step();
+        } catch (const std::exception&) {
+            // The other steps may need less memory.
+        }
+    };
     logError("{}", why);
-    serveCaptures();
-    setStatus();
+    attempt([&] { status_.error = why; });
+    attempt([&] { published_->set(status_, messages_); });
+    attempt([&] { serveCaptures(); });
+    attempt([&] { setStatus(); });
 }
 
 void SessionWorker::takeEdit(SceneEdit edit, bool restarts, std::optional<ResumePoint> resume) {
@@ -143,17 +155,18 @@ void SessionWorker::serveCaptures() {
 
 void SessionWorker::answerCaptures() {
     const IntegratorState& shown = images_.shown();
-    for (CapturePromise& promise : captures_) {
-        if (shown.passes() == 0) {
-            promise.set_value(std::nullopt);
-            continue;
-        }
-        const RenderedImage& image = shown.image();
-        promise.set_value(SessionCapture{images_.scene(), image.film,
-                                         image.statistics ? image.statistics->clone() : nullptr,
-                                         images_.aovs.film, shown.renderSeconds(), shown.curve()});
+    for (CapturePromise& promise : std::exchange(captures_, {})) {
+        try {
+            if (shown.passes() == 0) {
+                promise.set_value(std::nullopt);
+                continue;
+            }
+            const RenderedImage& image = shown.image();
+            promise.set_value(SessionCapture{images_.scene(), image.film,
+                                             image.statistics ? image.statistics->clone() : nullptr,
+                                             images_.aovs.film, shown.renderSeconds(), shown.curve()});
+        } catch (const std::bad_alloc&) { promise.set_exception(std::current_exception()); }
     }
-    captures_.clear();
 }
 
 SessionState SessionWorker::state() const {

@@ -5,7 +5,7 @@
 #pragma once
 
 #include <memory>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/render/pass_runner.h"
@@ -23,7 +23,7 @@ class SessionWorker {
 
   private:
     void runOnce(Commands commands);
-    void fail(const std::string& why);
+    void fail(std::string_view why) noexcept;
 
     void takeEdit(SceneEdit edit, bool restarts, std::optional<ResumePoint> resume);
     void goOnFrom(ResumePoint resume);

@@ -401,6 +401,25 @@ TEST(ScriptedViewer, ScriptErrorsHaveTheirPlace) {
     EXPECT_THAT(ran.output, testing::HasSubstr("script.txt:1:1:"));
 }
 
+TEST(ScriptedViewer, ADragTakesALabelWithoutQuotesToo) {
+    const Ran ran = play("wait picture\ndrag Exposure 30 0\nwait picture\nprint \"Exposure\"\n");
+    expectPlayed(ran);
+    EXPECT_THAT(ran.output, testing::HasSubstr("Exposure\" "));
+    EXPECT_THAT(ran.output, testing::Not(testing::HasSubstr("Exposure\" 0\n"))) << "it was dragged";
+}
+
+TEST(ScriptedViewer, WhatIsSetIsReadBackAtOnce) {
+    expectPlayed(play(R"(
+wait picture
+set "Shown" Albedo
+expect "Shown" Albedo
+set "Exposure" 2
+expect "Exposure" 2
+open "Checkpoint"
+expect "Checkpoint" open
+)"));
+}
+
 TEST(ScriptedViewer, HeadlessWithoutAScriptLeavesImages) {
     write("scene.json", kScene);
     const Ran ran = run(

@@ -249,6 +249,13 @@ TEST(Script, ErrorsNameTheirPlace) {
         {"press sideways\n", "s.txt:1:7:", "left|right|middle"},
         {"key hyperspace\n", "s.txt:1:5:", "key NAME"},
         {"quit now\n", "s.txt:1:6:", "now"},
+        {"wait passes -1\n", "s.txt:1:13:", "wait passes"},
+        {"wait frames 1e30\n", "s.txt:1:13:", "wait passes|frames"},
+        {"wait frames 2.5\n", "s.txt:1:13:", "wait passes|frames"},
+        {"wait seconds nan\n", "s.txt:1:14:", "wait seconds"},
+        {"wait seconds -1\n", "s.txt:1:14:", "wait seconds"},
+        {"move inf 0\n", "s.txt:1:6:", "move X Y"},
+        {"drag Exposure 30\n", "s.txt:1:17:", "incomplete"},
     };
     for (const auto& c : cases) {
         const auto script = parseScript(c.text, "s.txt");

@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <new>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -39,10 +40,12 @@ void JobQueue::start(Work work, bool mustFinish) {
         shared_->mustFinish += mustFinish;
     }
     abandonableJobs += !mustFinish;
-    std::thread([shared = shared_, work = std::move(work), mustFinish] {
+    auto run = [shared = shared_, work = std::move(work), mustFinish] {
         Completion completion;
         try {
             completion = work();
+        } catch (const std::bad_alloc&) {
+            logError("not enough memory for a background job");
         } catch (const std::exception& problem) { logError("a background job stopped: {}", problem.what()); }
         {
             const std::lock_guard lock(shared->mutex);
@@ -52,7 +55,12 @@ void JobQueue::start(Work work, bool mustFinish) {
         }
         shared->changed.notify_all();
         abandonableJobs -= !mustFinish;
-    }).detach();
+    };
+    try {
+        std::thread(run).detach();
+    } catch (const std::exception&) {
+        run();  // without memory for a thread, the window waits
+    }
 }
 
 void JobQueue::runCompletions() {

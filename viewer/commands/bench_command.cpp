@@ -54,7 +54,7 @@ int runBenchmark(BenchRun run) {
     const auto report = run.benchmark.measure(subject);
     if (!report) { return reportError(report.error(), run.benchmark.onError); }
     if (!jsonTakesOutput(run.json)) { put("{}", report->text); }
-    const Status written = writeJson(run.json, report->json);
+    const Status written = writeJson(run.json, fmt::format("bench {}", run.benchmark.name), report->json);
     if (!written) { return reportError(written.error(), kExitFailed); }
     return report->isWrong ? kExitFailed : kExitDone;
 }

@@ -7,8 +7,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "engine/io/atomic_file.h"
-
 namespace glint {
 namespace {
 
@@ -57,11 +55,11 @@ Option Option::aboveZero() const {
         "a number greater than 0", [](double value) { return value > 0.0 && std::isfinite(value); })));
 }
 
-Option Option::writableFile() const {
+Option Option::accepts(std::function<Status(const std::string&)> check) const {
     return Option(option_->check(CLI::Validator(
-        [](std::string& path) {
-            const Status writable = path == "-" ? Status() : checkWritable(path);
-            return writable ? std::string() : writable.error().format();
+        [check = std::move(check)](std::string& text) {
+            const Status checked = check(text);
+            return checked ? std::string() : checked.error().format();
         },
         "")));
 }

@@ -42,8 +42,8 @@ class Option {
     Option between(double least, double most) const;
     /// A finite number greater than zero.
     Option aboveZero() const;
-    /// A file that can be written (checkWritable), or - for standard output.
-    Option writableFile() const;
+    /// A text that `check` finds nothing wrong with.
+    Option accepts(std::function<Status(const std::string&)> check) const;
     /// A text with at least one character; `message` says what was expected.
     Option notEmpty(const std::string& message) const;
 

@@ -83,10 +83,17 @@ class ConvergeRun {
   private:
     Status prepare() {
         if (Status consistent = checkConvergeOptions(options_); !consistent) { return consistent; }
-        if (Status writable = folder_.check(options_.overwrite); !writable) { return writable; }
+        RunFiles files;
+        files.reads("the scene", options_.scene);
+        // The reference that lies in the folder stays there.
+        const bool isFolders = isSameFile(options_.reference, folder_.reference());
+        if (!isFolders) { files.reads("the reference", options_.reference); }
+        if (Status writable = folder_.check(options_.overwrite, files); !writable) { return writable; }
         Result<SceneDescription> loaded = loadScene(options_.scene, {.allowMissing = options_.allowMissing});
         if (!loaded) { return loaded.error(); }
         scene_ = std::move(*loaded);
+        files.readsScene(scene_);
+        if (Status writable = folder_.check(options_.overwrite, files); !writable) { return writable; }
         for (const std::string& warning : scene_.warnings) {
             logWarning("{}", warning);
         }
@@ -118,7 +125,8 @@ class ConvergeRun {
         if (!jsonTakesOutput(options_.json)) { printReport(report); }
         if (!written) { return reportError(written.error(), kExitFailed); }
         if (!options_.json.empty()) {
-            written = writeJson(options_.json, nlohmann::ordered_json::parse(summaryJson(report)));
+            written =
+                writeJson(options_.json, "converge", nlohmann::ordered_json::parse(summaryJson(report)));
             if (!written) { return reportError(written.error(), kExitFailed); }
         }
         const bool failed = std::ranges::any_of(result->variants,

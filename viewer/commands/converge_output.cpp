@@ -38,7 +38,7 @@ fs::path existingParent(fs::path path) {
 
 }  // namespace
 
-Status ConvergeFolder::check(bool overwrite) const {
+Status ConvergeFolder::check(bool overwrite, const RunFiles& files) const {
     std::error_code ignored;
     if (path_.empty()) { return Error{"--out is empty; expected a folder", {}}; }
     const fs::path parent = existingParent(path_);
@@ -55,8 +55,9 @@ Status ConvergeFolder::check(bool overwrite) const {
                                            "to replace an earlier run's results",
                                            name));
         }
+        if (const Status free = files.checkIsNoInput(file(name)); !free) { return free; }
     }
-    return {};
+    return files.checkIsNoInput(reference());
 }
 
 Status ConvergeFolder::make() const {

@@ -5,6 +5,7 @@
 
 #include "engine/base/result.h"
 #include "engine/report/convergence_report.h"
+#include "viewer/base/run_files.h"
 
 namespace glint {
 
@@ -12,9 +13,9 @@ class ConvergeFolder {
   public:
     explicit ConvergeFolder(std::string path) : path_(std::move(path)) {}
 
-    /// Error: it is a file, cannot be made or written to, or holds an earlier run's results and `overwrite`
-    /// is false. Makes nothing.
-    Status check(bool overwrite) const;
+    /// Error: it is a file, cannot be made or written to, holds an earlier run's results and `overwrite` is
+    /// false, or one of the `files` that are read would be replaced. Makes nothing.
+    Status check(bool overwrite, const RunFiles& files) const;
     /// Makes it where it is missing, with the parents.
     Status make() const;
     /// What make() made, when nothing came into it; parents stay.

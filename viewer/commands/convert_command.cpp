@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include "engine/base/log.h"
-#include "engine/io/atomic_file.h"
 #include "engine/io/file_path.h"
 #include "engine/io/scene_json.h"
 #include "engine/io/scene_loader.h"
+#include "viewer/base/run_files.h"
 #include "viewer/commands/command_line.h"
 #include "viewer/commands/commands.h"
 
@@ -22,11 +22,15 @@ int runConvert(const ConvertOptions& options) {
         return reportError({fmt::format("'{}': expected a name that ends in .json", options.out), {}},
                            kExitBadInput);
     }
-    if (Status writable = checkWritable(options.out); !writable) {
+    RunFiles files;
+    files.reads("the scene", options.in);
+    if (Status writable = files.writes(options.out); !writable) {
         return reportError(writable.error(), kExitBadInput);
     }
     const auto scene = loadScene(options.in, {.allowMissing = options.allowMissing});
     if (!scene) { return reportError(scene.error(), kExitBadInput); }
+    files.readsScene(*scene);
+    if (Status checked = files.check(); !checked) { return reportError(checked.error(), kExitBadInput); }
     for (const std::string& warning : scene->warnings) {
         logWarning("{}", warning);
     }

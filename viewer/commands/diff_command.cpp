@@ -177,8 +177,16 @@ Status report(const DiffOptions& options, const ImageMetrics& metrics, const Ima
     nlohmann::ordered_json json = jsonReport(options, metrics, test, allWithin(options, metrics));
     json["maps"] = mapsJson(maps ? *maps : std::vector<WrittenMap>());
     json["warnings"] = warnings;
-    const Status written = writeJson(options.json, json);
+    const Status written = writeJson(options.json, "diff", json);
     return maps ? written : Status(maps.error());
+}
+
+Status checkOutputs(const DiffOptions& options) {
+    RunFiles files;
+    files.reads("the picture in question", options.test);
+    files.reads("the reference", options.reference);
+    const Status json = files.writes(options.json);
+    return json && !options.maps.empty() ? prepareMapFolder(options.maps, &files) : json;
 }
 
 int runDiff(const DiffOptions& options) {
@@ -188,10 +196,8 @@ int runDiff(const DiffOptions& options) {
     if (!reference) { return reportError(reference.error(), kExitBadInput); }
     const Result<ImageMetrics> metrics = compareImages(*test->colors, *reference->colors, options.metrics);
     if (!metrics) { return reportError(metrics.error(), kExitBadInput); }
-    if (!options.maps.empty()) {
-        if (const Status prepared = prepareMapFolder(options.maps); !prepared) {
-            return reportError(prepared.error(), kExitBadInput);
-        }
+    if (const Status outputs = checkOutputs(options); !outputs) {
+        return reportError(outputs.error(), kExitBadInput);
     }
     const std::vector<std::string> warnings = kindWarnings(options, *test, *reference);
     for (const std::string& warning : warnings) {

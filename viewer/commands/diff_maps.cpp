@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "engine/base/nearest_name.h"
-#include "engine/io/atomic_file.h"
 #include "engine/io/image_io.h"
 #include "engine/report/map_legend.h"
 
@@ -61,13 +60,17 @@ Status addMapRange(std::string_view text, MapRanges* ranges) {
                  {}};
 }
 
-Status prepareMapFolder(const std::string& folder) {
+Status prepareMapFolder(const std::string& folder, RunFiles* files) {
     std::error_code problem;
     std::filesystem::create_directories(folder, problem);
     if (problem) {
         return Error{fmt::format("--maps {}: cannot make that folder: {}", folder, problem.message()), {}};
     }
-    return checkWritable(mapFile(folder, ErrorMapKind::Flip));
+    for (int i = 0; i < kErrorMapKindCount; ++i) {
+        const Status free = files->writes(mapFile(folder, static_cast<ErrorMapKind>(i)));
+        if (!free) { return free; }
+    }
+    return {};
 }
 
 Result<std::vector<WrittenMap>> writeMaps(const std::string& folder, const MapRanges& ranges,

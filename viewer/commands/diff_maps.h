@@ -9,6 +9,7 @@
 
 #include "engine/base/result.h"
 #include "engine/report/error_maps.h"
+#include "viewer/base/run_files.h"
 
 namespace glint {
 
@@ -25,8 +26,9 @@ struct WrittenMap {
     MapRange range;
 };
 
-/// Makes the folder, so that a wrong name is refused before anything is computed.
-Status prepareMapFolder(const std::string& folder);
+/// Makes the folder, so that a wrong name is refused before anything is computed. Error also: a map would
+/// replace one of `files`.
+Status prepareMapFolder(const std::string& folder, RunFiles* files);
 
 /// FOLDER/relative-squared.png, absolute.png, signed.png and flip.png, each with a legend.
 Result<std::vector<WrittenMap>> writeMaps(const std::string& folder, const MapRanges& ranges,

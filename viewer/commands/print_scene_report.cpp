@@ -115,8 +115,9 @@ void printPhotons(const SceneDescription& scene, const SceneReport& report) {
         plan.photonsPerPass, kSppmBytesPerPixel, PhotonStore::kBytesPerPhoton, formatBytes(plan.total()),
         scene.options.integrator == IntegratorKind::Sppm ? "" : " (with --integrator sppm)");
     if (plan.photonsPerPass < asked) {
-        put("           fewer than the {} asked for, which do not fit into {} MiB\n", asked,
-            scene.sppm.memoryBudgetMiB);
+        const uint32_t budget = scene.sppm.memoryBudgetMiB;
+        put("           fewer than the {} asked for, which do not fit into {}\n", asked,
+            budget > 0 ? fmt::format("{} MiB", budget) : "a photon map at all");
     }
     if (!report.hasCausticCaster) {
         put("           gains nothing here: no mirror, glass, metal or coating gathers light into "

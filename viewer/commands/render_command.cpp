@@ -7,9 +7,10 @@
 #include "engine/base/log.h"
 #include "engine/io/image_formats.h"
 #include "engine/io/scene_loader.h"
+#include "engine/render/checkpoint.h"
+#include "viewer/base/run_files.h"
 #include "viewer/commands/command_line.h"
 #include "viewer/commands/commands.h"
-#include "viewer/commands/output_files.h"
 #include "viewer/commands/render_run.h"
 
 namespace glint {
@@ -22,7 +23,20 @@ constexpr const char* kFooter = R"(Examples:
   glint render scenes/sppm_glass_mesh.json -o out.png --passes 400 --checkpoint-every 50
 Ctrl-C saves the picture and the checkpoint.)";
 
-Status checkOutputs(const RenderCommandOptions& o) {
+/// An old checkpoint is replaced where it is gone on from, or where this film can become as long.
+Status checkCheckpoint(const RenderCommandOptions& o) {
+    if (o.checkpoint.empty() || o.overwrite) { return {}; }
+    const uint32_t most = finalLimits(o).passes;
+    const Status replaces = checkReplacesCheckpoint(o.checkpoint, most > 0 ? most : UINT32_MAX);
+    return replaces
+               ? replaces
+               : Error{fmt::format("--checkpoint {}; expected another name, --resume to go on from it, or "
+                                   "--overwrite",
+                                   replaces.error().format()),
+                       {}};
+}
+
+Status checkOutputs(const RenderCommandOptions& o, RunFiles* files) {
     if (o.output.empty()) {
         return Error{"no picture is named; expected -o OUT.png, OUT.exr or OUT.hdr", {}};
     }
@@ -43,12 +57,19 @@ Status checkOutputs(const RenderCommandOptions& o) {
     }
     if (o.replayPass) { return Error{"--pass needs --pixel X,Y: the path to look into", {}}; }
     const std::string numbered = interval->passes > 0 ? numberedPath(o.output, interval->passes) : "";
-    return checkAllWritable({o.output, numbered, o.checkpoint, o.json == "-" ? std::string() : o.json});
+    files->reads("the scene", o.scene);
+    // A checkpoint that is gone on from may become the longer one.
+    if (!isSameFile(o.resume, o.checkpoint)) { files->reads("the checkpoint to go on from", o.resume); }
+    for (const std::string& output : {o.output, numbered, o.checkpoint, o.json}) {
+        if (Status writable = files->writes(output); !writable) { return writable; }
+    }
+    return checkCheckpoint(o);
 }
 
 int runCommand(const RenderCommandOptions& options) {
+    RunFiles files;
     if (options.pixel.empty()) {
-        if (Status outputs = checkOutputs(options); !outputs) {
+        if (Status outputs = checkOutputs(options, &files); !outputs) {
             return reportError(outputs.error(), kExitBadInput);
         }
     }
@@ -60,11 +81,13 @@ int runCommand(const RenderCommandOptions& options) {
     for (const std::string& warning : loaded->warnings) {
         logWarning("{}", warning);
     }
+    files.readsScene(*loaded);
+    if (Status outputs = files.check(); !outputs) { return reportError(outputs.error(), kExitBadInput); }
     if (Status applied = applyTo(options.overrides, &*loaded); !applied) {
         return reportError(applied.error(), kExitBadInput);
     }
     if (!options.pixel.empty()) { return runReplay(*loaded, options); }
-    return runRender(std::make_shared<SceneDescription>(std::move(*loaded)), options, loadSeconds);
+    return runRender(std::make_shared<SceneDescription>(std::move(*loaded)), options, files, loadSeconds);
 }
 
 }  // namespace

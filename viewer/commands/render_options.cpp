@@ -77,12 +77,18 @@ void addCheckpointOptions(const Command& command, RenderCommandOptions* o) {
                 "is named; Ts: the checkpoint every T seconds")
         .typeName("N|Ts")
         .group(group);
+    command.flag("--overwrite", &o->overwrite, "Let the checkpoint replace a longer one, or another file")
+        .group(group);
     command.option("--resume", &o->resume, "Go on from this checkpoint, bit for bit")
         .typeName("FILE")
         .group(group);
 }
 
 }  // namespace
+
+StopLimits finalLimits(const RenderCommandOptions& options) {
+    return options.limits == StopLimits{} ? StopLimits{.passes = kDefaultPasses} : options.limits;
+}
 
 std::string quotedForShell(const std::string& word) {
     constexpr std::string_view kPlain =

@@ -28,6 +28,7 @@ struct RenderCommandOptions {
     std::string checkpoint;
     std::string checkpointEvery;
     std::string resume;
+    bool overwrite = false;
     bool allowMissing = false;
     std::string pixel;
     std::optional<uint32_t> replayPass;  ///< 0 without one
@@ -37,6 +38,9 @@ struct RenderCommandOptions {
 };
 
 void addRenderOptions(const Command& command, RenderCommandOptions* options);
+
+/// The limits that were given, or kDefaultPasses where none was.
+StopLimits finalLimits(const RenderCommandOptions& options);
 
 /// A word that a POSIX shell reads back as it is.
 std::string quotedForShell(const std::string& word);

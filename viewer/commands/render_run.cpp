@@ -3,20 +3,21 @@
 
 #include <chrono>
 #include <cmath>
+#include <new>
 
 #include <fmt/format.h>
 
 #include "engine/base/console.h"
 #include "engine/base/log.h"
-#include "engine/builders/scene_builder.h"
+#include "engine/base/parallel.h"
 #include "engine/render/checkpoint.h"
 #include "engine/render/image_file.h"
-#include "engine/render/pass_params.h"
-#include "engine/render/path_replay.h"
 #include "engine/render/snapshot.h"
 #include "engine/render/sppm_state.h"
+#include "viewer/base/checkpoint_file.h"
 #include "viewer/base/interrupt.h"
 #include "viewer/base/make_backend.h"
+#include "viewer/base/memory_reserve.h"
 #include "viewer/base/progress.h"
 #include "viewer/commands/commands.h"
 #include "viewer/commands/render_report.h"
@@ -31,20 +32,21 @@ constexpr double kPollSeconds = 0.1;
 class BatchRender {
   public:
     BatchRender(std::shared_ptr<const SceneDescription> scene, const RenderCommandOptions& options,
-                double loadSeconds)
+                const RunFiles& files, double loadSeconds)
         : scene_(std::move(scene)),
           options_(options),
+          files_(files),
+          checkpoint_(options.checkpoint, options.overwrite),
           saves_(parseSaveInterval(options.checkpointEvery).value()),
           loadSeconds_(loadSeconds),
-          limits_(options.limits) {
-        if (limits_.passes == 0 && limits_.renderSeconds == 0.0 && limits_.relativeError == 0.0) {
-            limits_.passes = kDefaultPasses;
-        }
+          limits_(finalLimits(options)),
+          reserve_(savingBytes(*scene_, !options.aovs.empty())) {
         const uint32_t asked = scene_->sppm.photonsPerPass;
         photonsPerPass_ = isSppm() ? planSppmMemory(*scene_).photonsPerPass : 0;
         if (isSppm() && photonsPerPass_ < asked) {
-            logWarning("{} photons a pass instead of {}: more would not fit into {} MiB (--memory)",
-                       photonsPerPass_, asked, scene_->sppm.memoryBudgetMiB);
+            const uint32_t budget = scene_->sppm.memoryBudgetMiB;
+            logWarning("{} photons a pass instead of {}: more would not fit into {}", photonsPerPass_, asked,
+                       budget > 0 ? fmt::format("{} MiB (--memory)", budget) : "a photon map at all");
         }
         if (const int depth = scene_->options.maxDepth; isSppm() && depth > kMostPhotonScatterings) {
             logWarning("{} scattering events along a path instead of {}: photons count no more",
@@ -54,26 +56,19 @@ class BatchRender {
 
     int run() {
         if (const int code = start(); code != kExitDone) { return code; }
-        const bool finished = waitUntilDone();
-        if (!finished && !stopsWithPicture()) { return kExitInterrupted; }
-        const SessionStatus status = session_->status();
-        if (status.state == SessionState::Failed && status.passes == 0) {
-            return kExitBadInput;  // The session has logged why.
-        }
-        const auto capture = session_->capture();
-        if (!capture) {
-            return reportError(Error{status.error.empty() ? "nothing was rendered" : status.error, {}},
-                               kExitFailed);
-        }
-        if (const Status saved = save(*capture); !saved) { return reportError(saved.error(), kExitFailed); }
-        const Status reported =
-            reportRender({options_, *capture, session_->status(), loadSeconds_, photonsPerPass_});
-        if (status.state == SessionState::Failed) { return kExitFailed; }
-        if (!reported) { return reportError(reported.error(), kExitFailed); }
-        return finished ? kExitDone : kExitInterrupted;
+        const End end = waitWithMemory();
+        reserve_.release();
+        int code = kExitFailed;
+        const Status finished = withMemory(options_.output, [&] {
+            code = finish(end);
+            return Status();
+        });
+        return finished ? code : reportError(finished.error(), kExitFailed);
     }
 
   private:
+    enum class End { Done, Interrupted, OutOfMemory };
+
     bool isSppm() const { return scene_->options.integrator == IntegratorKind::Sppm; }
 
     int start() {
@@ -82,6 +77,14 @@ class BatchRender {
         const Result<AovChoice> aovs = chooseAovs(options_.aovs);
         if (!aovs) { return reportError(aovs.error(), kExitBadInput); }
         aovs_ = *aovs;
+        if (!reserve_.isHeld()) {
+            return reportError(Error{fmt::format("not enough memory to save a picture of {}x{} pixels",
+                                                 scene_->resolution.width, scene_->resolution.height),
+                                     {}},
+                               kExitFailed);
+        }
+        // The threads that saving takes are made now, too.
+        parallelChunks(2, 1, options_.threads, [](int64_t, int64_t) {});
         std::optional<ResumePoint> from;
         if (!options_.resume.empty()) {
             Result<ResumePoint> loaded = loadCheckpoint(options_.resume, *scene_);
@@ -108,6 +111,35 @@ class BatchRender {
         return kExitDone;
     }
 
+    /// Saves and reports what there is. Returns the exit code.
+    int finish(End end) {
+        if (end == End::Interrupted && !stopsWithPicture()) { return kExitInterrupted; }
+        const SessionStatus status = session_->status();
+        if (status.state == SessionState::Failed && status.passes == 0) {
+            // The session has logged why.
+            return status.counters.editsRefused > 0 ? kExitBadInput : kExitFailed;
+        }
+        const auto capture = session_->capture();
+        if (!capture) { return reportError(Error{"nothing was rendered", {}}, kExitFailed); }
+        if (const Status saved = save(*capture); !saved) { return reportError(saved.error(), kExitFailed); }
+        const Status reported =
+            reportRender({options_, *capture, session_->status(), loadSeconds_, photonsPerPass_});
+        if (status.state == SessionState::Failed || end == End::OutOfMemory) { return kExitFailed; }
+        if (!reported) { return reportError(reported.error(), kExitFailed); }
+        return end == End::Done ? kExitDone : kExitInterrupted;
+    }
+
+    End waitWithMemory() {
+        try {
+            return waitUntilDone() ? End::Done : End::Interrupted;
+        } catch (const std::bad_alloc&) {
+            logError("not enough memory to go on; what is rendered is saved");
+            request_.paused = true;
+            session_->request(request_);
+            return End::OutOfMemory;
+        }
+    }
+
     /// True when a limit was reached or the session failed, false when the user interrupted.
     bool waitUntilDone() {
         ProgressLine progress;
@@ -121,7 +153,7 @@ class BatchRender {
                             *session_->convergenceCurve(scene_->options.integrator));
             const double sinceSave = std::chrono::duration<double>(Clock::now() - savedAt).count();
             if (!finished && saves_.seconds > 0.0 && sinceSave >= saves_.seconds) {
-                if (const auto capture = session_->capture()) { saveOnTheWay(*capture); }
+                saveOnTheWay();
                 savedAt = Clock::now();
             }
         }
@@ -153,25 +185,35 @@ class BatchRender {
     bool goesOnAfterImage() {
         const uint32_t passes = session_->status().passes;
         if (nextImage_ == 0 || passes != nextImage_) { return false; }
-        if (const auto capture = session_->capture()) {
-            const std::string path = numberedPath(options_.output, passes);
-            if (const Status saved = writeImage(*capture, path); !saved) {
-                logError("{}", saved.error().format());
-            }
-            saveOnTheWay(*capture);
-        }
+        saveOnTheWay(numberedPath(options_.output, passes));
         request_.limits = limitsUntilNextImage(passes);
         session_->request(request_);
         return true;
     }
 
-    void saveOnTheWay(const SessionCapture& capture) {
-        const Status saved =
-            options_.checkpoint.empty() ? Status() : saveCheckpoint(options_.checkpoint, capture);
-        if (!saved) {
-            // The render is worth more than this save: the one at the end may succeed.
-            logError("{}", saved.error().format());
+    /// The checkpoint, and a picture where it has a name. The render is worth more than these: what cannot be
+    /// saved now may be at the end.
+    void saveOnTheWay(const std::string& image = {}) {
+        const Status saved = withMemory(image.empty() ? options_.checkpoint : image, [&] {
+            const auto capture = session_->capture();
+            if (!capture) { return Status(); }
+            const Status free = files_.checkIsNoInput(image);
+            const Status written = free && !image.empty() ? writeImage(*capture, image) : free;
+            const Status kept = checkpoint_.save(*capture);
+            return written ? kept : written;
+        });
+        if (!saved) { logError("{}", saved.error().format()); }
+    }
+
+    /// `save()`, and once more where memory ran short: what the first try took is free then.
+    template <class Save>
+    static Status withMemory(const std::string& path, const Save& save) {
+        for (int tries = 2; tries > 0; --tries) {
+            try {
+                return save();
+            } catch (const std::bad_alloc&) {}
         }
+        return Error{"not enough memory to save it", {.file = path}};
     }
 
     Status writeImage(const SessionCapture& capture, const std::string& path) const {
@@ -182,21 +224,33 @@ class BatchRender {
         image.exposureStops = options_.exposure;
         image.toneMap = toneMapFromName(options_.tone).value_or(ToneMap::Srgb);
         image.exrColor = options_.exrFloat ? ExrPixelType::Float : ExrPixelType::Half;
-        image.aovs = aovs_.aovs;
+        // A failure may come before the layers are rendered; the picture is worth saving without them.
+        image.aovs = capture.aovs.passes() > 0 ? aovs_.aovs : 0;
         image.threads = options_.threads;
         return saveImage(path, *snapshot, *capture.scene, image);
     }
 
-    Status save(const SessionCapture& capture) const {
-        const Status saved = writeImage(capture, options_.output);
+    Status save(const SessionCapture& capture) {
+        const Status saved =
+            withMemory(options_.output, [&] { return writeImage(capture, options_.output); });
         // A full disk must not cost the checkpoint too.
-        const Status kept =
-            options_.checkpoint.empty() ? Status() : saveCheckpoint(options_.checkpoint, capture);
+        const Status kept = withMemory(options_.checkpoint, [&] { return checkpoint_.save(capture); });
         return saved ? kept : saved;
+    }
+
+    /// What saving takes at most: a copy of the film, and its forms on the way into a file.
+    static size_t savingBytes(const SceneDescription& scene, bool hasLayers) {
+        const Resolution& size = scene.resolution;
+        const size_t pixels = static_cast<size_t>(size.width) * static_cast<size_t>(size.height);
+        const size_t bytesPerPixel = hasLayers ? 500 : 100;
+        return 2 * checkpointBytes(size.width, size.height, scene.options.integrator) +
+               bytesPerPixel * pixels + (size_t{16} << 20);
     }
 
     std::shared_ptr<const SceneDescription> scene_;
     const RenderCommandOptions& options_;
+    const RunFiles& files_;
+    CheckpointFile checkpoint_;
     SaveInterval saves_;
     double loadSeconds_;
     StopLimits limits_;
@@ -206,6 +260,7 @@ class BatchRender {
     uint32_t nextImage_ = 0;       ///< pass count of the next numbered picture; 0: none before the end
     RenderRequest request_;
     InterruptGuard interrupt_;
+    MemoryReserve reserve_;
     std::unique_ptr<RenderSession> session_;
 };
 
@@ -217,35 +272,8 @@ std::string numberedPath(const std::string& path, uint32_t passes) {
 }
 
 int runRender(std::shared_ptr<const SceneDescription> scene, const RenderCommandOptions& options,
-              double loadSeconds) {
-    return BatchRender(std::move(scene), options, loadSeconds).run();
-}
-
-int runReplay(const SceneDescription& scene, const RenderCommandOptions& options) {
-    const Result<Vec2i> pixel = parsePair(options.pixel, ',', "--pixel");
-    if (!pixel) { return reportError(pixel.error(), kExitBadInput); }
-    if (scene.options.integrator == IntegratorKind::Sppm) {
-        return reportError(Error{"--pixel follows the path tracer's paths; add --integrator path", {}},
-                           kExitBadInput);
-    }
-    const Resolution& size = scene.resolution;
-    if (pixel->x < 0 || pixel->y < 0 || pixel->x >= size.width || pixel->y >= size.height) {
-        return reportError(Error{fmt::format("--pixel {} lies outside the picture of {}x{} pixels",
-                                             options.pixel, size.width, size.height),
-                                 {}},
-                           kExitBadInput);
-    }
-    const auto built = buildScene({std::make_shared<SceneDescription>(scene), EditKind::Everything}, nullptr,
-                                  options.threads, nullptr, nullptr);
-    if (!built) { return reportError(built.error(), kExitBadInput); }
-    PassParams params = passParamsOf(scene);
-    params.pass = options.replayPass.value_or(0);
-    PathReplay replay = replayPath((*built)->view(), (*built)->features, params, pixel->x, pixel->y);
-    for (PathEvent& event : replay.events) {
-        event.position += (*built)->origin();
-    }
-    put("{}", formatPathLog(replay, params, pixel->x, pixel->y));
-    return kExitDone;
+              const RunFiles& files, double loadSeconds) {
+    return BatchRender(std::move(scene), options, files, loadSeconds).run();
 }
 
 }  // namespace glint

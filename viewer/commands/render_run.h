@@ -3,14 +3,15 @@
 
 #include <memory>
 
+#include "viewer/base/run_files.h"
 #include "viewer/commands/render_options.h"
 
 namespace glint {
 
-/// Renders `scene` as `options` say and writes everything they name. Prints its own messages. Returns an
-/// exit code.
+/// Renders `scene` as `options` say and writes everything they name, but over none of the `files` that are
+/// read. Prints its own messages. Returns an exit code.
 int runRender(std::shared_ptr<const SceneDescription> scene, const RenderCommandOptions& options,
-              double loadSeconds);
+              const RunFiles& files, double loadSeconds);
 
 /// "out.png" after 10 passes: "out-000010.png".
 std::string numberedPath(const std::string& path, uint32_t passes);

@@ -11,10 +11,10 @@
 #include "engine/report/stress_suite.h"
 #include "engine/report/stress_summary.h"
 #include "viewer/base/interrupt.h"
+#include "viewer/base/run_files.h"
 #include "viewer/commands/command_line.h"
 #include "viewer/commands/commands.h"
 #include "viewer/commands/json_output.h"
-#include "viewer/commands/output_files.h"
 
 namespace glint {
 namespace {
@@ -148,9 +148,11 @@ int runStress(const StressOptions& options) {
         printList(*cases);
         return kExitDone;
     }
-    if (Status writable = checkAllWritable({options.html, jsonTakesOutput(options.json) ? "" : options.json});
-        !writable) {
-        return reportError(writable.error(), kExitBadInput);
+    RunFiles files;
+    for (const std::string& output : {options.html, options.json}) {
+        if (Status writable = files.writes(output); !writable) {
+            return reportError(writable.error(), kExitBadInput);
+        }
     }
     const size_t leftOut =
         options.quick ? std::erase_if(*cases, [](const StressCase& c) { return !c.quick; }) : 0;
@@ -168,7 +170,7 @@ int runStress(const StressOptions& options) {
     Status written = options.html.empty()
                          ? Status()
                          : writeFileAtomically(options.html, stressHtml(results, options.quick));
-    if (written) { written = writeJson(options.json, jsonReport(results, options)); }
+    if (written) { written = writeJson(options.json, "stress", jsonReport(results, options)); }
     if (!written) { return reportError(written.error(), kExitFailed); }
     if (!finished) { return kExitInterrupted; }
     const bool asDocumented =
@@ -191,7 +193,7 @@ void addStressCommand(const Command& program) {
                  "Print one Markdown row for each family instead of the cases");
     command.option("--html", &options->html, "Write the table as one self-contained page to FILE")
         .typeName("FILE")
-        .writableFile();
+        .accepts(checkWritable);
     addJsonOption(command, &options->json);
     command.option("--threads", &options->threads, "Render threads; all by default").range(1, 1024);
     command.footer(

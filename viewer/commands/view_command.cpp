@@ -11,9 +11,10 @@
 #include "engine/io/image_formats.h"
 #include "engine/io/scene_loader.h"
 #include "viewer/base/make_backend.h"
+#include "viewer/base/run_files.h"
 #include "viewer/commands/command_line.h"
 #include "viewer/commands/commands.h"
-#include "viewer/commands/output_files.h"
+#include "viewer/commands/json_output.h"
 #if GLINT_HAS_VIEWER
 #include "viewer/base/job_queue.h"
 #include "viewer/window/app.h"
@@ -61,7 +62,7 @@ Result<Vec2i> parseSize(const std::string& text) {
     return Vec2i(width, height);
 }
 
-Result<ViewerOptions> viewerOptions(const ViewCommandOptions& o) {
+Result<ViewerOptions> viewerOptions(const ViewCommandOptions& o, RunFiles* files) {
     ViewerOptions options;
     const auto size = parseSize(o.size);
     if (!size) { return size.error(); }
@@ -71,9 +72,9 @@ Result<ViewerOptions> viewerOptions(const ViewCommandOptions& o) {
     if (!o.screenshot.empty() && !hasExtension(o.screenshot, ".png")) {
         return Error{fmt::format("--screenshot {}: expected a name that ends in .png", o.screenshot), {}};
     }
-    const Status writable =
-        checkAllWritable({o.screenshot, o.output, o.json == "-" ? std::string() : o.json});
-    if (!writable) { return writable.error(); }
+    for (const std::string& output : {o.screenshot, o.output, o.json}) {
+        if (const Status writable = files->writes(output); !writable) { return writable.error(); }
+    }
     if (!o.script.empty()) {
         auto script = loadScript(o.script);
         if (!script) { return script.error(); }
@@ -97,7 +98,10 @@ bool hasDisplay() {
 }
 
 int runCommand(const ViewCommandOptions& o) {
-    auto options = viewerOptions(o);
+    RunFiles files;
+    files.reads("the scene", o.scene);
+    files.reads("the script", o.script);
+    auto options = viewerOptions(o, &files);
     if (!options) { return reportError(options.error(), kExitBadInput); }
     auto backend = makeBackend(o.backend, o.threads);
     if (!backend) { return reportError(backend.error(), kExitBadInput); }
@@ -106,6 +110,10 @@ int runCommand(const ViewCommandOptions& o) {
         auto loaded = loadScene(o.scene, {.allowMissing = o.allowMissing});
         if (!loaded) { return reportError(loaded.error(), kExitBadInput); }
         scene = std::move(*loaded);
+        files.readsScene(*scene);
+        if (const Status checked = files.check(); !checked) {
+            return reportError(checked.error(), kExitBadInput);
+        }
     } else if (o.headless && o.script.empty()) {
         return reportError(Error{"--headless needs a SCENE or a --script", {}}, kExitBadInput);
     }
@@ -157,7 +165,7 @@ void addViewCommand(const Command& program) {
                    "The picture at the end (headless): " + listSavedExtensions());
     command.option("--script", &options->script, "Play input from a file");
     command.option("--json", &options->json, "Frame times to a file, or - for standard output")
-        .writableFile();
+        .accepts(checkReportFile);
     command.option("--backend", &options->backend, "cpu or cuda");
     command.option("--threads", &options->threads, "Threads that render; 0: all").range(0, 1024);
     command.flag("--allow-missing", &options->allowMissing, "Open scenes with missing parts");

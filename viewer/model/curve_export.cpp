@@ -16,8 +16,9 @@ void CurveExport::save(const ConvergenceWatch& convergence) {
         curves.push_back({info.kind, *convergence.curve(info.kind), convergence.reference.points(info.kind)});
     }
     jobs_->start(
-        [this, file = path, curves = std::move(curves)]() -> JobQueue::Completion {
-            const Status result = writeFileAtomically(file, convergenceCsv(curves));
+        [this, file = path, free = inputs_->checkIsNoInput(path),
+         curves = std::move(curves)]() -> JobQueue::Completion {
+            const Status result = free ? writeFileAtomically(file, convergenceCsv(curves)) : free;
             return [this, file, result] {
                 notice_->tell(result, fmt::format("Saved {}", file));
                 result_.show(notice_->text(), notice_->isError());

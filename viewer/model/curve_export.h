@@ -4,6 +4,7 @@
 #include <string>
 
 #include "viewer/base/job_queue.h"
+#include "viewer/base/run_files.h"
 #include "viewer/model/convergence_watch.h"
 #include "viewer/model/notice.h"
 
@@ -12,7 +13,8 @@ namespace glint {
 class CurveExport {
   public:
     /// `notice` is told as well as the export's own.
-    CurveExport(JobQueue* jobs, Notice* notice) : jobs_(jobs), notice_(notice) {}
+    CurveExport(JobQueue* jobs, Notice* notice, const RunFiles* inputs)
+        : jobs_(jobs), notice_(notice), inputs_(inputs) {}
 
     std::string path = "convergence.csv";
     void save(const ConvergenceWatch& convergence);
@@ -22,6 +24,7 @@ class CurveExport {
   private:
     JobQueue* jobs_;
     Notice* notice_;
+    const RunFiles* inputs_;
     Notice result_;
 };
 

@@ -10,6 +10,7 @@
 #include "engine/render/checkpoint.h"
 #include "engine/render/image_file.h"
 #include "engine/render/snapshot.h"
+#include "viewer/base/checkpoint_file.h"
 
 namespace glint {
 namespace {
@@ -31,6 +32,7 @@ double secondsNow() {
 }  // namespace
 
 void FilmFiles::saveCaptured(const std::string& path, std::function<Status(const SessionCapture&)> save) {
+    if (const Status free = inputs_->checkIsNoInput(path); !free) { return notice_->tell(free, ""); }
     auto future = std::make_shared<std::future<std::optional<SessionCapture>>>(render_->captureLater());
     notice_->show(fmt::format("Saving {}…", path));
     jobs_->start(
@@ -81,7 +83,8 @@ void FilmFiles::startExr() {
 void FilmFiles::saveCheckpointFile() {
     lastAutosave_ = secondsNow();
     saveCaptured(checkpoint, [path = checkpoint](const SessionCapture& capture) {
-        return saveCheckpoint(path, capture);
+        const Status replaces = checkReplacesCheckpoint(path, capture.film.passes());
+        return replaces ? saveCheckpoint(path, capture) : replaces;
     });
 }
 
@@ -113,7 +116,9 @@ void FilmFiles::refresh(bool busy) {
     const bool isDue = isAutomatic && status.state == SessionState::Rendering && status.passes > 0 && !busy;
     if (!isDue) { return; }
     if (lastAutosave_ == 0.0) { lastAutosave_ = secondsNow(); }
-    if (secondsNow() - lastAutosave_ >= static_cast<double>(automaticSeconds)) { saveCheckpointFile(); }
+    if (secondsNow() - lastAutosave_ < static_cast<double>(automaticSeconds)) { return; }
+    if (!checkReplacesCheckpoint(checkpoint, status.passes)) { checkpoint = freeNameBeside(checkpoint); }
+    saveCheckpointFile();
 }
 
 }  // namespace glint

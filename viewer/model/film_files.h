@@ -5,6 +5,7 @@
 #include <string>
 
 #include "viewer/base/job_queue.h"
+#include "viewer/base/run_files.h"
 #include "viewer/model/display_settings.h"
 #include "viewer/model/notice.h"
 #include "viewer/model/render_control.h"
@@ -18,8 +19,9 @@ inline constexpr uint32_t kAllAovs =
 
 class FilmFiles {
   public:
-    FilmFiles(JobQueue* jobs, const SceneDocument* document, RenderControl* render, Notice* notice)
-        : jobs_(jobs), document_(document), render_(render), notice_(notice) {}
+    FilmFiles(JobQueue* jobs, const SceneDocument* document, RenderControl* render, Notice* notice,
+              const RunFiles* inputs)
+        : jobs_(jobs), document_(document), render_(render), notice_(notice), inputs_(inputs) {}
 
     std::string png = "render.png";
     std::string exr = "render.exr";
@@ -35,6 +37,7 @@ class FilmFiles {
     Status saveNow(const std::string& path, const DisplaySettings& display);
     /// Waits for the layers first, where they are wanted.
     void saveExr();
+    /// Not over a longer film: an automatic save goes to another name then, any other one is an error.
     void saveCheckpointFile();
     void resumeCheckpoint();
 
@@ -54,6 +57,7 @@ class FilmFiles {
     const SceneDocument* document_;
     RenderControl* render_;
     Notice* notice_;
+    const RunFiles* inputs_;
     bool isExrPending_ = false;
     double lastAutosave_ = 0.0;
 };

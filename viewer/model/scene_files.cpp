@@ -37,6 +37,7 @@ void SceneFiles::open(const std::string& path) {
 }
 
 void SceneFiles::save(std::shared_ptr<const SceneDescription> scene) {
+    if (const Status free = inputs_->checkIsNoInput(saved); !free) { return notice_->tell(free, ""); }
     jobs_->start(
         [this, path = saved, scene = std::move(scene)]() -> JobQueue::Completion {
             const Status result = scene ? saveSceneJson(*scene, path) : Status(Error{"no scene is open", {}});

@@ -8,6 +8,7 @@
 
 #include "engine/scene/scene.h"
 #include "viewer/base/job_queue.h"
+#include "viewer/base/run_files.h"
 #include "viewer/model/notice.h"
 
 namespace glint {
@@ -16,8 +17,8 @@ class SceneFiles {
   public:
     using Adopt = std::function<void(SceneDescription)>;
     /// `adopt` takes a scene that was loaded.
-    SceneFiles(JobQueue* jobs, Notice* notice, Adopt adopt)
-        : jobs_(jobs), notice_(notice), adopt_(std::move(adopt)) {}
+    SceneFiles(JobQueue* jobs, Notice* notice, const RunFiles* inputs, Adopt adopt)
+        : jobs_(jobs), notice_(notice), inputs_(inputs), adopt_(std::move(adopt)) {}
 
     std::string opened;                ///< the file that is shown, or will be asked for next
     std::string saved = "scene.json";  ///< where save() writes
@@ -35,6 +36,7 @@ class SceneFiles {
   private:
     JobQueue* jobs_;
     Notice* notice_;
+    const RunFiles* inputs_;
     Adopt adopt_;
     bool opening_ = false;
     std::string next_;  ///< asked for while another scene was being opened

@@ -25,11 +25,11 @@ bool isImage(const std::string& path) {
 
 Workspace::Workspace(std::unique_ptr<Backend> backend)
     : render(std::move(backend)),
-      sceneFiles(&jobs, &notice, [this](SceneDescription scene) { adopt(std::move(scene)); }),
-      filmFiles(&jobs, &document, &render, &notice),
+      sceneFiles(&jobs, &notice, &inputs, [this](SceneDescription scene) { adopt(std::move(scene)); }),
+      filmFiles(&jobs, &document, &render, &notice, &inputs),
       assets(&jobs, &document, &notice),
       convergence(&document, &render, &notice),
-      curveExport(&jobs, &notice),
+      curveExport(&jobs, &notice, &inputs),
       faults(&jobs, &render) {}
 
 void Workspace::adopt(SceneDescription scene) {
@@ -38,6 +38,7 @@ void Workspace::adopt(SceneDescription scene) {
     }
     logInfo("Opened {}: {} objects, {} materials, {} lights, {}x{} pixels", scene.path, scene.objects.size(),
             scene.materials.size(), scene.lights.size(), scene.resolution.width, scene.resolution.height);
+    inputs.readsScene(scene);
     if (scene.path != document.draft().path) { convergence.forget(); }
     assets.forget();
     faults.forget();
@@ -67,6 +68,9 @@ void Workspace::refresh() {
     const IntegratorKind own = document.draft().options.integrator;
     render.refresh(display.split ? std::optional(display.otherOf(own)) : std::nullopt);
     convergence.refresh();
+    if (const auto& reference = convergence.reference.loaded()) {
+        inputs.reads("the reference picture", reference->path);
+    }
     filmFiles.refresh(busy());
 }
 

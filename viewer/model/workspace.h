@@ -8,6 +8,7 @@
 #include <string>
 
 #include "viewer/base/job_queue.h"
+#include "viewer/base/run_files.h"
 #include "viewer/model/asset_reader.h"
 #include "viewer/model/convergence_watch.h"
 #include "viewer/model/curve_export.h"
@@ -27,8 +28,9 @@ class Workspace {
     Workspace(const Workspace&) = delete;
     Workspace& operator=(const Workspace&) = delete;
 
-    JobQueue jobs;  ///< before the render, whose end answers the jobs that wait for a film
-    Notice notice;  ///< of the last save, load or resume
+    RunFiles inputs;  ///< no save replaces them
+    JobQueue jobs;    ///< before the render, whose end answers the jobs that wait for a film
+    Notice notice;    ///< of the last save, load or resume
     SceneDocument document;
     RenderControl render;
     DisplaySettings display;

@@ -13,14 +13,13 @@ std::string WidgetRegistry::fullName(std::string_view label) const {
 }
 
 void WidgetRegistry::beginFrame() {
-    shown_ = std::move(building_);
-    building_.clear();
+    widgets_.clear();
     section_.clear();
 }
 
 void WidgetRegistry::add(WidgetKind kind, std::string_view label, Vec2 min, Vec2 max, bool visible,
                          std::string value) {
-    building_.push_back({section_, std::string(label), kind, min, max, visible, std::move(value)});
+    widgets_.push_back({section_, std::string(label), kind, min, max, visible, std::move(value)});
 }
 
 std::optional<std::vector<std::string>> WidgetRegistry::takeAssignment(std::string_view label) {
@@ -38,7 +37,7 @@ bool WidgetRegistry::wantsScroll(std::string_view label) {
 Result<WidgetRecord> WidgetRegistry::find(std::string_view name) const {
     const WidgetRecord* found = nullptr;
     std::vector<std::string> names;
-    for (const WidgetRecord& widget : shown_) {
+    for (const WidgetRecord& widget : widgets_) {
         names.push_back(widget.fullName());
         names.push_back(widget.label);
         if (widget.fullName() == name) { return widget; }

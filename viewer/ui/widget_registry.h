@@ -31,7 +31,7 @@ struct WidgetRecord {
 
 class WidgetRegistry {
   public:
-    /// Starts a frame; what was recorded until now stays readable until the next call.
+    /// Forgets the frame before.
     void beginFrame();
     void setSection(std::string section) { section_ = std::move(section); }
     const std::string& section() const { return section_; }
@@ -44,9 +44,9 @@ class WidgetRegistry {
     /// True when this widget is to be scrolled into view.
     bool wantsScroll(std::string_view label);
 
-    /// Widgets of the last complete frame. Error: none has this name (with the nearest), or several do.
+    /// Of the last frame, between frames. Error: none has this name (with the nearest), or several do.
     Result<WidgetRecord> find(std::string_view name) const;
-    const std::vector<WidgetRecord>& widgets() const { return shown_; }
+    const std::vector<WidgetRecord>& widgets() const { return widgets_; }
     void assign(const WidgetRecord& widget, std::vector<std::string> words);
     void scrollTo(const WidgetRecord& widget) { scrollTarget_ = widget.fullName(); }
     /// After a frame with an assignment: why it failed. "" when it did not.
@@ -56,8 +56,7 @@ class WidgetRegistry {
     std::string fullName(std::string_view label) const;
 
     std::string section_;
-    std::vector<WidgetRecord> shown_;
-    std::vector<WidgetRecord> building_;
+    std::vector<WidgetRecord> widgets_;
     std::string assignmentTarget_;
     std::vector<std::string> assignment_;
     std::string scrollTarget_;

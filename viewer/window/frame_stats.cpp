@@ -59,6 +59,7 @@ std::string FrameStats::json(const SessionStatus& session, const Camera& camera)
     const std::vector<double> own =
         collect([](const FrameTimes& f) { return f.uiMs + f.uploadMs + f.wakeMs; });
     nlohmann::ordered_json report;
+    report["report"] = "view";
     report["frames"] = frames_.size();
     report["ui_ms"] = percentiles(collect([](const FrameTimes& f) { return f.uiMs; }));
     report["upload_ms"] = percentiles(collect([](const FrameTimes& f) { return f.uploadMs; }));

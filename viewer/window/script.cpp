@@ -1,5 +1,6 @@
 #include "viewer/window/script.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <optional>
 #include <span>
@@ -14,7 +15,8 @@
 namespace glint {
 namespace {
 
-/// One way to write a statement: a letter for each word. n: number, s: text, q: text in quotes, b: mouse
+/// One way to write a statement: a letter for each word. n: number, c: whole number from 0 on, t: time in
+/// seconds, s: text, q: text in quotes, b: mouse
 /// button, k: key, u: up or down, w: a word of `choices`. A trailing '*' repeats the last letter, a '?'
 /// before a letter makes it and the rest optional.
 struct Form {
@@ -39,17 +41,18 @@ constexpr Form kForms[] = {
     {"open", "s", "open \"SECTION\""},
     {"close", "s", "close \"SECTION\""},
     {"set", "ss*", "set \"LABEL\" VALUE…"},
-    {"wait", "wn", "wait passes|seconds|frames N", "passes seconds frames"},
+    {"wait", "wc", "wait passes|frames N", "passes frames"},
+    {"wait", "wt", "wait seconds N", "seconds"},
     {"wait", "w", "wait picture|jobs|finished|paused", "picture jobs finished paused"},
     {"drop", "s", "drop \"FILE\""},
     {"screenshot", "s", "screenshot \"FILE\""},
     {"print", "s", "print status|widgets|\"LABEL\""},
     {"mark", "", "mark"},
-    {"expect", "wn", "expect COUNTER N",
+    {"expect", "wc", "expect COUNTER N",
      "restarts allocations material-tables texture-tables light-tables feature-scans mesh-builds "
      "top-level-builds"},
     {"expect", "ww", "expect state NAME", "state empty building rendering paused finished failed"},
-    {"expect", "wn", "expect passes-at-least N", "passes-at-least"},
+    {"expect", "wc", "expect passes-at-least N", "passes-at-least"},
     {"expect", "ws", "expect widget|no-widget|error|message \"TEXT\"", "widget no-widget error message"},
     {"expect", "w", "expect no-error", "no-error"},
     {"expect", "ss*", "expect \"LABEL\" VALUE…"},
@@ -59,8 +62,14 @@ constexpr Form kForms[] = {
 std::optional<float> asNumber(const ScriptWord& word) {
     char* end = nullptr;
     const float value = std::strtof(word.text.c_str(), &end);
-    if (word.quoted || word.text.empty() || *end != '\0') { return std::nullopt; }
+    if (word.quoted || word.text.empty() || *end != '\0' || !std::isfinite(value)) { return std::nullopt; }
     return value;
+}
+
+bool isCount(const ScriptWord& word) {
+    constexpr float kMost = 16777216.0f;  // up to which a float holds every whole number
+    const auto value = asNumber(word);
+    return value && *value >= 0.0f && *value <= kMost && std::floor(*value) == *value;
 }
 
 bool isChoice(const ScriptWord& word, std::string_view choices) {
@@ -73,6 +82,10 @@ bool fits(const ScriptWord& word, char letter, const Form& form) {
     switch (letter) {
         case 'n':
             return asNumber(word).has_value();
+        case 'c':
+            return isCount(word);
+        case 't':
+            return asNumber(word).value_or(-1.0f) >= 0.0f;
         case 'q':
             return word.quoted;
         case 'b':

@@ -35,7 +35,9 @@ ScriptPlayer::ScriptPlayer(std::vector<ScriptStatement> statements, WidgetRegist
     : statements_(std::move(statements)),
       registry_(registry),
       workspace_(workspace),
-      screenshot_(std::move(screenshot)) {}
+      screenshot_(std::move(screenshot)) {
+    if (!statements_.empty()) { workspace_->inputs.reads("the script", statements_.front().place.file); }
+}
 
 Status ScriptPlayer::step() {
     wheel_ = 0.0f;
@@ -129,7 +131,8 @@ Result<std::optional<WidgetRecord>> ScriptPlayer::reachable(const ScriptStatemen
 }
 
 Result<ScriptPlayer::Progress> ScriptPlayer::runPointer(const ScriptStatement& statement) {
-    if (!statement.words[0].quoted && statement.words.size() > 1) {
+    const size_t leastNumbers = statement.verb == "drag" ? 4 : 2;
+    if (!statement.words[0].quoted && statement.words.size() >= leastNumbers) {
         const Vec2 at(statement.number(0), statement.number(1));
         if (statement.verb == "move") {
             actions_.push_back({Action::Kind::Move, at, 0, ""});
@@ -227,7 +230,9 @@ Result<ScriptPlayer::Progress> ScriptPlayer::run(const ScriptStatement& statemen
         return met ? Result<Progress>(Progress::Done) : Result<Progress>(met.error());
     }
     if (verb == "screenshot") {
-        const Status saved = screenshot_(statement.words[0].text);
+        const std::string& path = statement.words[0].text;
+        const Status free = workspace_->inputs.checkIsNoInput(path);
+        const Status saved = free ? screenshot_(path) : free;
         return saved ? Result<Progress>(Progress::Done)
                      : Result<Progress>(statement.errorAt(0, saved.error().format()));
     }

@@ -1,0 +1,194 @@
+// What a run reads is never written to, whatever option names it and however its name is written; two outputs
+// are never one file; and what is there already is replaced by its own kind only.
+#include <fmt/format.h>
+
+#include "engine/io/image_io.h"
+#include "tests/support/program_test.h"
+
+namespace glint {
+namespace {
+
+using test::ProgramRun;
+using test::runProgram;
+using test::says;
+using test::TempFolder;
+
+namespace fs = std::filesystem;
+
+constexpr const char* kScene = R"({ "glint": 1, "resolution": [16, 16],
+    "camera": { "position": [0, 0, 4], "target": [0, 0, 0] },
+    "textures": { "wood": { "file": "maps/wood.png" }, "idle": { "file": "idle.png" } },
+    "materials": { "lamp": { "type": "diffuse", "color": { "texture": "wood" } } },
+    "objects": [{ "type": "sphere", "material": "lamp", "center": [0, 0, 0], "radius": 1 },
+                { "type": "mesh", "mesh": "quad", "material": "lamp" }],
+    "meshes": { "quad": { "file": "quad.obj" } },
+    "environment": { "image": { "file": "sky.hdr" } } })";
+
+class OverwrittenFiles : public test::ProgramTest {
+  protected:
+    void SetUp() override {
+        ProgramTest::SetUp();
+        fs::create_directory(folder.path("maps"));
+        const Image8 wood{2, 1, {200, 100, 50, 20, 30, 40}};
+        ASSERT_TRUE(savePng(folder.path("maps/wood.png"), wood));
+        ASSERT_TRUE(savePng(folder.path("idle.png"), wood));
+        ASSERT_TRUE(saveHdr(folder.path("sky.hdr"), ImageF{2, 1, {1, 1, 1, 1, 1, 1}}));
+        folder.write("quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+        scene = folder.write("a.json", kScene);
+        fs::create_symlink("maps/wood.png", folder.path("link.png"));
+        fs::create_hard_link(folder.path("sky.hdr"), folder.path("other-sky.hdr"));
+        for (const auto& entry : fs::recursive_directory_iterator(folder.path())) {
+            if (entry.is_regular_file()) { before[entry.path()] = TempFolder::read(entry.path()); }
+        }
+    }
+
+    void expectRefused(const std::vector<std::string>& words, const std::string& message) {
+        const ProgramRun run = runProgram(words);
+        EXPECT_EQ(run.exitCode, 1) << testing::PrintToString(words) << run.err;
+        EXPECT_TRUE(says(run.err, message));
+        for (const auto& [path, bytes] : before) {
+            ASSERT_EQ(TempFolder::read(path), bytes) << path << " by " << testing::PrintToString(words);
+        }
+    }
+    std::string at(const char* name) const { return folder.path(name); }
+
+    std::string scene;
+    std::map<std::string, std::string> before;
+};
+
+TEST_F(OverwrittenFiles, NoInputOfARenderIsAnOutput) {
+    const auto refuse = [&](const std::vector<std::string>& more, const std::string& message) {
+        std::vector<std::string> words = {"render", scene, "--passes", "1"};
+        words.insert(words.end(), more.begin(), more.end());
+        expectRefused(words, message);
+    };
+    refuse({"-o", at("maps/wood.png")}, "is a texture of the scene");
+    refuse({"-o", at("maps/../maps/./wood.png")}, "is a texture of the scene");
+    refuse({"-o", at("link.png")}, "is a texture of the scene");
+    refuse({"-o", at("idle.png")}, "is a texture of the scene");
+    refuse({"-o", at("other-sky.hdr")}, "is the scene's environment");
+    refuse({"-o", at("x.png"), "--checkpoint", scene}, "is the scene");
+    refuse({"-o", at("x.png"), "--checkpoint", scene, "--overwrite"}, "is the scene");
+    refuse({"-o", at("x.png"), "--checkpoint", at("quad.obj"), "--overwrite"}, "is a mesh of the scene");
+    refuse({"-o", at("x.png"), "--json", scene}, "is not a report");
+    EXPECT_FALSE(fs::exists(at("x.png")));
+}
+
+TEST_F(OverwrittenFiles, NumberedPicturesReplaceNoInputEither) {
+    fs::rename(at("idle.png"), at("out-000002.png"));
+    const std::string scene2 = folder.write("b.json", R"({ "glint": 1, "resolution": [8, 8],
+        "camera": { "position": [0, 0, 4], "target": [0, 0, 0] },
+        "textures": { "idle": { "file": "out-000002.png" } }, "environment": { "color": 1 } })");
+    const std::string old = TempFolder::read(at("out-000002.png"));
+    const ProgramRun run =
+        runProgram({"render", scene2, "-o", at("out.png"), "--passes", "3", "--checkpoint-every", "1"});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_TRUE(says(run.err, "is a texture of the scene"));
+    EXPECT_EQ(TempFolder::read(at("out-000002.png")), old);
+    EXPECT_TRUE(fs::exists(at("out-000001.png")) && fs::exists(at("out.png")));
+}
+
+TEST_F(OverwrittenFiles, NoInputOfAnyOtherCommandIsAnOutput) {
+    const std::string wood = at("maps/wood.png");
+    expectRefused({"info", "--json", scene, at("a.json")}, "is not a report");
+    expectRefused({"diff", "--json", wood, at("idle.png"), at("link.png")}, "is not a report");
+    expectRefused({"convert", scene, at("maps/../a.json")}, "is the scene");
+    expectRefused({"bench", "passes", scene, "--json", scene}, "is not a report");
+    expectRefused({"view", scene, "--headless", "--passes", "1", "--output", wood},
+                  "is a texture of the scene");
+    expectRefused({"view", scene, "--headless", "--passes", "1", "--screenshot", wood},
+                  "is a texture of the scene");
+    expectRefused({"view", scene, "--headless", "--passes", "1", "--json", scene}, "is not a report");
+    fs::create_directory(at("out"));
+    fs::copy_file(wood, at("out/flip.png"));
+    before[at("out/flip.png")] = TempFolder::read(wood);
+    expectRefused({"diff", at("out/flip.png"), wood, "--maps", at("out")}, "is the picture in question");
+    fs::rename(at("sky.hdr"), at("out/plot.png"));
+    before.erase(at("sky.hdr"));
+    const std::string moved = folder.write("moved.json", R"({ "glint": 1, "resolution": [8, 8],
+        "camera": { "position": [0, 0, 4], "target": [0, 0, 0] },
+        "environment": { "image": { "file": "out/plot.png" } } })");
+    expectRefused({"converge", moved, "--make-reference", "0.1", "--passes", "1", "--out", at("out"),
+                   "--overwrite", "--integrators", "pt"},
+                  "is the scene's environment");
+}
+
+TEST_F(OverwrittenFiles, TwoOutputsAreNeverOneFile) {
+    fs::current_path(folder.path());
+    fs::create_symlink("zz.png", at("same.png"));
+    for (const std::string& other : {std::string("./zz.png"), at("zz.png"), at("same.png")}) {
+        expectRefused({"render", scene, "--passes", "1", "-o", "zz.png", "--checkpoint", other},
+                      "two outputs go to one file");
+        expectRefused({"render", scene, "--passes", "1", "-o", other, "--checkpoint", "zz.png"},
+                      "two outputs go to one file");
+    }
+    expectRefused({"stress", "--quick", "--filter", "recurrence", "--html", "s.x", "--json", "./s.x"},
+                  "two outputs go to one file");
+    EXPECT_EQ(
+        runProgram({"render", scene, "--passes", "1", "-o", "zz.png", "--checkpoint", "/dev/null"}).exitCode,
+        0);
+    fs::current_path("/");
+}
+
+TEST_F(OverwrittenFiles, ReportsReplaceReportsAndEmptyFilesOnly) {
+    const std::string report = folder.write("report.json", "");
+    for (const char* command : {"info", "info"}) {
+        EXPECT_EQ(runProgram({command, scene, "--json", report}).exitCode, 0);
+        EXPECT_TRUE(says(TempFolder::read(report), "\"report\": \"info\""));
+    }
+    EXPECT_EQ(runProgram({"diff", at("idle.png"), at("idle.png"), "--json", report}).exitCode, 0);
+    EXPECT_TRUE(says(TempFolder::read(report), "\"report\": \"diff\""));
+    EXPECT_EQ(runProgram({"info", scene, "--json", "/dev/null"}).exitCode, 0);
+}
+
+TEST_F(OverwrittenFiles, AShorterFilmDoesNotReplaceALongerOne) {
+    const std::string film = at("a.film"), image = at("x.png");
+    const auto render = [&](const char* passes, const std::vector<std::string>& more = {}) {
+        std::vector<std::string> words = {"render",       scene, "-o",       image,
+                                          "--checkpoint", film,  "--passes", passes};
+        words.insert(words.end(), more.begin(), more.end());
+        return runProgram(words);
+    };
+    ASSERT_EQ(render("8").exitCode, 0);
+    const std::string longer = TempFolder::read(film);
+    const ProgramRun shorter = render("4");
+    EXPECT_EQ(shorter.exitCode, 1);
+    EXPECT_TRUE(says(shorter.err, "holds a film of 8 passes"));
+    EXPECT_TRUE(says(shorter.err, "--overwrite"));
+    EXPECT_EQ(TempFolder::read(film), longer);
+    EXPECT_EQ(render("8").exitCode, 0) << "one as long";
+    EXPECT_EQ(render("12", {"--resume", film}).exitCode, 0);
+    EXPECT_EQ(render("2", {"--overwrite"}).exitCode, 0);
+    const std::string notes = folder.write("notes.txt", "not a checkpoint");
+    const ProgramRun other =
+        runProgram({"render", scene, "-o", image, "--checkpoint", notes, "--passes", "4"});
+    EXPECT_EQ(other.exitCode, 1);
+    EXPECT_TRUE(says(other.err, "is not a Glint checkpoint"));
+    EXPECT_EQ(TempFolder::read(notes), "not a checkpoint");
+}
+
+TEST_F(OverwrittenFiles, TheWindowSavesOverNoInput) {
+    const auto script = [&](const std::string& text) { return folder.write("script.txt", text); };
+    const std::string wood = at("maps/wood.png");
+    const std::string saves = fmt::format(
+        "wait finished\nopen \"Checkpoint\"\nwait frames 3\n"
+        "set \"Scene file\" {0}\nclick \"Save scene\"\nwait jobs\nexpect message \"is the scene, which is "
+        "read\"\n"
+        "set \"PNG file\" {1}\nclick \"Save PNG\"\nwait jobs\nexpect message \"is a texture of the scene\"\n"
+        "set \"Checkpoint file\" {0}\nclick \"Checkpoint/Save\"\nwait jobs\nexpect message \"is the scene\"\n"
+        "set \"Checkpoint file\" {2}\nclick \"Checkpoint/Save\"\nwait jobs\nexpect message \"is not a Glint "
+        "checkpoint\"\n",
+        scene, wood, folder.write("notes.txt", "text"));
+    const ProgramRun run =
+        runProgram({"view", scene, "--headless", "--passes", "2", "--script", script(saves)});
+    if (run.exitCode == 2 && says(run.err, "this build has no window")) { GTEST_SKIP(); }
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_EQ(TempFolder::read(at("notes.txt")), "text");
+    const std::string self = script("wait finished\nscreenshot \"" + at("script.txt") + "\"\n");
+    expectRefused({"view", scene, "--headless", "--passes", "2", "--script", self}, "is the script");
+    expectRefused({"view", scene, "--headless", "--passes", "2", "--script", self, "--screenshot", wood},
+                  "is a texture of the scene");
+}
+
+}  // namespace
+}  // namespace glint

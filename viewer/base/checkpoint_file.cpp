@@ -1,0 +1,56 @@
+#include "viewer/base/checkpoint_file.h"
+
+#include <filesystem>
+#include <utility>
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include "engine/base/log.h"
+
+namespace glint {
+
+std::string freeNameBeside(const std::string& path) {
+    const std::filesystem::path given(path);
+    for (int number = 2;; ++number) {
+        const std::filesystem::path name =
+            given.parent_path() /
+            fmt::format("{}-{}{}", given.stem().string(), number, given.extension().string());
+        if (!std::filesystem::exists(name)) { return name.string(); }
+    }
+}
+
+CheckpointFile::Stamp CheckpointFile::stampOf(const std::string& path) {
+    struct stat info {};
+    if (::stat(path.c_str(), &info) != 0 || !S_ISREG(info.st_mode) || info.st_size == 0) {
+        return std::nullopt;
+    }
+    return std::tuple(uint64_t{info.st_dev}, uint64_t{info.st_ino},
+                      int64_t{info.st_mtim.tv_sec} * 1'000'000'000 + info.st_mtim.tv_nsec);
+}
+
+CheckpointFile::CheckpointFile(std::string path, bool overwrite)
+    : path_(std::move(path)), overwrite_(overwrite), known_(stampOf(path_)) {
+    if (!known_ || overwrite_) { return; }
+    if (const auto info = readCheckpointInfo(path_)) { passesAtFirst_ = info->passes; }
+}
+
+Status CheckpointFile::save(const SessionCapture& capture) {
+    if (path_.empty()) { return {}; }
+    const Stamp now = stampOf(path_);
+    const bool isOfAnother = now && now != known_;
+    if (!overwrite_ && (isOfAnother || capture.film.passes() < passesAtFirst_)) {
+        const std::string free = freeNameBeside(path_);
+        logWarning("{} {}; this film is saved as {}", path_,
+                   isOfAnother ? "was written by another render meanwhile" : "holds a longer film", free);
+        path_ = free;
+    }
+    const Status saved = saveCheckpoint(path_, capture);
+    if (saved) {
+        known_ = stampOf(path_);
+        passesAtFirst_ = 0;
+    }
+    return saved;
+}
+
+}  // namespace glint

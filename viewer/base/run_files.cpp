@@ -1,0 +1,102 @@
+#include "viewer/base/run_files.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <tuple>
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include "engine/io/atomic_file.h"
+#include "engine/io/file_kind.h"
+#include "engine/io/file_path.h"
+#include "engine/io/used_assets.h"
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Device, number, and the name in the folder that these are of where the file is not there yet.
+using FileIdentity = std::tuple<dev_t, ino_t, std::string>;
+
+/// Nothing for devices, pipes and what can be no file.
+std::optional<FileIdentity> identityOf(const std::string& path) {
+    if (path.empty()) { return std::nullopt; }
+    struct stat info {};
+    if (::stat(path.c_str(), &info) == 0) {
+        return S_ISREG(info.st_mode) ? std::optional(FileIdentity{info.st_dev, info.st_ino, ""})
+                                     : std::nullopt;
+    }
+    const fs::path target(followLinks(path));
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    if (::stat(folder.c_str(), &info) != 0) { return std::nullopt; }
+    return FileIdentity{info.st_dev, info.st_ino, target.filename().string()};
+}
+
+}  // namespace
+
+bool isSameFile(const std::string& a, const std::string& b) {
+    const auto identity = identityOf(a);
+    return identity && identity == identityOf(b);
+}
+
+void RunFiles::reads(const std::string& what, const std::string& path) {
+    const bool isKnown = std::ranges::find(inputs_, path, &Input::path) != inputs_.end();
+    if (!path.empty() && !isKnown) { inputs_.push_back({what, path}); }
+}
+
+void RunFiles::readsScene(const SceneDescription& scene) {
+    reads("the scene", scene.path);
+    const auto add = [&](AssetKind kind, size_t count, const char* what) {
+        for (size_t i = 0; i < count; ++i) {
+            const std::string file = assetFile(scene, {kind, i});
+            reads(what, file.empty() ? file : resolvePath(file, scene.path));
+        }
+    };
+    add(AssetKind::Mesh, scene.meshes.size(), "a mesh of the scene");
+    add(AssetKind::Texture, scene.textures.size(), "a texture of the scene");
+    add(AssetKind::Environment, scene.environmentImages.size(), "the scene's environment");
+}
+
+Status RunFiles::writes(const std::string& path) {
+    if (path.empty() || path == "-") { return {}; }
+    const bool isTaken =
+        std::ranges::any_of(outputs_, [&](const std::string& other) { return isSameFile(path, other); });
+    if (isTaken) {
+        return Error{fmt::format("two outputs go to one file, '{}'; expected different names", path), {}};
+    }
+    outputs_.push_back(path);
+    if (Status writable = checkWritable(path); !writable) { return writable; }
+    return checkIsNoInput(path);
+}
+
+Status RunFiles::check() const {
+    for (const std::string& output : outputs_) {
+        if (Status isNone = checkIsNoInput(output); !isNone) { return isNone; }
+    }
+    return {};
+}
+
+Status RunFiles::checkIsNoInput(const std::string& path) const {
+    for (const Input& input : inputs_) {
+        if (isSameFile(path, input.path)) {
+            return Error{fmt::format("is {}, which is read; expected another name to write to", input.what),
+                         {.file = path}};
+        }
+    }
+    return {};
+}
+
+Status checkReplaces(const std::string& path, bool (*mayReplace)(std::string_view head),
+                     std::string_view kind) {
+    std::error_code ignored;
+    const bool isThere = fs::is_regular_file(path, ignored) && fs::file_size(path, ignored) > 0;
+    if (!isThere || mayReplace(readHead(path))) { return {}; }
+    return Error{
+        fmt::format("is there already and is not {}, so it is not replaced; expected another name", kind),
+        {.file = path}};
+}
+
+}  // namespace glint
