@@ -1,5 +1,7 @@
 #include "engine/builders/emission_means.h"
 
+#include <initializer_list>
+
 #include "engine/kernels/texture.h"
 
 namespace glint {
