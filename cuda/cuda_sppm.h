@@ -2,7 +2,7 @@
 //
 // The stages and their arithmetic are the CPU's (render/cpu_sppm.h). The statistics belong to the host, which
 // may clear, load or exchange them between passes: they are uploaded at a pass's begin and fetched at its
-// end, 48 bytes a pixel each way. A pass that is stopped or fails leaves them as they were.
+// end, 56 bytes a pixel each way. A pass that is stopped or fails leaves them as they were.
 #pragma once
 
 #include <atomic>

@@ -54,7 +54,7 @@ struct GatherPhotons {
         const PixelPlace at = pixelOfThread(thread, pass.width);
         if (at.x >= pass.width || at.y >= pass.height) { return; }
         const size_t pixel = static_cast<size_t>(at.y) * pass.width + at.x;
-        gatherPixel<kMask>(launch.view, launch.photons, launch.params, launch.statistics[pixel],
+        gatherPixel<kMask>(launch.view, launch.photons, launch.params, at.x, at.y, launch.statistics[pixel],
                            &launch.pixels[pixel]);
     }
 };

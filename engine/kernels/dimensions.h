@@ -35,6 +35,12 @@ enum class EmissionDimension : uint32_t {
     Count,
 };
 
+/// Drawn once a pixel when its photons are gathered (disc_coverage.h).
+enum class GatherDimension : uint32_t {
+    DiscPoint,  ///< 2-D
+    WallAngle,  ///< 1-D
+};
+
 /// A dimension of a path's sample vector. Draws of one dimension in one and in two dimensions are
 /// not independent.
 struct Dimension {
@@ -44,6 +50,9 @@ struct Dimension {
 GLINT_HD constexpr Dimension dimension(CameraDimension name) { return {static_cast<uint32_t>(name)}; }
 
 GLINT_HD constexpr Dimension dimension(EmissionDimension name) { return {static_cast<uint32_t>(name)}; }
+
+/// Counted from the other end, which no bounce reaches.
+GLINT_HD constexpr Dimension dimension(GatherDimension name) { return {~static_cast<uint32_t>(name)}; }
 
 /// `bounce` counts scattering events from 0 at the first hit.
 GLINT_HD constexpr Dimension dimension(BounceDimension name, int bounce) {

@@ -10,27 +10,17 @@
 // disc, a polynomial: see biasWeight().
 #pragma once
 
-#include "engine/kernels/photon_surface.h"
+#include "engine/kernels/disc_coverage.h"
 #include "engine/math/color.h"
 
 namespace glint {
 
 namespace detail {
 
-/// What makeBsdf() needs of a surface.
-struct GatherSurface {
-    Vec3 ng, ns, vertexColor;
-    Vec2 uv;
-    uint32_t material;
-    uint32_t number;  ///< surfaceNumber()
-};
-
 /// A photon counts on the surface of the visible point `p` only: within the ball, near its tangent plane,
 /// where the surface has not bent away by more than 45 degrees, and on none that is stacked on it.
 GLINT_HD inline bool liesOnSurface(const SceneView& view, const PhotonLayout& layout, const Photon& photon,
                                    const Vec3& p, const GatherSurface& surface, float radiusSquared) {
-    constexpr float kLeastNormalCosine = 0.70710678f;
-    constexpr float kGreatestHeight = 0.5f;  // of the radius
     const Vec3 offset = photon.p - p;
     const float height = glm::dot(offset, surface.ng);
     if (!(lengthSquared(offset) < radiusSquared &&
@@ -52,24 +42,30 @@ GLINT_HD inline float biasWeight(float t) { return 3.0f * (2.0f * t - 1.0f); }
 }  // namespace detail
 
 /// Sums the photons within `radiusSquared` (world units squared) of the point. A photon that the BSDF sends
-/// nothing of towards the camera (it came to the other side) neither adds nor counts.
+/// nothing of towards the camera (it came to the other side) neither adds nor counts. `statistics` and
+/// `sampler`: the pixel's.
 template <FeatureMask kMask, class PhotonMap>
 GLINT_HD Gathered gatherPhotons(const SceneView& view, const PhotonMap& photons, const SppmParams& params,
+                                const SppmPixel& statistics, const Sampler& sampler,
                                 const VisiblePoint& point, float radiusSquared) {
     Gathered gathered;
     Vec3 bias(0.0f);
     const PhotonLayout layout{params.photonsKnowSurface};
     const Vec3 ng = unpackUnitVector<16>(point.ngPacked);
-    const detail::GatherSurface surface{ng,
-                                        unpackUnitVector<16>(point.nsPacked),
-                                        point.vertexColor,
-                                        point.uv,
-                                        view.geometry.instances[point.instance].material,
-                                        surfaceNumber<kMask>(view, params, point.instance)};
+    const GatherSurface surface{ng,
+                                unpackUnitVector<16>(point.nsPacked),
+                                point.vertexColor,
+                                point.uv,
+                                view.geometry.instances[point.instance].material,
+                                surfaceNumber<kMask>(view, params, point.instance)};
+    DiscClip clip;
+    gathered.probe = detail::probeDisc<kMask>(view, params, statistics, sampler, point, surface,
+                                              std::sqrt(radiusSquared), &clip);
     const Bsdf<kMask> bsdf = makeBsdf<kMask>(view, surface, point.woWorld);
     const uint32_t scatteringsLeft = static_cast<uint32_t>(params.pass.maxDepth) - 1u - point.depth;
     photons.visitNear(point.p, std::sqrt(radiusSquared), [&](const Photon& photon) {
         if (!detail::liesOnSurface(view, layout, photon, point.p, surface, radiusSquared)) { return; }
+        if (!clip.contains(photon.p - point.p)) { return; }
         if (layout.depth(photon) > scatteringsLeft) { return; }
         const Vec3 wi = layout.wi(photon);
         const float cosine = absDot(wi, ng);
@@ -134,13 +130,22 @@ GLINT_HD inline void updatePixel(const Gathered& gathered, double alpha, uint32_
     const double meanBefore = passes > 0.0 ? before / (passes * emittedInPass) : 0.0;
     const double meanAfter = after / ((passes + 1.0) * emittedInPass);
     pixel->passM2 += maxf(0.0f, static_cast<float>((estimate - meanBefore) * (estimate - meanAfter)));
+    const DiscProbe& probe = gathered.probe;
+    if (probe.isMade) { pixel->probes += 1.0f; }
+    if (probe.isCovered) { pixel->covered += 1.0f; }
+    if (probe.isCovered && pixel->covered < pixel->probes) {
+        // The weights add up to nothing over whole discs only.
+        bias -= static_cast<double>(detail::biasWeight(probe.t)) * meanAfter * coverageFactor(*pixel);
+    }
     pixel->bias += (static_cast<float>(bias) - pixel->bias) / static_cast<float>(passes + 1.0);
 }
 
-/// Radiance that the photons of all passes brought: tau / (emitted photons * pi R^2).
+/// Radiance that the photons of all passes brought: tau / (emitted photons * pi R^2), by the part of the
+/// discs that could bring any.
 GLINT_HD inline Vec3 photonRadiance(const SppmPixel& pixel, double emittedPhotons) {
     if (!(pixel.radiusSquared > 0.0) || !(emittedPhotons > 0.0)) { return Vec3(0.0f); }
-    const double scale = 1.0 / (emittedPhotons * 3.14159265358979323846 * pixel.radiusSquared);
+    const double scale =
+        coverageFactor(pixel) / (emittedPhotons * 3.14159265358979323846 * pixel.radiusSquared);
     return {static_cast<float>(pixel.flux[0] * scale), static_cast<float>(pixel.flux[1] * scale),
             static_cast<float>(pixel.flux[2] * scale)};
 }

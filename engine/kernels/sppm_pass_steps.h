@@ -65,15 +65,16 @@ GLINT_HD inline uint32_t searchLevels(const SppmParams& params, const GridSpace&
     return levels;
 }
 
-/// Replaces the pixel's visible point by what was found around it.
+/// Replaces the visible point of pixel (x, y) by what was found around it.
 template <FeatureMask kMask, class PhotonMap>
-GLINT_HD void gatherPixel(const SceneView& view, const PhotonMap& photons, const SppmParams& params,
-                          const SppmPixel& statistics, PassPixel* pixel) {
+GLINT_HD void gatherPixel(const SceneView& view, const PhotonMap& photons, const SppmParams& params, int x,
+                          int y, const SppmPixel& statistics, PassPixel* pixel) {
     const VisiblePoint point = pixel->visiblePoint;
     Gathered gathered;
     if (!isZero(point.throughput)) {
         const float radiusSquared = static_cast<float>(searchRadiusSquared(params, statistics, point));
-        gathered = gatherPhotons<kMask>(view, photons, params, point, radiusSquared);
+        gathered = gatherPhotons<kMask>(view, photons, params, statistics, makeSampler(params.pass, x, y),
+                                        point, radiusSquared);
         gathered.initialRadiusSquared = radiusSquared;
     }
     pixel->gathered = gathered;

@@ -35,6 +35,8 @@ struct SppmPixel {
     double flux[3] = {};         ///< tau: reflected, unnormalised
     float bias = 0.0f;           ///< running mean of the passes' estimates of the luminance's bias, signed
     float passM2 = 0.0f;         ///< squared deviations of the passes' luminances from their mean (Welford)
+    float probes = 0.0f;         ///< points of the passes' discs that were looked at (disc_coverage.h)
+    float covered = 0.0f;        ///< those of them where photons could lie
 };
 
 /// Where a pixel's camera path of this pass came to rest. `throughput` zero: nowhere, and no photon
@@ -53,6 +55,13 @@ struct VisiblePoint {
     float footprint = 0.0f;
 };
 
+/// Whether one point of a disc is covered by its surface (disc_coverage.h).
+struct DiscProbe {
+    bool isMade = false;
+    bool isCovered = false;
+    float t = 0.0f;  ///< squared distance from the centre, in squared radii
+};
+
 /// What one pass found around one visible point.
 struct Gathered {
     Vec3 flux{0.0f};  ///< sum of BSDF times photon flux times the camera path's throughput
@@ -60,6 +69,7 @@ struct Gathered {
     float bias = 0.0f;  ///< what the disc's width adds to the flux's luminance, by a noisy estimate
     /// for a pixel whose first visible point this was; 0: it has none yet
     float initialRadiusSquared = 0.0f;
+    DiscProbe probe;
 };
 
 /// One pixel's place in a pass: its visible point until the photons were gathered, then what they brought.
@@ -81,7 +91,7 @@ struct Photon {
 
 /// Everything SPPM keeps for a pixel beyond the film, and for a stored photon.
 constexpr size_t kSppmBytesPerPixel = sizeof(SppmPixel) + sizeof(PassPixel);
-static_assert(kSppmBytesPerPixel <= 120);
+static_assert(kSppmBytesPerPixel <= 128);
 static_assert(sizeof(Photon) == 32);
 
 }  // namespace glint

@@ -7,11 +7,13 @@
 namespace glint {
 namespace {
 
-constexpr size_t kBytesPerPixel = 5 * sizeof(double) + 2 * sizeof(float);
+constexpr size_t kBytesPerPixel = 5 * sizeof(double) + 4 * sizeof(float);
+constexpr size_t kOlderBytesPerPixel = kBytesPerPixel - 2 * sizeof(float);  // without coverage
 
 bool plausible(const SppmPixel& pixel) {
     const auto fine = [](double x) { return std::isfinite(x) && x >= 0.0; };
-    return fine(pixel.radiusSquared) && fine(pixel.photonCount);
+    return fine(pixel.radiusSquared) && fine(pixel.photonCount) && pixel.covered >= 0.0f &&
+           pixel.covered <= pixel.probes;
 }
 
 }  // namespace
@@ -31,6 +33,8 @@ void SppmState::write(ByteWriter* out) const {
         }
         out->write(pixel.bias);
         out->write(pixel.passM2);
+        out->write(pixel.probes);
+        out->write(pixel.covered);
     }
 }
 
@@ -40,9 +44,10 @@ bool SppmState::read(ByteReader in, const Film& film) {
     SppmState out(film.width(), film.height());
     out.passes = in.read<uint32_t>();
     out.emittedPhotons = in.read<uint64_t>();
+    const bool hasCoverage = in.left() != out.pixels.size() * kOlderBytesPerPixel;
     if (in.failed() || columns != static_cast<uint32_t>(film.width()) ||
         rows != static_cast<uint32_t>(film.height()) || out.passes != film.passes() ||
-        in.left() != out.pixels.size() * kBytesPerPixel) {
+        (hasCoverage && in.left() != out.pixels.size() * kBytesPerPixel)) {
         return false;
     }
     for (SppmPixel& pixel : out.pixels) {
@@ -53,6 +58,10 @@ bool SppmState::read(ByteReader in, const Film& film) {
         }
         pixel.bias = in.read<float>();
         pixel.passM2 = in.read<float>();
+        if (hasCoverage) {
+            pixel.probes = in.read<float>();
+            pixel.covered = in.read<float>();
+        }
         if (!plausible(pixel)) { return false; }
     }
     *this = std::move(out);

@@ -50,7 +50,9 @@ template <FeatureMask kMask, class PhotonMap>
 void gatherPixels(const SceneView& view, const PhotonMap& photons, const SppmParams& params,
                   const SppmPixel* statistics, size_t begin, size_t end, PassPixel* pixels) {
     for (size_t i = begin; i < end; ++i) {
-        gatherPixel<kMask>(view, photons, params, statistics[i], &pixels[i]);
+        const auto width = static_cast<size_t>(params.pass.width);
+        gatherPixel<kMask>(view, photons, params, static_cast<int>(i % width), static_cast<int>(i / width),
+                           statistics[i], &pixels[i]);
     }
 }
 

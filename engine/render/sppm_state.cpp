@@ -31,7 +31,12 @@ Vec3 SppmState::radianceOf(size_t pixel) const {
 double SppmState::standardErrorOf(size_t pixel) const {
     if (passes < 2) { return std::numeric_limits<double>::infinity(); }
     const double n = passes;
-    return std::sqrt(static_cast<double>(pixels[pixel].passM2) / (n - 1.0) / n);
+    return coverageFactor(pixels[pixel]) *
+           std::sqrt(static_cast<double>(pixels[pixel].passM2) / (n - 1.0) / n);
+}
+
+double SppmState::biasOf(size_t pixel) const {
+    return coverageFactor(pixels[pixel]) * static_cast<double>(pixels[pixel].bias);
 }
 
 std::vector<IntegratorMap> SppmState::maps() const {

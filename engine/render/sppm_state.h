@@ -2,7 +2,8 @@
 // for them.
 //
 // Checkpoint payload: u32 width, u32 height, u32 passes, u64 emitted photons, then per pixel f64 squared
-// radius, f64 N, 3 f64 tau, f32 bias and f32 M2 of the passes' own estimates.
+// radius, f64 N, 3 f64 tau, f32 bias and f32 M2 of the passes' own estimates, f32 points of the discs that
+// were looked at and f32 covered ones. The last two are missing in older ones, which go on without.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +35,7 @@ struct SppmState final : ImageStatistics {
     uint32_t passCount() const override { return passes; }
     Vec3 radianceOf(size_t pixel) const override;
     double standardErrorOf(size_t pixel) const override;
-    double biasOf(size_t pixel) const override { return static_cast<double>(pixels[pixel].bias); }
+    double biasOf(size_t pixel) const override;
     std::vector<IntegratorMap> maps() const override;
     size_t bytes() const override { return pixels.capacity() * sizeof(SppmPixel); }
     MemoryPart memoryPart() const override { return MemoryPart::SppmStatistics; }

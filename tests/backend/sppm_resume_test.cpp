@@ -149,6 +149,27 @@ TEST(SppmResume, ACheckpointWithoutItsStatisticsIsRefused) {
     EXPECT_FALSE(loadCheckpoint(path, photonScene()));
 }
 
+/// From before the coverage of discs was counted: two numbers less a pixel.
+TEST(SppmResume, OlderStatisticsGoOnWithoutCoverage) {
+    const SessionCapture capture = renderTo(2, photonScene(), 2);
+    const SppmState& whole = photonsOf(capture);
+    ByteWriter out;
+    whole.write(&out);
+    constexpr size_t kHead = 20, kPixel = sizeof(SppmPixel), kOlderPixel = kPixel - 2 * sizeof(float);
+    std::string older = out.bytes().substr(0, kHead);
+    for (size_t i = 0; i < whole.pixels.size(); ++i) {
+        older += out.bytes().substr(kHead + i * kPixel, kOlderPixel);
+    }
+    SppmState state;
+    ASSERT_TRUE(state.read(ByteReader(older), capture.film));
+    for (size_t i = 0; i < whole.pixels.size(); ++i) {
+        EXPECT_EQ(std::memcmp(&state.pixels[i], &whole.pixels[i], kOlderPixel), 0);
+        EXPECT_EQ(state.pixels[i].probes, 0.0f);
+    }
+    EXPECT_FALSE(state.read(ByteReader(older.substr(1)), capture.film));
+    EXPECT_FALSE(state.read(ByteReader(older + "x"), capture.film));
+}
+
 TEST(SppmSnapshot, OfACaptureHasTheErrorOfBothParts) {
     const SessionCapture capture = renderTo(3, photonScene(), 2);
     const auto image = makeSnapshot(capture, {}, 1);

@@ -152,7 +152,7 @@ TEST_F(InfoCommand, TellsWhatPhotonMappingNeedsAndWhereItGainsNothing) {
     ASSERT_FALSE(report.is_discarded());
     EXPECT_FALSE(report["sppm"]["has_caustic_caster"].get<bool>());
     EXPECT_EQ(report["integrator"], "path");
-    EXPECT_LE(report["sppm"]["bytes_per_pixel"].get<int>(), 120);
+    EXPECT_LE(report["sppm"]["bytes_per_pixel"].get<int>(), 128);
     EXPECT_LE(report["sppm"]["bytes_per_stored_photon"].get<int>(), 48);
 }
 

@@ -194,7 +194,7 @@ TEST(Sppm, NoLightNoPhotons) {
 TEST(Sppm, MemoryIsPlannedWithinItsBudget) {
     const SppmMemory free = planSppmMemory(1920, 1080, 262144, 4.0, 0);
     EXPECT_EQ(free.photonsPerPass, 262144u);
-    EXPECT_LE(free.pixelBytes, 1920u * 1080u * 120u);
+    EXPECT_LE(free.pixelBytes, 1920u * 1080u * 128u);
     EXPECT_LE(free.photonBytes, 262144u * 4u * 48u);
     const SppmMemory tight = planSppmMemory(1920, 1080, 10000000, 4.0, size_t{512} << 20);
     EXPECT_LT(tight.photonsPerPass, 10000000u);

@@ -45,7 +45,7 @@ inline Photons renderOnCpu(const std::shared_ptr<const BuiltScene>& scene, const
 }
 
 /// SppmPixel has no padding, so its bytes are its value.
-static_assert(sizeof(SppmPixel) == 5 * sizeof(double) + 2 * sizeof(float));
+static_assert(sizeof(SppmPixel) == 5 * sizeof(double) + 4 * sizeof(float));
 inline size_t differingPixels(const SppmState& a, const SppmState& b) {
     EXPECT_EQ(a.pixels.size(), b.pixels.size());
     size_t differing = 0;
