@@ -25,7 +25,7 @@ void forEachArray(MeshView& mesh, Visit&& visit) {
 
 template <class Visit>
 void forEachArray(TextureView& texture, Visit&& visit) {
-    static_assert(sizeof(TextureView) == 40, "list a new array of TextureView below");
+    static_assert(sizeof(TextureView) == 56, "list a new array of TextureView below");
     const size_t values = 3 * static_cast<size_t>(texture.width) * static_cast<size_t>(texture.height);
     visit(texture.bytes, values);
     visit(texture.floats, values);

@@ -32,6 +32,12 @@ enum class LightKind : uint8_t { Point, Spot, Directional };
 /// How the bytes of an image are to be read.
 enum class ColorEncoding : uint8_t { Srgb, Linear };
 
+/// What a texture shows beyond its image: the image again, its edge, or the image turned over at each edge.
+enum class WrapMode : uint8_t { Repeat, Clamp, Mirror };
+
+/// What a texture shows between the centres of its texels: a mixture of four, or the nearest one.
+enum class TexelFilter : uint8_t { Bilinear, Nearest };
+
 /// The weight of a sample by its distance from the pixel's centre.
 enum class FilterKind : uint8_t { Box, Gaussian, BlackmanHarris };
 

@@ -32,6 +32,10 @@ FeatureMask scanFeatures(const SceneDescription& scene, const MaterialTable& mat
     for (size_t i = 0; i < used.size(); ++i) {
         mask |= used[i] ? materialFeatures(materials.materials[i]) : 0u;
     }
+    const std::vector<bool> shown = usedTextures(scene);
+    for (size_t i = 0; i < shown.size(); ++i) {
+        mask |= shown[i] && scene.textures[i].isPlaced() ? kFeaturePlacedTextures : 0u;
+    }
     return mask;
 }
 

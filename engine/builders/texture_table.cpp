@@ -25,8 +25,13 @@ Result<TextureView> makeView(const Texture& texture) {
                                  image.isRead() ? "has no pixels" : "is used, but has not been read"),
                      {}};
     }
-    if (!std::isfinite(texture.scale.x) || !std::isfinite(texture.scale.y)) {
-        return Error{fmt::format("the scale of texture '{}' is not a finite number", texture.name), {}};
+    for (const float number :
+         {texture.scale.x, texture.scale.y, texture.offset.x, texture.offset.y, texture.rotationDeg}) {
+        if (!std::isfinite(number)) {
+            return Error{fmt::format("the scale, offset or rotation of texture '{}' is not a finite number",
+                                     texture.name),
+                         {}};
+        }
     }
     TextureView view;
     view.bytes = image.bytes ? image.bytes->rgb.data() : nullptr;
@@ -34,6 +39,14 @@ Result<TextureView> makeView(const Texture& texture) {
     view.width = image.bytes ? image.bytes->width : image.floats->width;
     view.height = image.bytes ? image.bytes->height : image.floats->height;
     view.scale = texture.scale;
+    if (texture.rotationDeg != 0.0f) {
+        const float angleRad = texture.rotationDeg * (kPi / 180.0f);
+        view.turn = {std::cos(angleRad), std::sin(angleRad)};
+    }
+    view.offset = texture.offset;
+    view.wrapU = texture.wrapU;
+    view.wrapV = texture.wrapV;
+    view.filter = texture.filter;
     view.encoding = image.bytes != nullptr ? texture.encoding : ColorEncoding::Linear;
     view.flipV = texture.flipV;
     return view;
@@ -58,7 +71,8 @@ Status addTexture(const SceneDescription& scene, const Material& user, int index
 
 bool sameView(const TextureView& a, const TextureView& b) {
     return a.bytes == b.bytes && a.floats == b.floats && a.width == b.width && a.height == b.height &&
-           a.scale == b.scale && a.encoding == b.encoding && a.flipV == b.flipV;
+           a.scale == b.scale && a.turn == b.turn && a.offset == b.offset && a.encoding == b.encoding &&
+           a.flipV == b.flipV && a.wrapU == b.wrapU && a.wrapV == b.wrapV && a.filter == b.filter;
 }
 
 bool sameTable(const TextureTable& a, const TextureTable& b) {

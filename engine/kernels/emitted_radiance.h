@@ -34,7 +34,7 @@ template <FeatureMask kMask>
 GLINT_HD inline Vec3 emissionAt(const SceneView& view, const MaterialData& material, const Vec2& uv) {
     if (!detail::emitsTexture<kMask>(view, material)) { return material.emission; }
     return material.emission *
-           glm::max(sampleTexture(view.textures[material.emissionTexture], uv), Vec3(0.0f));
+           glm::max(sampleTexture<kMask>(view.textures[material.emissionTexture], uv), Vec3(0.0f));
 }
 
 /// Radiance of an area emitter at its point p, on a side that emits.

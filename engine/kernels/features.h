@@ -35,12 +35,13 @@ enum Feature : FeatureMask {
     kFeatureManyLights = 1u << 19,  ///< the light tree is used; otherwise a table of powers is enough
     kFeatureDepthOfField = 1u << 20,
     kFeatureIndependentSampler = 1u << 21,
-    kFeatureInputTextures = 1u << 22,  ///< textures on inputs of materials other than the colour
-    kFeatureTangents = 1u << 23,       ///< surface points have dpdu and dpdv
+    kFeatureInputTextures = 1u << 22,   ///< textures on inputs of materials other than the colour
+    kFeaturePlacedTextures = 1u << 23,  ///< turned, moved, clamped or mirrored textures, nearest texels
+    kFeatureTangents = 1u << 24,        ///< surface points have dpdu and dpdv
 };
 
 /// All that a scene can ask for. Tangents cost time, and no scene asks for them.
-constexpr FeatureMask kAllFeatures = (1u << 23) - 1;
+constexpr FeatureMask kAllFeatures = (1u << 24) - 1;
 constexpr FeatureMask kMaterialFeatures = kFeatureDiffuse | kFeatureSpecular | kFeatureDielectric |
                                           kFeatureGlossy | kFeaturePlastic | kFeatureMixture;
 

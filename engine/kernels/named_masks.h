@@ -21,7 +21,8 @@ constexpr FeatureMask kMaskSmoothShapes = kMaskDiffuseShapes | kSmoothMaterials 
 /// A scan, a model from a file, architecture: diffuse meshes beside analytic shapes.
 constexpr FeatureMask kMaskDiffuseMeshes = kMaskDiffuseShapes | kMeshes | kFeatureTransforms |
                                            kFeatureTextures | kFeatureManyLights | kFeatureDepthOfField;
-/// Everything with one sampler, but for textures on inputs other than the colour.
-constexpr FeatureMask kMaskOneSampler = kAllFeatures & ~(kFeatureIndependentSampler | kFeatureInputTextures);
+/// Everything with one sampler, but for textures on inputs other than the colour and placed ones.
+constexpr FeatureMask kMaskOneSampler =
+    kAllFeatures & ~(kFeatureIndependentSampler | kFeatureInputTextures | kFeaturePlacedTextures);
 
 }  // namespace glint

@@ -68,8 +68,12 @@ struct TextureView {
     int width = 0;
     int height = 0;
     Vec2 scale{1.0f};
+    Vec2 turn{1.0f, 0.0f};  ///< cosine and sine of the angle by which scaled uv are turned; masks without
+    Vec2 offset{0.0f};      ///< kFeaturePlacedTextures look at none of these
     ColorEncoding encoding = ColorEncoding::Linear;  ///< of `bytes`
     bool flipV = false;
+    WrapMode wrapU = WrapMode::Repeat, wrapV = WrapMode::Repeat;
+    TexelFilter filter = TexelFilter::Bilinear;
 };
 
 /// A pinhole or thin lens, ready for rays: see camera_ray.h.

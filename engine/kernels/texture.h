@@ -1,8 +1,9 @@
-// Image textures as colours: bilinear, repeating. Host and device. Called when a BSDF is made.
+// Image textures as colours. Host and device. Called when a BSDF is made.
 //
-// Left out: mip maps and other prefiltering (many samples a pixel average a texture, too); other wrap modes.
+// Left out: mip maps and other prefiltering (many samples a pixel average a texture, too).
 #pragma once
 
+#include "engine/kernels/features.h"
 #include "engine/kernels/shading_view.h"
 
 namespace glint {
@@ -71,14 +72,52 @@ GLINT_HD inline TexelPair texelPair(float coordinate, int size) {
     return {first, first + 1 == size ? 0 : first + 1, position - below};
 }
 
+/// The same beyond [0, 1] by `wrap`. Nearest: all weight is on one of the two.
+GLINT_HD inline TexelPair texelPair(float coordinate, int size, WrapMode wrap, TexelFilter filter) {
+    TexelPair pair;
+    if (wrap == WrapMode::Repeat) {
+        pair = texelPair(coordinate, size);
+    } else {
+        float place = std::isfinite(coordinate) ? coordinate : 0.0f;
+        if (wrap == WrapMode::Mirror) {
+            place -= 2.0f * std::floor(0.5f * place);
+            place = place > 1.0f ? 2.0f - place : place;
+        }
+        const float position = clampf(place, 0.0f, 1.0f) * static_cast<float>(size) - 0.5f;
+        const float below = std::floor(position);
+        const int index = static_cast<int>(below);
+        pair = {index < 0 ? 0 : index, index + 1 < size ? index + 1 : size - 1, position - below};
+    }
+    if (filter == TexelFilter::Nearest) { pair.weight = pair.weight < 0.5f ? 0.0f : 1.0f; }
+    return pair;
+}
+
+/// The texels around uv; v runs upwards from the image's bottom row, unless flipV is set.
+template <FeatureMask kMask>
+GLINT_HD void findTexels(const TextureView& texture, Vec2 uv, TexelPair* x, TexelPair* y) {
+    Vec2 place(uv.x * texture.scale.x, uv.y * texture.scale.y);
+    if constexpr (hasFeature<kMask>(kFeaturePlacedTextures)) {
+        const Vec2 turn = texture.turn;
+        if (turn.y != 0.0f || turn.x != 1.0f) {
+            place = {turn.x * place.x - turn.y * place.y, turn.y * place.x + turn.x * place.y};
+        }
+        place += texture.offset;
+        const float down = texture.wrapV == WrapMode::Repeat ? -place.y : 1.0f - place.y;
+        *x = texelPair(place.x, texture.width, texture.wrapU, texture.filter);
+        *y = texelPair(texture.flipV ? place.y : down, texture.height, texture.wrapV, texture.filter);
+    } else {
+        *x = texelPair(place.x, texture.width);
+        *y = texelPair(texture.flipV ? place.y : -place.y, texture.height);
+    }
+}
+
 }  // namespace detail
 
-/// The linear colour at uv. v runs upwards from the image's bottom row, unless flipV is set.
-GLINT_HD inline Vec3 sampleTexture(const TextureView& texture, Vec2 uv) {
-    const float u = uv.x * texture.scale.x;
-    const float v = uv.y * texture.scale.y;
-    const detail::TexelPair x = detail::texelPair(u, texture.width);
-    const detail::TexelPair y = detail::texelPair(texture.flipV ? v : -v, texture.height);
+/// The linear colour at uv.
+template <FeatureMask kMask = kAllFeatures>
+GLINT_HD Vec3 sampleTexture(const TextureView& texture, Vec2 uv) {
+    detail::TexelPair x, y;
+    detail::findTexels<kMask>(texture, uv, &x, &y);
     const Vec3 top = glm::mix(detail::texel(texture, x.first, y.first),
                               detail::texel(texture, x.second, y.first), x.weight);
     const Vec3 bottom = glm::mix(detail::texel(texture, x.first, y.second),
@@ -87,9 +126,10 @@ GLINT_HD inline Vec3 sampleTexture(const TextureView& texture, Vec2 uv) {
 }
 
 /// Numbers at uv that are no colours: bytes count as linear, whatever the encoding.
-GLINT_HD inline Vec3 sampleNumbers(TextureView texture, Vec2 uv) {
+template <FeatureMask kMask = kAllFeatures>
+GLINT_HD Vec3 sampleNumbers(TextureView texture, Vec2 uv) {
     texture.encoding = ColorEncoding::Linear;
-    return sampleTexture(texture, uv);
+    return sampleTexture<kMask>(texture, uv);
 }
 
 }  // namespace glint

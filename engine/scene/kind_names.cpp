@@ -43,6 +43,20 @@ std::span<const KindName<ColorEncoding>> kindNames<ColorEncoding>() {
 }
 
 template <>
+std::span<const KindName<WrapMode>> kindNames<WrapMode>() {
+    static constexpr KindName<WrapMode> kNames[] = {
+        {"repeat", WrapMode::Repeat}, {"clamp", WrapMode::Clamp}, {"mirror", WrapMode::Mirror}};
+    return kNames;
+}
+
+template <>
+std::span<const KindName<TexelFilter>> kindNames<TexelFilter>() {
+    static constexpr KindName<TexelFilter> kNames[] = {{"bilinear", TexelFilter::Bilinear},
+                                                       {"nearest", TexelFilter::Nearest}};
+    return kNames;
+}
+
+template <>
 std::span<const KindName<IntegratorKind>> kindNames<IntegratorKind>() {
     static const auto kNames = [] {
         std::vector<KindName<IntegratorKind>> names;

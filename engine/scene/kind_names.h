@@ -32,6 +32,10 @@ std::span<const KindName<LightKind>> kindNames<LightKind>();
 template <>
 std::span<const KindName<ColorEncoding>> kindNames<ColorEncoding>();
 template <>
+std::span<const KindName<WrapMode>> kindNames<WrapMode>();
+template <>
+std::span<const KindName<TexelFilter>> kindNames<TexelFilter>();
+template <>
 std::span<const KindName<IntegratorKind>> kindNames<IntegratorKind>();
 template <>
 std::span<const KindName<FilterKind>> kindNames<FilterKind>();

@@ -34,8 +34,18 @@ struct Texture {
     std::string name;
     SceneImage image;
     ColorEncoding encoding = ColorEncoding::Srgb;
-    bool flipV = false;  ///< v counted from the image's top row
-    Vec2 scale{1.0f};    ///< uv is multiplied by this, then repeats
+    bool flipV = false;        ///< v counted from the image's top row
+    Vec2 scale{1.0f};          ///< uv is multiplied by this,
+    float rotationDeg = 0.0f;  ///< then turned counter-clockwise about (0, 0),
+    Vec2 offset{0.0f};         ///< then moved
+    WrapMode wrapU = WrapMode::Repeat, wrapV = WrapMode::Repeat;  ///< beyond [0, 1]
+    TexelFilter filter = TexelFilter::Bilinear;
+
+    /// Whether it needs more than a scale, repetition and bilinear filtering.
+    bool isPlaced() const {
+        return rotationDeg != 0.0f || offset != Vec2(0.0f) || wrapU != WrapMode::Repeat ||
+               wrapV != WrapMode::Repeat || filter != TexelFilter::Bilinear;
+    }
 };
 
 struct SceneDescription {

@@ -167,7 +167,13 @@ struct FieldsOf<Texture> {
                .required = true}),
         field("encoding", &Texture::encoding, {.help = "how 8-bit files hold colour"}),
         field("flipV", &Texture::flipV, {.help = "counts v from the image's top row"}),
-        field("scale", &Texture::scale, {.help = "factors on u and v; the image repeats"})};
+        field("scale", &Texture::scale, {.help = "factors on u and v"}),
+        field("rotationDeg", &Texture::rotationDeg,
+              {.unit = "degrees", .help = "turns u and v counter-clockwise, after the scale"}),
+        field("offset", &Texture::offset, {.help = "added to u and v, after the turn"}),
+        field("wrapU", &Texture::wrapU, {.help = "what is shown left and right of the image"}),
+        field("wrapV", &Texture::wrapV, {.help = "what is shown above and below the image"}),
+        field("filter", &Texture::filter, {.help = "between the centres of texels"})};
 };
 
 /// Whether `color` is a factor on a reflectance that is there without it.

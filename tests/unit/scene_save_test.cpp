@@ -88,6 +88,11 @@ void expectSame(const SceneDescription& a, const SceneDescription& b) {
         EXPECT_EQ(a.textures[i].encoding, b.textures[i].encoding);
         EXPECT_EQ(a.textures[i].flipV, b.textures[i].flipV);
         EXPECT_TRUE(sameBits(a.textures[i].scale, b.textures[i].scale));
+        EXPECT_TRUE(sameBits(a.textures[i].offset, b.textures[i].offset));
+        EXPECT_EQ(a.textures[i].rotationDeg, b.textures[i].rotationDeg);
+        EXPECT_EQ(a.textures[i].wrapU, b.textures[i].wrapU);
+        EXPECT_EQ(a.textures[i].wrapV, b.textures[i].wrapV);
+        EXPECT_EQ(a.textures[i].filter, b.textures[i].filter);
     }
     for (size_t i = 0; i < a.materials.size(); ++i) {
         expectSame(a.materials[i], b.materials[i]);

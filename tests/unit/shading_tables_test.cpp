@@ -142,6 +142,33 @@ TEST(TextureTable, HoldsOnlyWhatIsUsed) {
     EXPECT_NE(*buildTextureTable(scene, table), table);
 }
 
+TEST(TextureTable, PlacesTextures) {
+    SceneDescription scene = sceneOf({materialOf(MaterialKind::Diffuse)});
+    scene.textures = {grayTexture("used", 2), grayTexture("unused", 1)};
+    scene.materials[0].color.texture = 0;
+    scene.textures[1].wrapU = WrapMode::Clamp;
+    EXPECT_EQ(featuresOf(scene) & kFeaturePlacedTextures, 0u) << "no object has the clamped one";
+    const auto plain = *buildTextureTable(scene, nullptr);
+    const std::pair<const char*, void (*)(Texture*)> changes[] = {
+        {"wrapU", [](Texture* t) { t->wrapU = WrapMode::Clamp; }},
+        {"wrapV", [](Texture* t) { t->wrapV = WrapMode::Mirror; }},
+        {"filter", [](Texture* t) { t->filter = TexelFilter::Nearest; }},
+        {"offset", [](Texture* t) { t->offset.y = 0.5f; }},
+        {"rotation", [](Texture* t) { t->rotationDeg = 30.0f; }}};
+    for (const auto& [name, change] : changes) {
+        SceneDescription placed = scene;
+        change(&placed.textures[0]);
+        EXPECT_NE(featuresOf(placed) & kFeaturePlacedTextures, 0u) << name;
+        EXPECT_NE(*buildTextureTable(placed, plain), plain) << name;
+    }
+    scene.textures[0].rotationDeg = 30.0f;
+    const auto turned = *buildTextureTable(scene, nullptr);
+    EXPECT_NEAR(turned->textures[0].turn.x, std::sqrt(0.75f), 1e-6f);
+    EXPECT_NEAR(turned->textures[0].turn.y, 0.5f, 1e-6f);
+    scene.textures[0].offset.x = std::nanf("");
+    EXPECT_FALSE(buildTextureTable(scene, nullptr));
+}
+
 TEST(TextureTable, RefusesTexturesWithoutPixels) {
     SceneDescription scene = sceneOf({materialOf(MaterialKind::Diffuse)});
     scene.materials[0].color.texture = 0;

@@ -73,6 +73,54 @@ TEST(Texture, FlipAndScale) {
     EXPECT_FLOAT_EQ(red(view, 0.625f, 0.4375f), 0.1f);
 }
 
+TEST(Texture, ClampShowsTheEdgeAndMirrorTurnsTheImageOver) {
+    for (const bool flip : {false, true}) {
+        TextureView view = floatTexture();
+        view.flipV = flip;
+        const float topLeft = flip ? 0.3f : 0.1f, bottomRight = flip ? 0.2f : 0.4f;
+        view.wrapU = view.wrapV = WrapMode::Clamp;
+        EXPECT_FLOAT_EQ(red(view, -3.0f, 7.0f), topLeft);
+        EXPECT_FLOAT_EQ(red(view, 0.0f, 1.0f), topLeft) << "nothing of the other side";
+        EXPECT_FLOAT_EQ(red(view, 1.01f, -0.5f), bottomRight);
+        EXPECT_NEAR(red(view, 0.5f, 0.5f), 0.25f, 1e-6f) << "inside nothing changes";
+        view.wrapU = view.wrapV = WrapMode::Mirror;
+        for (const float u : {0.1f, 0.3f, 0.5f, 0.9f, 1.0f}) {
+            EXPECT_NEAR(red(view, 2.0f - u, 0.3f), red(view, u, 0.3f), 1e-6f);
+            EXPECT_NEAR(red(view, -u, 0.3f), red(view, u, 0.3f), 1e-6f);
+            EXPECT_NEAR(red(view, 0.3f, 4.0f + u), red(view, 0.3f, u), 1e-6f);
+        }
+        for (const float u : {1e30f, -3e38f, std::numeric_limits<float>::infinity(), std::nanf("")}) {
+            EXPECT_GE(red(view, u, u), 0.1f - 1e-6f);
+            EXPECT_LE(red(view, u, u), 0.4f + 1e-6f);
+        }
+    }
+}
+
+TEST(Texture, NearestShowsOneTexel) {
+    for (const WrapMode wrap : {WrapMode::Repeat, WrapMode::Clamp, WrapMode::Mirror}) {
+        TextureView view = floatTexture();
+        view.filter = TexelFilter::Nearest;
+        view.wrapU = view.wrapV = wrap;
+        for (const float x : {0.01f, 0.25f, 0.49f}) {
+            EXPECT_FLOAT_EQ(red(view, x, 0.99f), 0.1f);
+            EXPECT_FLOAT_EQ(red(view, x + 0.5f, 0.51f), 0.2f);
+            EXPECT_FLOAT_EQ(red(view, x, 0.49f), 0.3f);
+            EXPECT_FLOAT_EQ(red(view, x + 0.5f, 0.01f), 0.4f);
+        }
+    }
+}
+
+TEST(Texture, IsScaledThenTurnedThenMoved) {
+    TextureView view = floatTexture();
+    view.scale = {0.5f, 0.25f};
+    view.turn = {0.0f, 1.0f};  // a quarter of a turn: (1, 0) becomes (0, 1)
+    view.offset = {0.8f, 0.1f};
+    EXPECT_NEAR(red(view, 0.6f, 0.4f), red(floatTexture(), 0.8f - 0.1f, 0.1f + 0.3f), 1e-6f);
+    constexpr FeatureMask kPlain = kAllFeatures & ~kFeaturePlacedTextures;
+    EXPECT_EQ(sampleTexture<kPlain>(view, Vec2(0.6f, 0.4f)).x, red(floatTexture(), 0.3f, 0.1f))
+        << "masks without the feature look at the scale alone";
+}
+
 TEST(Texture, OneTexelIsConstant) {
     TextureView view = floatTexture();
     view.width = view.height = 1;

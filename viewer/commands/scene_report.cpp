@@ -23,7 +23,7 @@ struct FeatureName {
     FeatureMask bit;
     const char* name;
 };
-constexpr std::array<FeatureName, 22> kFeatureNames{
+constexpr std::array<FeatureName, 23> kFeatureNames{
     {{kFeatureCurved, "spheres"},
      {kFeaturePlane, "planes"},
      {kFeatureFlat, "rectangles and discs"},
@@ -33,6 +33,7 @@ constexpr std::array<FeatureName, 22> kFeatureNames{
      {kFeatureTransforms, "mesh transforms"},
      {kFeatureFrontOnly, "one-sided objects"},
      {kFeatureTextures, "textures"},
+     {kFeaturePlacedTextures, "placed textures"},
      {kFeatureDiffuse, "diffuse"},
      {kFeatureSpecular, "mirrors and smooth metals"},
      {kFeatureDielectric, "dielectrics"},

@@ -73,6 +73,27 @@ void drawTexture(const SceneDescription& scene, AssetReader* assets, Material* m
     drawAssetState(assets);
 }
 
+/// How the image lies on the surface; shared by all materials that have it.
+void drawPlacement(Texture* texture) {
+    static constexpr ui::KindLabel<WrapMode> kWraps[]{
+        {WrapMode::Repeat, "repeat"}, {WrapMode::Clamp, "clamp"}, {WrapMode::Mirror, "mirror"}};
+    static constexpr ui::KindLabel<TexelFilter> kFilters[]{{TexelFilter::Bilinear, "bilinear"},
+                                                           {TexelFilter::Nearest, "nearest"}};
+    static constexpr ui::KindLabel<ColorEncoding> kEncodings[]{{ColorEncoding::Srgb, "sRGB"},
+                                                               {ColorEncoding::Linear, "linear"}};
+    ui::heading("Texture");
+    const ui::NumberStyle free{.format = "%.3f", .speed = 0.005f};
+    ui::number("Scale u", &texture->scale.x, free);
+    ui::number("Scale v", &texture->scale.y, free);
+    ui::number("Offset u", &texture->offset.x, free);
+    ui::number("Offset v", &texture->offset.y, free);
+    ui::number("Turn", &texture->rotationDeg, {.format = "%.1f°", .speed = 0.25f});
+    ui::kindChoice("Wrap u", &texture->wrapU, kWraps, "What is shown left and right of the image");
+    ui::kindChoice("Wrap v", &texture->wrapV, kWraps, "What is shown above and below the image");
+    ui::kindChoice("Filter", &texture->filter, kFilters, "Between the centres of texels");
+    ui::kindChoice("Encoding", &texture->encoding, kEncodings, "How 8-bit files hold colour");
+}
+
 void drawMetal(Material* material) {
     std::vector<std::string_view> names{kOwnMetal};
     const std::vector<std::string_view> metals = metalNames();
@@ -157,6 +178,11 @@ void draw(SceneDocument* document, AssetReader* assets) {
     ImGui::PushID(selected);
     ui::kindChoice("Kind", &material.kind, kKinds);
     drawScattering(document->draft(), assets, &material);
+    std::vector<Texture>& textures = document->draft().textures;
+    if (const auto index = static_cast<size_t>(material.color.texture);
+        material.color.texture >= 0 && index < textures.size()) {
+        drawPlacement(&textures[index]);
+    }
     drawEmission(&material);
     ImGui::PopID();
 }

@@ -131,7 +131,7 @@ GLINT_HD Bsdf<kMask> makeBsdf(const Scene& scene, const Surface& surface, const 
     bsdf.color = detail::surfaceColor<kMask>(*bsdf.material, scene.textures, surface);
     if constexpr (hasFeature<kMask>(kFeatureInputTextures)) {
         if ((bsdf.material->flags & kMaterialInputTextures) != 0) {
-            detail::readInputs(scene, *bsdf.material, surface.uv, &bsdf.textured);
+            detail::readInputs<kMask>(scene, *bsdf.material, surface.uv, &bsdf.textured);
             detail::settle<kMask>(*bsdf.material, scene.coats, &bsdf.textured);
         }
     }

@@ -15,7 +15,7 @@ GLINT_HD Vec3 surfaceColor(const MaterialData& material, const View<TextureView>
     Vec3 color = material.color;
     if constexpr (hasFeature<kMask>(kFeatureTextures)) {
         if (material.colorTexture < textures.count) {
-            color = glm::clamp(sampleTexture(textures[material.colorTexture], surface.uv), Vec3(0.0f),
+            color = glm::clamp(sampleTexture<kMask>(textures[material.colorTexture], surface.uv), Vec3(0.0f),
                                Vec3(1.0f));
         }
     }
@@ -37,14 +37,14 @@ GLINT_HD inline void setInput(const Vec3& texel, const InputInfo& info, float* i
 }
 
 /// Sets all inputs but the coat.
-template <class Scene>
+template <FeatureMask kMask, class Scene>
 GLINT_HD void readInputs(const Scene& scene, const MaterialData& material, Vec2 uv, ShadingInputs* inputs) {
     MaterialInputs<Vec3, float>& values = *inputs;
     values = material.inputs;
     forEachModelInput(
         [&](const InputInfo& info, auto& value, const TextureSlot& slot) {
             if (slot.index >= scene.textures.count) { return; }
-            setInput(sampleNumbers(scene.textures[slot.index], uv), info, &value);
+            setInput(sampleNumbers<kMask>(scene.textures[slot.index], uv), info, &value);
         },
         values, material.textures);
 }
