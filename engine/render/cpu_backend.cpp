@@ -40,9 +40,13 @@ class CpuBackend final : public Backend {
     }
 
     Result<Integrator*> integrator(IntegratorKind kind) override {
-        std::unique_ptr<Integrator>& made = integrators_[kind];
-        if (!made) { made = integratorType(kind).makeOnCpu(cpu_); }
-        return made.get();
+        auto found = integrators_.find(kind);
+        if (found == integrators_.end()) {
+            // Made first: without memory for it, there must be no entry either.
+            auto made = integratorType(kind).makeOnCpu(cpu_);
+            found = integrators_.emplace(kind, std::move(made)).first;
+        }
+        return found->second.get();
     }
 
     Result<bool> renderAovPass(const PassParams& params, const std::atomic<bool>& stop,

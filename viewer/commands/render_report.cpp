@@ -141,7 +141,7 @@ Status reportRender(const RenderReport& r) {
     if (const float clamp = r.capture.scene->options.fireflyClamp; clamp > 0.0f) {
         logWarning("samples were clamped to {} (firefly clamp): the picture is biased", clamp);
     }
-    return writeJson(r.options.json, "render", jsonReport(r, error));
+    return r.options.json.empty() ? Status() : writeJson(r.options.json, "render", jsonReport(r, error));
 }
 
 }  // namespace glint
