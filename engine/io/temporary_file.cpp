@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <filesystem>
+#include <memory>
 #include <string_view>
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
@@ -14,8 +15,6 @@
 
 namespace glint {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::string_view kMark = ".glint-";
 constexpr std::string_view kEnding = ".tmp";
@@ -87,11 +86,12 @@ int createTemporary(const std::string& target, std::string* name) {
 }
 
 void removeStaleTemporaries(const std::string& target) {
-    const fs::path path(target);
-    std::error_code code;
-    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    for (fs::directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code)) {
-        if (isOurs(entry->path().filename().native())) { removeIfAbandoned(entry->path().string()); }
+    const size_t name = target.find_last_of('/') + 1;  // npos + 1 is 0
+    const std::string folder = target.substr(0, name);
+    // std::filesystem allocates where it must not throw.
+    const std::unique_ptr<DIR, int (*)(DIR*)> entries(::opendir(name > 0 ? folder.c_str() : "."), ::closedir);
+    while (const dirent* entry = entries ? ::readdir(entries.get()) : nullptr) {
+        if (isOurs(entry->d_name)) { removeIfAbandoned(folder + entry->d_name); }
     }
 }
 

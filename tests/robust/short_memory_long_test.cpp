@@ -135,7 +135,7 @@ class ShortMemory : public test::ProgramTest {
                 << words[0] << ", allocation " << failing << ": " << run.exitCode << "\n"
                 << run.err;
             if (run.exitCode != 0) { EXPECT_FALSE(run.err.empty()) << failing; }
-            const bool isRendered = run.err.find("pass ") != std::string::npos;
+            const bool isRendered = run.err.find(" %  pass ") != std::string::npos;
             const bool isSaved = std::ranges::any_of(
                 results, [](const std::string& path) { return std::filesystem::exists(path); });
             if (isRendered && !isSaved) {
@@ -187,7 +187,7 @@ TEST_F(ShortMemory, NoLimitOfAddressSpaceLosesARender) {
             EXPECT_TRUE(run.exitCode == 0 || run.exitCode == 1 || run.exitCode == 2 || run.exitCode == 127)
                 << integrator << " " << mebibytes << ": " << run.exitCode << " " << run.err;
             if (run.exitCode != 0) { EXPECT_FALSE(run.err.empty()) << mebibytes; }
-            const bool isRendered = run.err.find("pass ") != std::string::npos;
+            const bool isRendered = run.err.find(" %  pass ") != std::string::npos;
             EXPECT_TRUE(!isRendered || loadImage(image)) << integrator << " " << mebibytes << ": " << run.err;
         }
     }

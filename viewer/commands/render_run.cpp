@@ -3,7 +3,7 @@
 
 #include <chrono>
 #include <cmath>
-#include <new>
+#include <exception>
 
 #include <fmt/format.h>
 
@@ -132,7 +132,7 @@ class BatchRender {
     End waitWithMemory() {
         try {
             return waitUntilDone() ? End::Done : End::Interrupted;
-        } catch (const std::bad_alloc&) {
+        } catch (const std::exception&) {
             logError("not enough memory to go on; what is rendered is saved");
             request_.paused = true;
             session_->request(request_);
@@ -211,7 +211,9 @@ class BatchRender {
         for (int tries = 2; tries > 0; --tries) {
             try {
                 return save();
-            } catch (const std::bad_alloc&) {}
+            } catch (const std::exception&) {
+                // Without memory, also what was asked of the session may be lost on the way.
+            }
         }
         return Error{"not enough memory to save it", {.file = path}};
     }
