@@ -163,12 +163,6 @@ TEST_F(ShortMemory, EachAllocationOfAPhotonMappedRenderMayFail) {
              {image, film});
 }
 
-TEST_F(ShortMemory, EachAllocationOfAnotherCommandMayFail) {
-    const std::string out = folder.path("out.json");
-    failEach({"info", scene}, {});
-    failEach({"convert", scene, out}, {out});
-}
-
 /// Of address space, in steps that meet every larger allocation.
 TEST_F(ShortMemory, NoLimitOfAddressSpaceLosesARender) {
     const std::string cornell = GLINT_SOURCE_DIR "/scenes/cornell.json";

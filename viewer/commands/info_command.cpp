@@ -100,6 +100,7 @@ int runInfo(const InfoOptions& options) {
         printSceneReport(*scene, report);
         if (options.memory) { printMemory(report.memory); }
     }
+    if (options.json.empty()) { return kExitDone; }
     const Status written = writeJson(options.json, "info", jsonReport(*scene, report));
     return written ? kExitDone : reportError(written.error(), kExitFailed);
 }
