@@ -169,6 +169,17 @@ Result<SceneImage> AssetCache::environment(const ImageSource& source, std::vecto
     return out;
 }
 
+void AssetCache::report(SceneDescription* scene) {
+    const auto move = [](std::vector<std::string>& from, std::vector<std::string>* to) {
+        to->insert(to->end(), from.begin(), from.end());
+        from.clear();
+    };
+    for (auto& [key, mesh] : meshes_) {
+        move(mesh.file.warnings, &scene->warnings);
+        move(mesh.file.notes, &scene->notes);
+    }
+}
+
 void AssetCache::dropUnusedUvs(const SceneDescription& scene) {
     std::set<const MeshData*> needed;
     const std::vector<bool> textured = texturedMeshes(scene);

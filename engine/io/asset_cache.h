@@ -44,6 +44,9 @@ class AssetCache {
     /// A texture that was read before, so that it is not read again.
     void remember(const SceneImage& texture);
 
+    /// Appends to the scene what the mesh files read here needed to be repaired, and what was decided.
+    void report(SceneDescription* scene);
+
     /// Frees the texture coordinates of meshes read here that no texture of `scene` needs. Nobody else may
     /// have the scene yet.
     void dropUnusedUvs(const SceneDescription& scene);

@@ -1,9 +1,9 @@
-// A bounding sphere of the scene decides the camera; the environment is a plain one, since nothing
-// says otherwise.
+// A bounding sphere of the scene decides the camera.
 #include "engine/io/default_view.h"
 
 #include <cmath>
 
+#include "engine/io/studio.h"
 #include "engine/scene/object_box.h"
 
 namespace glint {
@@ -35,7 +35,7 @@ void frame(const Bounds& bounds, Camera* camera) {
 
 }  // namespace
 
-void applyDefaultView(SceneDescription* scene) {
+void applyDefaultView(SceneDescription* scene, bool noStudio) {
     scene->resolution = {800, 600};
     if (scene->objects.empty()) { return; }
     const Bounds bounds = sceneBounds(*scene);
@@ -46,10 +46,11 @@ void applyDefaultView(SceneDescription* scene) {
         material.color.value = Vec3(0.7f);
         scene->materials.push_back(std::move(material));
     }
-    if (!hasLight(*scene)) {
-        scene->environment.color = Vec3(1.0f);
-        scene->environment.strength = 1.0f;
-        scene->environment.image = -1;
+    if (hasLight(*scene)) { return; }
+    if (noStudio) {
+        scene->environment = {.color = Vec3(1.0f)};
+    } else {
+        addStudio(scene);
     }
 }
 

@@ -1,12 +1,9 @@
 #include <algorithm>
-#include <filesystem>
 
-#include "engine/io/asset_cache.h"
-#include "engine/io/default_view.h"
 #include "engine/io/file_kind.h"
 #include "engine/io/importer.h"
+#include "engine/io/mesh_scene.h"
 #include "engine/io/obj_loader.h"
-#include "engine/io/used_assets.h"
 
 namespace glint {
 namespace {
@@ -15,7 +12,7 @@ namespace {
 bool looksLike(std::string_view head) {
     std::string_view text = firstText(head);
     while (text.starts_with('#')) {
-        text.remove_prefix(std::min(text.find('\n'), text.size()));
+        text.remove_prefix(std::min(text.find_first_of("\r\n"), text.size()));
         text = firstText(text);
     }
     const std::string_view word = text.substr(0, text.find_first_of(" \t\r\n"));
@@ -25,23 +22,9 @@ bool looksLike(std::string_view head) {
     return false;
 }
 
-Result<SceneDescription> load(const std::string& path, const LoadOptions& options) {
-    AssetCache assets(path, options.counts);
-    const std::string name = std::filesystem::path(path).filename().string();
-    const auto file = assets.meshFileWithMaterials(name);
-    if (!file) { return file.error(); }
-    SceneDescription scene;
-    scene.path = path;
-    scene.title = name;
-    appendMeshFile(**file, name, {}, &scene);
-    if (Status read = readUsedAssets(&assets, &scene); !read) { return read.error(); }
-    applyDefaultView(&scene);
-    return scene;
-}
-
 }  // namespace
 
 extern const Importer kImportObj;
-const Importer kImportObj{"OBJ", ".obj", looksLike, load, parseObj, readObjMaterials};
+const Importer kImportObj{"OBJ", ".obj", looksLike, loadMeshScene, parseObj, readObjMaterials};
 
 }  // namespace glint

@@ -4,6 +4,8 @@
 
 #include "engine/base/nearest_name.h"
 #include "engine/io/file_kind.h"
+#include "engine/io/foreign_kind.h"
+#include "engine/io/mesh_normals.h"
 
 namespace glint {
 
@@ -30,7 +32,12 @@ std::string listImporters(bool onlyMeshes) {
 
 Result<MeshFile> readMeshFile(const std::string& bytes, const std::string& path) {
     const Importer* importer = importerOf(path, headOf(bytes));
-    if (importer != nullptr && importer->readMesh != nullptr) { return importer->readMesh(bytes, path); }
+    if (const auto foreign = foreignKindError(path, headOf(bytes), importer == nullptr)) { return *foreign; }
+    if (importer != nullptr && importer->readMesh != nullptr) {
+        Result<MeshFile> file = importer->readMesh(bytes, path);
+        if (file) { completeNormals(path, &*file); }
+        return file;
+    }
     return Error{fmt::format("is not a mesh file Glint knows; expected {}", listImporters(true)),
                  {.file = path}};
 }

@@ -37,7 +37,8 @@ const Importer* importerOf(const std::string& path, std::string_view head);
 /// "Glint JSON (.json), … or PLY (.ply)": all of them, or those that read meshes.
 std::string listImporters(bool onlyMeshes = false);
 
-/// Reads a mesh file from memory. Error: as its importer; no importer reads meshes from such a file.
+/// Reads a mesh file from memory and completes its normals (mesh_normals.h). Error: as its importer; no
+/// importer reads meshes from such a file.
 Result<MeshFile> readMeshFile(const std::string& bytes, const std::string& path);
 
 /// Whether mesh files of that name bring materials of their own.

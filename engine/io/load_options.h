@@ -22,6 +22,8 @@ struct LoadOptions {
     /// Missing textures and meshes, and what Glint cannot draw, become warnings: the rest of the scene
     /// is loaded.
     bool allowMissing = false;
+    bool strict = false;           ///< what is repaired, guessed or left out with a warning is an error
+    bool noStudio = false;         ///< models without light get a plain white environment and no ground
     LoadCounts* counts = nullptr;  ///< added to, where it is not null
 };
 

@@ -22,6 +22,13 @@ std::string besideFile(const std::string& texture, const std::string& resolvedFi
 
 }  // namespace
 
+Material unknownMaterial(const MeshPart& part) {
+    Material material;
+    material.name = part.materialName.empty() ? "default" : part.materialName;
+    material.color.value = Vec3(part.mesh->colors.empty() ? 0.7f : 1.0f);
+    return material;
+}
+
 std::shared_ptr<MeshData> joinParts(const std::vector<MeshPart>& parts) {
     if (parts.size() == 1) { return parts[0].mesh; }
     auto out = std::make_shared<MeshData>();
@@ -72,7 +79,6 @@ void appendMeshFile(const MeshFile& file, const std::string& path, const Object&
         scene->meshes.push_back({part.name, FileSource{path, static_cast<int>(i)}, part.mesh});
         scene->objects.push_back(std::move(object));
     }
-    scene->warnings.insert(scene->warnings.end(), file.warnings.begin(), file.warnings.end());
 }
 
 }  // namespace glint

@@ -10,13 +10,23 @@
 
 namespace glint {
 
+/// What a file says of the normals that it does not bring.
+enum class Smoothing : int { ByAngle = -1, Off = 0 };  ///< above 0: the number of a group
+
+/// Triangles from one on, until the next run.
+struct SmoothingRun {
+    uint32_t firstTriangle = 0;
+    Smoothing group = Smoothing::ByAngle;
+};
+
 /// Faces that follow each other and have one material.
 struct MeshPart {
     std::string name;
-    std::string materialName;             ///< as the file calls it; empty: none in force
-    std::string materialPlace;            ///< `file:line` where it says so
-    int material = -1;                    ///< index into MeshFile::materials; -1: not resolved
-    std::shared_ptr<MeshData> mesh = {};  ///< never null; the reader's own until the scene is handed out
+    std::string materialName;                  ///< as the file calls it; empty: none in force
+    int materialLine = 0;                      ///< where it says so
+    int material = -1;                         ///< index into MeshFile::materials; -1: not resolved
+    std::shared_ptr<MeshData> mesh = {};       ///< never null; the reader's own until the scene is handed out
+    std::vector<SmoothingRun> smoothing = {};  ///< empty: all by angle
 };
 
 struct MeshFile {
@@ -25,8 +35,12 @@ struct MeshFile {
     std::vector<Material> materials;     ///< those that parts use, in order of first use
     /// What these materials use, not read; paths count from where the file's own path does.
     std::vector<Texture> textures;
-    std::vector<std::string> warnings;  ///< `file:line: …`: what is missing or was left out
+    std::vector<std::string> warnings;  ///< `file:line: …`: what is missing, was repaired or left out
+    std::vector<std::string> notes;     ///< what was decided where the file is sound, but leaves it open
 };
+
+/// What stands in for a part's material where there is none: grey, or white under the part's own colours.
+Material unknownMaterial(const MeshPart& part);
 
 /// All parts as one mesh, in file order. Where only some parts have normals or uvs, the others get zeros.
 std::shared_ptr<MeshData> joinParts(const std::vector<MeshPart>& parts);

@@ -1,38 +1,45 @@
-// Materials of Wavefront MTL files, and what they mean here. Called by obj_loader.cpp only.
+// Materials of Wavefront MTL files, and what they mean here. Called by obj_materials.cpp only.
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "engine/base/result.h"
+#include "engine/io/mtl_reader.h"
 #include "engine/scene/scene.h"
 
 namespace glint {
 
-/// A material and the image that `map_Kd` names, not loaded yet.
 struct MtlMaterial {
     Material material;     ///< color.texture is -1
-    std::string colorMap;  ///< as written, relative to the MTL file; empty: none
+    std::string colorMap;  ///< map_Kd, an image that is not read, relative to the MTL file; empty: none
     Vec2 colorMapScale{1.0f};
-    std::string colorMapWarningPlace;  ///< `file:line` of the material
+    std::string glass;  ///< why it is read as glass: "d 0.1"; empty: it is not
+    std::string doubt;  ///< what speaks for glass though it is read as opaque: "illum 4"; or empty
 };
 
-/// Reads an MTL file with tinyobjloader after checking that each number is one. Error: with line and column.
-///
-/// What the entries become (the first that applies gives the kind):
-///   - illum 4, 6, 7 or 9, or d <= 0.5 (Tr >= 0.5): smooth dielectric with ior Ni; thin with ior 1.5 when Ni
-///   <= 1. Its
-///     tint is Tf where that is not black, else white. 0.5 < d < 1 is opaque, with a warning.
+struct MtlLibrary {
+    std::string path;
+    MtlFile file;
+    bool trIsOpacity = false;  ///< mtl_glass.h
+};
+
+/// Reads an MTL file; lines that cannot be read are left out with a remark. Error: the file cannot be read.
+Result<MtlLibrary> loadMtl(const std::string& path);
+
+/// What an entry becomes, with remarks on what Glint does not draw of it. The first that applies gives the
+/// kind:
+///   - Glass, a smooth dielectric with ior Ni, thin with ior 1.5 where Ni <= 1: by glassOf() in mtl_glass.h.
+///   - Pm or Pr above 0 (the PBR extension): Pm >= 0.5 a conductor whose reflectance at normal incidence is
+///     Kd, else plastic of Kd; GGX alpha is Pr squared.
 ///   - Kd black, Ks not, illum 3 or 5: mirror of Ks. Kd black, Ks not: GGX conductor whose reflectance at
-///   normal
-///     incidence is Ks, by eta = (1 - r)/(1 + r), k = 2 sqrt(r)/(1 + r) per channel (Gulbrandsen 2014,
+///     normal incidence is Ks, by eta = (1 - r)/(1 + r), k = 2 sqrt(r)/(1 + r) per channel (Gulbrandsen 2014,
 ///     "Artist Friendly Metallic Fresnel", with edge tint 1).
 ///   - Kd and Ks not black, illum not 0 or 1: plastic of Kd, ior Ni where that is above 1, else 1.5; smooth
-///   with illum 3, 5.
+///     with illum 3, 5.
 ///   - else diffuse of Kd, 0.5 grey when there is no Kd.
 /// Ns becomes the GGX alpha sqrt(2 / (Ns + 2)) (Walter et al. 2007, section 5.2, for Phong exponents).
-/// Ke becomes emission, on both sides since windings in the wild cannot be trusted. map_Kd replaces Kd; only
-/// its -s option counts. Ka and all other maps are left out, maps with a warning.
-Result<std::vector<MtlMaterial>> loadMtl(const std::string& path, std::vector<std::string>* warnings);
+/// Ke becomes emission, on both sides until lamp_sides.h knows better. map_Kd replaces Kd; only its -s option
+/// counts. Ka and all other maps are left out, maps with a remark, and Ke with map_Ke.
+MtlMaterial materialOf(const MtlEntry& entry, MtlLibrary* library);
 
 }  // namespace glint

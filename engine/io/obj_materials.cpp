@@ -2,38 +2,52 @@
 #include "engine/io/obj_materials.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <set>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "engine/base/nearest_name.h"
+#include "engine/io/file_path.h"
 #include "engine/io/text_cursor.h"
 
 namespace glint {
 namespace {
 
-namespace fs = std::filesystem;
-
-std::string besideFile(const std::string& file, std::string name) {
-    const fs::path folder = fs::path(file).parent_path();
-    std::error_code ignored;
-    if (!fs::exists(folder / name, ignored)) {
-        std::replace(name.begin(), name.end(), '\\', '/');  // written on Windows
+/// A name without its comment, quotes and capitals: what remains where a file spells it in two ways.
+std::string looseName(std::string_view name) {
+    name = name.substr(0, name.find(" #"));
+    if (name.size() > 1 && name.front() == '"' && name.back() == '"') {
+        name = name.substr(1, name.size() - 2);
     }
-    return (folder / name).string();
+    std::string out(name);
+    std::ranges::transform(
+        out, out.begin(), [](char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); });
+    while (!out.empty() && out.back() == ' ') {
+        out.pop_back();
+    }
+    return out;
+}
+
+/// "a (d 0.1), b (illum 7 with Ni 1.5) and 4 more".
+std::string listed(const std::vector<std::string>& items) {
+    constexpr size_t kShown = 8;
+    std::string out;
+    for (size_t i = 0; i < std::min(items.size(), kShown); ++i) {
+        out += (i > 0 ? ", " : "") + items[i];
+    }
+    return items.size() > kShown ? fmt::format("{} and {} more", out, items.size() - kShown) : out;
 }
 
 }  // namespace
 
 /// A line is one file name with blanks, where such a file exists, else several names.
-Status MaterialResolver::readLibraries(const std::vector<std::string>& lines) {
+void MaterialResolver::readLibraries(const std::vector<std::string>& lines) {
     std::set<std::string> read;
+    const auto place = [&] { return objPath_; };
     for (const std::string& line : lines) {
         std::vector<std::string> names{line};
-        std::error_code ignored;
-        if (!fs::exists(besideFile(objPath_, line), ignored)) {
+        if (line.find(' ') != std::string::npos && !files_.find(line, objPath_)) {
             names.clear();
             TextCursor cursor(line, objPath_);
             for (std::string_view word = cursor.word(); !word.empty(); word = cursor.word()) {
@@ -41,79 +55,114 @@ Status MaterialResolver::readLibraries(const std::vector<std::string>& lines) {
             }
         }
         for (const std::string& name : names) {
-            if (Status status = read.insert(name).second ? readLibrary(name) : Status(); !status) {
-                return status;
+            if (!read.insert(name).second) { continue; }
+            const auto found = files_.find(name, objPath_);
+            if (!found) {
+                remarks_.add("material files are missing", place, name);
+                continue;
             }
+            if (found->isGuess) {
+                remarks_.add("material files are taken for others of a like name", place, name);
+            }
+            readLibrary(found->path);
         }
     }
-    return {};
 }
 
-Status MaterialResolver::readLibrary(const std::string& name) {
-    const std::string path = besideFile(objPath_, name);
-    std::error_code ignored;
-    if (!fs::exists(path, ignored)) {
-        file_.warnings.push_back(fmt::format("{}: the material file \"{}\" is missing", objPath_, path));
-        return {};
-    }
-    Result<std::vector<MtlMaterial>> materials = loadMtl(path, &file_.warnings);
-    if (!materials) { return materials.error(); }
-    for (MtlMaterial& mtl : *materials) {
-        std::string key = mtl.material.name;
-        found_.try_emplace(std::move(key), Found{std::move(mtl), path});
-    }
-    return {};
-}
-
-int MaterialResolver::indexOf(const std::string& name, const std::string& place) {
-    if (const auto taken = taken_.find(name); taken != taken_.end()) { return taken->second; }
-    Material material;
-    if (const auto found = found_.find(name); found != found_.end()) {
-        material = found->second.mtl.material;
-        takeTexture(found->second, &material);
-    } else {
-        warnMissing(name, place);
-        material.name = name.empty() ? "default" : name;
-        material.color.value = Vec3(0.7f);
-    }
-    file_.materials.push_back(std::move(material));
-    return taken_[name] = static_cast<int>(file_.materials.size()) - 1;
-}
-
-void MaterialResolver::warnMissing(const std::string& name, const std::string& place) {
-    if (name.empty()) {
-        return;  // the file asks for none
-    }
-    std::vector<std::string_view> known;
-    for (const auto& [candidate, found] : found_) {
-        known.push_back(candidate);
-    }
-    file_.warnings.push_back(fmt::format("{}: material \"{}\" is not defined{}; a grey one takes its place",
-                                         place, name, didYouMean(name, known)));
-}
-
-void MaterialResolver::takeTexture(const Found& found, Material* material) {
-    const MtlMaterial& mtl = found.mtl;
-    if (mtl.colorMap.empty()) { return; }
-    const std::string path = besideFile(found.library, mtl.colorMap);
-    const std::string key = fmt::format("{}\n{} {}", path, mtl.colorMapScale.x, mtl.colorMapScale.y);
-    if (const auto known = textures_.find(key); known != textures_.end()) {
-        material->color.texture = known->second;
+void MaterialResolver::readLibrary(const std::string& path) {
+    Result<MtlLibrary> library = loadMtl(path);
+    if (!library) {
+        remarks_.add(
+            "material files cannot be read", [&] { return path; }, library.error().message);
         return;
     }
-    std::error_code ignored;
-    if (!fs::exists(path, ignored)) {
-        file_.warnings.push_back(
-            fmt::format("{}: the image \"{}\" of material \"{}\" is missing; its Kd is used",
-                        mtl.colorMapWarningPlace, path, material->name));
-        return;
+    for (size_t i = 0; i < library->file.entries.size(); ++i) {
+        const std::string& name = library->file.entries[i].name;
+        looseNames_.try_emplace(looseName(name), name);
+        found_.try_emplace(name, Found{libraries_.size(), i});
     }
-    Texture texture;
-    texture.name = mtl.colorMap;
-    texture.image.source = FileSource{path};
-    texture.scale = mtl.colorMapScale;
-    file_.textures.push_back(std::move(texture));
-    material->color.texture = textures_[key] = static_cast<int>(file_.textures.size()) - 1;
+    libraries_.push_back(std::move(*library));
+}
+
+const MaterialResolver::Found* MaterialResolver::findMaterial(const MeshPart& part) {
+    if (const auto found = found_.find(part.materialName); found != found_.end()) { return &found->second; }
+    if (part.materialName.empty()) { return nullptr; }
+    const auto place = [&] { return fmt::format("{}:{}", objPath_, part.materialLine); };
+    if (const auto loose = looseNames_.find(looseName(part.materialName)); loose != looseNames_.end()) {
+        remarks_.add("materials are taken for others of a like name", place, part.materialName);
+        return &found_.find(loose->second)->second;
+    }
+    remarks_.add("materials are not defined; a grey one takes their place", place, part.materialName, [&] {
+        std::vector<std::string_view> known;
+        for (const auto& [candidate, found] : found_) {
+            known.push_back(candidate);
+        }
+        return didYouMean(part.materialName, known);
+    });
+    return nullptr;
+}
+
+int MaterialResolver::indexOf(const MeshPart& part) {
+    const bool hasColors = !part.mesh->colors.empty();
+    const std::string key = part.materialName + (hasColors ? "\nc" : "\n");
+    if (const auto taken = taken_.find(key); taken != taken_.end()) { return taken->second; }
+    const Found* found = findMaterial(part);
+    file_.materials.push_back(found != nullptr ? take(*found) : unknownMaterial(part));
+    return taken_[key] = static_cast<int>(file_.materials.size()) - 1;
+}
+
+Material MaterialResolver::take(const Found& found) {
+    MtlLibrary& library = libraries_[found.library];
+    const MtlEntry& entry = library.file.entries[found.entry];
+    MtlMaterial mtl = materialOf(entry, &library);
+    if (!mtl.colorMap.empty()) {
+        ColorInput& color = mtl.material.color;
+        color.texture = takeTexture(mtl, library.path, entry.line);
+        if (color.texture < 0 && isZero(color.value)) { color.value = Vec3(0.5f); }  // seen as going without
+    }
+    if (!mtl.glass.empty()) { glass_.push_back(fmt::format("{} ({})", entry.name, mtl.glass)); }
+    if (!mtl.doubt.empty()) { opaque_.push_back(fmt::format("{} ({})", entry.name, mtl.doubt)); }
+    return std::move(mtl.material);
+}
+
+/// Index into the file's textures, or -1.
+int MaterialResolver::takeTexture(const MtlMaterial& mtl, const std::string& library, int line) {
+    const auto place = [&] { return fmt::format("{}:{}", library, line); };
+    const auto file = files_.find(mtl.colorMap, library);
+    if (!file) {
+        remarks_.add("images are missing; the material's own colour takes their place", place, mtl.colorMap);
+        return -1;
+    }
+    if (file->isGuess) { remarks_.add("images are taken for others of a like name", place, mtl.colorMap); }
+    const auto [known, isNew] =
+        textures_.try_emplace(fmt::format("{}\n{} {}", file->path, mtl.colorMapScale.x, mtl.colorMapScale.y),
+                              static_cast<int>(file_.textures.size()));
+    if (isNew) {
+        Texture texture;
+        texture.name = mtl.colorMap;
+        texture.image.source = FileSource{file->path};
+        texture.scale = mtl.colorMapScale;
+        file_.textures.push_back(std::move(texture));
+    }
+    return known->second;
+}
+
+void MaterialResolver::finish() {
+    const auto warn = [this](const Remarks& remarks) {
+        const std::vector<std::string> lines = remarks.lines();
+        file_.warnings.insert(file_.warnings.end(), lines.begin(), lines.end());
+    };
+    warn(remarks_);
+    for (const MtlLibrary& library : libraries_) {
+        warn(library.file.remarks);
+    }
+    if (!glass_.empty()) {
+        file_.notes.push_back(fmt::format("{}: read as glass: {}", objPath_, listed(glass_)));
+    }
+    if (!opaque_.empty()) {
+        file_.notes.push_back(
+            fmt::format("{}: read as opaque, though this could mean glass: {}", objPath_, listed(opaque_)));
+    }
 }
 
 }  // namespace glint

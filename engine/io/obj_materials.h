@@ -8,34 +8,44 @@
 #include "engine/base/result.h"
 #include "engine/io/mesh_file.h"
 #include "engine/io/mtl_loader.h"
+#include "engine/io/named_files.h"
+#include "engine/io/remarks.h"
 
 namespace glint {
 
-/// Gives parts their materials: reads the libraries, then takes over what parts use.
+/// Gives parts their materials: reads the libraries, then takes over what parts use. What was missing or
+/// guessed goes into the file's warnings and notes by finish().
 class MaterialResolver {
   public:
     MaterialResolver(const std::string& objPath, MeshFile* file) : objPath_(objPath), file_(*file) {}
 
-    /// `lines` are what mtllib lines name. A missing file is a warning, a malformed one an error.
-    Status readLibraries(const std::vector<std::string>& lines);
-    /// `name` is what usemtl says, empty for none; `place` is `file:line` of it.
-    int indexOf(const std::string& name, const std::string& place);
+    /// `lines` are what mtllib lines name. A missing or unreadable file is a warning.
+    void readLibraries(const std::vector<std::string>& lines);
+    int indexOf(const MeshPart& part);
+    void finish();
 
   private:
+    /// Index of a library, and of its entry.
     struct Found {
-        MtlMaterial mtl;
-        std::string library;
+        size_t library;
+        size_t entry;
     };
 
-    Status readLibrary(const std::string& name);
-    void takeTexture(const Found& found, Material* material);
-    void warnMissing(const std::string& name, const std::string& place);
+    void readLibrary(const std::string& path);
+    const Found* findMaterial(const MeshPart& part);
+    Material take(const Found& found);
+    int takeTexture(const MtlMaterial& mtl, const std::string& library, int line);
 
     const std::string& objPath_;
     MeshFile& file_;
+    NamedFiles files_;
+    Remarks remarks_;
+    std::vector<MtlLibrary> libraries_;
     std::map<std::string, Found, std::less<>> found_;
+    std::map<std::string, std::string, std::less<>> looseNames_;  ///< in small letters, to names in found_
     std::map<std::string, int, std::less<>> taken_;
     std::map<std::string, int, std::less<>> textures_;  ///< by path and scale
+    std::vector<std::string> glass_, opaque_;           ///< name and why, for the notes
 };
 
 }  // namespace glint

@@ -7,9 +7,7 @@ namespace glint {
 
 bool ObjPartBuilder::addFace(const std::vector<ObjCorner>& corners) {
     if (corners.size() == 3) {
-        for (const ObjCorner& corner : corners) {
-            mesh_.indices.push_back(vertexFor(corner));
-        }
+        addTriangle(corners.data());
         return true;
     }
     polygon_.clear();
@@ -24,13 +22,28 @@ bool ObjPartBuilder::addFace(const std::vector<ObjCorner>& corners) {
     return true;
 }
 
+void ObjPartBuilder::addTriangle(const ObjCorner* corners) {
+    for (int corner = 0; corner < 3; ++corner) {
+        mesh_.indices.push_back(vertexFor(corners[corner]));
+    }
+}
+
+bool ObjPartBuilder::isSame(const Known& known, const ObjCorner& corner) const {
+    if (known.normal != corner.normal) { return false; }
+    return known.uv == corner.uv ||
+           (known.uv >= 0 && corner.uv >= 0 &&
+            pools_.uvs[static_cast<size_t>(known.uv)] == pools_.uvs[static_cast<size_t>(corner.uv)]);
+}
+
 uint32_t ObjPartBuilder::vertexFor(const ObjCorner& corner) {
     const size_t position = static_cast<size_t>(corner.position);
     if (position >= heads_.size()) { heads_.resize(pools_.positions.size()); }
     Head& head = heads_[position];
     if (head.part != part_) { head = {part_, kNone}; }
-    for (uint32_t i = head.first; i != kNone; i = known_[i].next) {
-        if (known_[i].uv == corner.uv && known_[i].normal == corner.normal) { return i; }
+    int compared = 0;
+    for (uint32_t i = head.first; i != kNone && compared < kMostCompared; i = known_[i].next, ++compared) {
+        ++comparisons_;
+        if (isSame(known_[i], corner)) { return i; }
     }
     known_.push_back({corner.uv, corner.normal, head.first});
     head.first = appendVertex(corner);

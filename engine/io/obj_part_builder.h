@@ -1,7 +1,7 @@
-// Collects the faces of one OBJ part into a mesh: vertices with equal (position, uv, normal) numbers
-// become one.
+// Collects the faces of one part of a mesh file into a mesh: vertices with equal numbers of position and
+// normal, and equal texture coordinates, become one.
 //
-// Called by obj_loader.cpp only, which checks every number before it comes here.
+// Called by the readers of OBJ and PLY, which check every number before it comes here.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace glint {
 
-/// What `v`, `vt` and `vn` lines have given so far.
+/// What `v`, `vt` and `vn` lines have given so far, or vertices and faces of a PLY file.
 struct ObjPools {
     std::vector<Vec3> positions;
     std::vector<Vec3> colors;  ///< empty, or one per position
@@ -33,12 +33,19 @@ class ObjPartBuilder {
 
     /// False, and nothing added, when the polygon has too many corners for ear clipping (polygon.h).
     bool addFace(const std::vector<ObjCorner>& corners);
+    void addTriangle(const ObjCorner* corners);
     bool empty() const { return mesh_.indices.empty(); }
+    uint32_t triangleCount() const { return mesh_.triangleCount(); }
+    /// How many vertices were compared with corners: for tests of linear time.
+    uint64_t comparisons() const { return comparisons_; }
     /// The mesh so far; begins a new, empty one.
     std::shared_ptr<MeshData> finish();
 
   private:
     static constexpr uint32_t kNone = UINT32_MAX;
+    /// At a position with more vertices than this, the older ones are not looked at: time stays linear where
+    /// a file gives one position thousands of texture coordinates, and costs it a few vertices twice.
+    static constexpr int kMostCompared = 32;
 
     /// A vertex of the mesh, in a list of those that share a position.
     struct Known {
@@ -52,12 +59,14 @@ class ObjPartBuilder {
         uint32_t first = kNone;
     };
 
+    bool isSame(const Known& known, const ObjCorner& corner) const;
     uint32_t vertexFor(const ObjCorner& corner);
     uint32_t appendVertex(const ObjCorner& corner);
 
     const ObjPools& pools_;
     MeshData mesh_;
     uint32_t part_ = 0;
+    uint64_t comparisons_ = 0;
     std::vector<Head> heads_;
     std::vector<Known> known_;
     std::vector<Vec3> polygon_;        ///< scratch

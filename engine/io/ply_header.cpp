@@ -2,6 +2,7 @@
 // Format" (1994).
 #include "engine/io/ply_header.h"
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -29,6 +30,12 @@ std::optional<PlyType> typeFromName(std::string_view name) {
     return std::nullopt;
 }
 
+bool sameWord(std::string_view a, std::string_view b) {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c; };
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [&](char x, char y) { return lower(x) == lower(y); });
+}
+
 class HeaderParser {
   public:
     HeaderParser(const std::string& bytes, const std::string& path)
@@ -49,6 +56,7 @@ class HeaderParser {
             return cursor_.error();
         }
         header_.bodyOffset = static_cast<size_t>(cursor_.position() - begin_);
+        header_.warnings = cursor_.remarks().lines();
         return std::move(header_);
     }
 
@@ -57,14 +65,29 @@ class HeaderParser {
         const char* where = cursor_.position();
         const std::string_view keyword = cursor_.word();
         if (keyword == "comment" || keyword == "obj_info") {
-            cursor_.restOfLine();
+            parseComment();
             return true;
         }
         if (keyword == "format") { return parseFormat(); }
         if (keyword == "element") { return parseElement(where); }
         if (keyword == "property") { return parseProperty(where); }
         *ended = keyword == "end_header";
-        return *ended || cursor_.fail(where, "expected format, comment, element, property or end_header");
+        if (!*ended) {
+            cursor_.remark(where, "header lines that are no statement of the format are left out", keyword);
+            cursor_.restOfLine();
+        }
+        return true;
+    }
+
+    /// MeshLab and others name images in comments.
+    void parseComment() {
+        const char* at = cursor_.position();
+        if (sameWord(cursor_.word(), "TextureFile")) {
+            header_.textures.emplace_back(cursor_.restOfLine());
+        } else {
+            cursor_.setPosition(at);
+            cursor_.restOfLine();
+        }
     }
 
     bool parseFormat() {
@@ -83,7 +106,10 @@ class HeaderParser {
         hasFormat_ = true;
         cursor_.atLineEnd();
         const char* versionPlace = cursor_.position();
-        return cursor_.word() == "1.0" || cursor_.fail(versionPlace, "expected version 1.0");
+        if (cursor_.word() != "1.0") {
+            cursor_.remark(versionPlace, "the version is not 1.0; read as if it were");
+        }
+        return true;
     }
 
     bool parseElement(const char* where) {
@@ -117,8 +143,6 @@ class HeaderParser {
             cursor_.setPosition(at);
         } else if (!parseType(&property.countType)) {
             return false;
-        } else if (isFloat(property.countType)) {
-            return cursor_.fail(at, "the number of a list's items must have an integer type");
         }
         if (!parseType(&property.type)) { return false; }
         property.name = cursor_.word();
@@ -146,10 +170,15 @@ class HeaderParser {
 
 }  // namespace
 
-int PlyElement::find(std::initializer_list<const char*> names) const {
+bool PlyElement::is(std::initializer_list<std::string_view> names) const {
+    return std::any_of(names.begin(), names.end(),
+                       [&](std::string_view candidate) { return sameWord(name, candidate); });
+}
+
+int PlyElement::find(std::initializer_list<std::string_view> names) const {
     for (size_t i = 0; i < properties.size(); ++i) {
-        for (const char* candidate : names) {
-            if (properties[i].name == candidate) { return static_cast<int>(i); }
+        for (const std::string_view candidate : names) {
+            if (sameWord(properties[i].name, candidate)) { return static_cast<int>(i); }
         }
     }
     return -1;

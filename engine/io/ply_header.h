@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/base/result.h"
@@ -33,14 +35,18 @@ struct PlyElement {
     std::vector<PlyProperty> properties;
     SourcePlace place;  ///< its line in the header
 
-    /// Index of the first property with one of these names, or -1.
-    int find(std::initializer_list<const char*> names) const;
+    /// Whether it has one of these names, in any case.
+    bool is(std::initializer_list<std::string_view> names) const;
+    /// Index of the first property with one of these names, in any case, or -1.
+    int find(std::initializer_list<std::string_view> names) const;
 };
 
 struct PlyHeader {
     PlyFormat format = PlyFormat::Ascii;
     std::vector<PlyElement> elements;
-    size_t bodyOffset = 0;  ///< of the first byte after the line end_header
+    std::vector<std::string> textures;  ///< what `comment TextureFile` lines name, in file order
+    size_t bodyOffset = 0;              ///< of the first byte after the line end_header
+    std::vector<std::string> warnings;
 };
 
 /// Error: with line and column.

@@ -1,25 +1,26 @@
 // Stanford PLY meshes: ASCII, binary little- and big-endian.
 //
-// Reads vertex x y z, nx ny nz, u v (s t, texture_u texture_v), red green blue, and face vertex_indices; any
-// order, any scalar type. Other elements and properties are skipped. Left out: triangle strips, per-corner
-// texture coordinates.
+// Reads vertex x y z, nx ny nz, u v (s t, texture_u texture_v), red green blue, face vertex_indices, texcoord
+// and texnumber, and tristrips; any order, any scalar type. Other elements and properties are skipped. What
+// is repaired and what is refused stands in engine/io/README.md.
 #pragma once
 
-#include <memory>
 #include <string>
-#include <string_view>
 
 #include "engine/base/result.h"
-#include "engine/scene/mesh_data.h"
+#include "engine/io/mesh_file.h"
 
 namespace glint {
 
-/// Colours stored as integers are sRGB-encoded and become linear; stored as float they are linear already.
-/// The mesh is the caller's own. Error: line and column in the header and in ASCII data, the byte offset in
-/// binary data.
-Result<std::shared_ptr<MeshData>> loadPly(const std::string& path);
+/// A part for each image that faces use, whose name (`comment TextureFile`) is the part's materialName; one
+/// part where there is none. Colours are decoded (vertex_colors.h). Error: line and column in the header and
+/// in ASCII data, the byte offset in binary data; no faces.
+Result<MeshFile> loadPly(const std::string& path);
 
 /// The same for a file in memory; `path` is used in messages.
-Result<std::shared_ptr<MeshData>> parsePly(const std::string& bytes, const std::string& path);
+Result<MeshFile> parsePly(const std::string& bytes, const std::string& path);
+
+/// Gives parts their materials: diffuse, of their image, their colours or grey.
+Status readPlyMaterials(const std::string& path, MeshFile* file);
 
 }  // namespace glint

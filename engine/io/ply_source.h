@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstring>
+#include <optional>
 #include <string>
 
 #include <fmt/format.h>
@@ -15,9 +16,13 @@
 
 namespace glint {
 
+/// Records are lines, unless the text has more lines than records, which then go on over line ends, or fewer,
+/// which then hold several: what is right is found out where a line first has too few or too many numbers.
 class PlyTextSource {
   public:
-    PlyTextSource(const std::string& bytes, const std::string& path, size_t offset) : cursor_(bytes, path) {
+    /// `records`: elements that have properties.
+    PlyTextSource(const std::string& bytes, const std::string& path, size_t offset, uint64_t records)
+        : cursor_(bytes, path), recordsLeft_(records) {
         cursor_.setPosition(bytes.data() + offset);
     }
 
@@ -27,20 +32,26 @@ class PlyTextSource {
 
     /// False, with error(), at the text's end.
     bool beginRecord() {
-        while (!cursor_.atEnd() && cursor_.atLineEnd()) {
-            cursor_.nextLine();
-        }
-        last_ = cursor_.position();
+        skipEmptyLines();
+        last_ = record_ = cursor_.position();
         return !cursor_.atEnd() || cursor_.fail(last_, "the file ends too early");
     }
-    bool endRecord() { return cursor_.expectLineEnd("the last number"); }
+    bool endRecord() {
+        if (!cursor_.atLineEnd() && linesBeyondRecords() >= 0) {
+            cursor_.remark(cursor_.position(),
+                           "more numbers on a line than the header promises are left out");
+            cursor_.restOfLine();
+        }
+        --recordsLeft_;
+        return true;
+    }
 
     bool read(PlyType type, const char* what, double* out) {
-        cursor_.atLineEnd();
+        goOn();
         last_ = cursor_.position();
         if (isFloat(type)) {
             float number = 0.0f;
-            const bool ok = cursor_.readFloat(what, &number);
+            const bool ok = cursor_.readFloat(what, &number, true);
             *out = static_cast<double>(number);
             return ok;
         }
@@ -50,15 +61,46 @@ class PlyTextSource {
         return ok;
     }
     bool skip(PlyType) {
+        goOn();
         last_ = cursor_.position();
         return !cursor_.word().empty() || cursor_.fail(last_, "expected another number, but the line ends");
     }
     bool fail(const std::string& message) { return cursor_.fail(last_, message); }
     const Error& error() const { return cursor_.error(); }
+    void remark(std::string_view kind) { cursor_.remark(last_, kind); }
+    const Remarks& remarks() const { return cursor_.remarks(); }
 
   private:
+    void skipEmptyLines() {
+        while (!cursor_.atEnd() && cursor_.atLineEnd()) {
+            cursor_.nextLine();
+        }
+    }
+    /// To the next line, where a record ends too early on its own.
+    void goOn() {
+        if (!cursor_.atLineEnd() || linesBeyondRecords() <= 0) { return; }
+        cursor_.remark(cursor_.position(), "elements are written over several lines");
+        skipEmptyLines();
+    }
+    /// How many more lines than records are left, with the present record's: counted once, since the two run
+    /// on together afterwards.
+    int64_t linesBeyondRecords() {
+        if (!linesBeyondRecords_) {
+            TextCursor ahead = cursor_;
+            int64_t lines = 0;
+            for (ahead.setPosition(record_); !ahead.atEnd(); ahead.nextLine()) {
+                lines += ahead.atLineEnd() ? 0 : 1;
+            }
+            linesBeyondRecords_ = lines - static_cast<int64_t>(recordsLeft_);
+        }
+        return *linesBeyondRecords_;
+    }
+
     TextCursor cursor_;
     const char* last_ = nullptr;
+    const char* record_ = nullptr;  ///< where the present one begins
+    uint64_t recordsLeft_ = 0;      ///< with the present one
+    std::optional<int64_t> linesBeyondRecords_;
 };
 
 class PlyBinarySource {
@@ -95,6 +137,10 @@ class PlyBinarySource {
         return false;
     }
     const Error& error() const { return error_; }
+    void remark(std::string_view kind) {
+        remarks_.add(kind, [&] { return fmt::format("{}: byte {}", path_, last_); });
+    }
+    const Remarks& remarks() const { return remarks_; }
 
   private:
     template <class T>
@@ -131,6 +177,7 @@ class PlyBinarySource {
     size_t last_;
     bool bigEndian_;
     Error error_;
+    Remarks remarks_;
 };
 
 }  // namespace glint

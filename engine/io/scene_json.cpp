@@ -76,9 +76,6 @@ void SceneJsonReader::readCamera(const JsonValue& value) {
     if (isZero(view)) {
         errors_.add(value,
                     "the camera's \"position\" and \"target\" are the same point, so it looks nowhere");
-    } else if (isZero(glm::cross(glm::normalize(view), glm::normalize(camera.up)))) {
-        errors_.add(value,
-                    "the camera looks along \"up\"; expected an \"up\" that is not parallel to the view");
     }
 }
 

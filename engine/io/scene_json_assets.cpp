@@ -11,7 +11,9 @@ void SceneJsonReader::readAssets() {
     checkIdleAssets();
     readUsedAssets(&assets_, &scene_, [this](const Asset& asset, const Error& error) {
         const std::string file = assetFile(scene_, asset);
-        if (file.empty()) {
+        if (asset.kind == AssetKind::Texture && broughtTextures_.contains(asset.index)) {
+            remarkUnreadImage(asset, error, &scene_);
+        } else if (file.empty()) {
             errors_.add(placeOf(asset), error.message);
         } else {
             reportFile(placeOf(asset), file, error);

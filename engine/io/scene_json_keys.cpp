@@ -23,7 +23,10 @@ std::span<const JsonForm> jsonForms() {
           {"triangles", R"("description": "[a, b, c]: positions from 0, counter-clockwise from the front.", )"
                         R"("type": "array", "minItems": 1, "items": { "type": "array", "minItems": 3, )"
                         R"("maxItems": 3, "items": { "type": "integer", "minimum": 0 } })"},
-          {"normals", kVec3Array},
+          {"normals",
+           R"("description": "One for each position. Triangles wound against theirs are turned over: )"
+           R"(normals decide which side is the front.", )"
+           R"("type": "array", "items": { "$ref": "#/definitions/vec3" })"},
           {"uvs", R"("type": "array", "items": { "$ref": "#/definitions/vec2" })"},
           {"colors", kVec3Array}}},
         {"transformStep",

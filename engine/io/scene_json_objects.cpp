@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "engine/io/importer.h"
+#include "engine/io/mesh_normals.h"
 #include "engine/io/scene_json_fields.h"
 
 namespace glint {
@@ -109,6 +110,11 @@ std::shared_ptr<const MeshData> SceneJsonReader::readInlineMesh(const JsonValue&
     checkCount(errors_, fields.find("colors"), "colors", mesh->colors.size(), vertexCount);
     readIndices(errors_, fields.require("triangles"), vertexCount, &mesh->indices);
     if (mesh->indices.empty()) { errors_.add(value, "the mesh has no triangles"); }
+    const uint64_t turned = errors_.failed() ? 0 : turnByNormals(mesh.get());
+    if (turned > 0) {
+        const SourcePlace place = value.error("").place;
+        scene_.warnings.push_back(fmt::format("{}:{}: {}", place.file, place.line, turnedOver(turned)));
+    }
     return mesh;
 }
 
@@ -162,7 +168,7 @@ void SceneJsonReader::readMeshObject(const JsonFields& fields, Object object) {
     }
     if (!hasMaterial) {
         errors_.add(fields.object(),
-                    "mesh has no \"material\", which only whole .obj files bring themselves");
+                    "mesh has no \"material\", which only whole .obj and .ply files bring themselves");
         return;
     }
     object.mesh = meshIndex(mesh, object.name);
@@ -177,6 +183,9 @@ void SceneJsonReader::addWholeFile(const std::string& path, const JsonValue& at,
     }
     appendMeshFile(**file, path, prototype, &scene_);
     meshPlaces_.resize(scene_.meshes.size(), at);
+    for (size_t i = texturePlaces_.size(); i < scene_.textures.size(); ++i) {
+        broughtTextures_.insert(i);
+    }
     texturePlaces_.resize(scene_.textures.size(), at);
 }
 

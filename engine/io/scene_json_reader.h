@@ -6,6 +6,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 
 #include "engine/io/asset_cache.h"
@@ -109,6 +110,7 @@ class SceneJsonReader {
     std::map<std::string, int> meshNames_;
     std::vector<JsonValue> texturePlaces_;  ///< where each texture and mesh of the scene names its file
     std::vector<JsonValue> meshPlaces_;
+    std::set<size_t> broughtTextures_;  ///< those that mesh files' materials name
     JsonValue environmentPlace_;
 };
 

@@ -7,6 +7,7 @@
 
 #include "engine/io/atomic_file.h"
 #include "engine/io/file_kind.h"
+#include "engine/io/foreign_kind.h"
 #include "engine/io/importer.h"
 #include "engine/io/scene_names.h"
 #include "engine/scene/stability_warnings.h"
@@ -15,11 +16,19 @@ namespace glint {
 
 Result<SceneDescription> loadScene(const std::string& path, const LoadOptions& options) {
     if (Status regular = checkRegularFile(path, "a scene file"); !regular) { return regular.error(); }
-    const Importer* importer = importerOf(path, readHead(path));
+    const std::string head = readHead(path);
+    const Importer* importer = importerOf(path, head);
+    if (const auto foreign = foreignKindError(path, head, importer == nullptr)) { return *foreign; }
     if (importer == nullptr) {
         return Error{fmt::format("is not a scene Glint knows; expected {}", listImporters()), {.file = path}};
     }
     auto scene = importer->load(path, options);
+    if (scene && options.strict && !scene->warnings.empty()) {
+        const size_t more = scene->warnings.size() - 1;
+        return Error{fmt::format("{}{}; --strict refuses what is otherwise repaired", scene->warnings.front(),
+                                 more > 0 ? fmt::format(" (and {} more warnings)", more) : ""),
+                     {}};
+    }
     if (scene) {
         makeNamesText(&*scene);
         std::vector<std::string> limits = stabilityWarnings(*scene);

@@ -14,10 +14,14 @@ namespace {
 
 constexpr size_t kShownWord = 40;
 
-/// The length of a backslash followed by a line's end, or 0.
+/// The length of a backslash followed by a line's end, also with blanks between, or 0.
 int continuationLength(const char* p) {
     if (p[0] != '\\') { return 0; }
-    return p[1] == '\n' ? 2 : (p[1] == '\r' && p[2] == '\n' ? 3 : 0);
+    const char* end = p + 1;
+    while (*end == ' ' || *end == '\t' || *end == '\r') {
+        ++end;
+    }
+    return *end == '\n' ? static_cast<int>(end + 1 - p) : 0;
 }
 
 /// A number too small or too large for float: small ones become 0 or denormal, large ones infinite.
@@ -28,7 +32,7 @@ float outOfRangeFloat(const char* first, const char* last) {
 }  // namespace
 
 TextCursor::TextCursor(const std::string& text, const std::string& file)
-    : begin_(text.data()), end_(text.data() + text.size()), at_(begin_), file_(file) {
+    : begin_(text.data()), end_(text.data() + text.size()), at_(begin_), file_(file), countedTo_(begin_) {
     if (text.starts_with("\xef\xbb\xbf")) {  // the mark some editors put before UTF-8
         at_ += 3;
     }
@@ -43,6 +47,9 @@ bool TextCursor::atLineEnd() {
         if (atBlank()) {
             ++at_;
         } else if (const int length = continuationLength(at_); length > 0) {
+            if (at_[1] != '\n' && at_[1] != '\r') {
+                remark(at_, "blanks behind the backslash that joins two lines");
+            }
             at_ += length;
         } else {
             return at_ == end_ || *at_ == '\n' || *at_ == '#';
@@ -108,21 +115,22 @@ std::string_view TextCursor::restOfLine() {
     return {first, static_cast<size_t>(last - first)};
 }
 
-bool TextCursor::readFloat(const char* what, float* out) {
-    if (atLineEnd()) { return fail(at_, fmt::format("expected {}, but the line ends", what)); }
+const char* TextCursor::floatAt(float* out) const {
     const char* first = at_[0] == '+' && at_[1] != '-' ? at_ + 1 : at_;
     auto [last, code] = std::from_chars(first, end_, *out);
     if (code == std::errc::result_out_of_range) {
         *out = outOfRangeFloat(first, last);
         code = std::errc();
     }
-    if (code != std::errc() || !isWordEnd(last)) {
-        return fail(at_, fmt::format("expected {}, a number, but found \"{}\"", what,
-                                     wordAt(at_).substr(0, kShownWord)));
-    }
-    if (!std::isfinite(*out)) {
-        return fail(at_, fmt::format("expected {}, a finite number, but found \"{}\"", what,
-                                     wordAt(at_).substr(0, kShownWord)));
+    return code == std::errc() && isWordEnd(last) ? last : nullptr;
+}
+
+bool TextCursor::readFloat(const char* what, float* out, bool mayBeInfinite) {
+    if (atLineEnd()) { return fail(at_, fmt::format("expected {}, but the line ends", what)); }
+    const char* last = floatAt(out);
+    if (last == nullptr || !(mayBeInfinite || std::isfinite(*out))) {
+        return fail(at_, fmt::format("expected {}, a {}number, but found \"{}\"", what,
+                                     last == nullptr ? "" : "finite ", wordAt(at_).substr(0, kShownWord)));
     }
     at_ = last;
     return true;
@@ -130,13 +138,38 @@ bool TextCursor::readFloat(const char* what, float* out) {
 
 bool TextCursor::readInt(const char* what, int64_t* out) {
     if (atLineEnd()) { return fail(at_, fmt::format("expected {}, but the line ends", what)); }
-    const auto [last, code] = std::from_chars(at_, end_, *out);
+    auto [last, code] = std::from_chars(at_, end_, *out);
+    if (code == std::errc() && *last == '.') {
+        const char* fraction = last + 1;
+        while (*fraction == '0') {
+            ++fraction;
+        }
+        if (isWordEnd(fraction)) {
+            remark(at_, "a whole number is written with a point");
+            last = fraction;
+        }
+    }
     if (code != std::errc() || !isWordEnd(last)) {
         return fail(at_, fmt::format("expected {}, a whole number, but found \"{}\"", what,
                                      wordAt(at_).substr(0, kShownWord)));
     }
     at_ = last;
     return true;
+}
+
+int TextCursor::readSomeFloats(int most, float* out) {
+    int count = 0;
+    while (count < most && !atLineEnd()) {
+        const char* last = floatAt(&out[count]);
+        if (last == nullptr) { break; }
+        if (!std::isfinite(out[count])) {
+            remark(at_, "a number that is not finite counts as 0", wordAt(at_));
+            out[count] = 0.0f;
+        }
+        ++count;
+        at_ = last;
+    }
+    return count;
 }
 
 bool TextCursor::expectLineEnd(const char* after) {
@@ -149,6 +182,18 @@ bool TextCursor::fail(const char* where, std::string message) {
     return false;
 }
 
+int TextCursor::lineOf(const char* where) const {
+    // Remarks come in the order of the text, but for few.
+    if (where < countedTo_) {
+        countedTo_ = begin_;
+        countedLine_ = 1;
+    }
+    charactersCounted_ += static_cast<uint64_t>(where - countedTo_);
+    countedLine_ += static_cast<int>(std::count(countedTo_, where, '\n'));
+    countedTo_ = where;
+    return countedLine_;
+}
+
 SourcePlace TextCursor::placeOf(const char* where) const {
     const char* lineBegin = where;
     while (lineBegin != begin_ && lineBegin[-1] != '\n') {
@@ -157,13 +202,14 @@ SourcePlace TextCursor::placeOf(const char* where) const {
     const char* lineEnd = std::find(where, end_, '\n');
     lineEnd -= lineEnd != lineBegin && lineEnd[-1] == '\r' ? 1 : 0;
     return {.file = file_,
-            .line = 1 + static_cast<int>(std::count(begin_, lineBegin, '\n')),
+            .line = lineOf(lineBegin),
             .column = 1 + static_cast<int>(where - lineBegin),
             .lineText = std::string(lineBegin, std::max(lineBegin, lineEnd))};
 }
 
-std::string TextCursor::warning(const char* where, const std::string& message) const {
-    return fmt::format("{}:{}: {}", file_, placeOf(where).line, message);
+void TextCursor::remark(const char* where, std::string_view kind, std::string_view detail) {
+    remarks_.add(
+        kind, [&] { return fmt::format("{}:{}", file_, lineOf(where)); }, detail);
 }
 
 }  // namespace glint

@@ -148,6 +148,20 @@ void readUsedAssets(AssetCache* assets, SceneDescription* scene,
         goWithout(missing, scene);
     }
     assets->dropUnusedUvs(*scene);
+    assets->report(scene);
+}
+
+void remarkUnreadImage(const Asset& asset, const Error& error, SceneDescription* scene) {
+    const Texture& texture = scene->textures[asset.index];
+    std::string users;
+    for (Material& material : scene->materials) {
+        if (material.color.texture != static_cast<int>(asset.index)) { continue; }
+        users += (users.empty() ? "" : ", ") + material.name;
+        if (isZero(material.color.value)) { material.color.value = Vec3(0.5f); }
+    }
+    scene->warnings.push_back(
+        fmt::format("the image \"{}\" cannot be read ({}); the colour of \"{}\" takes its place",
+                    texture.name, error.message, users.substr(0, 200)));
 }
 
 Status readUsedAssets(AssetCache* assets, SceneDescription* scene) {

@@ -41,8 +41,13 @@ Status readAsset(const Asset& asset, AssetCache* assets, SceneDescription* scene
 /// are removed.
 void goWithout(std::span<const Asset> assets, SceneDescription* scene);
 
-/// Reads what the scene uses and drops the texture coordinates that it does not. `goesOn` is asked about each
-/// asset that cannot be read: whether to go without it and on.
+/// Warns of an image that a mesh file's materials name and that cannot be read: goWithout() shows their
+/// colour, and this gives a black one a grey, so that what goes without is seen.
+void remarkUnreadImage(const Asset& asset, const Error& error, SceneDescription* scene);
+
+/// Reads what the scene uses, says what its mesh files needed (AssetCache::report), and drops the texture
+/// coordinates that it does not. `goesOn` is asked about each asset that cannot be read: whether to go
+/// without it and on.
 void readUsedAssets(AssetCache* assets, SceneDescription* scene,
                     const std::function<bool(const Asset&, const Error&)>& goesOn);
 /// The same up to the first error.

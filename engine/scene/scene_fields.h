@@ -378,7 +378,8 @@ struct FieldsOf<SceneDescription> {
         field("objects", &SceneDescription::objects),
         field("lights", &SceneDescription::lights, {.edit = EditKind::Lights}),
         field("environment", &SceneDescription::environment),
-        label("", &SceneDescription::warnings)};
+        label("", &SceneDescription::warnings),
+        label("", &SceneDescription::notes)};
 };
 
 /// The bit of FieldTraits::kinds that an object has.

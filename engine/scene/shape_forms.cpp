@@ -70,7 +70,7 @@ const ShapeForm kForms[] = {
      .transform = disc},
     {.kind = ShapeKind::Mesh,
      .name = "mesh",
-     .help = "Without a material, a whole OBJ file brings its own."}};
+     .help = "Without a material, a whole OBJ or PLY file brings its own."}};
 
 }  // namespace
 

@@ -56,6 +56,7 @@ class Search {
             checkSpan();
             checkDistances();
         }
+        checkAreas();
         checkSamePlace();
         checkTouchingGlass();
         checkBrightness();
@@ -93,7 +94,8 @@ class Search {
         size_t count = 0;
         size_t first = 0;
         for (size_t i = 0; i < boxes_.size(); ++i) {
-            if (boxes_[i].empty() || !(boxes_[i].size() < kLeastSizePerDistance * boxes_[i].farthest())) {
+            if (boxes_[i].empty() || !(boxes_[i].size() > 0.0) ||
+                !(boxes_[i].size() < kLeastSizePerDistance * boxes_[i].farthest())) {
                 continue;
             }
             if (count++ == 0) { first = i; }
@@ -106,6 +108,30 @@ class Search {
             "program that writes the file",
             nameOf(scene_, first), boxes_[first].farthest() / boxes_[first].size(), step,
             boxes_[first].size() / step, count > 1 ? fmt::format(" (and {} more objects)", count - 1) : ""));
+    }
+
+    static bool hasArea(const MeshData& mesh) {
+        for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+            const glm::dvec3 a(mesh.positions[mesh.indices[i]]);
+            const glm::dvec3 b(mesh.positions[mesh.indices[i + 1]]);
+            const glm::dvec3 c(mesh.positions[mesh.indices[i + 2]]);
+            if (glm::cross(b - a, c - a) != glm::dvec3(0.0)) { return true; }
+        }
+        return false;
+    }
+
+    void checkAreas() {
+        size_t count = 0;
+        size_t first = 0;
+        for (size_t i = 0; i < scene_.objects.size(); ++i) {
+            if (triangleCount(i) == 0) { continue; }
+            const auto mesh = static_cast<size_t>(scene_.objects[i].mesh);
+            if (!hasArea(*scene_.meshes[mesh].data) && count++ == 0) { first = i; }
+        }
+        if (count == 0) { return; }
+        warnings_.push_back(fmt::format(
+            "{} has no area{}: its triangles are points or lines, which are not seen and do not shine",
+            nameOf(scene_, first), count > 1 ? fmt::format(" (and {} more objects)", count - 1) : ""));
     }
 
     /// Closer than float's last few places of their coordinates.

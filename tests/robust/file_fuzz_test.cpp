@@ -8,6 +8,7 @@
 
 #include "engine/io/exr_io.h"
 #include "engine/io/image_io.h"
+#include "engine/io/mesh_normals.h"
 #include "engine/io/obj_loader.h"
 #include "engine/io/ply_loader.h"
 #include "engine/render/checkpoint.h"
@@ -79,16 +80,18 @@ int fuzz(const char* name, const std::string& good, uint32_t seed,
     return loaded;
 }
 
-std::optional<Error> loadSoundObj(const std::string& path) {
-    const Result<MeshFile> scene = loadObj(path);
-    if (!scene) { return scene.error(); }
-    EXPECT_FALSE(scene->parts.empty());
-    for (const MeshPart& part : scene->parts) {
+std::optional<Error> checkSound(Result<MeshFile> file, const std::string& path) {
+    if (!file) { return file.error(); }
+    completeNormals(path, &*file);
+    EXPECT_FALSE(file->parts.empty());
+    for (const MeshPart& part : file->parts) {
         expectSoundMesh(*part.mesh);
-        EXPECT_LT(static_cast<size_t>(part.material), scene->materials.size());
+        EXPECT_LT(part.material, static_cast<int>(file->materials.size()));
     }
     return std::nullopt;
 }
+
+std::optional<Error> loadSoundObj(const std::string& path) { return checkSound(loadObj(path), path); }
 
 TEST(Fuzz, Obj) {
     const std::string good =
@@ -115,20 +118,17 @@ TEST(Fuzz, Mtl) {
     EXPECT_GT(loaded, kRounds / 40);
 }
 
-std::optional<Error> loadSoundPly(const std::string& path) {
-    const auto mesh = loadPly(path);
-    if (!mesh) { return mesh.error(); }
-    expectSoundMesh(**mesh);
-    return std::nullopt;
-}
+std::optional<Error> loadSoundPly(const std::string& path) { return checkSound(loadPly(path), path); }
 
 TEST(Fuzz, PlyText) {
     const std::string good =
         "ply\nformat ascii 1.0\ncomment x\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
         "float z\n"
         "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 2\n"
+        "property list uchar int vertex_indices\nproperty list uchar float texcoord\nelement tristrips 1\n"
         "property list uchar int vertex_indices\nelement rest 1\nproperty list uchar int items\nend_header\n"
-        "0 0 0 255 0 0\n1 0 0 0 255 0\n1 1 0 0 0 255\n0 1 0 9 9 9\n4 0 1 2 3\n3 0 1 2\n2 7 7\n";
+        "0 0 0 255 0 0\n1 0 0 0 255 0\n1 1 0 0 0 255\n0 1 0 9 9 9\n4 0 1 2 3 8 0 0 1 0 1 1 0 1\n3 0 1 2 0\n5 "
+        "0 1 2 -1 3\n2 7 7\n";
     EXPECT_GT(fuzz("a.ply", good, 3, loadSoundPly), kRounds / 40);
 }
 

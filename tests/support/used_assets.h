@@ -84,7 +84,7 @@ class UsedAssets : public testing::Test {
     }
 
     SceneDescription load(const std::string& path, LoadCounts* counts = nullptr) const {
-        auto scene = loadScene(path, {.counts = counts});
+        auto scene = loadScene(path, {.noStudio = true, .counts = counts});
         EXPECT_TRUE(scene.ok()) << scene.error().format();
         return scene ? std::move(*scene) : SceneDescription();
     }

@@ -39,7 +39,7 @@ TEST(DefaultView, FramesEveryCornerAtAnyScaleAndPlace) {
                              {Vec3(-1e6f), Vec3(1e6f, 0, 0)}};
     for (const auto& [lo, hi] : boxes) {
         SceneDescription scene = sceneWithBox(lo, hi);
-        applyDefaultView(&scene);
+        applyDefaultView(&scene, true);
         float largest = 0.0f;
         for (int corner = 0; corner < 8; ++corner) {
             const Vec3 p{(corner & 1) != 0 ? hi.x : lo.x, (corner & 2) != 0 ? hi.y : lo.y,
@@ -61,11 +61,11 @@ TEST(DefaultView, KeepsLightAndMaterialsThatAreThere) {
     SceneDescription scene = sceneWithBox(Vec3(0), Vec3(1));
     scene.materials.resize(2);
     scene.materials[0].emission.value = Vec3(1.0f);
-    applyDefaultView(&scene);
+    applyDefaultView(&scene, false);
     EXPECT_FALSE(scene.environment.emissive());
     EXPECT_EQ(scene.materials.size(), 2u);
     SceneDescription empty;
-    applyDefaultView(&empty);
+    applyDefaultView(&empty, false);
     EXPECT_FALSE(empty.environment.emissive());
 }
 

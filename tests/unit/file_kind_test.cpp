@@ -91,7 +91,7 @@ TEST(FileKind, ScenesAndTheirMeshesOpenUnderWrongNames) {
     const TempFolder folder;
     const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     for (const char* name : {"mesh", "mesh.json", "mesh.ply"}) {
-        const auto scene = loadScene(folder.write(name, obj));
+        const auto scene = loadScene(folder.write(name, obj), {.noStudio = true});
         ASSERT_TRUE(scene) << scene.error().format();
         EXPECT_EQ(scene->objects.size(), 1u) << name;
         const auto holder = loadScene(
@@ -105,6 +105,30 @@ TEST(FileKind, ScenesAndTheirMeshesOpenUnderWrongNames) {
     const auto image = loadImage8(folder.path("image.exr"));
     ASSERT_TRUE(image) << image.error().format();
     EXPECT_EQ((*image)->rgb[2], 3);
+}
+
+TEST(FileKind, WhatGlintDoesNotReadIsRefusedByItsName) {
+    const TempFolder folder;
+    const std::string binaryStl =
+        std::string("any eighty bytes") + std::string(64, ' ') + std::string("\1\0\0\0", 4);
+    const std::tuple<const char*, std::string, const char*> files[] = {
+        {"a.gltf", R"({"asset": {"version": "2.0"}})", "a glTF file"},
+        {"a.json", R"({"scenes": [], "asset": {"version": "2.0"}})", "a glTF file"},
+        {"a.bin", "glTF\x02", "a binary glTF file"},
+        {"a.stl", binaryStl, "a STL file"},
+        {"a.model", "solid x\nfacet normal 0 0 1\n", "a STL file"},
+        {"a.fbx", "Kaydara FBX Binary  ", "a FBX file"},
+        {"a.xml", "<?xml version=\"1.0\"?><COLLADA>", "a COLLADA file"},
+        {"a.off", "OFF\n8 6 0\n", "a OFF file"}};
+    for (const auto& [name, bytes, kind] : files) {
+        const auto scene = loadScene(folder.write(name, bytes));
+        ASSERT_FALSE(scene) << name;
+        EXPECT_THAT(scene.error().format(), testing::HasSubstr(kind)) << name;
+        const auto mesh = readMeshFile(bytes, name);
+        ASSERT_FALSE(mesh) << name;
+        EXPECT_THAT(mesh.error().format(), testing::HasSubstr(kind)) << name;
+    }
+    EXPECT_TRUE(loadScene(folder.write("b.json", R"({"glint": 1, "title": "\"asset\""})")));
 }
 
 }  // namespace

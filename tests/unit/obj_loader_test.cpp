@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/io/image_io.h"
+#include "engine/math/color.h"
 #include "tests/support/temp_folder.h"
 
 namespace glint {
@@ -93,7 +94,7 @@ TEST(ObjLoader, CornersOfAllFormsAreJoinedByAllThreeNumbers) {
 TEST(ObjLoader, VertexColors) {
     const TempFolder folder;
     const MeshFile scene = load(folder, "v 0 0 0\nv 1 0 0 1 0.5 0\nv 0 1 0\nf 1 2 3\n");
-    EXPECT_THAT(scene.parts[0].mesh->colors, ElementsAre(Vec3(1), Vec3(1, 0.5f, 0), Vec3(1)));
+    EXPECT_THAT(scene.parts[0].mesh->colors, ElementsAre(Vec3(1), Vec3(1, srgbToLinear(0.5f), 0), Vec3(1)));
 }
 
 TEST(ObjLoader, PolygonsKeepTheirArea) {
@@ -150,13 +151,17 @@ TEST(ObjLoader, WhatIsMissingIsReportedAndReplaced) {
     const MeshFile scene =
         load(folder, std::string("mtllib m.mtl\nmtllib none.mtl\n") + kSquare +
                          "usemtl wood\nf 1 2 3\nusemtl wod\nf 1 3 4\nl 1 2\nl 2 3\nwhatever 1\n");
-    EXPECT_THAT(scene.warnings, Contains(HasSubstr("none.mtl\" is missing")));
-    EXPECT_THAT(scene.warnings, Contains(HasSubstr("planks.png\" of material \"wood\" is missing")));
-    EXPECT_THAT(scene.warnings, Contains(HasSubstr("m.mtl:4: map_Bump is not supported")));
+    EXPECT_THAT(scene.warnings, Contains(HasSubstr("in.obj: material files are missing: \"none.mtl\"")));
+    EXPECT_THAT(scene.warnings, Contains(testing::AllOf(HasSubstr("m.mtl:1: images are missing"),
+                                                        HasSubstr("\"planks.png\""))));
+    EXPECT_THAT(scene.warnings, Contains(HasSubstr("m.mtl:4: maps of kinds that Glint does not draw")));
+    EXPECT_THAT(scene.warnings, Contains(testing::AllOf(HasSubstr("in.obj:9"), HasSubstr("not defined"),
+                                                        HasSubstr("'wood'"), HasSubstr("\"wod\""))));
     EXPECT_THAT(scene.warnings,
-                Contains(testing::AllOf(HasSubstr("in.obj:9: material \"wod\""), HasSubstr("'wood'"))));
-    EXPECT_THAT(scene.warnings, Contains(HasSubstr("in.obj:11: \"l\" is not supported")));
-    EXPECT_THAT(scene.warnings, Contains(HasSubstr("in.obj:13: \"whatever\"")));
+                Contains(testing::AllOf(HasSubstr("in.obj:11: statements that Glint does not draw"),
+                                        HasSubstr("\"l\" (and 1 more)"))));
+    EXPECT_THAT(scene.warnings,
+                Contains(testing::AllOf(HasSubstr("in.obj:13: "), HasSubstr("\"whatever\""))));
     EXPECT_EQ(scene.warnings.size(), 6u);
     EXPECT_EQ(scene.materials[0].color.value, Vec3(0.1f, 0.2f, 0.3f));
     EXPECT_EQ(scene.materials[1].kind, MaterialKind::Diffuse);

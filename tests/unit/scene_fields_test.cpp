@@ -48,7 +48,7 @@ SceneImage sky(float sunElevationDeg) {
 /// Every kind of everything, and all of it in use.
 SceneDescription fullScene() {
     SceneDescription scene;
-    scene.warnings = {"something"};
+    scene.warnings = scene.notes = {"something"};
     scene.camera.apertureBlades = 5;
     scene.options.integrator = IntegratorKind::Sppm;
     scene.textures = {textureFrom("a.png"), textureFrom("b.png")};

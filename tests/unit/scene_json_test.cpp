@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "engine/builders/camera_builder.h"
 #include "engine/io/scene_loader.h"
 
 namespace glint {
@@ -38,6 +39,16 @@ TEST(SceneJson, CameraFocusesOnItsTargetUnlessTold) {
         R"({"glint": 1, "camera": {"position": [0, 0, 3], "target": [0, 4, 0], "apertureDiameter": 0.1}})");
     EXPECT_FLOAT_EQ(scene.camera.focalDistance, 5.0f);
     EXPECT_FLOAT_EQ(scene.camera.apertureDiameter, 0.1f);
+}
+
+TEST(SceneJson, CamerasMayLookAlongUp) {
+    for (const char* camera : {R"("position": [0, 3, 0])", R"("position": [0, -3, 0])",
+                               R"("position": [2, 0, 0], "up": [1, 0, 0])"}) {
+        const SceneDescription scene =
+            mustRead(std::string(R"({"glint": 1, "camera": {"target": [0, 0, 0], )") + camera + "}}");
+        const auto built = buildCamera(scene.camera, 1.0f);
+        ASSERT_TRUE(built) << built.error().format();
+    }
 }
 
 TEST(SceneJson, ColoursAreGreyLinearOrHexadecimalSrgb) {

@@ -83,6 +83,26 @@ TEST(StabilityWarnings, NamesBodiesOfGlassThatTouch) {
     EXPECT_TRUE(stabilityWarnings(opaque).empty());
 }
 
+TEST(StabilityWarnings, MeshesWithoutAreaAreNamed) {
+    SceneDescription scene;
+    scene.materials.resize(1);
+    for (const auto& corners :
+         {std::vector<Vec3>(3, Vec3(0, 1, 0)), std::vector<Vec3>{Vec3(0), Vec3(1), Vec3(2)}}) {
+        auto mesh = std::make_shared<MeshData>();
+        mesh->positions = corners;
+        mesh->indices = {0, 1, 2};
+        scene.meshes = {{"flat", {}, mesh}};
+        Object object;
+        object.name = "flat";
+        object.shape = ShapeKind::Mesh;
+        object.mesh = 0;
+        scene.objects = {object};
+        const std::vector<std::string> warnings = stabilityWarnings(scene);
+        ASSERT_EQ(warnings.size(), 1u);
+        EXPECT_NE(warnings[0].find("object 'flat' has no area"), std::string::npos) << warnings[0];
+    }
+}
+
 TEST(StabilityWarnings, TheLoaderPassesThemOn) {
     const test::TempFolder folder;
     const std::string far = folder.write("far.obj", "v 1000000 0 0\nv 1000001 0 0\nv 1000000 1 0\nf 1 2 3\n");

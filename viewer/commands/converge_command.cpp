@@ -13,7 +13,6 @@
 #include "engine/base/log.h"
 #include "engine/base/parallel.h"
 #include "engine/builders/scene_builder.h"
-#include "engine/io/scene_loader.h"
 #include "viewer/base/interrupt.h"
 #include "viewer/commands/command_line.h"
 #include "viewer/commands/commands.h"
@@ -89,14 +88,11 @@ class ConvergeRun {
         const bool isFolders = isSameFile(options_.reference, folder_.reference());
         if (!isFolders) { files.reads("the reference", options_.reference); }
         if (Status writable = folder_.check(options_.overwrite, files); !writable) { return writable; }
-        Result<SceneDescription> loaded = loadScene(options_.scene, {.allowMissing = options_.allowMissing});
+        Result<SceneDescription> loaded = openScene(options_.scene, options_.load);
         if (!loaded) { return loaded.error(); }
         scene_ = std::move(*loaded);
         files.readsScene(scene_);
         if (Status writable = folder_.check(options_.overwrite, files); !writable) { return writable; }
-        for (const std::string& warning : scene_.warnings) {
-            logWarning("{}", warning);
-        }
         if (Status applied = applyTo(options_.overrides, &scene_); !applied) { return applied; }
         Result<ConvergencePlan> plan = planOf(options_, scene_);
         if (!plan) { return plan.error(); }

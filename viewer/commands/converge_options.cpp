@@ -115,7 +115,7 @@ void addConvergeOptions(const Command& command, ConvergeOptions* o) {
     command.option("--threads", &o->threads, "Render threads; all by default").range(1, 1024);
     command.option("--backend", &o->backend, "cpu or cuda").oneOf({"cpu", "cuda"});
     command.flag("--overwrite", &o->overwrite, "Replace an earlier run's files in DIR");
-    command.flag("--allow-missing", &o->allowMissing, "Render what can be rendered when parts are missing");
+    addLoadOptions(command, &o->load);
     addJsonOption(command, &o->json);
     command.footer(fmt::format(fmt::runtime(kFooter), variantHelp()));
 }

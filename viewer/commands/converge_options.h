@@ -8,6 +8,7 @@
 #include "engine/base/result.h"
 #include "engine/report/convergence_run.h"
 #include "engine/scene/scene.h"
+#include "viewer/commands/scene_opening.h"
 #include "viewer/commands/scene_overrides.h"
 
 namespace glint {
@@ -34,7 +35,7 @@ struct ConvergeOptions {
     int threads = 0;
     std::string backend = "cpu";
     bool overwrite = false;
-    bool allowMissing = false;
+    LoadOptions load;
     std::string json;
     std::string command;  ///< as written, quoted for a shell
 };

@@ -4,17 +4,17 @@
 #include "engine/base/log.h"
 #include "engine/io/file_path.h"
 #include "engine/io/scene_json.h"
-#include "engine/io/scene_loader.h"
 #include "viewer/base/run_files.h"
 #include "viewer/commands/command_line.h"
 #include "viewer/commands/commands.h"
+#include "viewer/commands/scene_opening.h"
 
 namespace glint {
 namespace {
 
 struct ConvertOptions {
     std::string in, out;
-    bool allowMissing = false;
+    LoadOptions load;
 };
 
 int runConvert(const ConvertOptions& options) {
@@ -27,13 +27,10 @@ int runConvert(const ConvertOptions& options) {
     if (Status writable = files.writes(options.out); !writable) {
         return reportError(writable.error(), kExitBadInput);
     }
-    const auto scene = loadScene(options.in, {.allowMissing = options.allowMissing});
+    const auto scene = openScene(options.in, options.load);
     if (!scene) { return reportError(scene.error(), kExitBadInput); }
     files.readsScene(*scene);
     if (Status checked = files.check(); !checked) { return reportError(checked.error(), kExitBadInput); }
-    for (const std::string& warning : scene->warnings) {
-        logWarning("{}", warning);
-    }
     if (Status saved = saveSceneJson(*scene, options.out); !saved) {
         return reportError(saved.error(), kExitFailed);
     }
@@ -47,7 +44,7 @@ void addConvertCommand(const Command& program) {
     const auto options = std::make_shared<ConvertOptions>();
     command.option("in", &options->in, "The scene to read").required().typeName("IN");
     command.option("out", &options->out, "The file to write, OUT.json").required().typeName("OUT");
-    command.flag("--allow-missing", &options->allowMissing, "Convert what is there when parts are missing");
+    addLoadOptions(command, &options->load);
     command.onRun([options] { return runConvert(*options); });
 }
 

@@ -11,6 +11,7 @@
 #include "viewer/commands/json_output.h"
 #include "viewer/commands/memory_table.h"
 #include "viewer/commands/print_scene_report.h"
+#include "viewer/commands/scene_opening.h"
 #include "viewer/commands/scene_report.h"
 
 namespace glint {
@@ -18,7 +19,7 @@ namespace {
 
 struct InfoOptions {
     std::string scene;
-    bool allowMissing = false;
+    LoadOptions load;
     bool memory = false;
     std::string json;
 };
@@ -86,11 +87,12 @@ nlohmann::ordered_json jsonReport(const SceneDescription& scene, const SceneRepo
             {"memory_bytes", usedByPart(report.memory)},
             {"memory_total_bytes", report.memory.used},
             {"memory", memoryJson(report.memory)},
-            {"warnings", scene.warnings}};
+            {"warnings", scene.warnings},
+            {"notes", scene.notes}};
 }
 
 int runInfo(const InfoOptions& options) {
-    auto loaded = loadScene(options.scene, {.allowMissing = options.allowMissing});
+    auto loaded = loadScene(options.scene, options.load);
     if (!loaded) { return reportError(loaded.error(), kExitBadInput); }
     const auto scene = std::make_shared<SceneDescription>(std::move(*loaded));
     const auto built = buildScene({scene, EditKind::Everything}, nullptr, 0, nullptr, nullptr);
@@ -111,7 +113,7 @@ void addInfoCommand(const Command& program) {
     const Command command = program.subcommand("info", "What a scene holds, needs and leaves out");
     const auto options = std::make_shared<InfoOptions>();
     command.option("scene", &options->scene, "The scene").required().typeName("SCENE");
-    command.flag("--allow-missing", &options->allowMissing, "Go on when parts of the scene are missing");
+    addLoadOptions(command, &options->load);
     command.flag("--memory", &options->memory,
                  "Memory by part: used, and not allocated because nothing needs it");
     addJsonOption(command, &options->json);

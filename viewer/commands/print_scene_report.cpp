@@ -154,6 +154,9 @@ void printSceneReport(const SceneDescription& scene, const SceneReport& report) 
     for (const std::string& warning : scene.warnings) {
         put("warning    {}\n", warning);
     }
+    for (const std::string& note : scene.notes) {
+        fmt::print("note       {}\n", note);
+    }
 }
 
 }  // namespace glint

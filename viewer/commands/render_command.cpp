@@ -6,7 +6,6 @@
 
 #include "engine/base/log.h"
 #include "engine/io/image_formats.h"
-#include "engine/io/scene_loader.h"
 #include "engine/render/checkpoint.h"
 #include "viewer/base/run_files.h"
 #include "viewer/commands/command_line.h"
@@ -74,13 +73,10 @@ int runCommand(const RenderCommandOptions& options) {
         }
     }
     const auto began = std::chrono::steady_clock::now();
-    Result<SceneDescription> loaded = loadScene(options.scene, {.allowMissing = options.allowMissing});
+    Result<SceneDescription> loaded = openScene(options.scene, options.load);
     if (!loaded) { return reportError(loaded.error(), kExitBadInput); }
     const double loadSeconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-    for (const std::string& warning : loaded->warnings) {
-        logWarning("{}", warning);
-    }
     files.readsScene(*loaded);
     if (Status outputs = files.check(); !outputs) { return reportError(outputs.error(), kExitBadInput); }
     if (Status applied = applyTo(options.overrides, &*loaded); !applied) {

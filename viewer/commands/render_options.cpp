@@ -107,8 +107,7 @@ void addRenderOptions(const Command& command, RenderCommandOptions* o) {
     addLimits(command, o);
     addSceneOverrides(command, &o->overrides);
     addCheckpointOptions(command, o);
-    command.flag("--allow-missing", &o->allowMissing,
-                 "Render what can be rendered when parts of the scene are missing");
+    addLoadOptions(command, &o->load);
     command.option("--threads", &o->threads, "Render threads; all by default").range(1, 1024);
     command.option("--backend", &o->backend, "cpu or cuda");
     command

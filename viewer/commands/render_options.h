@@ -9,6 +9,7 @@
 #include "engine/base/result.h"
 #include "engine/render/render_session.h"
 #include "engine/render/tonemap.h"
+#include "viewer/commands/scene_opening.h"
 #include "viewer/commands/scene_overrides.h"
 
 namespace glint {
@@ -29,7 +30,7 @@ struct RenderCommandOptions {
     std::string checkpointEvery;
     std::string resume;
     bool overwrite = false;
-    bool allowMissing = false;
+    LoadOptions load;
     std::string pixel;
     std::optional<uint32_t> replayPass;  ///< 0 without one
     std::string json;

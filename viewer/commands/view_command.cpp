@@ -15,6 +15,7 @@
 #include "viewer/commands/command_line.h"
 #include "viewer/commands/commands.h"
 #include "viewer/commands/json_output.h"
+#include "viewer/commands/scene_opening.h"
 #if GLINT_HAS_VIEWER
 #include "viewer/base/job_queue.h"
 #include "viewer/window/app.h"
@@ -41,7 +42,7 @@ struct ViewCommandOptions {
     std::string json;
     std::string backend = "cpu";
     int threads = 0;
-    bool allowMissing = false;
+    LoadOptions load;
 };
 
 #if GLINT_HAS_VIEWER
@@ -107,7 +108,7 @@ int runCommand(const ViewCommandOptions& o) {
     if (!backend) { return reportError(backend.error(), kExitBadInput); }
     std::optional<SceneDescription> scene;
     if (!o.scene.empty()) {
-        auto loaded = loadScene(o.scene, {.allowMissing = o.allowMissing});
+        auto loaded = loadScene(o.scene, o.load);
         if (!loaded) { return reportError(loaded.error(), kExitBadInput); }
         scene = std::move(*loaded);
         files.readsScene(*scene);
@@ -168,7 +169,7 @@ void addViewCommand(const Command& program) {
         .accepts(checkReportFile);
     command.option("--backend", &options->backend, "cpu or cuda");
     command.option("--threads", &options->threads, "Threads that render; 0: all").range(0, 1024);
-    command.flag("--allow-missing", &options->allowMissing, "Open scenes with missing parts");
+    addLoadOptions(command, &options->load);
     command.footer(kFooter);
     command.onRun([options] { return runCommand(*options); });
 }

@@ -36,6 +36,9 @@ void Workspace::adopt(SceneDescription scene) {
     for (const std::string& warning : scene.warnings) {
         logWarning("{}: {}", scene.path, warning);
     }
+    for (const std::string& note : scene.notes) {
+        logInfo("{}", note);
+    }
     logInfo("Opened {}: {} objects, {} materials, {} lights, {}x{} pixels", scene.path, scene.objects.size(),
             scene.materials.size(), scene.lights.size(), scene.resolution.width, scene.resolution.height);
     inputs.readsScene(scene);

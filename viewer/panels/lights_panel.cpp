@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "engine/io/studio.h"
 #include "viewer/model/scene_document.h"
 #include "viewer/panels/asset_state.h"
 #include "viewer/panels/panel.h"
@@ -91,7 +92,23 @@ void drawLights(SceneDocument* document) {
     ImGui::PopID();
 }
 
+/// For models that have no light but the studio's, or none any more.
+void drawStudio(SceneDescription* scene) {
+    bool isOn = hasStudio(*scene);
+    if (!isOn && (!scene->lights.empty() || scene->environment.image >= 0)) { return; }
+    if (!ui::toggle("Studio", &isOn,
+                    "A soft key light, fill from all around, and a ground that catches the shadow")) {
+        return;
+    }
+    if (isOn) {
+        addStudio(scene);
+    } else {
+        removeStudio(scene);
+    }
+}
+
 void draw(SceneDocument* document, AssetReader* assets) {
+    drawStudio(&document->draft());
     drawLights(document);
     drawEnvironment(&document->draft(), assets);
 }

@@ -1,0 +1,19 @@
+// Text files as other systems write them, made UTF-8 with line feeds. For the readers of OBJ, MTL and PLY.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace glint {
+
+struct PlainText {
+    std::string text;
+    std::string_view repaired;  ///< the sentence of a remark (remarks.h) on what was changed
+};
+
+/// `bytes` in UTF-8 where they are UTF-16, with a mark or by every other byte of the first characters being
+/// zero; each carriage return without a line feed becomes one. Nothing where `bytes` can stay as they are.
+std::optional<PlainText> asPlainText(const std::string& bytes);
+
+}  // namespace glint

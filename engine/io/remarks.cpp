@@ -1,0 +1,18 @@
+#include "engine/io/remarks.h"
+
+#include <fmt/format.h>
+
+namespace glint {
+
+std::vector<std::string> Remarks::lines() const {
+    std::vector<std::string> out;
+    for (const Entry& entry : entries_) {
+        out.push_back(fmt::format("{}: {}{}{}{}", entry.place, entry.kind,
+                                  entry.detail.empty() ? "" : fmt::format(": \"{}\"", entry.detail),
+                                  entry.more,
+                                  entry.count > 1 ? fmt::format(" (and {} more)", entry.count - 1) : ""));
+    }
+    return out;
+}
+
+}  // namespace glint

@@ -1,0 +1,44 @@
+// What a reader repaired, left out or guessed: each kind once, with its number and where it came first, so
+// that what is said of a file of a million odd lines is bounded.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glint {
+
+class Remarks {
+  public:
+    /// `kind` is a sentence that lives as long as the program, and is known by its address. Of the first of a
+    /// kind alone, `place()` is asked for where it is, and `detail` (and `more()`) for what is shown behind.
+    template <class Place, class More = std::string (*)()>
+    void add(
+        std::string_view kind, const Place& place, std::string_view detail = {},
+        const More& more = [] { return std::string(); }) {
+        for (Entry& entry : entries_) {
+            if (entry.kind.data() == kind.data()) {
+                ++entry.count;
+                return;
+            }
+        }
+        entries_.push_back({kind, place(), std::string(detail.substr(0, kShownDetail)), more(), 1});
+    }
+
+    /// `place: sentence: "detail" (and 3 more)`, in the order of the first ones.
+    std::vector<std::string> lines() const;
+
+  private:
+    static constexpr size_t kShownDetail = 80;
+    struct Entry {
+        std::string_view kind;
+        std::string place;
+        std::string detail;
+        std::string more;
+        uint64_t count;
+    };
+    std::vector<Entry> entries_;
+};
+
+}  // namespace glint

@@ -1,0 +1,297 @@
+// What is odd in OBJ and MTL files, but leaves no doubt of what is meant, is repaired with one warning for
+// each kind;
+// --strict refuses it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/io/image_io.h"
+#include "engine/io/scene_loader.h"
+#include "engine/math/color.h"
+#include "tests/support/temp_folder.h"
+
+namespace glint {
+namespace {
+
+using test::TempFolder;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+/// The scene of a file, if it is as large as a square of two by two that faces +z.
+std::optional<SceneDescription> loadSquare(const std::string& path) {
+    Result<SceneDescription> scene = loadScene(path, {.noStudio = true});
+    EXPECT_TRUE(scene) << scene.error().format();
+    if (!scene) { return std::nullopt; }
+    Vec3 area(0.0f);
+    for (const Mesh& mesh : scene->meshes) {
+        const MeshData& data = *mesh.data;
+        for (size_t i = 0; i < data.indices.size(); i += 3) {
+            const Vec3& a = data.positions[data.indices[i]];
+            area += 0.5f * glm::cross(data.positions[data.indices[i + 1]] - a,
+                                      data.positions[data.indices[i + 2]] - a);
+        }
+    }
+    EXPECT_NEAR(glm::length(area - Vec3(0, 0, 4)), 0.0f, 1e-5f);
+    return std::move(*scene);
+}
+
+const std::string kCorners = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n";
+const std::string kUvs = "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
+
+struct Repaired {
+    std::string text;
+    std::string warning;  ///< part of the one that is given
+};
+
+void expectRepaired(const std::vector<Repaired>& cases) {
+    const TempFolder folder;
+    for (const Repaired& odd : cases) {
+        SCOPED_TRACE(odd.text);
+        const std::string path = folder.write("in.obj", odd.text);
+        const auto scene = loadSquare(path);
+        if (!scene) { continue; }
+        EXPECT_THAT(scene->warnings, testing::ElementsAre(HasSubstr(odd.warning)));
+        const auto strict = loadScene(path, {.strict = true});
+        ASSERT_FALSE(strict);
+        EXPECT_THAT(strict.error().format(), HasSubstr(odd.warning));
+        EXPECT_THAT(strict.error().format(), HasSubstr("--strict"));
+    }
+}
+
+TEST(ObjRepairs, Faces) {
+    const std::string face = "f 1 2 3 4\n";
+    expectRepaired({
+        {kCorners + kUvs + "f 1/ 2/ 3/ 4/\n",
+         "in.obj:9: no index behind a slash: as if the slash were missing (and 3 more)"},
+        {kCorners + kUvs + "f 1/1/ 2/2/ 3/3/ 4/4/\n", ":9: no index behind a slash"},
+        {kCorners + "f 1// 2// 3// 4//\n", ":5: no index behind a slash"},
+        {kCorners + "f 1//1 2//2 3//3 4//4\n",
+         ":5: normals that faces name are not there: \"1\" (and 3 more)"},
+        {kCorners + "f 1/7 2/7 3/7 4/-1\n", ":5: texture coordinates that faces name are not there"},
+        {kCorners + kUvs + "f 1/0 2/0 3/0 4/0\n", "texture coordinates that faces name are not there"},
+        {kCorners + face + "f 1 2\nf\nf 3\n", ":6: faces of fewer than 3 corners are left out (and 2 more)"},
+        {kCorners + "f 1.0 2.0 3.00 4\n", ":5: a whole number is written with a point"},
+        {kCorners + "f 1 2 \\ \n3 4\n", ":5: blanks behind the backslash"},
+        {kCorners + "f 1 2 \\\t \r\n3 4\n", ":5: blanks behind the backslash"},
+        {kCorners + "F 1 2 3 4\n", ":5: a keyword in capitals"},
+    });
+}
+
+TEST(ObjRepairs, Attributes) {
+    const std::string face = "f 1/1/1 2/2/1 3/3/1 4/4/1\n";
+    expectRepaired({
+        {kCorners + kUvs + "vn 0 0 1 0\n" + face, ":9: more on a line than it can have is left out"},
+        {kCorners + kUvs + "vn 0 0\n" + face, ":9: normals without a direction count as missing"},
+        {kCorners + kUvs + "vn 0 0 0\n" + face, ":9: normals without a direction count as missing"},
+        {kCorners + "vt 0 nan\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\n" + face,
+         ":5: a number that is not finite counts as 0"},
+        {kCorners + "vt\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\n" + face,
+         ":5: texture coordinates without numbers"},
+        {kCorners + "vt 0 0 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\n" + face, ":5: more on a line"},
+        {"v -1 -1 0 7 8\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n", ":1: the numbers behind x y z"},
+        {"v -1 -1 0 1 0 0 1\nv 1 -1 0 1 0 0 1\nv 1 1 0 1 0 0 1\nv -1 1 0 1 0 0 1\nf 1 2 3 4\n",
+         ":1: vertex colours have an alpha"},
+        {"V -1 -1 0\nV 1 -1 0\nV 1 1 0\nV -1 1 0\nf 1 2 3 4\n", ":1: a keyword in capitals"},
+    });
+}
+
+TEST(ObjRepairs, Lines) {
+    std::string returns = kCorners + "f 1 2 3 4\n";
+    std::ranges::replace(returns, '\n', '\r');
+    std::string wide("\xff\xfe", 2), wideBackwards("\xfe\xff", 2), wideWithoutMark;
+    for (const char c : kCorners + "f 1 2 3 4\n") {
+        wide += {c, '\0'};
+        wideBackwards += {'\0', c};
+        wideWithoutMark += {c, '\0'};
+    }
+    expectRepaired({
+        {returns, "lines that end in a carriage return alone"},
+        {wide, "the file is UTF-16"},
+        {wideBackwards, "the file is UTF-16"},
+        {wideWithoutMark, "the file is UTF-16"},
+        {"Created by C:\\programs\\\n" + kCorners + "f 1 2 3 4\n", ":1: lines that are no statement"},
+        {"; a comment of another kind\n// and another\n" + kCorners + "f 1 2 3 4\n", "(and 1 more)"},
+        {kCorners + "f 1 2 3 4\n*** end ***\n", ":6: lines that are no statement"},
+        {"mtllib\n" + kCorners + "f 1 2 3 4\n", ":1: mtllib without a file name"},
+    });
+}
+
+TEST(ObjRepairs, FacesMayComeBeforeTheirVertices) {
+    const TempFolder folder;
+    for (const std::string& text :
+         {"f 1 2 3 4\n" + kCorners, "f 1/1 2/2 3/3 4/4\n" + kCorners + kUvs,
+          std::string("v -1 -1 0\nv 1 -1 0\nf 1 2 -1\nf 1 2 3 4\nv 1 1 0\nv -1 1 0\n")}) {
+        const auto scene = loadSquare(folder.write("in.obj", text));
+        ASSERT_TRUE(scene) << text;
+        EXPECT_THAT(scene->warnings, IsEmpty());
+    }
+    const auto missing = loadScene(folder.write("in.obj", "f 1 2 5\n" + kCorners));
+    ASSERT_FALSE(missing);
+    EXPECT_THAT(missing.error().format(), HasSubstr(":1:7: there is no vertex 5; 4 are defined"));
+}
+
+/// The material of a square whose MTL file holds these lines; the other lines are in the OBJ file.
+Material materialOf(const TempFolder& folder, const std::string& mtl, std::vector<std::string>* warnings,
+                    const std::string& use = "mtllib m.mtl\nusemtl it\n") {
+    folder.write("m.mtl", mtl);
+    const auto scene =
+        loadSquare(folder.write("in.obj", use + kCorners + "vn 0 0 1\nf 1//1 2//1 3//1 4//1\n"));
+    if (!scene) { return {}; }
+    *warnings = scene->warnings;
+    return scene->materials.at(0);
+}
+
+TEST(MtlRepairs, OddLinesGiveTheirColour) {
+    const Vec3 red(0.8f, 0.1f, 0.1f);
+    const std::string good = "newmtl it\nKd 0.8 0.1 0.1\n";
+    std::string returns = good;
+    std::ranges::replace(returns, '\n', '\r');
+    const std::vector<std::pair<std::string, std::string>> cases = {
+        {"\xef\xbb\xbf" + good, ""},
+        {"newmtl it\n# C:\\models\\\nKd 0.8 0.1 0.1\n", ""},
+        {"newmtl it\r\nKd 0.8 \\\r\n 0.1 0.1\r\n", ""},
+        {"newmtl it\nkd 0.8 0.1 0.1\n", "m.mtl:2: keywords in other case: \"kd\""},
+        {"NEWMTL it\nKD 0.8 0.1 0.1\n", "keywords in other case"},
+        {"newmtl\nKd 0 0 1\n" + good, ":1: newmtl without a name"},
+        {good + "Ka spectral a.rfl\n", ""},
+        {good + "Ks spectral a.rfl 1\n", ":3: colours that are no numbers are left out"},
+        {good + "Ns much\n", ":3: values that are no number are left out"},
+        {"Ns 5\n" + good, ":1: what stands before the first newmtl is left out"},
+        {"newmtl it\nKd 0.8 0.1\n", ":2: colours of two numbers: blue is taken as green"},
+        {"newmtl it\nKd 0.8 0.1 0.1 1\n", ":2: more on a line than it can have is left out"},
+        {good + "Ks 0 0 nan\n", ":3: a number that is not finite counts as 0"},
+        {good + good, ":3: materials are defined twice; the first counts: \"it\""},
+        {good + "wibble 1\nwobble 2\n",
+         ":3: lines that are no statement of MTL files are left out: \"wibble\" (and 1 more)"},
+        {returns, "lines that end in a carriage return alone"},
+    };
+    const TempFolder folder;
+    for (const auto& [text, warning] : cases) {
+        SCOPED_TRACE(text);
+        std::vector<std::string> warnings;
+        const Material material = materialOf(folder, text, &warnings);
+        EXPECT_EQ(material.kind, MaterialKind::Diffuse);
+        EXPECT_EQ(material.color.value, red);
+        if (warning.empty()) {
+            EXPECT_THAT(warnings, IsEmpty());
+        } else {
+            EXPECT_THAT(warnings, testing::ElementsAre(HasSubstr(warning)));
+        }
+    }
+    std::vector<std::string> warnings;
+    EXPECT_EQ(materialOf(folder, "newmtl it\nKd 0.5\n", &warnings).color.value, Vec3(0.5f));
+}
+
+TEST(MtlRepairs, LibrariesAndMaterialsAreFoundByLikeNames) {
+    const TempFolder folder;
+    const std::string red = "newmtl Red\nKd 1 0 0\n";
+    folder.write("my mats.mtl", red);
+    folder.write("Other.MTL", red);
+    for (const char* use :
+         {"mtllib my\\ mats.mtl\nusemtl Red\n", "mtllib my mats.mtl\nusemtl Red\n",
+          "mtllib \"my mats.mtl\"\nusemtl Red\n", "mtllib my%20mats.mtl\nusemtl Red\n",
+          "mtllib other.mtl\nusemtl red\n", "mtllib C:\\work\\Other.MTL\nusemtl Red\n",
+          "mtllib /home/somebody/Other.MTL\nusemtl Red\n", "mtllib none.mtl Other.MTL\nusemtl Red\n"}) {
+        std::vector<std::string> warnings;
+        EXPECT_EQ(materialOf(folder, "", &warnings, use).color.value, Vec3(1, 0, 0)) << use;
+    }
+}
+
+TEST(MtlRepairs, ImagesAreFoundByLikeNamesAndKeepTheirScale) {
+    const TempFolder folder;
+    ASSERT_TRUE(savePng(folder.path("Wood 1.png"), {2, 1, {255, 0, 0, 0, 255, 0}}));
+    for (const char* name :
+         {"Wood 1.png", "C:\\work\\Wood 1.png", "/elsewhere/Wood 1.png", "wood 1.PNG", "\"Wood 1.png\"",
+          "textures\\Wood 1.png", "Wood%201.png", "-s 1 Wood 1.png", "-s 1 1 -o 0 Wood 1.png",
+          "Wood 1.png -s 1 1 1", "-bm 0.5 -mm 0 1 -clamp on -imfchan r -blendu off -t 0 0 Wood 1.png",
+          "Wood 1.png # oak"}) {
+        folder.write("m.mtl", std::string("newmtl it\nKd 0.5 0.5 0.5\nmap_Kd ") + name + "\n");
+        const auto scene = loadSquare(
+            folder.write("in.obj", "mtllib m.mtl\nusemtl it\n" + kCorners + kUvs + "f 1/1 2/2 3/3 4/4\n"));
+        ASSERT_TRUE(scene && scene->textures.size() == 1u) << name;
+        EXPECT_TRUE(scene->textures[0].image.isRead()) << name;
+        EXPECT_EQ(scene->materials[0].color.texture, 0) << name;
+        EXPECT_EQ(scene->textures[0].scale, Vec2(1.0f)) << name;
+    }
+}
+
+TEST(MtlRepairs, ImagesThatCannotBeReadShowTheColour) {
+    const TempFolder folder;
+    ASSERT_TRUE(savePng(folder.path("good.png"), {64, 64, std::vector<uint8_t>(3 * 64 * 64, 99)}));
+    const std::string png = TempFolder::read(folder.path("good.png"));
+    const std::pair<const char*, std::string> files[] = {
+        {"empty.png", ""}, {"t.dds", "DDS |and more"}, {"cut.png", png.substr(0, png.size() / 2)}};
+    for (const auto& [name, bytes] : files) {
+        folder.write(name, bytes);
+        std::vector<std::string> warnings;
+        const Material material =
+            materialOf(folder, std::string("newmtl it\nKd 0.8 0.1 0.1\nmap_Kd ") + name + "\n", &warnings);
+        EXPECT_EQ(material.color.value, Vec3(0.8f, 0.1f, 0.1f));
+        EXPECT_EQ(material.color.texture, -1);
+        EXPECT_THAT(warnings,
+                    testing::ElementsAre(testing::AllOf(HasSubstr(name), HasSubstr("cannot be read"))));
+        const Material black =
+            materialOf(folder, std::string("newmtl it\nKd 0 0 0\nmap_Kd ") + name + "\n", &warnings);
+        EXPECT_EQ(black.color.value, Vec3(0.5f));
+        // The same in a JSON scene that places the file.
+        const auto json = loadScene(folder.write(
+            "a.json", R"({"glint": 1, "objects": [{"type": "mesh", "mesh": {"file": "in.obj"}}]})"));
+        EXPECT_TRUE(json) << json.error().format();
+    }
+}
+
+TEST(VertexColors, MeanTheSameInBothFormatsAndRanges) {
+    const TempFolder folder;
+    const auto colorOf = [&](const char* name, const std::string& text) {
+        const auto scene = loadSquare(folder.write(name, text));
+        EXPECT_TRUE(scene && scene->materials.size() == 1u) << text;
+        return scene ? scene->materials[0].color.value * scene->meshes[0].data->colors.at(0) : Vec3(-1.0f);
+    };
+    const auto obj = [](const std::string& color) {
+        std::string text;
+        for (const char* corner : {"-1 -1 0 ", "1 -1 0 ", "1 1 0 ", "-1 1 0 "}) {
+            text += "v " + (corner + color) + "\n";
+        }
+        return text + "f 1 2 3 4\n";
+    };
+    const auto ply = [](const std::string& type, const std::string& color) {
+        std::string text =
+            "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
+        for (const char* name : {"red", "green", "blue"}) {
+            text += "property " + type + " " + name + "\n";
+        }
+        text += "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+        for (const char* corner : {"-1 -1 0 ", "1 -1 0 ", "1 1 0 ", "-1 1 0 "}) {
+            text += corner + color + "\n";
+        }
+        return text + "4 0 1 2 3\n";
+    };
+    const Vec3 expected(1.0f, srgbToLinear(0.2f), 0.0f);
+    for (const Vec3& color :
+         {colorOf("a.obj", obj("1 0.2 0")), colorOf("a.obj", obj("255 51 0")),
+          colorOf("a.obj", obj("1 0.2 0 1")), colorOf("a.ply", ply("uchar", "255 51 0")),
+          colorOf("a.ply", ply("int", "255 51 0")), colorOf("a.ply", ply("ushort", "65535 13107 0")),
+          colorOf("a.ply", ply("float", "1 0.2 0")), colorOf("a.ply", ply("float", "255 51 0")),
+          colorOf("a.ply", ply("uchar", "255.0 51.0 0"))}) {
+        EXPECT_NEAR(glm::length(color - expected), 0.0f, 1e-5f) << color.x << " " << color.y;
+    }
+}
+
+TEST(ObjRepairs, WarningsAreBounded) {
+    const TempFolder folder;
+    std::string obj = "mtllib m.mtl\n" + kCorners, mtl;
+    for (int i = 0; i < 2000; ++i) {
+        const std::string n = std::to_string(i);
+        obj += "odd" + n + " 1\nusemtl m" + n + "\nf 1 2 3 4\nf 1 2\n";
+        mtl += "newmtl a" + n + "\nmap_Kd no" + n + ".png\nmap_refl x\nwhat" + n + "\n";
+    }
+    folder.write("m.mtl", mtl);
+    const auto scene = loadScene(folder.write("in.obj", obj));
+    ASSERT_TRUE(scene) << scene.error().format();
+    EXPECT_THAT(scene->warnings, SizeIs(testing::Le(6u)));
+    EXPECT_THAT(scene->warnings, Contains(HasSubstr("(and 1999 more)")));
+}
+
+}  // namespace
+}  // namespace glint

@@ -1,0 +1,31 @@
+#include "viewer/commands/scene_opening.h"
+
+#include "engine/base/log.h"
+#include "engine/io/scene_loader.h"
+#include "viewer/commands/command_line.h"
+
+namespace glint {
+
+void addLoadOptions(const Command& command, LoadOptions* options) {
+    command.flag("--allow-missing", &options->allowMissing,
+                 "Go on without what is missing, and without what Glint cannot draw");
+    command.flag("--strict", &options->strict,
+                 "Refuse what is otherwise repaired or left out with a warning");
+    command.flag(
+        "--no-studio", &options->noStudio,
+        "OBJ and PLY without light: a plain white environment instead of key light, fill and ground");
+}
+
+Result<SceneDescription> openScene(const std::string& path, const LoadOptions& options) {
+    Result<SceneDescription> scene = loadScene(path, options);
+    if (!scene) { return scene; }
+    for (const std::string& warning : scene->warnings) {
+        logWarning("{}", warning);
+    }
+    for (const std::string& note : scene->notes) {
+        logInfo("{}", note);
+    }
+    return scene;
+}
+
+}  // namespace glint
