@@ -254,7 +254,7 @@ Result<SceneImage> decode(const std::string& file, const std::string& path) {
                            header->height < 0 ? Orientation::TopLeft : Orientation::BottomLeft});
     const Status read =
         runs ? RunReader(pixels, *header, &builder).read(path) : readRows(pixels, *header, path, &builder);
-    return read ? Result<SceneImage>(builder.take()) : read.error();
+    return read ? Result<SceneImage>(builder.take(true)) : read.error();
 }
 
 }  // namespace

@@ -100,8 +100,9 @@ void Image8Builder::setRow(int row, std::span<const uint8_t> rgba) {
     });
 }
 
-SceneImage Image8Builder::take() {
-    if (std::ranges::all_of(image_->alpha, [](uint8_t alpha) { return alpha == 0; })) { image_->alpha = {}; }
+SceneImage Image8Builder::take(bool emptyAlphaIsNone) {
+    const bool isEmpty = std::ranges::all_of(image_->alpha, [](uint8_t alpha) { return alpha == 0; });
+    if (emptyAlphaIsNone && isEmpty) { image_->alpha = {}; }
     return {.bytes = std::move(image_)};
 }
 

@@ -60,8 +60,8 @@ class Image8Builder {
     const PixelPlaces& places() const { return places_; }
     /// `rgba` has 4 bytes for each pixel of the stored row.
     void setRow(int row, std::span<const uint8_t> rgba);
-    /// An alpha of 0 everywhere counts as none: programs that write 4 channels and mean 3 leave it so.
-    SceneImage take();
+    /// `emptyAlphaIsNone`: of formats that have 4 channels where programs mean 3, and leave the last one 0.
+    SceneImage take(bool emptyAlphaIsNone = false);
 
   private:
     PixelPlaces places_;

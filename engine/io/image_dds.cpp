@@ -151,7 +151,8 @@ Result<SceneImage> decode(const std::string& file, const std::string& path) {
     }
     Image8Builder builder({static_cast<int>(header.width), static_cast<int>(header.height)});
     kind != 0 ? readBlocks(header, kind, &bytes, &builder) : readPixels(header, &bytes, &builder);
-    return bytes.failed() ? Result<SceneImage>(brokenImage(path, "the file ends too early")) : builder.take();
+    return bytes.failed() ? Result<SceneImage>(brokenImage(path, "the file ends too early"))
+                          : builder.take(true);
 }
 
 }  // namespace

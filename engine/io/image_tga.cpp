@@ -150,7 +150,7 @@ Result<SceneImage> decode(const std::string& file, const std::string& path) {
     }
     if (bytes.failed()) { return brokenImage(path, "the file ends too early"); }
     if (pixels.hasUnknownColor()) { return brokenImage(path, "a colour is not in the palette"); }
-    return builder.take();
+    return builder.take(true);
 }
 
 }  // namespace

@@ -1,10 +1,12 @@
 #include "engine/io/mesh_normals.h"
 
+#include <atomic>
 #include <bit>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "engine/base/parallel.h"
 #include "engine/io/smoothing_fans.h"
 
 namespace glint {
@@ -196,17 +198,22 @@ void writeNormals(const std::vector<Vec3>& normals, const std::vector<SmoothFace
 
 uint64_t turnByNormals(MeshData* mesh) {
     if (mesh->normals.empty()) { return 0; }
-    uint64_t turned = 0;
-    for (size_t i = 0; i + 2 < mesh->indices.size(); i += 3) {
-        uint32_t* corners = &mesh->indices[i];
-        const Vec3& a = mesh->positions[corners[0]];
-        const Vec3 normal = glm::cross(mesh->positions[corners[1]] - a, mesh->positions[corners[2]] - a);
-        const Vec3 wanted = mesh->normals[corners[0]] + mesh->normals[corners[1]] + mesh->normals[corners[2]];
-        if (glm::dot(normal, wanted) < 0.0f) {
-            std::swap(corners[1], corners[2]);
-            ++turned;
+    std::atomic<uint64_t> turned = 0;
+    parallelChunks(mesh->triangleCount(), 1 << 16, 0, [&](int64_t begin, int64_t end) {
+        uint64_t here = 0;
+        for (int64_t t = begin; t < end; ++t) {
+            uint32_t* corners = &mesh->indices[3 * static_cast<size_t>(t)];
+            const Vec3& a = mesh->positions[corners[0]];
+            const Vec3 normal = glm::cross(mesh->positions[corners[1]] - a, mesh->positions[corners[2]] - a);
+            const Vec3 wanted =
+                mesh->normals[corners[0]] + mesh->normals[corners[1]] + mesh->normals[corners[2]];
+            if (glm::dot(normal, wanted) < 0.0f) {
+                std::swap(corners[1], corners[2]);
+                ++here;
+            }
         }
-    }
+        turned += here;
+    });
     return turned;
 }
 

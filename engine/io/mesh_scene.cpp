@@ -18,15 +18,18 @@ Result<SceneDescription> loadMeshScene(const std::string& path, const LoadOption
     scene.title = name;
     appendMeshFile(**file, name, {}, &scene);
     Status failed;
+    Remarks remarks;
     readUsedAssets(&assets, &scene, [&](const Asset& asset, const Error& error) {
         if (asset.kind == AssetKind::Texture) {
-            remarkUnreadImage(asset, error, &scene);
+            remarkUnreadImage(asset, error, &scene, &remarks);
             return true;
         }
         failed = error;
         return false;
     });
     if (!failed) { return failed.error(); }
+    const std::vector<std::string> lines = remarks.lines();
+    scene.warnings.insert(scene.warnings.end(), lines.begin(), lines.end());
     applyDefaultView(&scene, options.noStudio);
     for (const Asset& asset : lackingAssets(scene)) {  // the studio's light
         if (Status read = readAsset(asset, &assets, &scene); !read) { return read.error(); }

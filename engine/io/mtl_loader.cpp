@@ -99,6 +99,10 @@ Material toGlint(const MtlEntry& entry, const tinyobj::material_t& values, const
     return out;
 }
 
+MtlMap mapOf(const std::string& file, const tinyobj::texture_option_t& options) {
+    return {file, {options.scale[0], options.scale[1]}};
+}
+
 /// What of the material Glint does not draw.
 void remarkLeftOut(const MtlEntry& entry, const tinyobj::material_t& values, const MtlGlass& glass,
                    const std::string& path, Remarks* remarks) {
@@ -113,9 +117,6 @@ void remarkLeftOut(const MtlEntry& entry, const tinyobj::material_t& values, con
     }
     if (values.sheen > 0.0f || values.clearcoat_thickness > 0.0f || values.anisotropy != 0.0f) {
         remarks->add("sheen, clear coat and anisotropy (Ps, Pc, aniso) are left out", place, entry.name);
-    }
-    if (entry.has(MtlKey::MapKe)) {
-        remarks->add("map_Ke is left out, and Ke with it: the material does not shine", place, entry.name);
     }
     if (entry.has(MtlKey::MapD)) { remarks->add("map_d is left out: nothing is cut out", place, entry.name); }
 }
@@ -138,10 +139,9 @@ MtlMaterial materialOf(const MtlEntry& entry, MtlLibrary* library) {
     const tinyobj::material_t values = entry.values();
     const MtlGlass glass = glassOf(entry, values, library->trIsOpacity);
     remarkLeftOut(entry, values, glass, library->path, &library->file.remarks);
-    const auto& scale = values.diffuse_texopt.scale;
     return {.material = toGlint(entry, values, glass),
-            .colorMap = values.diffuse_texname,
-            .colorMapScale = {scale[0], scale[1]},
+            .color = mapOf(values.diffuse_texname, values.diffuse_texopt),
+            .emission = mapOf(values.emissive_texname, values.emissive_texopt),
             .glass = glass.isGlass ? glass.why : "",
             .doubt = glass.isGlass ? "" : glass.why};
 }

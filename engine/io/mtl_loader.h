@@ -9,10 +9,16 @@
 
 namespace glint {
 
+/// An image that is not read.
+struct MtlMap {
+    std::string file;  ///< as written, relative to the MTL file; empty: none
+    Vec2 scale{1.0f};
+};
+
 struct MtlMaterial {
-    Material material;     ///< color.texture is -1
-    std::string colorMap;  ///< map_Kd, an image that is not read, relative to the MTL file; empty: none
-    Vec2 colorMapScale{1.0f};
+    Material material;  ///< without textures
+    MtlMap color;       ///< map_Kd
+    MtlMap emission;    ///< map_Ke
     std::string glass;  ///< why it is read as glass: "d 0.1"; empty: it is not
     std::string doubt;  ///< what speaks for glass though it is read as opaque: "illum 4"; or empty
 };
@@ -38,8 +44,9 @@ Result<MtlLibrary> loadMtl(const std::string& path);
 ///     with illum 3, 5.
 ///   - else diffuse of Kd, 0.5 grey when there is no Kd.
 /// Ns becomes the GGX alpha sqrt(2 / (Ns + 2)) (Walter et al. 2007, section 5.2, for Phong exponents).
-/// Ke becomes emission, on both sides until lamp_sides.h knows better. map_Kd replaces Kd; only its -s option
-/// counts. Ka and all other maps are left out, maps with a remark, and Ke with map_Ke.
+/// Ke becomes emission, on both sides until lamp_sides.h knows better. map_Kd replaces Kd, and map_Ke Ke but
+/// for its largest part, a factor where it is not 0; only their -s option counts. Ka and all other maps are
+/// left out, maps with a remark.
 MtlMaterial materialOf(const MtlEntry& entry, MtlLibrary* library);
 
 }  // namespace glint

@@ -115,10 +115,20 @@ Material MaterialResolver::take(const Found& found) {
     MtlLibrary& library = libraries_[found.library];
     const MtlEntry& entry = library.file.entries[found.entry];
     MtlMaterial mtl = materialOf(entry, &library);
-    if (!mtl.colorMap.empty()) {
-        ColorInput& color = mtl.material.color;
-        color.texture = takeTexture(mtl, library.path, entry.line);
-        if (color.texture < 0 && isZero(color.value)) { color.value = Vec3(0.5f); }  // seen as going without
+    Material& material = mtl.material;
+    material.color.texture = takeTexture(mtl.color, library.path, entry.line);
+    material.emission.texture = takeTexture(mtl.emission, library.path, entry.line);
+    const bool lacksColor = !mtl.color.file.empty() && material.color.texture < 0;
+    if (lacksColor && isZero(material.color.value)) {
+        material.color.value = Vec3(0.5f);
+    }  // seen as going without
+    if (material.emission.texture >= 0) {
+        const float factor = maxComponent(material.emission.value);
+        material.emissionStrength = factor > 0.0f ? factor : 1.0f;
+        material.emission.value = Vec3(0.0f);  // where the image cannot be read
+        material.emitsBothSides = true;
+    } else if (!mtl.emission.file.empty()) {
+        material.emission.value = Vec3(0.0f);  // a factor on what is missing
     }
     if (!mtl.glass.empty()) { glass_.push_back(fmt::format("{} ({})", entry.name, mtl.glass)); }
     if (!mtl.doubt.empty()) { opaque_.push_back(fmt::format("{} ({})", entry.name, mtl.doubt)); }
@@ -126,22 +136,23 @@ Material MaterialResolver::take(const Found& found) {
 }
 
 /// Index into the file's textures, or -1.
-int MaterialResolver::takeTexture(const MtlMaterial& mtl, const std::string& library, int line) {
+int MaterialResolver::takeTexture(const MtlMap& map, const std::string& library, int line) {
+    if (map.file.empty()) { return -1; }
     const auto place = [&] { return fmt::format("{}:{}", library, line); };
-    const auto file = files_.find(mtl.colorMap, library);
+    const auto file = files_.find(map.file, library);
     if (!file) {
-        remarks_.add("images are missing; the material's own colour takes their place", place, mtl.colorMap);
+        remarks_.add("images are missing; the material's own colour takes their place", place, map.file);
         return -1;
     }
-    if (file->isGuess) { remarks_.add("images are taken for others of a like name", place, mtl.colorMap); }
+    if (file->isGuess) { remarks_.add("images are taken for others of a like name", place, map.file); }
     const auto [known, isNew] =
-        textures_.try_emplace(fmt::format("{}\n{} {}", file->path, mtl.colorMapScale.x, mtl.colorMapScale.y),
+        textures_.try_emplace(fmt::format("{}\n{} {}", file->path, map.scale.x, map.scale.y),
                               static_cast<int>(file_.textures.size()));
     if (isNew) {
         Texture texture;
-        texture.name = mtl.colorMap;
+        texture.name = map.file;
         texture.image.source = FileSource{file->path};
-        texture.scale = mtl.colorMapScale;
+        texture.scale = map.scale;
         file_.textures.push_back(std::move(texture));
     }
     return known->second;

@@ -46,8 +46,7 @@ class ObjParser {
     bool parseOptionalIndex(const char** at, Attribute attribute, int32_t* index);
     bool parseIndex(const char** at, Attribute attribute, int32_t* index);
     bool resolveIndex(int64_t number, std::string_view word, Attribute attribute, int32_t* index);
-    size_t poolSize(Attribute attribute) const;
-    bool checkRoom(Attribute attribute);
+    bool countLine(Attribute attribute);
     void leaveOutRest(const char* where);
     void useMaterial(const char* where);
     void useSmoothing();
@@ -59,6 +58,7 @@ class ObjParser {
     ObjPartBuilder builder_;
     bool verticesFirst_;
     bool needsVerticesFirst_ = false;
+    std::array<size_t, kAttributes> known_{};    ///< in the pools
     std::array<size_t, kAttributes> defined_{};  ///< up to the present line
     std::vector<ObjCorner> corners_;
     std::vector<SmoothingRun> smoothing_;   ///< of the present part

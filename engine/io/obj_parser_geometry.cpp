@@ -20,15 +20,9 @@ bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' ||
 
 }  // namespace
 
-size_t ObjParser::poolSize(Attribute attribute) const {
-    return attribute == kPosition ? pools_.positions.size()
-           : attribute == kUv     ? pools_.uvs.size()
-                                  : pools_.normals.size();
-}
-
-bool ObjParser::checkRoom(Attribute attribute) {
-    defined_[attribute] = poolSize(attribute);
-    return defined_[attribute] < kMaxPoolEntries ||
+bool ObjParser::countLine(Attribute attribute) {
+    defined_[attribute] = ++known_[attribute];
+    return known_[attribute] < kMaxPoolEntries ||
            cursor_.fail(cursor_.position(), "the file has more than 2^31 such lines");
 }
 
@@ -64,7 +58,7 @@ bool ObjParser::parsePosition() {
     }
     if (!colors.empty()) { colors.resize(pools_.positions.size() + 1, Vec3(1.0f)); }
     pools_.positions.push_back(p);
-    return checkRoom(kPosition);
+    return countLine(kPosition);
 }
 
 bool ObjParser::parseUv() {
@@ -75,7 +69,7 @@ bool ObjParser::parseUv() {
     }
     leaveOutRest(where);
     pools_.uvs.emplace_back(uvw[0], uvw[1]);
-    return checkRoom(kUv);
+    return countLine(kUv);
 }
 
 bool ObjParser::parseNormal() {
@@ -88,7 +82,7 @@ bool ObjParser::parseNormal() {
     // A length that float cannot square is no reason to lose the direction.
     const bool isExtreme = largest > kMaxCoordinate || (largest > 0.0f && largest < 1e-18f);
     pools_.normals.push_back(isExtreme ? n / largest : n);
-    return checkRoom(kNormal);
+    return countLine(kNormal);
 }
 
 bool ObjParser::parseFace(const char* where) {
@@ -134,6 +128,12 @@ bool ObjParser::parseIndex(const char** at, Attribute attribute, int32_t* index)
     int64_t number = 0;
     const char* first = *at;
     auto [last, code] = std::from_chars(first, cursor_.end(), number);
+    if (code == std::errc() && number > 0 && static_cast<size_t>(number) <= known_[attribute] &&
+        *last != '.') {
+        *index = static_cast<int32_t>(number - 1);
+        *at = last;
+        return true;
+    }
     if (code == std::errc::invalid_argument) {
         return cursor_.fail(first, fmt::format("expected the number of a {}", kNames[attribute]));
     }
@@ -148,7 +148,7 @@ bool ObjParser::parseIndex(const char** at, Attribute attribute, int32_t* index)
 }
 
 bool ObjParser::resolveIndex(int64_t number, std::string_view word, Attribute attribute, int32_t* index) {
-    const int64_t known = static_cast<int64_t>(poolSize(attribute));
+    const int64_t known = static_cast<int64_t>(known_[attribute]);
     const int64_t resolved = number > 0 ? number - 1 : static_cast<int64_t>(defined_[attribute]) + number;
     if (number != 0 && resolved >= 0 && resolved < known) {
         *index = static_cast<int32_t>(resolved);

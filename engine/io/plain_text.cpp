@@ -1,5 +1,6 @@
 #include "engine/io/plain_text.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace glint {
@@ -82,7 +83,11 @@ std::optional<PlainText> asPlainText(const std::string& bytes) {
         endLinesWithFeeds(&plain.text);
         return plain;
     }
-    if (findLoneReturn(bytes, 0) == std::string::npos) { return std::nullopt; }
+    // Which line ends a file has shows in its first lines; a large one is not gone through for them.
+    constexpr size_t kFirstLines = size_t{1} << 16;
+    if (findLoneReturn(bytes.substr(0, kFirstLines), 0) >= std::min(bytes.size(), kFirstLines) - 1) {
+        return std::nullopt;
+    }
     PlainText plain{bytes, "lines that end in a carriage return alone"};
     endLinesWithFeeds(&plain.text);
     return plain;

@@ -13,7 +13,9 @@ struct PlainText {
 };
 
 /// `bytes` in UTF-8 where they are UTF-16, with a mark or by every other byte of the first characters being
-/// zero; each carriage return without a line feed becomes one. Nothing where `bytes` can stay as they are.
+/// zero; where the first
+/// 64 KiB have a carriage return without a line feed, each of these becomes one. Nothing where `bytes` can
+/// stay as they are.
 std::optional<PlainText> asPlainText(const std::string& bytes);
 
 }  // namespace glint

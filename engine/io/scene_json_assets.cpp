@@ -9,10 +9,11 @@ namespace glint {
 void SceneJsonReader::readAssets() {
     if (errors_.failed()) { return; }
     checkIdleAssets();
-    readUsedAssets(&assets_, &scene_, [this](const Asset& asset, const Error& error) {
+    Remarks remarks;
+    readUsedAssets(&assets_, &scene_, [&](const Asset& asset, const Error& error) {
         const std::string file = assetFile(scene_, asset);
         if (asset.kind == AssetKind::Texture && broughtTextures_.contains(asset.index)) {
-            remarkUnreadImage(asset, error, &scene_);
+            remarkUnreadImage(asset, error, &scene_, &remarks);
         } else if (file.empty()) {
             errors_.add(placeOf(asset), error.message);
         } else {
@@ -20,6 +21,8 @@ void SceneJsonReader::readAssets() {
         }
         return !errors_.failed();
     });
+    const std::vector<std::string> lines = remarks.lines();
+    scene_.warnings.insert(scene_.warnings.end(), lines.begin(), lines.end());
 }
 
 void SceneJsonReader::checkIdleAssets() {

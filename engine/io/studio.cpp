@@ -20,7 +20,7 @@ SkySource studioLight() {
     light.sunElevationDeg = 55.0f;
     light.sunAzimuthDeg = -77.0f;
     light.sunRadiusDeg = 20.0f;
-    light.width = 256;
+    light.width = 128;
     return light;
 }
 

@@ -29,6 +29,17 @@ float outOfRangeFloat(const char* first, const char* last) {
     return static_cast<float>(std::strtod(std::string(first, last).c_str(), nullptr));
 }
 
+/// The number at `at` and where it ends; null when there is none.
+inline const char* parseFloat(const char* at, const char* end, float* out) {
+    const char* first = at[0] == '+' && at[1] != '-' ? at + 1 : at;
+    const auto [last, code] = std::from_chars(first, end, *out);
+    if (code == std::errc::result_out_of_range) {
+        *out = outOfRangeFloat(first, last);
+        return last;
+    }
+    return code == std::errc() ? last : nullptr;
+}
+
 }  // namespace
 
 TextCursor::TextCursor(const std::string& text, const std::string& file)
@@ -115,19 +126,10 @@ std::string_view TextCursor::restOfLine() {
     return {first, static_cast<size_t>(last - first)};
 }
 
-const char* TextCursor::floatAt(float* out) const {
-    const char* first = at_[0] == '+' && at_[1] != '-' ? at_ + 1 : at_;
-    auto [last, code] = std::from_chars(first, end_, *out);
-    if (code == std::errc::result_out_of_range) {
-        *out = outOfRangeFloat(first, last);
-        code = std::errc();
-    }
-    return code == std::errc() && isWordEnd(last) ? last : nullptr;
-}
-
 bool TextCursor::readFloat(const char* what, float* out, bool mayBeInfinite) {
     if (atLineEnd()) { return fail(at_, fmt::format("expected {}, but the line ends", what)); }
-    const char* last = floatAt(out);
+    const char* last = parseFloat(at_, end_, out);
+    last = last != nullptr && isWordEnd(last) ? last : nullptr;
     if (last == nullptr || !(mayBeInfinite || std::isfinite(*out))) {
         return fail(at_, fmt::format("expected {}, a {}number, but found \"{}\"", what,
                                      last == nullptr ? "" : "finite ", wordAt(at_).substr(0, kShownWord)));
@@ -160,8 +162,8 @@ bool TextCursor::readInt(const char* what, int64_t* out) {
 int TextCursor::readSomeFloats(int most, float* out) {
     int count = 0;
     while (count < most && !atLineEnd()) {
-        const char* last = floatAt(&out[count]);
-        if (last == nullptr) { break; }
+        const char* last = parseFloat(at_, end_, &out[count]);
+        if (last == nullptr || !isWordEnd(last)) { break; }
         if (!std::isfinite(out[count])) {
             remark(at_, "a number that is not finite counts as 0", wordAt(at_));
             out[count] = 0.0f;

@@ -63,8 +63,6 @@ class TextCursor {
 
   private:
     bool atBlank() const;
-    /// The number at the position and where it ends; null when the word is none.
-    const char* floatAt(float* out) const;
     bool isWordEnd(const char* p) const;
     std::string_view wordAt(const char* p) const;
 

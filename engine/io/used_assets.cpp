@@ -42,6 +42,22 @@ Status readImage(Result<SceneImage> read, SceneImage* image) {
     return {};
 }
 
+void warnOfTransparency(SceneDescription* scene) {
+    Remarks remarks;
+    for (const Material& material : scene->materials) {
+        const auto texture = static_cast<size_t>(material.color.texture);
+        if (material.color.texture < 0 || texture >= scene->textures.size()) { continue; }
+        const Texture& used = scene->textures[texture];
+        if (used.image.bytes && !used.image.bytes->alpha.empty()) {
+            remarks.add(
+                "images are transparent in places, where nothing is cut out", [&] { return scene->path; },
+                used.name);
+        }
+    }
+    const std::vector<std::string> lines = remarks.lines();
+    scene->warnings.insert(scene->warnings.end(), lines.begin(), lines.end());
+}
+
 }  // namespace
 
 std::vector<Asset> lackingAssets(const SceneDescription& scene) {
@@ -149,19 +165,17 @@ void readUsedAssets(AssetCache* assets, SceneDescription* scene,
     }
     assets->dropUnusedUvs(*scene);
     assets->report(scene);
+    warnOfTransparency(scene);
 }
 
-void remarkUnreadImage(const Asset& asset, const Error& error, SceneDescription* scene) {
-    const Texture& texture = scene->textures[asset.index];
-    std::string users;
+void remarkUnreadImage(const Asset& asset, const Error& error, SceneDescription* scene, Remarks* remarks) {
     for (Material& material : scene->materials) {
-        if (material.color.texture != static_cast<int>(asset.index)) { continue; }
-        users += (users.empty() ? "" : ", ") + material.name;
-        if (isZero(material.color.value)) { material.color.value = Vec3(0.5f); }
+        const bool isUser = material.color.texture == static_cast<int>(asset.index);
+        if (isUser && isZero(material.color.value)) { material.color.value = Vec3(0.5f); }
     }
-    scene->warnings.push_back(
-        fmt::format("the image \"{}\" cannot be read ({}); the colour of \"{}\" takes its place",
-                    texture.name, error.message, users.substr(0, 200)));
+    remarks->add(
+        "images cannot be read; the material's own colour takes their place", [&] { return scene->path; },
+        scene->textures[asset.index].name, [&] { return fmt::format(": {}", error.message); });
 }
 
 Status readUsedAssets(AssetCache* assets, SceneDescription* scene) {

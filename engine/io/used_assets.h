@@ -14,6 +14,7 @@
 
 #include "engine/base/result.h"
 #include "engine/io/asset_cache.h"
+#include "engine/io/remarks.h"
 #include "engine/scene/scene.h"
 
 namespace glint {
@@ -41,13 +42,13 @@ Status readAsset(const Asset& asset, AssetCache* assets, SceneDescription* scene
 /// are removed.
 void goWithout(std::span<const Asset> assets, SceneDescription* scene);
 
-/// Warns of an image that a mesh file's materials name and that cannot be read: goWithout() shows their
+/// Remarks on an image that a mesh file's materials name and that cannot be read: goWithout() shows their
 /// colour, and this gives a black one a grey, so that what goes without is seen.
-void remarkUnreadImage(const Asset& asset, const Error& error, SceneDescription* scene);
+void remarkUnreadImage(const Asset& asset, const Error& error, SceneDescription* scene, Remarks* remarks);
 
-/// Reads what the scene uses, says what its mesh files needed (AssetCache::report), and drops the texture
-/// coordinates that it does not. `goesOn` is asked about each asset that cannot be read: whether to go
-/// without it and on.
+/// Reads what the scene uses, warns of what its mesh files needed (AssetCache::report) and of transparency
+/// that nothing cuts out, and drops the texture coordinates that it does not. `goesOn` is asked about each
+/// asset that cannot be read: whether to go without it and on.
 void readUsedAssets(AssetCache* assets, SceneDescription* scene,
                     const std::function<bool(const Asset&, const Error&)>& goesOn);
 /// The same up to the first error.

@@ -102,8 +102,8 @@ TEST(MtlPbr, MetalAndPlasticByPmAndPr) {
     EXPECT_EQ(materialOf("Kd 0.8 0.1 0.1\nPr 0\nPm 0\nPs 0\nPc 0\nPcr 0\naniso 0\nanisor 0\n").kind,
               MaterialKind::Diffuse);
     EXPECT_EQ(materialOf("Kd 1 1 1\nd 0.1\nPr 0.3\nPm 0\n").kind, MaterialKind::Dielectric);
-    // Ke is a factor on an image that is not drawn: the whole model would glow.
-    EXPECT_FALSE(materialOf("Kd 1 1 1\nKe 1 1 1\nmap_Ke spots.png\n").emissive());
+    // Ke is a factor on an image; where that is missing, the whole model would glow.
+    EXPECT_FALSE(materialOf("Kd 1 1 1\nKe 1 1 1\nmap_Ke missing.png\n").emissive());
     EXPECT_THAT(loadWith("Kd 1 1 1\nPr 0.3\nPc 1\nmap_Pr r.png\nnorm n.png\n").warnings,
                 testing::UnorderedElementsAre(
                     HasSubstr("clear coat"), HasSubstr("maps of kinds that Glint does not draw are left out: "

@@ -6,7 +6,6 @@
 
 #include "engine/io/image_io.h"
 #include "engine/io/scene_loader.h"
-#include "engine/math/color.h"
 #include "tests/support/temp_folder.h"
 
 namespace glint {
@@ -241,40 +240,31 @@ TEST(MtlRepairs, ImagesThatCannotBeReadShowTheColour) {
     }
 }
 
-TEST(VertexColors, MeanTheSameInBothFormatsAndRanges) {
+/// One red pixel with an alpha of 0.
+constexpr char kClearPng[] =
+    // clang-format off
+        "\211\120\116\107\015\012\032\012\000\000\000\015\111\110\104\122\000\000\000\001"
+        "\000\000\000\001\010\006\000\000\000\037\025\304\211\000\000\000\015\111\104\101"
+        "\124\170\234\143\370\317\300\300\000\000\004\001\001\000\107\006\312\336\000\000"
+        "\000\000\111\105\116\104\256\102\140\202";
+// clang-format on
+
+TEST(MtlMaps, EmissionAndTransparency) {
     const TempFolder folder;
-    const auto colorOf = [&](const char* name, const std::string& text) {
-        const auto scene = loadSquare(folder.write(name, text));
-        EXPECT_TRUE(scene && scene->materials.size() == 1u) << text;
-        return scene ? scene->materials[0].color.value * scene->meshes[0].data->colors.at(0) : Vec3(-1.0f);
-    };
-    const auto obj = [](const std::string& color) {
-        std::string text;
-        for (const char* corner : {"-1 -1 0 ", "1 -1 0 ", "1 1 0 ", "-1 1 0 "}) {
-            text += "v " + (corner + color) + "\n";
-        }
-        return text + "f 1 2 3 4\n";
-    };
-    const auto ply = [](const std::string& type, const std::string& color) {
-        std::string text =
-            "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
-        for (const char* name : {"red", "green", "blue"}) {
-            text += "property " + type + " " + name + "\n";
-        }
-        text += "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
-        for (const char* corner : {"-1 -1 0 ", "1 -1 0 ", "1 1 0 ", "-1 1 0 "}) {
-            text += corner + color + "\n";
-        }
-        return text + "4 0 1 2 3\n";
-    };
-    const Vec3 expected(1.0f, srgbToLinear(0.2f), 0.0f);
-    for (const Vec3& color :
-         {colorOf("a.obj", obj("1 0.2 0")), colorOf("a.obj", obj("255 51 0")),
-          colorOf("a.obj", obj("1 0.2 0 1")), colorOf("a.ply", ply("uchar", "255 51 0")),
-          colorOf("a.ply", ply("int", "255 51 0")), colorOf("a.ply", ply("ushort", "65535 13107 0")),
-          colorOf("a.ply", ply("float", "1 0.2 0")), colorOf("a.ply", ply("float", "255 51 0")),
-          colorOf("a.ply", ply("uchar", "255.0 51.0 0"))}) {
-        EXPECT_NEAR(glm::length(color - expected), 0.0f, 1e-5f) << color.x << " " << color.y;
+    folder.write("clear.png", std::string_view(kClearPng, sizeof kClearPng - 1));
+    std::vector<std::string> said;
+    materialOf(folder, "newmtl it\nmap_Kd clear.png\n", &said);
+    EXPECT_THAT(said, testing::ElementsAre(
+                          testing::AllOf(HasSubstr("transparent in places"), HasSubstr("clear.png"))));
+    ASSERT_TRUE(savePng(folder.path("spots.png"), {1, 1, {255, 0, 0}}));
+    for (const auto& [ke, strength] :
+         {std::pair("Ke 2 1 0\n", 2.0f), std::pair("Ke 0 0 0\n", 1.0f), std::pair("", 1.0f)}) {
+        std::vector<std::string> warnings;
+        const Material material =
+            materialOf(folder, std::string("newmtl it\nKd 0 0 0\nmap_Ke spots.png\n") + ke, &warnings);
+        EXPECT_EQ(material.emission.texture, 0);
+        EXPECT_EQ(material.emissionStrength, strength);
+        EXPECT_THAT(warnings, IsEmpty());
     }
 }
 

@@ -1,0 +1,51 @@
+// Vertex colours of OBJ and PLY mean the same, in all ranges that programs write, and are the albedo.
+#include <gtest/gtest.h>
+
+#include "engine/io/scene_loader.h"
+#include "engine/math/color.h"
+#include "tests/support/temp_folder.h"
+
+namespace glint {
+namespace {
+
+using test::TempFolder;
+
+TEST(VertexColors, MeanTheSameInBothFormatsAndRanges) {
+    const TempFolder folder;
+    const auto colorOf = [&](const char* name, const std::string& text) {
+        const auto scene = loadScene(folder.write(name, text), {.noStudio = true});
+        EXPECT_TRUE(scene && scene->materials.size() == 1u) << text;
+        return scene ? scene->materials[0].color.value * scene->meshes[0].data->colors.at(0) : Vec3(-1.0f);
+    };
+    const auto obj = [](const std::string& color) {
+        std::string text;
+        for (const char* corner : {"-1 -1 0 ", "1 -1 0 ", "1 1 0 ", "-1 1 0 "}) {
+            text += "v " + (corner + color) + "\n";
+        }
+        return text + "f 1 2 3 4\n";
+    };
+    const auto ply = [](const std::string& type, const std::string& color) {
+        std::string text =
+            "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
+        for (const char* name : {"red", "green", "blue"}) {
+            text += "property " + type + " " + name + "\n";
+        }
+        text += "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+        for (const char* corner : {"-1 -1 0 ", "1 -1 0 ", "1 1 0 ", "-1 1 0 "}) {
+            text += corner + color + "\n";
+        }
+        return text + "4 0 1 2 3\n";
+    };
+    const Vec3 expected(1.0f, srgbToLinear(0.2f), 0.0f);
+    for (const Vec3& color :
+         {colorOf("a.obj", obj("1 0.2 0")), colorOf("a.obj", obj("255 51 0")),
+          colorOf("a.obj", obj("1 0.2 0 1")), colorOf("a.ply", ply("uchar", "255 51 0")),
+          colorOf("a.ply", ply("int", "255 51 0")), colorOf("a.ply", ply("ushort", "65535 13107 0")),
+          colorOf("a.ply", ply("float", "1 0.2 0")), colorOf("a.ply", ply("float", "255 51 0")),
+          colorOf("a.ply", ply("uchar", "255.0 51.0 0"))}) {
+        EXPECT_NEAR(glm::length(color - expected), 0.0f, 1e-5f) << color.x << " " << color.y;
+    }
+}
+
+}  // namespace
+}  // namespace glint
