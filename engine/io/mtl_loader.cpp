@@ -79,10 +79,7 @@ void makePhong(const tinyobj::material_t& values, const Vec3& diffuse, Material*
 Material toGlint(const MtlEntry& entry, const tinyobj::material_t& values, const MtlGlass& glass) {
     Material out;
     out.name = entry.name;
-    // A factor on map_Ke, which is left out.
-    const bool shines = !entry.has(MtlKey::MapKe);
     out.emission.value =
-        Vec3(shines ? 1.0f : 0.0f) *
         glm::max(Vec3(values.emission[0], values.emission[1], values.emission[2]), Vec3(0.0f));
     out.emitsBothSides = out.emissive();
     out.color.value =
