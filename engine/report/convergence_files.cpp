@@ -90,7 +90,7 @@ Json variantJson(const ConvergenceReport& report, size_t index) {
     }
     return {{"name", measured.variant.name},
             {"text", measured.variant.text},
-            {"integrator", integratorInfo(measured.variant.integrator).shortName},
+            {"integrator", integratorInfo(measured.variant.integrator).key},
             {"backend", measured.backend},
             {"kernel", measured.kernel},
             {"settings", settingsJson(report, measured.settings)},

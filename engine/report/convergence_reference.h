@@ -20,7 +20,7 @@ struct ReferenceImage {
     ImageF image;
     std::vector<float> variance;  ///< squared standard error of each value, as picture.rgb; empty: not known
     std::string path;
-    std::string method;  ///< a variant's text, such as "pt"; empty: not known
+    std::string method;  ///< a variant's text, such as "path"; empty: not known
     std::optional<IntegratorKind> integrator;
     std::vector<uint32_t> seeds;    ///< empty: not known
     double renderSeconds = 0.0;     ///< of all replicates; 0: not known

@@ -9,6 +9,7 @@
 #include "engine/io/exr_io.h"
 #include "engine/io/image_io.h"
 #include "engine/report/convergence_reference.h"
+#include "engine/report/convergence_variant.h"
 #include "engine/scene/scene_hash.h"
 
 namespace glint {
@@ -108,9 +109,10 @@ std::vector<uint32_t> seedsOf(const Attributes& attributes) {
 
 void readMetadata(const Attributes& a, ReferenceImage* out) {
     out->integrator = integratorByName(attribute(a, "setting.integrator"));
-    if (out->integrator) { out->method = integratorInfo(*out->integrator).shortName; }
+    if (out->integrator) { out->method = integratorInfo(*out->integrator).key; }
     const std::string method = attribute(a, "referenceMethod");
-    out->method = method.empty() ? out->method : method;
+    const auto variant = parseVariant(method);
+    out->method = method.empty() ? out->method : variant ? variant->text : method;
     out->seeds = seedsOf(a);
     out->endedBy = attribute(a, "referenceEndedBy");
     out->timeLimitSeconds = numberOr(attribute(a, "referenceTimeLimit"), 0.0);

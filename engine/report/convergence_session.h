@@ -21,7 +21,7 @@ struct ConvergenceHost {
     /// Error: unknown, or not there: a back end that stands in for another would falsify a comparison.
     std::function<Result<std::unique_ptr<Backend>>(const VariantSettings& settings)> makeBackend;
     std::function<bool()> stopWanted;                    ///< polled a few times a second
-    std::function<void(const std::string&)> onPart;      ///< a new part begins, such as "pt, seed 1 of 4"
+    std::function<void(const std::string&)> onPart;      ///< a new part begins, such as "path, seed 1 of 4"
     std::function<void(const std::string&)> onProgress;  ///< a few times a second
 
     bool mustStop() const { return stopWanted && stopWanted(); }

@@ -110,7 +110,7 @@ Status addAssignment(std::string_view text, const std::string& piece, Convergenc
     if (!belongs(*key, variant->integrator)) {
         const IntegratorInfo& owner = integratorInfo(*key->only);
         return inVariant(text, fmt::format("'{}' is a setting of {}; expected {}:{}", name, owner.displayName,
-                                           owner.shortName, piece));
+                                           owner.key, piece));
     }
     if (std::ranges::find(variant->assignments, name, [](const auto& a) { return a.first; }) !=
         variant->assignments.end()) {
@@ -144,7 +144,7 @@ Result<ConvergenceVariant> parseVariant(std::string_view text) {
     }
     ConvergenceVariant variant;
     variant.integrator = *integrator;
-    variant.name = variant.text = integratorInfo(*integrator).shortName;
+    variant.name = variant.text = integratorInfo(*integrator).key;
     for (size_t i = 1; i < parts.size(); ++i) {
         if (const Status added = addAssignment(text, parts[i], &variant); !added) { return added.error(); }
         variant.name += " " + parts[i];
@@ -157,7 +157,7 @@ Result<std::vector<ConvergenceVariant>> parseVariants(std::string_view list) {
     std::vector<ConvergenceVariant> variants;
     for (const std::string_view text : split(list, ',')) {
         if (text.empty()) {
-            return Error{fmt::format("--integrators is '{}'; expected names such as pt,sppm", list), {}};
+            return Error{fmt::format("--integrators is '{}'; expected names such as path,sppm", list), {}};
         }
         Result<ConvergenceVariant> variant = parseVariant(text);
         if (!variant) { return variant.error(); }
@@ -172,8 +172,8 @@ Result<std::vector<ConvergenceVariant>> parseVariants(std::string_view list) {
 std::string variantHelp() {
     std::string help;
     for (const VariantKey& key : variantKeys()) {
-        help += fmt::format("  {:<9} {:<5} {}\n", key.name,
-                            key.only ? integratorInfo(*key.only).shortName : "", key.expected);
+        help += fmt::format("  {:<9} {:<5} {}\n", key.name, key.only ? integratorInfo(*key.only).key : "",
+                            key.expected);
     }
     return help;
 }

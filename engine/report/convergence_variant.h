@@ -1,5 +1,5 @@
 // What `glint converge` compares, as text: an integrator and settings that differ from the scene's own, such
-// as "sppm:radius=auto:2" or "pt:sampler=independent:threads=1".
+// as "sppm:radius=auto:2" or "path:sampler=independent:threads=1".
 //
 // It names nothing that Glint does not have: most keys are fields that name a variant.
 #pragma once
@@ -32,7 +32,8 @@ struct ConvergenceVariant {
     VariantSettings applyTo(VariantSettings settings) const;
 };
 
-/// An integrator's name (integrator_kind.h) such as "pt", then any number of ":key=value". A piece without
+/// An integrator's name (integrator_kind.h) such as "path" or its alias "pt", then any number of
+/// ":key=value". A piece without
 /// "=" goes on with the value before it, so that "radius=auto:2" needs no quotes. Error: an unknown name or
 /// key, naming the nearest; a key that the integrator does not have or that stands twice; a value that is not
 /// what the key expects.

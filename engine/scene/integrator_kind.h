@@ -10,8 +10,8 @@
 
 namespace glint {
 
-/// X(enumerator, key, short name, display name). The key is the name in scene files, reports and on the
-/// command line; the short name is understood wherever a key is, and stands in convergence runs. The display
+/// X(enumerator, key, alias, display name). The key is the name in scene files, reports and on the command
+/// line; the alias is understood wherever a key is, and in capitals labels what has little room. The display
 /// name is for people. render/integrator.h says what else an integrator is made of.
 // clang-format off
 #define GLINT_INTEGRATORS(X) \
@@ -21,7 +21,7 @@ namespace glint {
 // clang-format on
 
 enum class IntegratorKind : uint8_t {
-#define GLINT_ENUMERATOR(kind, key, shortName, displayName) kind,
+#define GLINT_ENUMERATOR(kind, key, alias, displayName) kind,
     GLINT_INTEGRATORS(GLINT_ENUMERATOR)
 #undef GLINT_ENUMERATOR
 };
@@ -29,14 +29,13 @@ enum class IntegratorKind : uint8_t {
 struct IntegratorInfo {
     IntegratorKind kind;
     const char* key;
-    const char* shortName;
+    const char* alias;
     const char* displayName;
 };
 
 /// In the order of IntegratorKind.
 inline constexpr auto kIntegratorTable = std::to_array<IntegratorInfo>({
-#define GLINT_INTEGRATOR_INFO(kind, key, shortName, displayName) \
-    {IntegratorKind::kind, key, shortName, displayName},
+#define GLINT_INTEGRATOR_INFO(kind, key, alias, displayName) {IntegratorKind::kind, key, alias, displayName},
     GLINT_INTEGRATORS(GLINT_INTEGRATOR_INFO)
 #undef GLINT_INTEGRATOR_INFO
 });
@@ -45,20 +44,20 @@ constexpr const IntegratorInfo& integratorInfo(IntegratorKind kind) {
     return kIntegratorTable[static_cast<size_t>(kind)];
 }
 
-/// Every key and short name, each once.
+/// Every key and alias, each once.
 inline std::vector<std::string_view> integratorNames() {
     std::vector<std::string_view> names;
     for (const IntegratorInfo& info : kIntegratorTable) {
-        names.emplace_back(info.shortName);
+        names.emplace_back(info.alias);
         if (names.back() != info.key) { names.emplace_back(info.key); }
     }
     return names;
 }
 
-/// By key or short name; nothing for any other text.
+/// By key or alias; nothing for any other text.
 constexpr std::optional<IntegratorKind> integratorByName(std::string_view name) {
     for (const IntegratorInfo& info : kIntegratorTable) {
-        if (name == info.key || name == info.shortName) { return info.kind; }
+        if (name == info.key || name == info.alias) { return info.kind; }
     }
     return std::nullopt;
 }

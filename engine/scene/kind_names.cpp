@@ -63,6 +63,9 @@ std::span<const KindName<IntegratorKind>> kindNames<IntegratorKind>() {
         for (const IntegratorInfo& info : kIntegratorTable) {
             names.push_back({info.key, info.kind});
         }
+        for (const IntegratorInfo& info : kIntegratorTable) {
+            if (std::string_view(info.alias) != info.key) { names.push_back({info.alias, info.kind}); }
+        }
         return names;
     }();
     return kNames;

@@ -60,12 +60,6 @@ std::optional<Kind> kindNamed(std::string_view name) {
     return std::nullopt;
 }
 
-/// Short names are understood, too.
-template <>
-inline std::optional<IntegratorKind> kindNamed<IntegratorKind>(std::string_view name) {
-    return integratorByName(name);
-}
-
 template <class Kind>
 std::vector<std::string_view> namesOf() {
     std::vector<std::string_view> names;

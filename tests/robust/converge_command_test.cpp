@@ -101,7 +101,7 @@ TEST_F(ConvergeCommand, ThePageNeedsNothingElse) {
     ASSERT_EQ(converge(with({"--integrators", "pt"})).exitCode, 0);
     const std::string page = TempFolder::read(file("index.html"));
     for (const char* part : {"<svg", "data:image/png;base64,", "To repeat it", "glint converge",
-                             "not in them", "<title>pt *: relative error", "prefers-color-scheme"}) {
+                             "not in them", "<title>path *: relative error", "prefers-color-scheme"}) {
         EXPECT_TRUE(page.find(part) != std::string::npos) << part;
     }
     for (const char* part : {"src=\"http", "href=", "@import", "<script src"}) {

@@ -28,7 +28,7 @@ TEST_F(ConvergeReference, TheReferenceSaysWhatItIsAndIsUsedAgain) {
         EXPECT_TRUE(reference->attributes.contains(name)) << name;
     }
     const json first = summary();
-    EXPECT_EQ(first["reference"]["method"], "pt");
+    EXPECT_EQ(first["reference"]["method"], "path");
     EXPECT_GT(first["reference"]["mse"].get<double>(), 0.0);
     EXPECT_FALSE(first["reference"]["cached"].get<bool>());
     EXPECT_NEAR(first["reference"]["ratio_to_smallest_error"].get<double>(),

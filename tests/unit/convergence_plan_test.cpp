@@ -15,6 +15,7 @@ TEST(ConvergenceVariant, SettingsReplaceTheScenesOwn) {
         parseVariants("pt,sppm:radius=auto:2:alpha=0.5:lookup=tree,pt:sampler=independent:threads=3");
     ASSERT_TRUE(variants) << variants.error().message;
     ASSERT_EQ(variants->size(), 3u);
+    EXPECT_EQ((*variants)[0].name, "path") << "an integrator has one name, whichever was typed";
     EXPECT_EQ((*variants)[1].name, "sppm radius=auto:2 alpha=0.5 lookup=tree");
     EXPECT_EQ((*variants)[1].text, "sppm:radius=auto:2:alpha=0.5:lookup=tree");
     VariantSettings scene;

@@ -15,7 +15,7 @@ ReferenceImage reference(double mse) {
     ReferenceImage out;
     out.image = {2, 2, std::vector<float>(12, 1.0f)};
     out.variance.assign(12, static_cast<float>(mse));
-    out.method = "pt";
+    out.method = "path";
     out.integrator = IntegratorKind::PathTracing;
     out.summarize();
     return out;
@@ -64,7 +64,7 @@ TEST(ConvergenceSummary, FitsTheLastTenfoldOfTime) {
 TEST(ConvergenceSummary, PointsNearTheReferencesOwnErrorAreNoPartOfTheFit) {
     const ReferenceImage against = reference(1e-4);
     ConvergenceResult result;
-    result.variants.push_back(variant("pt", against, 3, rootLaw));
+    result.variants.push_back(variant("path", against, 3, rootLaw));
     const ConvergenceSummary plain = summarizeConvergence(result, against, false);
     const VariantSummary& summary = plain.variants[0];
     EXPECT_TRUE(summary.sameMethodAsReference);
@@ -92,7 +92,7 @@ TEST(ConvergenceSummary, TargetsAreMeasuredOrPredicted) {
 TEST(ConvergenceSummary, EveryOutputCarriesTheMarks) {
     const ReferenceImage against = reference(1e-4);
     ConvergenceResult result;
-    result.variants.push_back(variant("pt", against, 2, rootLaw));
+    result.variants.push_back(variant("path", against, 2, rootLaw));
     result.variants.push_back(variant("sppm:clamp=3", against, 2, rootLaw));
     result.variants[1].problem = "the disk <was> \"full\"";
     result.interrupted = true;
@@ -114,7 +114,7 @@ TEST(ConvergenceSummary, EveryOutputCarriesTheMarks) {
     EXPECT_EQ(json["variants"][1]["problem"], result.variants[1].problem);
     const LogLogChart chart = errorChart(report, ErrorMeasure::RelativeError);
     ASSERT_EQ(chart.series.size(), 2u);
-    EXPECT_EQ(chart.series[0].name, "pt *");
+    EXPECT_EQ(chart.series[0].name, "path *");
     ASSERT_EQ(chart.levels.size(), 1u);
     EXPECT_NEAR(chart.levels[0].y, 1.0, 1e-6) << "per cent";
     EXPECT_NE(chart.series[0].points[0].tip.find("over 2 seeds"), std::string::npos);

@@ -28,6 +28,16 @@ TEST(SceneJson, EmptySceneHasTheDefaults) {
     EXPECT_FALSE(scene.environment.emissive());
 }
 
+TEST(SceneJson, AnIntegratorHasAnAlias) {
+    for (const char* name : {"path", "pt"}) {
+        const SceneDescription scene =
+            mustRead(fmt::format(R"({{"glint": 1, "render": {{"integrator": "{}"}}}})", name));
+        EXPECT_EQ(scene.options.integrator, IntegratorKind::PathTracing);
+        EXPECT_NE(writeSceneJson(scene, "scene.json").value().find("\"path\""), std::string::npos)
+            << "one name is written";
+    }
+}
+
 TEST(SceneJson, CommentsAndEscapesAreRead) {
     const SceneDescription scene =
         mustRead("// first\n{/* a */\"glint\": 1, \"title\": \"\\u00e9\\ud83d\\ude00\\n\"}\n// end");

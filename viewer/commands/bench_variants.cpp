@@ -85,7 +85,7 @@ struct VariantsRow {
     RatioInterval wallRatio;
     ImageDifference difference;
 
-    const char* name() const { return integrator == IntegratorKind::Sppm ? "sppm" : "path"; }
+    const char* name() const { return integratorInfo(integrator).key; }
 };
 
 /// The scene at the asked-for width, in its own shape.
@@ -152,8 +152,8 @@ Result<BenchReport> measure(const BenchSubject& subject) {
                               "ratio", "pictures");
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     for (const IntegratorKind integrator : {IntegratorKind::PathTracing, IntegratorKind::Sppm}) {
-        const char* name = integrator == IntegratorKind::Sppm ? "sppm" : "path";
-        if (!options.integrator.empty() && options.integrator != name) { continue; }
+        const auto asked = integratorByName(options.integrator);
+        if (asked && *asked != integrator) { continue; }
         const auto row = measureRow(subject, integrator);
         if (!row) { return row.error(); }
         report.text += textOf(*row);
@@ -179,7 +179,7 @@ Benchmark variantsBenchmark() {
                         {.name = "--integrator",
                          .member = &BenchOptions::integrator,
                          .help = "One of the two; both by default",
-                         .choices = {"path", "sppm"}},
+                         .choices = {"path", "pt", "sppm"}},
                         threadsOption(),
                         turnsOption("Passes of each"),
                         sizeOption("Width of the picture; the scene's own by default")},

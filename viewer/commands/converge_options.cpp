@@ -13,16 +13,16 @@ namespace glint {
 namespace {
 
 constexpr const char* kFooter =
-    R"(A variant is pt or sppm, then settings that differ from the scene's own, each after a colon:
+    R"(A variant is path, sppm or ao, then settings that differ from the scene's own, each after a colon:
 {}
 Examples:
   glint converge scenes/cornell.json --make-reference 60 --time 10 --out cornell
   glint converge scenes/cornell.json --reference cornell/reference.exr --out samplers
-      --integrators pt:sampler=sobol,pt:sampler=independent
+      --integrators path:sampler=sobol,path:sampler=independent
   glint converge scenes/sppm_ring.json --make-reference 120 --reference-variant sppm --out radii
       --integrators sppm:radius=auto:1,sppm:radius=auto:4,sppm:radius=auto:16
   glint converge scenes/cornell.json --make-reference 60 --out kernels
-      --integrators pt,pt:kernel=full,pt:threads=1
+      --integrators path,path:kernel=full,path:threads=1
 Seconds are render seconds: evaluating, saving and building take none. OUT gets index.html, plot.svg, plot.png,
 curve.csv, summary.csv, summary.json, reference.exr and pictures/. Ctrl-C writes them with what has been measured.)";
 

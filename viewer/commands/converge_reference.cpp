@@ -48,7 +48,7 @@ ConvergeReference::Found ConvergeReference::find() {
 
 ConvergeReference::Found ConvergeReference::takeOrMake() {
     if (!options_.reference.empty()) { return takeGiven(); }
-    const char* own = integratorInfo(scene_.options.integrator).shortName;
+    const char* own = integratorInfo(scene_.options.integrator).key;
     const auto variant = parseVariant(options_.referenceVariant.empty() ? own : options_.referenceVariant);
     if (!variant) { return variant.error(); }
     ReferencePlan wanted{*variant, plan_.defaults, options_.makeReference};

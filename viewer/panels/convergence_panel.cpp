@@ -122,7 +122,7 @@ void drawForecasts(const ConvergenceWatch& convergence, double target) {
         const ConvergenceCurve curve = hasReference(convergence)
                                            ? asCurve(convergence.reference.points(kind), convergence.metric)
                                            : *convergence.curve(kind);
-        const std::string label = fmt::format("{} to target", inCapitals(integratorInfo(kind).shortName));
+        const std::string label = fmt::format("{} to target", inCapitals(integratorInfo(kind).alias));
         ui::value(label.c_str(), curve.empty() ? "–" : forecastText(curve, target),
                   "Render time that is left, from how the curve fell so far, with a 90 % band");
     }

@@ -53,7 +53,7 @@ void drawPlate(const std::string& text, Vec2 corner, Vec2 size) {
 /// What the side shows, from the full text to the shortest one.
 std::array<std::string, 4> sideLabels(const IntegratorInfo& integrator, const FilmSnapshot* snapshot) {
     const std::string name = integrator.displayName;
-    const std::string shortName = inCapitals(integrator.shortName);
+    const std::string shortName = inCapitals(integrator.alias);
     if (snapshot == nullptr) { return {fmt::format("{}   first pass…", name), name, shortName, ""}; }
     if (snapshot->previewScale > 1) { return {fmt::format("{}   preview", name), name, shortName, ""}; }
     const std::string passes = fmt::format("{}   {}", name, passCount(snapshot->passes));
