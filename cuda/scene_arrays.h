@@ -44,9 +44,10 @@ void forEachArray(EnvironmentView& environment, Visit&& visit) {
 /// The scene's own arrays but for the tables of meshes and textures, whose entries hold pointers themselves.
 template <class Visit>
 void forEachArray(SceneView& view, Visit&& visit) {
-    static_assert(sizeof(GeometryView) == 112 && sizeof(LightView) == 112, "list a new array below");
+    static_assert(sizeof(GeometryView) == 128 && sizeof(LightView) == 112, "list a new array below");
     const auto visitView = [&](auto& array) { visit(array.data, size_t{array.count}); };
     visitView(view.geometry.instances);
+    visitView(view.geometry.curves);
     visit(view.geometry.topLevel.data, view.geometry.topLevel.bytes);
     visitView(view.geometry.topInstances);
     visitView(view.geometry.planes);

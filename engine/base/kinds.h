@@ -15,6 +15,13 @@ enum class ShapeKind : uint8_t {
     Rectangle,  ///< z = 0, x and y in [-1, 1], normal +z
     Disc,       ///< z = 0, radius 1, normal +z
     Mesh,       ///< triangles
+    Revolved,   ///< a profile, turned about the y axis
+};
+
+/// How the points of a profile make a curve.
+enum class CurveKind : uint8_t {
+    Bezier,   ///< pieces of one degree, each beginning where the one before ends
+    Bspline,  ///< uniform and cubic, over its valid range of knots
 };
 
 enum class MaterialKind : uint8_t {

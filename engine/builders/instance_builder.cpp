@@ -1,15 +1,20 @@
 // Objects to instances with both transforms, and a tree over the boxes of the finite ones.
 #include "engine/builders/instance_builder.h"
 
+#include <algorithm>
+#include <iterator>
+
+#include "engine/builders/profile_builder.h"
 #include "engine/kernels/shapes/shape_facts.h"
+#include "engine/scene/profile.h"
 
 namespace glint {
 namespace {
 
 /// The world-space box of an instance, widened by the rounding of its transform and of the rays into
 /// its space.
-Bounds paddedBounds(const Object& object, const Bounds& meshBounds) {
-    const Bounds b = worldBounds(object.shape, object.objectToWorld, meshBounds);
+Bounds paddedBounds(const Object& object, const Bounds& own) {
+    const Bounds b = worldBounds(object.shape, object.objectToWorld, own);
     const Vec3 pad = 0x1p-20f * (glm::max(absVec(b.lo), absVec(b.hi)) + Vec3(maxComponent(b.extent())));
     return {b.lo - pad, b.hi + pad};
 }
@@ -18,7 +23,7 @@ InstanceData makeInstance(const Object& object, uint32_t firstEmitter) {
     InstanceData instance;
     instance.objectToWorld = object.objectToWorld;
     instance.worldToObject = inverse(object.objectToWorld);
-    instance.mesh = object.shape == ShapeKind::Mesh ? static_cast<uint32_t>(object.mesh) : kNone;
+    if (object.shape == ShapeKind::Mesh) { instance.mesh = static_cast<uint32_t>(object.mesh); }
     instance.material = static_cast<uint32_t>(object.material);
     instance.firstEmitter = firstEmitter;
     instance.shape = object.shape;
@@ -31,11 +36,13 @@ InstanceData makeInstance(const Object& object, uint32_t firstEmitter) {
 }  // namespace
 
 GeometryView InstanceTable::view() const {
-    return {viewOf(instances), viewOf(meshes), topLevel.view, viewOf(topInstances), viewOf(planes), bounds};
+    return {viewOf(instances),    viewOf(meshes), viewOf(curves), topLevel.view,
+            viewOf(topInstances), viewOf(planes), bounds};
 }
 
 size_t InstanceTable::bytes() const {
-    return instances.size() * sizeof(InstanceData) + meshes.size() * sizeof(MeshView) + topLevel.view.bytes +
+    return instances.size() * sizeof(InstanceData) + meshes.size() * sizeof(MeshView) +
+           curves.size() * sizeof(ProfileCurve) + topLevel.view.bytes +
            (topInstances.size() + planes.size()) * sizeof(uint32_t);
 }
 
@@ -50,14 +57,19 @@ std::shared_ptr<const InstanceTable> buildInstances(
     for (uint32_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
         table->instances.push_back(makeInstance(object, firstEmitter.empty() ? kNone : firstEmitter[i]));
+        if (object.shape == ShapeKind::Revolved) {
+            table->instances.back().mesh = static_cast<uint32_t>(table->curves.size());
+            std::ranges::copy(buildProfile(object), std::back_inserter(table->curves));
+        }
         if (!isFiniteShape(object.shape)) {
             table->planes.push_back(i);
             continue;
         }
         const bool isMesh = object.shape == ShapeKind::Mesh;
         if (isMesh && table->meshes[static_cast<size_t>(object.mesh)].triangleCount == 0) { continue; }
-        const Bounds meshBounds = isMesh ? table->meshes[static_cast<size_t>(object.mesh)].bounds : Bounds{};
-        const Bounds box = paddedBounds(object, meshBounds);
+        const Bounds own =
+            isMesh ? table->meshes[static_cast<size_t>(object.mesh)].bounds : profileBounds(object.profile);
+        const Bounds box = paddedBounds(object, own);
         boxes.push_back(makeBuildPrimitive(box, i));
         table->bounds.grow(box);
     }

@@ -12,6 +12,7 @@ namespace glint {
 struct InstanceTable {
     std::vector<InstanceData> instances;  ///< same indices as SceneDescription::objects
     std::vector<MeshView> meshes;         ///< same indices as SceneDescription::meshes
+    std::vector<ProfileCurve> curves;     ///< of the surfaces of revolution, one profile after the other
     Accelerator topLevel;                 ///< over all finite instances that are not empty
     std::vector<uint32_t> topInstances;
     std::vector<uint32_t> planes;

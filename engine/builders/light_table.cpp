@@ -89,7 +89,7 @@ class TableBuilder {
     void addObject(size_t index) {
         const Object& object = scene_.objects[index];
         const Material& material = scene_.materials[static_cast<size_t>(object.material)];
-        if (!material.emissive() || !isFiniteShape(object.shape)) { return; }
+        if (!material.emissive() || !isSampledAsLight(object.shape)) { return; }
         if (object.shape == ShapeKind::Mesh && !scene_.meshes[static_cast<size_t>(object.mesh)].data) {
             return;
         }

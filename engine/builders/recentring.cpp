@@ -89,7 +89,7 @@ class Search {
             const WideBox mesh = object.shape == ShapeKind::Mesh
                                      ? boxOf(static_cast<size_t>(object.mesh), corners)
                                      : WideBox{};
-            box.grow(placedBox(object.shape, object.objectToWorld, mesh));
+            box.grow(placedBox(object, mesh));
             if (!box.empty() && !isFar(box)) { break; }
         }
         return box;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "engine/scene/metals.h"
+#include "engine/scene/profile.h"
 #include "engine/scene/scene_use.h"
 
 namespace glint {
@@ -159,6 +160,11 @@ Status checkObject(const SceneDescription& scene, size_t index) {
     if (object.shape == ShapeKind::Mesh &&
         (object.mesh < 0 || object.mesh >= static_cast<int>(scene.meshes.size()))) {
         return fault(who, fmt::format("uses mesh {} of {}", object.mesh, scene.meshes.size()));
+    }
+    if (object.shape == ShapeKind::Revolved) {
+        if (const std::string problem = profileFault(object); !problem.empty()) {
+            return fault(who, problem);
+        }
     }
     if (!isInvertible(object.objectToWorld)) {
         return fault(who, "its transform flattens it or holds numbers that are not finite");

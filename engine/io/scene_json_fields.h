@@ -39,6 +39,8 @@ void SceneJsonReader::readValue(const JsonFields& fields, std::string_view key, 
             case VectorForm::Color:
                 return fields.color(key, traits.range, out);
         }
+    } else if constexpr (std::is_same_v<Member, std::vector<Vec2>>) {
+        readPoints(fields.find(key), key, out);
     } else if constexpr (kIsInput<Member>) {
         readInput(fields, key, traits.range, out);
     } else if constexpr (std::is_same_v<Member, SceneImage>) {

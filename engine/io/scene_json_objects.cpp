@@ -6,6 +6,7 @@
 #include "engine/io/importer.h"
 #include "engine/io/mesh_normals.h"
 #include "engine/io/scene_json_fields.h"
+#include "engine/scene/profile.h"
 
 namespace glint {
 namespace {
@@ -56,7 +57,7 @@ void checkCount(JsonErrors& errors, const JsonValue& value, std::string_view wha
 }
 
 std::vector<std::string_view> objectKeys(const ShapeForm& form) {
-    std::vector<std::string_view> keys = fieldKeys<Object>();
+    std::vector<std::string_view> keys = fieldKeys<Object>(only(form.kind));
     for (const PlacementKey& key : form.keys()) {
         keys.push_back(key.key);
     }
@@ -65,6 +66,10 @@ std::vector<std::string_view> objectKeys(const ShapeForm& form) {
 }
 
 }  // namespace
+
+void SceneJsonReader::readPoints(const JsonValue& value, std::string_view what, std::vector<Vec2>* out) {
+    readVectors<2>(errors_, value, what, out);
+}
 
 void SceneJsonReader::readMeshes(const JsonValue& value) {
     if (!value.present() || !expectType(errors_, value, "meshes", JsonType::Object)) { return; }
@@ -130,7 +135,12 @@ void SceneJsonReader::readObject(const JsonValue& value, size_t number) {
     const JsonFields fields = fieldsOf(value, form.name, objectKeys(form));
     Object object;
     object.name = fmt::format("{} {}", form.name, number + 1);
-    readFields(fields, ~0u, &object);
+    object.shape = *shape;
+    readFields(fields, only(*shape), &object);
+    if (const std::string problem = *shape == ShapeKind::Revolved ? profileFault(object) : "";
+        !problem.empty() && !errors_.failed()) {
+        errors_.add(fields.find("profile"), problem);
+    }
     const Affine placement = readPlacement(form, fields);
     const JsonValue transform = fields.find("transform");
     const bool isCanonical = placement == Affine();

@@ -117,6 +117,8 @@ std::string valueSchema(const Field<Owner, Member>& field) {
                                                 : R"("$ref": "#/definitions/vec3")";
     } else if constexpr (std::is_same_v<Member, Vec2>) {
         return R"("$ref": "#/definitions/vec2")";
+    } else if constexpr (std::is_same_v<Member, std::vector<Vec2>>) {
+        return R"("type": "array", "minItems": 2, "items": { "$ref": "#/definitions/vec2" })";
     } else if constexpr (std::is_same_v<Member, std::string> || std::is_same_v<Member, SceneImage>) {
         return traits.words == nullptr ? R"("type": "string")" : wordSchema(traits.words());
     } else {
@@ -214,7 +216,8 @@ class SchemaWriter {
                                   R"("description": "A mesh's name, or the mesh itself.", )"
                                   R"("anyOf": [{ "type": "string" }, { "$ref": "#/definitions/anyMesh" }])");
             }
-            defineFields<Object>(form.name, form.help, ~0u, more, isMesh ? R"("mesh")" : R"("material")");
+            defineFields<Object>(form.name, form.help, only(form.kind), more,
+                                 isMesh ? R"("mesh")" : R"("material")");
         }
     }
 

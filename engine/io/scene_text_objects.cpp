@@ -4,6 +4,7 @@
 #include "engine/io/scene_text_reader.h"
 #include "engine/math/frame.h"
 #include "engine/scene/kind_names.h"
+#include "engine/scene/profile.h"
 
 namespace glint {
 namespace {
@@ -76,9 +77,10 @@ void SceneTextReader::readObject(const Affine& toWorld, int depth) {
     } else if (word == "Group") {
         readGroup(toWorld, depth);
     } else if (word == "RevSurface") {
-        readRevSurface();
+        readRevSurface(toWorld);
     } else if (word == "BezierCurve" || word == "BsplineCurve") {
-        missing(tokens_.peek(), fmt::format("bare curves ({}) have no surface to draw", word));
+        scene_.warnings.push_back(tokens_.source().warning(
+            tokens_.peek().offset, fmt::format("this {} has no surface, so nothing of it is drawn", word)));
         readCurve();
     } else {
         tokens_.failUnknown("Group", kObjects);
@@ -228,39 +230,48 @@ void SceneTextReader::readMesh(const Affine& toWorld) {
     }
 }
 
-void SceneTextReader::readRevSurface() {
-    missing(tokens_.peek(), "rotated curves (RevSurface) are not drawn yet");
-    tokens_.take();
+void SceneTextReader::readRevSurface(const Affine& toWorld) {
+    const TextToken at = tokens_.take();
     tokens_.expect("{", "RevSurface");
     tokens_.expect("profile", "'RevSurface {'");
-    readCurve();
+    const TextToken curve = tokens_.peek();
+    Object profile = readCurve();
     tokens_.expect("}", "the profile of a RevSurface");
+    const std::string problem = profileFault(profile);
+    if (!problem.empty() && !tokens_.failed()) { tokens_.fail(curve, problem); }
+    addObject(at, ShapeKind::Revolved, toWorld, -1, false);
+    if (tokens_.failed()) { return; }
+    Object& object = scene_.objects.back();
+    object.curve = profile.curve;
+    object.profile = std::move(profile.profile);
 }
 
-void SceneTextReader::readCurve() {
+/// An object with the curve and the points alone. They lie in the plane z = 0.
+Object SceneTextReader::readCurve() {
     constexpr std::string_view kCurves[] = {"BezierCurve", "BsplineCurve"};
+    Object object;
     const TextToken at = tokens_.peek();
     if (at.text != kCurves[0] && at.text != kCurves[1]) {
         tokens_.failUnknown("a profile", kCurves);
-        return;
+        return object;
     }
     tokens_.take();
+    object.curve = at.text == kCurves[0] ? CurveKind::Bezier : CurveKind::Bspline;
     tokens_.expect("{", "a curve");
     tokens_.expect("controls", "the curve's '{'");
-    int points = 0;
     while (tokens_.accept("[")) {
-        tokens_.vec3("a control point");
+        object.profile.emplace_back(tokens_.vec3("a control point"));
         tokens_.expect("]", "a control point");
-        ++points;
     }
     tokens_.expect("}", "the control points");
-    const bool isBezier = at.text == kCurves[0];
-    if (isBezier && (points < 4 || points % 3 != 1)) {
+    const size_t points = object.profile.size();
+    if (object.curve == CurveKind::Bezier && (points < 4 || points % 3 != 1)) {
         tokens_.fail(
             at, fmt::format("this BezierCurve has {} points; expected 3k + 1 of them, at least 4", points));
-    } else if (!isBezier && points < 4) {
+    } else if (points < 4) {
         tokens_.fail(at, fmt::format("this BsplineCurve has {} points; expected at least 4", points));
     }
+    return object;
 }
 
 void SceneTextReader::addObject(const TextToken& at, ShapeKind shape, const Affine& toWorld, int mesh,

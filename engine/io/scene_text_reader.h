@@ -51,8 +51,8 @@ class SceneTextReader {
     void readPlane(const Affine& toWorld);
     void readTriangle(const Affine& toWorld);
     void readMesh(const Affine& toWorld);
-    void readRevSurface();
-    void readCurve();
+    void readRevSurface(const Affine& toWorld);
+    Object readCurve();
     void addObject(const TextToken& at, ShapeKind shape, const Affine& toWorld, int mesh, bool frontOnly);
     int addMesh(const std::string& path, int part, std::shared_ptr<const MeshData> data);
 

@@ -37,11 +37,12 @@ enum Feature : FeatureMask {
     kFeatureIndependentSampler = 1u << 21,
     kFeatureInputTextures = 1u << 22,   ///< textures on inputs of materials other than the colour
     kFeaturePlacedTextures = 1u << 23,  ///< turned, moved, clamped or mirrored textures, nearest texels
-    kFeatureTangents = 1u << 24,        ///< surface points have dpdu and dpdv
+    kFeatureRevolved = 1u << 24,        ///< surface of revolution
+    kFeatureTangents = 1u << 25,        ///< surface points have dpdu and dpdv
 };
 
 /// All that a scene can ask for. Tangents cost time, and no scene asks for them.
-constexpr FeatureMask kAllFeatures = (1u << 24) - 1;
+constexpr FeatureMask kAllFeatures = (1u << 25) - 1;
 constexpr FeatureMask kMaterialFeatures = kFeatureDiffuse | kFeatureSpecular | kFeatureDielectric |
                                           kFeatureGlossy | kFeaturePlastic | kFeatureMixture;
 

@@ -45,7 +45,8 @@ enum InstanceFlag : uint8_t {
 struct InstanceData {
     Affine objectToWorld;
     Affine worldToObject;
-    uint32_t mesh = kNone;  ///< ShapeKind::Mesh: index into GeometryView::meshes
+    /// ShapeKind::Mesh: index into GeometryView::meshes; Revolved: the profile's first curve in ::curves
+    uint32_t mesh = kNone;
     uint32_t material = 0;  ///< index into SceneView::materials
     /// emissive: index of this instance's first emitter (one per triangle, in order)
     uint32_t firstEmitter = kNone;
@@ -69,9 +70,27 @@ struct MeshView {
     Bounds bounds;
 };
 
+constexpr int kMaxProfileDegree = 15;
+
+/// One Bézier curve of a profile (shapes/revolved.h), with the products that a ray's polynomial is made of.
+/// All arrays are Bernstein coefficients, the products' of twice the degree.
+struct ProfileCurve {
+    double x[kMaxProfileDegree + 1];  ///< distance from the axis, signed
+    double y[kMaxProfileDegree + 1];  ///< height
+    double xSquared[2 * kMaxProfileDegree + 1];
+    double ySquared[2 * kMaxProfileDegree + 1];
+    double yRaised[2 * kMaxProfileDegree + 1];  ///< y with its degree raised
+    double radius, lowest, highest;             ///< of a cylinder around it
+    double centerY;                             ///< of the whole profile
+    int degree;
+    uint32_t count;  ///< curves of the profile
+    float front;  ///< 1: the front is where (dy/ds, -dx/ds) points to in the half plane; -1: the other side
+};
+
 struct GeometryView {
     View<InstanceData> instances;  ///< same indices as SceneDescription::objects
     View<MeshView> meshes;
+    View<ProfileCurve> curves;    ///< of all profiles
     AcceleratorView topLevel;     ///< over all finite instances
     View<uint32_t> topInstances;  ///< leaf contents of topLevel: indices into instances
     View<uint32_t> planes;        ///< infinite instances, tested one by one

@@ -12,8 +12,9 @@ constexpr float kNoHit = -1.0f;
 struct Hit {
     float t;
     uint32_t instance;
-    uint32_t primitive;  ///< triangle number within the mesh; 0 for other shapes
-    Vec2 barycentric;    ///< weights of a triangle's second and third vertex; 0 for other shapes
+    uint32_t primitive;  ///< triangle number within the mesh, curve within the profile; 0 for other shapes
+    Vec2 barycentric;  ///< weights of a triangle's second and third vertex; x: a curve's parameter; otherwise
+                       ///< 0
 };
 
 /// A ray in an instance's object space; t keeps its meaning.

@@ -11,10 +11,17 @@ namespace glint {
 /// Whether the instance is a mesh; known beforehand where a mask has no other shapes, or no meshes.
 template <FeatureMask kMask>
 GLINT_HD inline bool isMesh(const InstanceData& instance) {
-    constexpr FeatureMask kOthers = kFeatureCurved | kFeaturePlane | kFeatureFlat;
+    constexpr FeatureMask kOthers = kFeatureCurved | kFeaturePlane | kFeatureFlat | kFeatureRevolved;
     if constexpr (!hasFeature<kMask>(kFeatureMesh)) { return false; }
     if constexpr ((kMask & kOthers) == 0) { return true; }
     return instance.shape == ShapeKind::Mesh;
+}
+
+/// The curves of the instance's profile; null where it is no surface of revolution.
+template <FeatureMask kMask>
+GLINT_HD inline const ProfileCurve* profileOf(const GeometryView& geometry, const InstanceData& instance) {
+    if constexpr (!hasFeature<kMask>(kFeatureRevolved)) { return nullptr; }
+    return instance.shape == ShapeKind::Revolved ? geometry.curves.data + instance.mesh : nullptr;
 }
 
 namespace detail {
@@ -29,6 +36,9 @@ GLINT_HD inline bool intersectInstanceSided(const SceneView& view, uint32_t inde
             hasFeature<kMask>(kFeatureTransforms) && !(instance.flags & kInstanceIdentity);
         const Ray local = transformed ? toObjectSpace(instance, ray) : ray;
         if (!MeshShape::intersect<kAnyHit, kFrontOnly>(mesh, local, hit)) { return false; }
+    } else if (const ProfileCurve* curves = profileOf<kMask>(view.geometry, instance)) {
+        const Ray local = toObjectSpace(instance, ray);
+        if (!RevolvedShape::intersect<kAnyHit, kFrontOnly>(curves, local, hit)) { return false; }
     } else {
         const Ray local = toObjectSpace(instance, ray);
         const float t = visitShape<float, kAnalyticOnly<kMask>>(instance.shape, [&](auto shape) {

@@ -21,8 +21,9 @@ constexpr FeatureMask kMaskSmoothShapes = kMaskDiffuseShapes | kSmoothMaterials 
 /// A scan, a model from a file, architecture: diffuse meshes beside analytic shapes.
 constexpr FeatureMask kMaskDiffuseMeshes = kMaskDiffuseShapes | kMeshes | kFeatureTransforms |
                                            kFeatureTextures | kFeatureManyLights | kFeatureDepthOfField;
-/// Everything with one sampler, but for textures on inputs other than the colour and placed ones.
-constexpr FeatureMask kMaskOneSampler =
-    kAllFeatures & ~(kFeatureIndependentSampler | kFeatureInputTextures | kFeaturePlacedTextures);
+/// Everything with one sampler, but for what few scenes have: textures on inputs other than the colour,
+/// placed ones, and surfaces of revolution.
+constexpr FeatureMask kMaskOneSampler = kAllFeatures & ~(kFeatureIndependentSampler | kFeatureInputTextures |
+                                                         kFeaturePlacedTextures | kFeatureRevolved);
 
 }  // namespace glint

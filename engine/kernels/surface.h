@@ -120,6 +120,11 @@ GLINT_HD SurfacePoint surfaceAt(const SceneView& view, const Ray& ray, const Hit
         if constexpr (hasFeature<kMask>(kFeatureTangents)) {
             tangents = MeshShape::tangents(mesh, hit.primitive);
         }
+    } else if (const ProfileCurve* curves = profileOf<kMask>(view.geometry, instance)) {
+        local = RevolvedShape::surface<kMask>(curves, hit, toObjectSpace(instance, ray).at(hit.t));
+        if constexpr (hasFeature<kMask>(kFeatureTangents)) {
+            tangents = RevolvedShape::tangents(curves, hit, local.p);
+        }
     } else {
         const Vec3 pRough = toObjectSpace(instance, ray).at(hit.t);
         visitShape<void, kAnalyticOnly<kMask>>(instance.shape, [&](auto shape) {

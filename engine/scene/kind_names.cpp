@@ -17,6 +17,13 @@ std::span<const KindName<ShapeKind>> kindNames<ShapeKind>() {
 }
 
 template <>
+std::span<const KindName<CurveKind>> kindNames<CurveKind>() {
+    static constexpr KindName<CurveKind> kNames[] = {{"bezier", CurveKind::Bezier},
+                                                     {"bspline", CurveKind::Bspline}};
+    return kNames;
+}
+
+template <>
 std::span<const KindName<MaterialKind>> kindNames<MaterialKind>() {
     static constexpr KindName<MaterialKind> kNames[] = {
         {"diffuse", MaterialKind::Diffuse, "Lambert."},

@@ -48,8 +48,8 @@ Bounds sceneBounds(const SceneDescription& scene);
 /// Of the vertices that triangles use; every `step`-th of their corners only.
 WideBox meshBox(const MeshData& mesh, size_t step = 1);
 
-/// What `objectToWorld` makes of the shape's box in object space, which is `meshBox` for meshes; empty for
-/// shapes without an end and for empty meshes.
-WideBox placedBox(ShapeKind shape, const Affine& objectToWorld, const WideBox& meshBox);
+/// What the object's transform makes of its shape's box in object space, which is `meshBox` for meshes; empty
+/// for shapes without an end and for empty meshes.
+WideBox placedBox(const Object& object, const WideBox& meshBox);
 
 }  // namespace glint

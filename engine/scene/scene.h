@@ -23,10 +23,13 @@ namespace glint {
 struct Object {
     std::string name;
     ShapeKind shape = ShapeKind::Sphere;
-    int mesh = -1;           ///< ShapeKind::Mesh: index into SceneDescription::meshes
-    int material = 0;        ///< index into SceneDescription::materials
-    Affine objectToWorld;    ///< must be invertible
-    bool frontOnly = false;  ///< rays meet it only from the side the geometric normal points to
+    int mesh = -1;                        ///< ShapeKind::Mesh: index into SceneDescription::meshes
+    CurveKind curve = CurveKind::Bezier;  ///< ShapeKind::Revolved: of `profile`
+    int curveDegree = 0;        ///< Revolved, of Bézier curves: up to 15; 0: one curve of all points
+    std::vector<Vec2> profile;  ///< Revolved: control points (distance from the y axis, height)
+    int material = 0;           ///< index into SceneDescription::materials
+    Affine objectToWorld;       ///< must be invertible
+    bool frontOnly = false;     ///< rays meet it only from the side the geometric normal points to
 };
 
 /// An image used as a colour.

@@ -66,6 +66,7 @@ requires HasFields<Owner>
 void add(ContentHash& hash, const Owner& owner) {
     forEachField<Owner>([&]<class Member>(const Field<Owner, Member>& field) {
         if (!field.traits.inPicture || field.traits.alias) { return; }
+        if (field.traits.onlyOwnKinds && (field.traits.kinds & kindBit(owner)) == 0) { return; }
         if constexpr (kIsInput<Member>) {
             addInput(hash, field.key, owner.*field.member);
         } else {

@@ -70,7 +70,10 @@ const ShapeForm kForms[] = {
      .transform = disc},
     {.kind = ShapeKind::Mesh,
      .name = "mesh",
-     .help = "Without a material, a whole OBJ or PLY file brings its own."}};
+     .help = "Without a material, a whole OBJ or PLY file brings its own."},
+    {.kind = ShapeKind::Revolved,
+     .name = "revolved",
+     .help = "A profile turned about the y axis. Its front is outside, whichever way the profile runs."}};
 
 }  // namespace
 

@@ -38,8 +38,7 @@ class Search {
         for (const Object& object : scene.objects) {
             const auto index = static_cast<size_t>(object.mesh);
             const bool isMesh = object.shape == ShapeKind::Mesh && index < meshes.size();
-            boxes_.push_back(
-                placedBox(object.shape, object.objectToWorld, isMesh ? meshes[index] : WideBox{}));
+            boxes_.push_back(placedBox(object, isMesh ? meshes[index] : WideBox{}));
         }
         for (size_t i = 0; i < boxes_.size(); ++i) {
             if (boxes_[i].empty() || !(boxes_[i].size() > 0.0)) { continue; }

@@ -26,11 +26,7 @@ class SeedScenes : public testing::Test {
 };
 
 TEST_F(SeedScenes, TextScenesAreReadOrNameWhatTheyLack) {
-    const std::map<std::string, std::string> lacking = {{"scene08_core", "bare curves"},
-                                                        {"scene09_norm", "RevSurface"},
-                                                        {"scene10_wineglass", "RevSurface"},
-                                                        {"scene10_wineglass_720p", "RevSurface"},
-                                                        {"scene12", "jupyter.png"},
+    const std::map<std::string, std::string> lacking = {{"scene12", "jupyter.png"},
                                                         {"scene16_global", "world_cloud.jpg"},
                                                         {"scene16_global_diff", "world_cloud.jpg"},
                                                         {"scene17_bump", "bump maps"},

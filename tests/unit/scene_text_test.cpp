@@ -124,18 +124,31 @@ TEST(SceneText, LightsShineOnlyWhenNothingEmits) {
     EXPECT_TRUE(mustRead(lights + kTwoMaterials + group + "1" + sphere).lights.empty());
 }
 
-TEST(SceneText, CurvesAreNamedAndLeftOutOnlyWhenAllowed) {
-    const std::string text =
+TEST(SceneText, RevSurfacesAreTurnedProfiles) {
+    const SceneDescription scene = mustRead(
         std::string(kTwoMaterials) +
-        "Group { numObjects 2 Sphere { center 0 0 0 radius 1 }\n RevSurface { profile BsplineCurve {"
-        " controls [ 1 0 0 ] [ 1 1 0 ] [ 1 2 0 ] [ 1 3 0 ] } } }";
-    const auto refused = readSceneText({"scene.txt", text}, {});
+        "Group { numObjects 3 Transform { Translate 0 5 0 RevSurface { profile BsplineCurve {"
+        " controls [ 1 0 0 ] [ 1 1 0 ] [ 1 2 0 ] [ 1 3 0 ] } } }\n RevSurface { profile BezierCurve {"
+        " controls [ 0 0 0 ] [ 1 0 0 ] [ 1 2 0 ] [ 0 2 0 ] } }\n"
+        "BezierCurve { controls [ 0 0 0 ] [ 1 0 0 ] [ 1 2 0 ] [ 0 2 0 ] } }");
+    ASSERT_EQ(scene.objects.size(), 2u);
+    EXPECT_EQ(scene.objects[0].shape, ShapeKind::Revolved);
+    EXPECT_EQ(scene.objects[0].curve, CurveKind::Bspline);
+    EXPECT_EQ(scene.objects[0].objectToWorld.translation, Vec3(0, 5, 0));
+    EXPECT_EQ(scene.objects[1].curve, CurveKind::Bezier);
+    EXPECT_EQ(scene.objects[1].profile, (std::vector<Vec2>{{0, 0}, {1, 0}, {1, 2}, {0, 2}}));
+    EXPECT_THAT(scene.warnings, testing::Contains(HasSubstr("this BezierCurve has no surface")));
+    std::string points;
+    for (int i = 0; i < 19; ++i) {
+        points += "[ 1 " + std::to_string(i) + " 0 ] ";
+    }
+    const auto refused =
+        readSceneText({"scene.txt", std::string(kTwoMaterials) +
+                                        "Group { numObjects 1 RevSurface { profile BezierCurve { controls " +
+                                        points + "} } }"},
+                      {});
     ASSERT_FALSE(refused.ok());
-    EXPECT_THAT(refused.error().format(),
-                HasSubstr("scene.txt:3:2: rotated curves (RevSurface) are not drawn yet"));
-    const SceneDescription scene = mustRead(text, true);
-    EXPECT_EQ(scene.objects.size(), 1u);
-    EXPECT_THAT(scene.warnings, testing::Contains(HasSubstr("RevSurface")));
+    EXPECT_THAT(refused.error().format(), HasSubstr("degree 18; expected at most 16 points"));
 }
 
 }  // namespace

@@ -124,8 +124,9 @@ void printPhotons(const SceneDescription& scene, const SceneReport& report) {
             "caustics\n");
     }
     if (report.hasGlowingPlane) {
-        put("           infinite planes that shine send no photons: what they light only by way of other "
-            "surfaces stays dark; a large rectangle does it\n");
+        put("           infinite planes and surfaces of revolution that shine send no photons: what they "
+            "light only "
+            "by way of other surfaces stays dark; a large rectangle or a mesh does it\n");
     }
 }
 

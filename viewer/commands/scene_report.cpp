@@ -10,6 +10,7 @@
 #include "engine/builders/light_table.h"
 #include "engine/io/image_io.h"
 #include "engine/io/used_assets.h"
+#include "engine/kernels/shapes/shape_facts.h"
 #include "engine/render/cpu_variants.h"
 #include "engine/render/sppm_kernel.h"
 #include "engine/render/sppm_state.h"
@@ -23,7 +24,7 @@ struct FeatureName {
     FeatureMask bit;
     const char* name;
 };
-constexpr std::array<FeatureName, 23> kFeatureNames{
+constexpr std::array<FeatureName, 24> kFeatureNames{
     {{kFeatureCurved, "spheres"},
      {kFeaturePlane, "planes"},
      {kFeatureFlat, "rectangles and discs"},
@@ -46,6 +47,7 @@ constexpr std::array<FeatureName, 23> kFeatureNames{
      {kFeatureEnvironmentImage, "environment image"},
      {kFeatureManyLights, "light tree"},
      {kFeatureDepthOfField, "depth of field"},
+     {kFeatureRevolved, "surfaces of revolution"},
      {kFeatureIndependentSampler, "independent sampler"}}};
 
 /// Of the kinds that occur.
@@ -173,7 +175,7 @@ SceneReport reportOf(const SceneDescription& scene, const BuiltScene& built) {
     report.hasCausticCaster = (built.features & kCasters) != 0;
     report.hasGlowingPlane =
         std::any_of(scene.objects.begin(), scene.objects.end(), [&](const Object& object) {
-            return object.shape == ShapeKind::Plane && object.material >= 0 &&
+            return !isSampledAsLight(object.shape) && object.material >= 0 &&
                    scene.materials[static_cast<size_t>(object.material)].emissive();
         });
     listWhatIsLeftOut(variant.mask, scene, built, &report);

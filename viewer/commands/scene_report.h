@@ -48,7 +48,7 @@ struct SceneReport {
     MemoryTable memory;
     SppmMemory sppm;                ///< what photon mapping needs here, whether or not it is the integrator
     bool hasCausticCaster = false;  ///< otherwise photon mapping gains nothing
-    bool hasGlowingPlane = false;   ///< infinite planes send no photons
+    bool hasGlowingPlane = false;   ///< of what shines: infinite planes, surfaces of revolution
 };
 
 SceneReport reportOf(const SceneDescription& scene, const BuiltScene& built);

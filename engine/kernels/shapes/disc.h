@@ -12,6 +12,7 @@ namespace glint {
 struct DiscShape {
     static constexpr FeatureMask kFeature = kFeatureFlat;
     static constexpr bool kIsFinite = true;
+    static constexpr bool kIsSampled = true;
 
     template <bool kFrontOnly>
     GLINT_HD static float intersect(const Ray& ray) {

@@ -26,8 +26,10 @@ GLINT_HD inline float areaToSolidAngle(float pdfArea, const Vec3& from, const Ve
     return std::isfinite(pdf) ? pdf : 0.0f;
 }
 
-/// What an emitter that light sampling never chooses answers: shapes without an end.
+/// What an emitter that light sampling never chooses answers: rays find it.
 struct NeverSampled {
+    static constexpr bool kIsSampled = false;
+
     GLINT_HD static EmitterPoint sampleArea(const GeometryView&, const EmitterData&, const Vec2&) {
         return {};
     }

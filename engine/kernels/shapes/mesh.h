@@ -18,6 +18,7 @@ namespace glint {
 struct MeshShape {
     static constexpr FeatureMask kFeature = kFeatureMesh;
     static constexpr bool kIsFinite = true;
+    static constexpr bool kIsSampled = true;
 
     /// A ray against one mesh in object space. On a hit nearer than ray.tMax stores it; its primitive is the
     /// triangle number.
@@ -102,10 +103,6 @@ struct MeshShape {
                      differenceOfProducts(uu, dv, uv, du) * inverse);
         if (mesh.uvs == nullptr) { return b; }
         return interpolate(mesh.uvs, Triangle(mesh, primitive).corner, {1.0f - b.x - b.y, b.x, b.y});
-    }
-
-    static Bounds worldBounds(const Affine& m, const Bounds& meshBounds) {
-        return transformBounds(m, meshBounds);
     }
 
     /// Of one triangle; area 0 where it is degenerate. `mirrored`: the transform turns counter-clockwise into

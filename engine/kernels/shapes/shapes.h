@@ -2,6 +2,7 @@
 //
 // A shape is a struct in a header of its own. Analytic ones, which need no data but their transform, have:
 //   kFeature, kIsFinite          the mask's bit that compiles them in; whether they have an end
+//   kIsSampled                   whether light sampling and photons start at an emissive one
 //   intersect<kFrontOnly>(ray)   the nearest t in (tMin, tMax) of a ray in object space, or kNoHit
 //   surface<kMask>(pRough)       the surface near a point in object space: position and error, normals, uv
 //   tangents(p)                  dp/du and dp/dv there
@@ -14,20 +15,21 @@
 //   pdfFrom(geometry, e, from, p)         the density with which sampleFrom() finds p. Which way samples a
 //                                         shape depends on the shape and on `from` alone, so that it is right
 //                                         for points that were found otherwise, too
-// Meshes have the same, but with their data.
+// Meshes and surfaces of revolution have the same, but with their data.
 #pragma once
 
 #include "engine/kernels/shapes/disc.h"
 #include "engine/kernels/shapes/mesh.h"
 #include "engine/kernels/shapes/plane.h"
 #include "engine/kernels/shapes/rectangle.h"
+#include "engine/kernels/shapes/revolved.h"
 #include "engine/kernels/shapes/sphere.h"
 
 namespace glint {
 
-/// All shapes but meshes.
+/// The shapes without data of their own.
 template <FeatureMask kMask>
-constexpr FeatureMask kAnalyticOnly = kMask & ~FeatureMask{kFeatureMesh};
+constexpr FeatureMask kAnalyticOnly = kMask & ~FeatureMask{kFeatureMesh | kFeatureRevolved};
 
 namespace detail {
 
@@ -57,6 +59,8 @@ GLINT_HD inline Result visitShape(ShapeKind kind, Visit&& visit) {
             return detail::visitOne<Result, kMask, DiscShape>(visit);
         case ShapeKind::Mesh:
             return detail::visitOne<Result, kMask, MeshShape>(visit);
+        case ShapeKind::Revolved:
+            return detail::visitOne<Result, kMask, RevolvedShape>(visit);
     }
     __builtin_unreachable();
 }

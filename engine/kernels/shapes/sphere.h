@@ -16,6 +16,7 @@ namespace glint {
 struct SphereShape {
     static constexpr FeatureMask kFeature = kFeatureCurved;
     static constexpr bool kIsFinite = true;
+    static constexpr bool kIsSampled = true;
 
     /// The discriminant is taken from the distance of the ray's line to the centre, and the roots by the
     /// stable quadratic formula: Haines, Günther and Akenine-Möller 2019, "Precision Improvements for

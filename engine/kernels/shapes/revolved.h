@@ -1,0 +1,249 @@
+// Surfaces of revolution: a profile of Bézier curves in the half plane (radius, height), turned about the y
+// axis.
+//
+// A point of the curve at parameter s turned by the angle a is (x cos a, y, -x sin a). Eliminating the ray's
+// t from the equations of the ray and of the surface leaves, for a curve of degree n, one polynomial of
+// degree 2n in s:
+//   d.y^2 x(s)^2 = |o.xz d.y + (y(s) - o.y) d.xz|^2,   t = (y(s) - o.y) / d.y.
+// All its roots are found (bernstein.h). A ray that is nearly horizontal leaves y(s) = y alone, of degree n;
+// there t follows from the distance to the axis. Newton's method for both unknowns then removes the rounding
+// of the coefficients.
+//
+// Texture coordinates: u = a / 2 pi, v = 1 - s over the whole profile (s counts from the image's top row).
+// The front is outside: the side away from the volume between the curve and the axis, whichever way the curve
+// runs.
+#pragma once
+
+#include "engine/base/inlining.h"
+#include "engine/kernels/features.h"
+#include "engine/kernels/hit.h"
+#include "engine/kernels/shapes/emitter_point.h"
+#include "engine/kernels/shapes/object_point.h"
+#include "engine/math/bernstein.h"
+
+namespace glint {
+
+struct RevolvedShape : NeverSampled {
+    static constexpr FeatureMask kFeature = kFeatureRevolved;
+    static constexpr bool kIsFinite = true;
+
+    /// A ray in object space against a profile, given by the first of its curves. On a hit nearer than
+    /// ray.tMax stores it: its primitive is the curve's number in the profile, barycentric.x the curve's
+    /// parameter.
+    template <bool kAnyHit, bool kFrontOnly>
+    GLINT_ONE_PIECE GLINT_HD static bool intersect(const ProfileCurve* curves, const Ray& ray, Hit* hit) {
+        const LocalRay local(ray, *curves);
+        Nearest nearest{static_cast<double>(ray.tMin), static_cast<double>(ray.tMax)};
+        for (uint32_t i = 0; i < curves->count; ++i) {
+            const ProfileCurve& curve = curves[i];
+            if (!local.mayMeet(curve)) { continue; }
+            const auto consider = [&](double s, double t) {
+                if (takeRoot<kFrontOnly>(curve, local, s, t, &nearest)) { nearest.curve = i; }
+            };
+            if (local.isHorizontal) {
+                meetHorizontally(curve, local, consider);
+            } else {
+                meet(curve, local, consider);
+            }
+            if (kAnyHit && nearest.curve != kNone) { break; }
+        }
+        if (nearest.curve == kNone) { return false; }
+        hit->t = static_cast<float>(nearest.t);
+        hit->primitive = nearest.curve;
+        hit->barycentric = Vec2(static_cast<float>(nearest.s), 0.0f);
+        return true;
+    }
+
+    /// The surface at a hit, about the direction from the axis in which the ray's point lies.
+    template <FeatureMask kMask>
+    GLINT_HD static ObjectPoint surface(const ProfileCurve* curves, const Hit& hit, const Vec3& pRough) {
+        const ProfileCurve& curve = curves[hit.primitive];
+        const Turned at(curve, hit.barycentric.x, pRough);
+        ObjectPoint point;
+        point.p = Vec3(at.x * at.cosine, at.y, -at.x * at.sine);
+        point.error = errorGamma(4) * absVec(point.p);
+        point.ng = curve.front * Vec3(at.dy * at.cosine, -at.dx, -at.dy * at.sine);
+        if (isZero(point.ng)) { point.ng = Vec3(0.0f, at.y < 0.0 ? -1.0f : 1.0f, 0.0f); }
+        if constexpr (hasFeature<kMask>(kFeatureTextures)) {
+            const float turn =
+                std::atan2(static_cast<float>(at.sine), static_cast<float>(at.cosine)) / kTwoPi;
+            const float s =
+                (static_cast<float>(hit.primitive) + hit.barycentric.x) / static_cast<float>(curves->count);
+            point.uv = Vec2(turn < 0.0f ? turn + 1.0f : turn, 1.0f - s);
+        }
+        return point;
+    }
+
+    GLINT_HD static Tangents tangents(const ProfileCurve* curves, const Hit& hit, const Vec3& p) {
+        const Turned at(curves[hit.primitive], hit.barycentric.x, p);
+        const double perTurn = 2.0 * 3.14159265358979323846 * at.x;
+        const double perProfile = -static_cast<double>(curves->count);
+        return {Vec3(-perTurn * at.sine, 0.0, -perTurn * at.cosine),
+                Vec3(perProfile * at.dx * at.cosine, perProfile * at.dy, -perProfile * at.dx * at.sine)};
+    }
+
+  private:
+    static constexpr double kHorizontalSlope = 1e-5;
+
+    struct Nearest {
+        double tMin, t;
+        double s = 0.0;
+        uint32_t curve = kNone;
+    };
+
+    /// The ray from next to the shape, so that rays from far away lose no digits.
+    struct LocalRay {
+        double ox, oy, oz, dx, dy, dz;
+        double shift;          ///< t of the origin
+        double flat2, across;  ///< |d.xz|^2, and o.xz x d.xz
+        bool isHorizontal;
+
+        GLINT_HD LocalRay(const Ray& ray, const ProfileCurve& first)
+            : ox(static_cast<double>(ray.origin.x)),
+              oy(static_cast<double>(ray.origin.y)),
+              oz(static_cast<double>(ray.origin.z)),
+              dx(static_cast<double>(ray.direction.x)),
+              dy(static_cast<double>(ray.direction.y)),
+              dz(static_cast<double>(ray.direction.z)) {
+            flat2 = dx * dx + dz * dz;
+            shift = -(ox * dx + (oy - first.centerY) * dy + oz * dz) / (flat2 + dy * dy);
+            ox += shift * dx;
+            oy += shift * dy;
+            oz += shift * dz;
+            across = ox * dz - oz * dx;
+            isHorizontal = dy * dy <= kHorizontalSlope * kHorizontalSlope * flat2;
+        }
+
+        /// Whether it comes into the cylinder around the curve.
+        GLINT_HD bool mayMeet(const ProfileCurve& curve) const {
+            const double r2 = curve.radius * curve.radius;
+            if (flat2 > 0.0 && across * across > r2 * flat2) { return false; }
+            // Where it is between the curve's heights, its distance from the axis is least in the middle or
+            // at an end.
+            if (isHorizontal || flat2 == 0.0) {
+                const double reach =
+                    std::fabs(dy) > 0.0 && flat2 > 0.0 ? std::fabs(dy) * 4.0 * reachOf(curve) : 0.0;
+                return flat2 == 0.0 || (oy + reach >= curve.lowest && oy - reach <= curve.highest);
+            }
+            const double middle = -(ox * dx + oz * dz) / flat2;
+            const double tLow = (curve.lowest - oy) / dy, tHigh = (curve.highest - oy) / dy;
+            const double t = std::fmin(std::fmax(middle, std::fmin(tLow, tHigh)), std::fmax(tLow, tHigh));
+            const double x = ox + t * dx, z = oz + t * dz;
+            return x * x + z * z <= r2 * (1.0 + 1e-12);
+        }
+        GLINT_HD double reachOf(const ProfileCurve& curve) const { return curve.radius / std::sqrt(flat2); }
+    };
+
+    /// The profile at s, turned to where a point lies.
+    struct Turned {
+        double x, y, dx, dy;  ///< and derivatives by s
+        double cosine = 1.0, sine = 0.0;
+
+        GLINT_HD Turned(const ProfileCurve& curve, float s, const Vec3& p) {
+            const PolynomialValue vx =
+                evaluateBernstein<kMaxProfileDegree>(curve.x, curve.degree, static_cast<double>(s));
+            const PolynomialValue vy =
+                evaluateBernstein<kMaxProfileDegree>(curve.y, curve.degree, static_cast<double>(s));
+            x = vx.value;
+            dx = vx.derivative;
+            y = vy.value;
+            dy = vy.derivative;
+            const double px = static_cast<double>(p.x), pz = static_cast<double>(p.z);
+            const double ring = std::sqrt(px * px + pz * pz);
+            if (!(ring > 0.0)) { return; }
+            const double side = x < 0.0 ? -1.0 : 1.0;
+            cosine = side * px / ring;
+            sine = -side * pz / ring;
+        }
+    };
+
+    template <class Consider>
+    GLINT_HD static void meet(const ProfileCurve& curve, const LocalRay& ray, const Consider& consider) {
+        const double a = ray.ox * ray.dy - ray.oy * ray.dx;
+        const double b = ray.oz * ray.dy - ray.oy * ray.dz;
+        const double linear = 2.0 * (a * ray.dx + b * ray.dz);
+        const double constant = a * a + b * b;
+        const double dy2 = ray.dy * ray.dy;
+        const int degree = 2 * curve.degree;
+        double f[2 * kMaxProfileDegree + 1];
+        int negative = 0;
+        for (int i = 0; i <= degree; ++i) {
+            f[i] = dy2 * curve.xSquared[i] - ray.flat2 * curve.ySquared[i] - linear * curve.yRaised[i] -
+                   constant;
+            negative += static_cast<int>(f[i] < 0.0);
+        }
+        const auto found = [&](double s) {
+            const double y = evaluateBernstein<kMaxProfileDegree>(curve.y, curve.degree, s).value;
+            consider(s, (y - ray.oy) / ray.dy);
+        };
+        if (negative > 0 && negative <= degree) {
+            forEachBernsteinRoot<2 * kMaxProfileDegree>(f, degree, found);
+        }
+        // Along the axis itself a pole is where the polynomial touches zero, and changes no sign.
+        if (f[0] == 0.0 && curve.x[0] == 0.0) { found(0.0); }
+        if (f[degree] == 0.0 && curve.x[curve.degree] == 0.0) { found(1.0); }
+    }
+
+    template <class Consider>
+    GLINT_HD static void meetHorizontally(const ProfileCurve& curve, const LocalRay& ray,
+                                          const Consider& consider) {
+        const double middle = -(ray.ox * ray.dx + ray.oz * ray.dz) / ray.flat2;
+        const double level = ray.oy + middle * ray.dy;
+        double f[kMaxProfileDegree + 1];
+        for (int i = 0; i <= curve.degree; ++i) {
+            f[i] = curve.y[i] - level;
+        }
+        const double nearest2 = ray.across * ray.across / ray.flat2;
+        forEachBernsteinRoot<kMaxProfileDegree>(f, curve.degree, [&](double s) {
+            const double x = evaluateBernstein<kMaxProfileDegree>(curve.x, curve.degree, s).value;
+            if (x * x < nearest2) { return; }
+            const double half = std::sqrt((x * x - nearest2) / ray.flat2);
+            consider(s, middle - half);
+            consider(s, middle + half);
+        });
+    }
+
+    /// Newton's method for s and t. False: the root leaves the curve, so that its neighbour has it.
+    GLINT_HD static bool polish(const ProfileCurve& curve, const LocalRay& ray, double* s, double* t) {
+        for (int step = 0; step < 2; ++step) {
+            const PolynomialValue x = evaluateBernstein<kMaxProfileDegree>(curve.x, curve.degree, *s);
+            const PolynomialValue y = evaluateBernstein<kMaxProfileDegree>(curve.y, curve.degree, *s);
+            const double px = ray.ox + *t * ray.dx, pz = ray.oz + *t * ray.dz;
+            const double height = y.value - ray.oy - *t * ray.dy;
+            const double ring = x.value * x.value - px * px - pz * pz;
+            const double ringByS = 2.0 * x.value * x.derivative;
+            const double ringByT = -2.0 * (px * ray.dx + pz * ray.dz);
+            const double determinant = y.derivative * ringByT + ray.dy * ringByS;
+            const double ds = (height * ringByT + ray.dy * ring) / determinant;
+            const double dt = (y.derivative * ring - ringByS * height) / determinant;
+            // Where the ray grazes the surface, the root is as good as it gets.
+            if (!(std::fabs(ds) < 1e-3) || !std::isfinite(dt)) { break; }
+            *s -= ds;
+            *t -= dt;
+        }
+        constexpr double kSlack = 1e-9;  // neighbours share their ends: better twice than never
+        const bool isInside = *s >= -kSlack && *s <= 1.0 + kSlack;
+        *s = std::fmin(std::fmax(*s, 0.0), 1.0);
+        return isInside;
+    }
+
+    /// Whether the root at s and t is the nearest so far.
+    template <bool kFrontOnly>
+    GLINT_HD static bool takeRoot(const ProfileCurve& curve, const LocalRay& ray, double s, double t,
+                                  Nearest* nearest) {
+        if (!polish(curve, ray, &s, &t)) { return false; }
+        const double tWorld = t + ray.shift;
+        if (!(tWorld > nearest->tMin && tWorld < nearest->t)) { return false; }
+        if (kFrontOnly) {
+            const Vec3 p(ray.ox + t * ray.dx, ray.oy + t * ray.dy, ray.oz + t * ray.dz);
+            const Turned at(curve, static_cast<float>(s), p);
+            const double facing = at.dy * at.cosine * ray.dx - at.dx * ray.dy - at.dy * at.sine * ray.dz;
+            if (static_cast<double>(curve.front) * facing >= 0.0) { return false; }
+        }
+        nearest->t = tWorld;
+        nearest->s = s;
+        return true;
+    }
+};
+
+}  // namespace glint
