@@ -238,7 +238,7 @@ TEST_F(ConvergeCommand, EverySceneAndFormatWorks) {
         EXPECT_EQ(run.exitCode, 0) << scene << ": " << run.err;
         EXPECT_TRUE(std::filesystem::exists(out + "/index.html")) << scene;
         const ProgramRun diff = test::runProgram(
-            {"diff", out + "/pictures/pt-2.png", out + "/reference.exr", "--json", "-", "--hdr-flip"});
+            {"diff", out + "/pictures/path-2.png", out + "/reference.exr", "--json", "-", "--hdr-flip"});
         EXPECT_EQ(diff.exitCode, 0) << scene << ": " << diff.err;
         EXPECT_TRUE(json::parse(diff.out, nullptr, false).contains("metrics")) << scene;
     }

@@ -17,7 +17,7 @@ namespace {
 
 using Real = long double;
 
-constexpr int kSteps = 1500;  // of the slow solver, on each curve
+constexpr int kSteps = 800;  // of the slow solver, on each curve
 
 struct ProfileCase {
     const char* name;

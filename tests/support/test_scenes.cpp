@@ -232,11 +232,36 @@ SceneDescription darkness() {
     return scene;
 }
 
+SceneDescription turnedProfiles() {
+    SceneDescription scene = seenFrom({0.0f, 1.5f, 6.0f}, {0.0f, 0.4f, 0.0f});
+    scene.title = "Surfaces of revolution, one with a texture that is turned and mirrored";
+    addObject(&scene, ShapeKind::Disc, wall({0, 4, 0}, kX, 0.5f * kPi) * scale({0.8f, 0.8f, 1}),
+              addEmitterMaterial(&scene, Vec3(8.0f)));
+    addObject(&scene, ShapeKind::Plane, rotate(kX, -0.5f * kPi),
+              addMaterial(&scene, MaterialKind::Diffuse, Vec3(0.6f)));
+    Texture texture{"checker", checkerImage(8, 8, false), ColorEncoding::Srgb, false, Vec2(4.0f)};
+    texture.rotationDeg = 30.0f;
+    scene.textures.push_back(texture);
+    for (const CurveKind curve : {CurveKind::Bezier, CurveKind::Bspline}) {
+        const bool isGlass = curve == CurveKind::Bspline;
+        const int material =
+            addMaterial(&scene, isGlass ? MaterialKind::Dielectric : MaterialKind::Plastic, Vec3(0.9f), 0.1f);
+        if (!isGlass) { scene.materials.back().color.texture = 0; }
+        addObject(&scene, ShapeKind::Revolved,
+                  translate({isGlass ? 1.0f : -1.0f, 0.0f, 0.0f}) * rotate({1, 0, 1}, 0.3f), material);
+        scene.objects.back().curve = curve;
+        scene.objects.back().profile = {{0.0f, 0.0f}, {0.9f, 0.0f}, {0.2f, 0.8f}, {1.1f, 1.3f}, {0.0f, 1.5f}};
+    }
+    scene.environment.color = Vec3(0.2f, 0.3f, 0.4f);
+    return scene;
+}
+
 std::vector<NamedScene> allTestScenes() {
     return {{"cornellBox", cornellBox()},         {"allMaterials", allMaterials()},
             {"texturedInputs", texturedInputs()}, {"meshInstances", meshInstances()},
             {"manyLights", manyLights()},         {"lampShapes", emitterShapes()},
-            {"whiteFurnace", whiteFurnace()},     {"darkness", darkness()}};
+            {"whiteFurnace", whiteFurnace()},     {"darkness", darkness()},
+            {"turnedProfiles", turnedProfiles()}};
 }
 
 std::shared_ptr<const MeshData> bumpySphere(int rings, int segments, bool withColors) {

@@ -38,6 +38,9 @@ SceneDescription whiteFurnace();
 /// An object of every shape without any light: a black picture.
 SceneDescription darkness();
 
+/// Surfaces of revolution of both kinds of curves, and a texture that is placed.
+SceneDescription turnedProfiles();
+
 struct NamedScene {
     std::string name;
     SceneDescription scene;

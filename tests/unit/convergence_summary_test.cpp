@@ -118,7 +118,7 @@ TEST(ConvergenceSummary, EveryOutputCarriesTheMarks) {
     ASSERT_EQ(chart.levels.size(), 1u);
     EXPECT_NEAR(chart.levels[0].y, 1.0, 1e-6) << "per cent";
     EXPECT_NE(chart.series[0].points[0].tip.find("over 2 seeds"), std::string::npos);
-    EXPECT_NE(chartSvg(chart).find("<title>pt *: relative error"), std::string::npos);
+    EXPECT_NE(chartSvg(chart).find("<title>path *: relative error"), std::string::npos);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Glint JSON: what the format means, by reading small scenes.
 #include "engine/io/scene_json.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -57,7 +57,7 @@ const std::vector<Edit>& edits() {
     static const std::vector<Edit> kEdits{
         {"the camera has changed", [](SceneDescription* s) { s->camera.position.x += 1.0f; }},
         {"the camera has changed", [](SceneDescription* s) { s->camera.apertureDiameter = 0.1f; }},
-        {"the materials have changed", [](SceneDescription* s) { s->materials[1].color.value = Vec3(0.1f); }},
+        {"the materials have changed", [](SceneDescription* s) { s->materials[0].color.value = Vec3(0.1f); }},
         {"the lights have changed", [](SceneDescription* s) { s->environment.strength = 3.0f; }},
         {"the objects have changed",
          [](SceneDescription* s) { s->objects[0].objectToWorld.translation.y = 2.0f; }},
