@@ -166,7 +166,7 @@ class ReferenceMaker {
 
 double ReferenceImage::rmse() const { return std::sqrt(mse); }
 
-double ReferenceImage::relativeError() const { return rmse() / mean; }
+double ReferenceImage::relativeError() const { return mse > 0.0 ? rmse() / mean : 0.0; }
 
 void ReferenceImage::summarize() {
     constexpr double kEpsilon = 0.01;  // MetricOptions::relativeEpsilon

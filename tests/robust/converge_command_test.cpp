@@ -256,6 +256,7 @@ TEST_F(ConvergeCommand, ABlackImageHasNoRelativeError) {
     ASSERT_EQ(run.exitCode, 0) << run.err;
     EXPECT_TRUE(summary()["variants"][0]["curve"][0]["relative_error"]["mean"].is_null());
     EXPECT_EQ(summary()["variants"][0]["curve"][0]["mse"]["mean"], 0.0);
+    EXPECT_EQ(run.out.find("nan"), std::string::npos) << run.out;
 }
 
 }  // namespace

@@ -115,15 +115,6 @@ TEST_F(ConvergeReference, WrongReferencesAreRefusedOrWarnedOf) {
     EXPECT_EQ(with(test::kConvergeScene).exitCode, 1);
 }
 
-TEST_F(ConvergeReference, ABlackOneIsRefusedForNothingIsRelativeToIt) {
-    ASSERT_TRUE(saveExr(folder.path("black.exr"), test::exrOf(test::flatImage(16, 12, 0.0f))));
-    const ProgramRun run = converge(
-        {"--reference", folder.path("black.exr"), "--passes", "2", "--seeds", "1", "--integrators", "pt"});
-    EXPECT_EQ(run.exitCode, 1);
-    EXPECT_TRUE(says(run.err, "black.exr: ")) << run.err;
-    EXPECT_TRUE(says(run.err, "is black")) << run.err;
-}
-
 TEST_F(ConvergeReference, AReferenceOfUnknownOriginHasNoFloor) {
     const ImageF plain = test::flatImage(16, 12, 0.25f);
     ASSERT_TRUE(saveExr(folder.path("plain.exr"), test::exrOf(plain)));

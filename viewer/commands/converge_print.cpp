@@ -1,5 +1,7 @@
 #include "viewer/commands/converge_print.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -22,6 +24,11 @@ std::string shortTime(const TimeToReach& time) {
     return "";
 }
 
+/// "1.23 %"; "–" where there is none, as beside a black reference.
+std::string inPercent(double error) {
+    return std::isfinite(error) ? fmt::format("{:.3g} %", 100.0 * error) : "–";
+}
+
 void printVariant(const MeasuredVariant& variant, const VariantSummary& summary) {
     const std::string name = variant.variant.name + (summary.sameMethodAsReference ? " *" : "");
     if (summary.points.empty()) {
@@ -33,7 +40,7 @@ void printVariant(const MeasuredVariant& variant, const VariantSummary& summary)
     const std::string slope = summary.fit ? fmt::format("{:.3f} ({:.3f} ... {:.3f})", summary.fit->slope,
                                                         summary.fit->slopeLow, summary.fit->slopeHigh)
                                           : "-";
-    put("{:<34}{:>8}{:>9.3g}{:>8.3g} %   {:<26}", name, last.passes, last.seconds.mean, 100.0 * error.mean,
+    put("{:<34}{:>8}{:>9.3g}{:>10}   {:<26}", name, last.passes, last.seconds.mean, inPercent(error.mean),
         slope);
     for (const TimeToReach& time : summary.targets) {
         put("{:>9}", shortTime(time));
@@ -76,9 +83,13 @@ void printReport(const ConvergenceReport& report) {
     put("seconds to an error: ~ not reached, predicted by the fit; < already at the first measurement\n");
     const ReferenceImage& reference = report.reference;
     if (reference.knowsItsError()) {
-        put("reference: {} by {}, its own error {:.3g} %, {:.2g} of the smallest one measured{}\n",
-            reference.path, reference.method.empty() ? "an unknown method" : reference.method,
-            100.0 * report.summary.floor, report.summary.floorRatio,
+        const std::string share =
+            std::isfinite(report.summary.floorRatio)
+                ? fmt::format(", {:.2g} of the smallest one measured", report.summary.floorRatio)
+                : "";
+        put("reference: {} by {}, its own error {}{}{}\n", reference.path,
+            reference.method.empty() ? "an unknown method" : reference.method,
+            inPercent(report.summary.floor), share,
             reference.endedBy.empty() ? "" : fmt::format(" (it ended by {})", reference.endedBy));
     }
     for (const std::string& warning : reportWarnings(report)) {

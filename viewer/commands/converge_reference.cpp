@@ -38,15 +38,6 @@ Result<std::unique_ptr<Backend>> exactBackend(const VariantSettings& settings) {
 }
 
 ConvergeReference::Found ConvergeReference::find() {
-    Found found = takeOrMake();
-    if (found && *found && !((*found)->mean > 0.0)) {
-        return Error{"the reference is black; an error relative to it has no meaning",
-                     {options_.reference, 0, 0, ""}};
-    }
-    return found;
-}
-
-ConvergeReference::Found ConvergeReference::takeOrMake() {
     if (!options_.reference.empty()) { return takeGiven(); }
     const char* own = integratorInfo(scene_.options.integrator).key;
     const auto variant = parseVariant(options_.referenceVariant.empty() ? own : options_.referenceVariant);

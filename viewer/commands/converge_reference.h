@@ -33,7 +33,6 @@ class ConvergeReference {
     ExitCode failureCode() const { return failureCode_; }
 
   private:
-    Found takeOrMake();
     bool findPrecision(ReferencePlan* wanted) const;
     Found takeGiven();
     Found takeCached(ReferencePlan* wanted);
