@@ -16,3 +16,10 @@
 /// The same, and the function itself is inlined nowhere: one copy for all callers.
 #define GLINT_ONE_PIECE __attribute__((flatten, noinline))
 #endif
+
+/// One piece on the host; on a device a function that is called: it is too large to be copied to every place.
+#if GLINT_ON_DEVICE
+#define GLINT_ONE_PIECE_APART __noinline__
+#else
+#define GLINT_ONE_PIECE_APART GLINT_ONE_PIECE
+#endif

@@ -31,7 +31,8 @@ struct RevolvedShape : NeverSampled {
     /// ray.tMax stores it: its primitive is the curve's number in the profile, barycentric.x the curve's
     /// parameter.
     template <bool kAnyHit, bool kFrontOnly>
-    GLINT_ONE_PIECE GLINT_HD static bool intersect(const ProfileCurve* curves, const Ray& ray, Hit* hit) {
+    GLINT_ONE_PIECE_APART GLINT_HD static bool intersect(const ProfileCurve* curves, const Ray& ray,
+                                                         Hit* hit) {
         const LocalRay local(ray, *curves);
         Nearest nearest{static_cast<double>(ray.tMin), static_cast<double>(ray.tMax)};
         for (uint32_t i = 0; i < curves->count; ++i) {
