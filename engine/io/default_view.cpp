@@ -49,9 +49,12 @@ void applyDefaultView(SceneDescription* scene, bool noStudio) {
     if (hasLight(*scene)) { return; }
     if (noStudio) {
         scene->environment = {.color = Vec3(1.0f)};
-    } else {
-        addStudio(scene);
+        return;
     }
+    addStudio(scene);
+    scene->notes.emplace_back(
+        "the file brings no light: a studio with a ground lights it (--no-studio: white light from "
+        "everywhere)");
 }
 
 }  // namespace glint

@@ -64,6 +64,11 @@ TEST(DefaultView, KeepsLightAndMaterialsThatAreThere) {
     applyDefaultView(&scene, false);
     EXPECT_FALSE(scene.environment.emissive());
     EXPECT_EQ(scene.materials.size(), 2u);
+    EXPECT_TRUE(scene.notes.empty());
+    SceneDescription dark = sceneWithBox(Vec3(0), Vec3(1));
+    applyDefaultView(&dark, false);
+    ASSERT_EQ(dark.notes.size(), 1u) << "what is added is said";
+    EXPECT_NE(dark.notes[0].find("--no-studio"), std::string::npos);
     SceneDescription empty;
     applyDefaultView(&empty, false);
     EXPECT_FALSE(empty.environment.emissive());

@@ -156,7 +156,7 @@ void printSceneReport(const SceneDescription& scene, const SceneReport& report) 
         put("warning    {}\n", warning);
     }
     for (const std::string& note : scene.notes) {
-        fmt::print("note       {}\n", note);
+        put("note       {}\n", note);
     }
 }
 
