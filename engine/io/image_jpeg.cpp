@@ -54,7 +54,7 @@ void onProgress(j_common_ptr common) {
     }
 }
 
-void readHeader(Reading* reading) {
+[[gnu::noinline]] void readHeader(Reading* reading) {
     jpeg_decompress_struct& jpeg = reading->jpeg;
     jpeg_mem_src(&jpeg, reinterpret_cast<const unsigned char*>(reading->bytes.data()), reading->bytes.size());
     jpeg_read_header(&jpeg, TRUE);
@@ -92,7 +92,7 @@ void setRowFromRgb(Reading* reading, int row) {
     reading->builder->setRow(row, reading->rgba);
 }
 
-void readRows(Reading* reading) {
+[[gnu::noinline]] void readRows(Reading* reading) {
     jpeg_decompress_struct& jpeg = reading->jpeg;
     while (jpeg.output_scanline < jpeg.output_height) {
         const int row = static_cast<int>(jpeg.output_scanline);
@@ -103,7 +103,8 @@ void readRows(Reading* reading) {
     jpeg_finish_decompress(&jpeg);
 }
 
-/// False where libjpeg has given up.
+/// False where libjpeg has given up. What is inlined here would have its variables in the frame that longjmp
+/// comes back to, which is why the two readers are not.
 bool readPicture(Reading* reading) {
     if (setjmp(reading->giveUp) != 0) { return false; }
     jpeg_create_decompress(&reading->jpeg);

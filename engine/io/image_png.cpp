@@ -48,7 +48,7 @@ Orientation orientationOf(const Reading& reading) {
     return found ? exifOrientation({reinterpret_cast<const char*>(exif), size}) : Orientation::TopLeft;
 }
 
-void readHeader(Reading* reading) {
+[[gnu::noinline]] void readHeader(Reading* reading) {
     png_structp png = reading->png;
     png_set_crc_action(png, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
     png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // checkStatedSize() has the limit
@@ -68,7 +68,7 @@ void readHeader(Reading* reading) {
 }
 
 /// Interlaced pictures come in several passes over all of their rows.
-void readRows(Reading* reading) {
+[[gnu::noinline]] void readRows(Reading* reading) {
     const int passes = png_set_interlace_handling(reading->png);
     png_read_update_info(reading->png, reading->info);
     const PixelPlaces& places = reading->builder->places();
@@ -85,7 +85,8 @@ void readRows(Reading* reading) {
     png_read_end(reading->png, nullptr);
 }
 
-/// False where libpng has given up.
+/// False where libpng has given up. What is inlined here would have its variables in the frame that longjmp
+/// comes back to, which is why the two readers are not.
 bool readPicture(Reading* reading) {
     if (setjmp(png_jmpbuf(reading->png)) != 0) { return false; }
     readHeader(reading);
