@@ -46,6 +46,7 @@ class AmbientOcclusion final : public IntegratorType {
     std::unique_ptr<Integrator> makeOnCpu(const CpuContext& cpu) const override {
         return std::make_unique<CpuAmbientOcclusion>(cpu);
     }
+    const char* purpose() const override { return "how open each point is, for a quick look at the form"; }
 };
 
 }  // namespace

@@ -31,6 +31,7 @@ class PathTracing final : public IntegratorType {
     std::unique_ptr<Integrator> makeOnCpu(const CpuContext& cpu) const override {
         return std::make_unique<CpuPathTracing>(cpu);
     }
+    const char* purpose() const override { return "light followed from the camera"; }
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
 // Stochastic progressive photon mapping as an integrator, and on the CPU.
+#include <array>
 #include <optional>
 
 #include "engine/builders/power_distribution.h"
@@ -38,12 +39,21 @@ class CpuSppmIntegrator final : public SppmIntegrator {
     std::optional<PowerDistribution> power_;  ///< made by the first pass of a scene
 };
 
+constexpr auto kMaps = std::to_array<IntegratorMapInfo>({
+    {kRadiusMap, "SPPM radius", MapQuantity::Length, "radius", "no visible point", "photons"},
+    {kPhotonCountMap, "Photon count", MapQuantity::Count, "photons", nullptr, "photons"},
+    {kRadiusMap, "Visible points", MapQuantity::Presence, "visible point", "no visible point", "photons"},
+});
+
 class Sppm final : public IntegratorType {
   public:
     std::unique_ptr<Integrator> makeOnCpu(const CpuContext& cpu) const override {
         return std::make_unique<CpuSppmIntegrator>(cpu);
     }
     std::unique_ptr<ImageStatistics> makeStatistics() const override { return std::make_unique<SppmState>(); }
+    const char* purpose() const override { return "photons from the lights too, for caustics"; }
+    std::span<const IntegratorMapInfo> maps() const override { return kMaps; }
+    bool hasBias() const override { return true; }
     EditKind ownEdits() const override { return EditKind::SppmParameters; }
     double statisticsDecay(const SceneDescription& scene) const override {
         return static_cast<double>(scene.sppm.alpha);

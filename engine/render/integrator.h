@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "engine/base/result.h"
@@ -47,6 +48,12 @@ class IntegratorType {
     virtual std::unique_ptr<Integrator> makeOnCpu(const CpuContext& cpu) const = 0;
     /// Null where it keeps nothing beside the film.
     virtual std::unique_ptr<ImageStatistics> makeStatistics() const { return nullptr; }
+    /// For people: what it is good for, as the end of a sentence about it.
+    virtual const char* purpose() const = 0;
+    /// Those of its statistics, for displays.
+    virtual std::span<const IntegratorMapInfo> maps() const { return {}; }
+    /// Its statistics estimate how far off they are on average.
+    virtual bool hasBias() const { return false; }
     /// The edits that touch its own settings and no other integrator's: only its film restarts.
     virtual EditKind ownEdits() const { return EditKind::None; }
     /// The variance of its statistics falls like passes^-this.

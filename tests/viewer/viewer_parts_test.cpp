@@ -1,5 +1,4 @@
-// The viewer's parts that draw nothing: which edit a change is, what can be shown of a render, camera moves,
-// and what scripts may say.
+// The viewer's parts that draw nothing: which edit a change is, camera moves, and what scripts may say.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -120,42 +119,6 @@ TEST(SceneDocument, FocusFollowsTheTargetWhereItWasOnIt) {
     document.draft().camera.position.z = 3.0f;
     (void)document.takeEdits();
     EXPECT_EQ(document.posted()->camera.focalDistance, 2.0f) << "its author focused elsewhere";
-}
-
-TEST(ShownImages, TheTableIsComplete) {
-    std::vector<std::string> names;
-    for (const ShownImageInfo& info : shownImages()) {
-        names.emplace_back(info.name);
-        EXPECT_EQ(&infoOf(info.image), &info);
-        const bool hasNumbers = info.values != nullptr || info.isAgainstReference;
-        const int sources = info.isRadiance() + hasNumbers + (info.hitColor != nullptr);
-        EXPECT_EQ(sources, 1) << info.name;
-        EXPECT_EQ(info.ask != nullptr, info.values != nullptr || info.hitColor != nullptr) << info.name;
-        EXPECT_EQ(info.readout != nullptr, hasNumbers) << info.name;
-        EXPECT_EQ(info.scaleText != nullptr, hasNumbers && info.colors != MapColors::PresentOrNot)
-            << info.name;
-        EXPECT_EQ(info.hitText != nullptr, info.hitColor != nullptr) << info.name;
-        EXPECT_EQ(info.only.has_value(), info.lacking != nullptr) << info.name;
-    }
-    std::ranges::sort(names);
-    EXPECT_EQ(std::ranges::adjacent_find(names), names.end()) << "names are unique";
-}
-
-TEST(ShownImages, WhatAnIntegratorLacksIsItsRadianceAndSaysSo) {
-    FilmSnapshot snapshot;
-    snapshot.width = snapshot.height = 1;
-    snapshot.passes = 2;
-    snapshot.radiance = {1.0f, 2.0f, 3.0f};
-    snapshot.integrator = IntegratorKind::PathTracing;
-    EXPECT_EQ(availableImage(snapshot, ShownImage::Radius, nullptr), ShownImage::Radiance);
-    EXPECT_EQ(noteInstead(snapshot, ShownImage::Radius, nullptr),
-              "Path tracing has no photons: its radiance");
-    EXPECT_TRUE(carries(snapshot, ShownImage::Radius)) << "it never will have more";
-    EXPECT_EQ(pixelReadout(snapshot, ShownImage::Radius, nullptr, {0, 0}), "R 1  G 2  B 3");
-    snapshot.integrator = IntegratorKind::Sppm;
-    EXPECT_EQ(availableImage(snapshot, ShownImage::Radius, nullptr), ShownImage::Radius);
-    EXPECT_EQ(noteInstead(snapshot, ShownImage::Radius, nullptr), "");
-    EXPECT_FALSE(carries(snapshot, ShownImage::Radius)) << "not yet";
 }
 
 TEST(DisplaySettings, AnyTwoIntegratorsAreCompared) {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/render/sppm_state.h"
-
 namespace glint {
 namespace {
 
@@ -127,7 +125,7 @@ std::vector<uint8_t> mapColors(const std::vector<float>& values, MapColors how, 
 std::vector<uint8_t> falseColors(const FilmSnapshot& snapshot, ShownImage shown,
                                  const LoadedReference* reference, MapScale* scale) {
     const ShownImageInfo& info = infoOf(shown);
-    if (info.values != nullptr) { return mapColors(info.values(snapshot), info.colors, scale); }
+    if (info.values) { return mapColors(info.values(snapshot), info.colors, scale); }
     if (info.isAgainstReference) {
         return mapColors(errorsAgainst(*reference, snapshot), info.colors, scale);
     }

@@ -1,11 +1,10 @@
 #include "viewer/model/shown_image.h"
 
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "engine/render/sppm_state.h"
+#include "engine/render/integrator.h"
 #include "viewer/base/units.h"
 
 namespace glint {
@@ -28,8 +27,6 @@ void askStandardError(RenderRequest* request) { request->standardError = true; }
 void askErrorMaps(RenderRequest* request) { request->errorMaps = true; }
 void askIntegratorMaps(RenderRequest* request) { request->integratorMaps = true; }
 
-const std::vector<float>& radii(const FilmSnapshot& snapshot) { return snapshot.map(kRadiusMap); }
-
 std::string plainText(float value) { return fmt::format("{:.2g}", value); }
 std::string signedText(float value) { return fmt::format("{:+.2g}", value); }
 std::string lengthText(float value) { return length(static_cast<double>(value)); }
@@ -42,11 +39,8 @@ std::string knownOr(float value, std::string text) {
     return std::isfinite(value) ? std::move(text) : std::string("not known yet");
 }
 
-std::string visibleOr(float radius, std::string text) {
-    return radius > 0.0f ? std::move(text) : std::string("no visible point");
-}
-
-constexpr std::array kShownImages = std::to_array<ShownImageInfo>({
+/// In the order of ShownImage.
+const std::vector<ShownImageInfo> kFixedImages = {
     {.image = ShownImage::Radiance, .name = "Radiance"},
     {.image = ShownImage::Albedo,
      .name = "Albedo",
@@ -100,7 +94,7 @@ constexpr std::array kShownImages = std::to_array<ShownImageInfo>({
     {.image = ShownImage::Bias,
      .name = "Bias",
      .ask = askErrorMaps,
-     .only = IntegratorKind::Sppm,
+     .has = [](IntegratorKind kind) { return integratorType(kind).hasBias(); },
      .lacking = "bias",
      .values = [](const FilmSnapshot& s) -> const std::vector<float>& { return s.bias; },
      .colors = MapColors::Signed,
@@ -121,43 +115,48 @@ constexpr std::array kShownImages = std::to_array<ShownImageInfo>({
      .unit = "off the reference",
      .scaleText = plainText,
      .readout = [](float x) { return fmt::format("off by {:.3g} radiance", x); }},
-    {.image = ShownImage::Radius,
-     .name = "SPPM radius",
-     .ask = askIntegratorMaps,
-     .only = IntegratorKind::Sppm,
-     .lacking = "photons",
-     .values = radii,
-     .colors = MapColors::HeatOfAll,
-     .unit = "radius",
-     .scaleText = lengthText,
-     .readout = [](float x) { return visibleOr(x, "radius " + lengthText(x)); }},
-    {.image = ShownImage::PhotonCount,
-     .name = "Photon count",
-     .ask = askIntegratorMaps,
-     .only = IntegratorKind::Sppm,
-     .lacking = "photons",
-     .values = [](const FilmSnapshot& s) -> const std::vector<float>& { return s.map(kPhotonCountMap); },
-     .colors = MapColors::HeatOfAll,
-     .unit = "photons",
-     .scaleText = countText,
-     .readout = [](float x) { return fmt::format("{:.1f} photons", x); }},
-    {.image = ShownImage::VisiblePoints,
-     .name = "Visible points",
-     .ask = askIntegratorMaps,
-     .only = IntegratorKind::Sppm,
-     .lacking = "photons",
-     .values = radii,
-     .colors = MapColors::PresentOrNot,
-     .readout = [](float x) { return visibleOr(x, "visible point"); }},
-});
+};
 
-constexpr bool isInOrder() {
-    for (size_t i = 0; i < kShownImages.size(); ++i) {
-        if (kShownImages[i].image != static_cast<ShownImage>(i)) { return false; }
+std::string mapReadout(const IntegratorMapInfo& map, float value) {
+    if (map.absent != nullptr && !(value > 0.0f)) { return map.absent; }
+    switch (map.quantity) {
+        case MapQuantity::Length:
+            return fmt::format("{} {}", map.noun, lengthText(value));
+        case MapQuantity::Count:
+            return fmt::format("{:.1f} {}", value, map.noun);
+        case MapQuantity::Presence:
+            return map.noun;
     }
-    return true;
+    return "";
 }
-static_assert(isInOrder());
+
+ShownImageInfo imageOfMap(IntegratorKind kind, const IntegratorMapInfo& map) {
+    ShownImageInfo info{.name = map.label, .ask = askIntegratorMaps};
+    info.has = [kind](IntegratorKind integrator) { return integrator == kind; };
+    info.lacking = map.about;
+    info.values = [name = map.values](const FilmSnapshot& s) -> const std::vector<float>& {
+        return s.map(name);
+    };
+    info.readout = [&map](float value) { return mapReadout(map, value); };
+    info.colors = MapColors::PresentOrNot;
+    if (map.quantity != MapQuantity::Presence) {
+        info.colors = MapColors::HeatOfAll;
+        info.unit = map.noun;
+        info.scaleText = map.quantity == MapQuantity::Length ? lengthText : countText;
+    }
+    return info;
+}
+
+std::vector<ShownImageInfo> allImages() {
+    std::vector<ShownImageInfo> images = kFixedImages;
+    for (const IntegratorInfo& integrator : kIntegratorTable) {
+        for (const IntegratorMapInfo& map : integratorType(integrator.kind).maps()) {
+            images.push_back(imageOfMap(integrator.kind, map));
+            images.back().image = static_cast<ShownImage>(images.size() - 1);
+        }
+    }
+    return images;
+}
 
 size_t indexOf(const FilmSnapshot& snapshot, Vec2i filmPixel) {
     const Vec2i last(snapshot.width - 1, snapshot.height - 1);
@@ -172,9 +171,19 @@ bool isComparable(const LoadedReference* reference, const FilmSnapshot& snapshot
 
 }  // namespace
 
-std::span<const ShownImageInfo> shownImages() { return kShownImages; }
+std::span<const ShownImageInfo> shownImages() {
+    static const std::vector<ShownImageInfo> kImages = allImages();
+    return kImages;
+}
 
-const ShownImageInfo& infoOf(ShownImage image) { return kShownImages[static_cast<size_t>(image)]; }
+const ShownImageInfo& infoOf(ShownImage image) { return shownImages()[static_cast<size_t>(image)]; }
+
+std::optional<ShownImage> imageNamed(std::string_view name) {
+    for (const ShownImageInfo& info : shownImages()) {
+        if (name == info.name) { return info.image; }
+    }
+    return std::nullopt;
+}
 
 ShownImage availableImage(const FilmSnapshot& snapshot, ShownImage wanted, const LoadedReference* reference) {
     const ShownImageInfo& info = infoOf(wanted);
@@ -197,7 +206,7 @@ std::string noteInstead(const FilmSnapshot& snapshot, ShownImage wanted, const L
 bool carries(const FilmSnapshot& snapshot, ShownImage wanted) {
     const ShownImageInfo& info = infoOf(wanted);
     if (!info.isOf(snapshot.integrator)) { return true; }
-    if (info.values != nullptr) { return !info.values(snapshot).empty(); }
+    if (info.values) { return !info.values(snapshot).empty(); }
     return info.hitColor == nullptr || (snapshot.aovs && snapshot.aovs->passes() > 0);
 }
 
@@ -211,7 +220,7 @@ std::string pixelReadout(const FilmSnapshot& snapshot, ShownImage wanted, const 
         return colorText({rgb[0], rgb[1], rgb[2]});
     }
     if (info.isAgainstReference) { return info.readout(errorAgainst(*reference, snapshot, index)); }
-    if (info.values != nullptr) {
+    if (info.values) {
         const std::vector<float>& values = info.values(snapshot);
         return index < values.size() ? info.readout(values[index]) : "";
     }

@@ -1,11 +1,14 @@
 // The images that can be shown of a render: one line each in shown_image.cpp says where its numbers come
-// from, who has them, what the session is asked for, and how they become colours and text.
+// from, who has them, what the session is asked for, and how they become colours and text. The integrators'
+// own maps follow from their tables.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/render/render_session.h"
@@ -14,6 +17,7 @@
 
 namespace glint {
 
+/// Beyond the last of these come the integrators' own maps, which imageNamed() finds.
 enum class ShownImage : uint8_t {
     Radiance,
     Albedo,
@@ -26,9 +30,6 @@ enum class ShownImage : uint8_t {
     Bias,            ///< estimate of the luminance's bias, signed
     ErrorBound,      ///< with 90 %, the true luminance is within so much
     ReferenceError,  ///< against the loaded reference
-    Radius,          ///< SPPM: present radius, metres
-    PhotonCount,     ///< SPPM: photons kept so far
-    VisiblePoints,   ///< SPPM: which pixels hold one
 };
 
 /// How numbers become colours.
@@ -40,24 +41,24 @@ enum class MapColors : uint8_t {
 };
 
 struct ShownImageInfo {
-    ShownImage image;
+    ShownImage image = ShownImage::Radiance;
     const char* name;  ///< for people and scripts
     /// Adds to a request what snapshots have to carry. Null: every snapshot carries it.
     void (*ask)(RenderRequest* request) = nullptr;
 
-    /// The one integrator that has it, and what all others lack. Nothing: all have it.
-    std::optional<IntegratorKind> only{};
+    /// Which integrators have it, and what all others lack. Nothing: all have it.
+    std::function<bool(IntegratorKind)> has{};
     const char* lacking = nullptr;
     bool isOfSecondPass = false;  ///< one pass alone says nothing
 
     // Of images with a value for each pixel.
     /// Empty while the snapshot does not carry them. Null: no such image, or one against the reference.
-    const std::vector<float>& (*values)(const FilmSnapshot& snapshot) = nullptr;
+    std::function<const std::vector<float>&(const FilmSnapshot& snapshot)> values{};
     bool isAgainstReference = false;
     MapColors colors = MapColors::Heat;
-    const char* unit = "";                      ///< behind the scale's upper end
-    std::string (*scaleText)(float) = nullptr;  ///< at the scale's ends
-    std::string (*readout)(float) = nullptr;    ///< of one pixel
+    const char* unit = "";                          ///< behind the scale's upper end
+    std::function<std::string(float)> scaleText{};  ///< at the scale's ends
+    std::function<std::string(float)> readout{};    ///< of one pixel
 
     // Of images of the camera's first hit. Display values.
     Vec3 (*hitColor)(const AovSample& hit, const DepthRange& range) = nullptr;
@@ -65,12 +66,14 @@ struct ShownImageInfo {
     bool isOfRange = false;  ///< hitColor() looks at the range of all depths; else that is {}
 
     bool isRadiance() const { return values == nullptr && hitColor == nullptr && !isAgainstReference; }
-    bool isOf(IntegratorKind integrator) const { return !only || *only == integrator; }
+    bool isOf(IntegratorKind integrator) const { return !has || has(integrator); }
 };
 
 /// In the order of ShownImage, which is that of the panel.
 std::span<const ShownImageInfo> shownImages();
 const ShownImageInfo& infoOf(ShownImage image);
+/// By ShownImageInfo::name; nothing for any other text.
+std::optional<ShownImage> imageNamed(std::string_view name);
 
 /// What the snapshot can show: `wanted`, or its radiance where its integrator has no such image, or where the
 /// reference is missing or of another size.

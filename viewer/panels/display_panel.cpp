@@ -1,5 +1,6 @@
 // How the picture is shown. Nothing here reaches the renderer, but for the extra pictures it is asked
 // to make.
+#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
@@ -36,8 +37,9 @@ std::string missing(const DisplaySettings& display, IntegratorKind own, const Co
     const ShownImageInfo& info = infoOf(display.shown);
     const bool isOfOther = display.split && info.isOf(display.otherOf(own));
     if (!info.isOf(own) && !isOfOther) {
+        const auto hasIt = [&info](const IntegratorInfo& each) { return info.isOf(each.kind); };
         return fmt::format("{} has no {}: choose {} as the integrator.", integratorInfo(own).displayName,
-                           info.lacking, integratorInfo(*info.only).displayName);
+                           info.lacking, std::ranges::find_if(kIntegratorTable, hasIt)->displayName);
     }
     if (!info.isAgainstReference) { return ""; }
     if (!convergence.reference.loaded()) { return "Load a reference in the Convergence panel first."; }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "engine/render/integrator.h"
 #include "viewer/base/units.h"
 #include "viewer/model/fault_finder.h"
 #include "viewer/model/render_control.h"
@@ -64,14 +65,14 @@ void drawActions(RenderControl* render) {
 
 void drawIntegrator(RenderOptions* options) {
     std::vector<std::string_view> names;
+    std::string tooltip;
     for (const IntegratorInfo& info : kIntegratorTable) {
         names.emplace_back(info.displayName);
+        tooltip += fmt::format("{}: {}.\n", info.displayName, integratorType(info.kind).purpose());
     }
+    tooltip += "Each keeps its picture";
     int integrator = static_cast<int>(options->integrator);
-    if (ui::choice(
-            "Integrator", &integrator, names,
-            "Light followed from the camera, or photons from the lights too: for caustics. Each keeps its "
-            "picture")) {
+    if (ui::choice("Integrator", &integrator, names, tooltip.c_str())) {
         options->integrator = kIntegratorTable[static_cast<size_t>(integrator)].kind;
     }
 }
