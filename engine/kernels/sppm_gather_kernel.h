@@ -18,7 +18,9 @@ namespace glint {
 namespace detail {
 
 /// A photon counts on the surface of the visible point `p` only: within the ball, near its tangent plane,
-/// where the surface has not bent away by more than 45 degrees, and on none that is stacked on it.
+/// where the surface has not bent away by more than 45 degrees, on none that is stacked on it, and on the
+/// side that it came to: where a closed surface bends, light from within is over the horizon of points
+/// nearby.
 GLINT_HD inline bool liesOnSurface(const SceneView& view, const PhotonLayout& layout, const Photon& photon,
                                    const Vec3& p, const GatherSurface& surface, float radiusSquared) {
     const Vec3 offset = photon.p - p;
@@ -28,7 +30,9 @@ GLINT_HD inline bool liesOnSurface(const SceneView& view, const PhotonLayout& la
         return false;
     }
     const Vec3 ng = layout.ng(photon);
+    const Vec3 wi = layout.wi(photon);
     return glm::dot(ng, surface.ng) > kLeastNormalCosine &&
+           (glm::dot(wi, ng) > 0.0f) == (glm::dot(wi, surface.ng) > 0.0f) &&
            sharePhotons(view, layout.surface(photon), surface.number, 0.5f * (height + glm::dot(offset, ng)),
                         radiusSquared);
 }

@@ -158,6 +158,40 @@ TEST(Sppm, ThinWallsDoNotLeak) {
     EXPECT_GT(blockMean(above.image, 16, 4, 4, 8), 0.0) << "the lit face must be lit";
 }
 
+/// A lamp within a closed ball that is seen from without, or the other way round.
+SceneDescription ballBetweenLampAndCamera(bool lampWithin, bool asMesh) {
+    SceneDescription scene = emptyScene(lampWithin ? Vec3(0, 0, 4) : Vec3(0, 0, 0.5f), Vec3(0.0f), 40.0f, 16);
+    scene.options.maxDepth = 4;
+    if (asMesh) {
+        addMeshObject(&scene, addMesh(&scene, bumpySphere(24, 48, false)), {},
+                      addMaterial(&scene, diffuseMaterial(0.8f)));
+    } else {
+        addObject(&scene, ShapeKind::Sphere, {}, diffuseMaterial(0.8f));
+    }
+    Light lamp;
+    lamp.position = lampWithin ? Vec3(0.4f, 0.2f, 0.0f) : Vec3(0, 0, -4);
+    lamp.strength = 100.0f;
+    scene.lights.push_back(lamp);
+    return scene;
+}
+
+TEST(Sppm, ClosedCurvedSurfacesDoNotLeak) {
+    SppmParams params;
+    params.photonsPerPass = 20000;
+    params.radiusWorld = 0.4f;
+    params.sampleDirectLight = false;
+    for (const bool lampWithin : {true, false}) {
+        for (const bool asMesh : {true, false}) {
+            const SppmRender render = renderSppm(ballBetweenLampAndCamera(lampWithin, asMesh), params, 2);
+            for (size_t i = 0; i < render.image.size(); ++i) {
+                ASSERT_EQ(render.image[i], Vec3(0.0f))
+                    << "pixel " << i << (lampWithin ? ", lamp within" : "") << (asMesh ? ", mesh" : "");
+            }
+            EXPECT_GT(render.lastPass.photons.rays, 0u);
+        }
+    }
+}
+
 TEST(Sppm, MirrorsAndEscapesOnly) {
     SceneDescription scene = small(cornellBox());
     scene.objects.resize(1);
