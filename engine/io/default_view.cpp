@@ -5,19 +5,10 @@
 
 #include "engine/io/studio.h"
 #include "engine/scene/object_box.h"
+#include "engine/scene/scene_use.h"
 
 namespace glint {
 namespace {
-
-bool hasLight(const SceneDescription& scene) {
-    for (const Object& object : scene.objects) {
-        if (object.material >= 0 && static_cast<size_t>(object.material) < scene.materials.size() &&
-            scene.materials[static_cast<size_t>(object.material)].emissive()) {
-            return true;
-        }
-    }
-    return !scene.lights.empty() || scene.environment.emissive();
-}
 
 void frame(const Bounds& bounds, Camera* camera) {
     constexpr float kMargin = 1.05f;

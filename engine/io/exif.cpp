@@ -59,4 +59,15 @@ Orientation jpegOrientation(std::string_view jpeg) {
     return Orientation::TopLeft;
 }
 
+Orientation webpOrientation(std::string_view webp) {
+    const Numbers numbers{webp, false};
+    // Chunks behind "RIFF", a length and "WEBP": a name, a length, and that many bytes, made even.
+    for (uint64_t place = 12; place + 8 <= webp.size();) {
+        const uint64_t length = numbers.at(place + 4, 4);
+        if (webp.substr(place, 4) == "EXIF") { return exifOrientation(webp.substr(place + 8, length)); }
+        place += 8 + length + length % 2;
+    }
+    return Orientation::TopLeft;
+}
+
 }  // namespace glint

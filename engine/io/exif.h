@@ -14,4 +14,7 @@ Orientation exifOrientation(std::string_view exif);
 /// The same of a JPEG file, from its APP1 segment.
 Orientation jpegOrientation(std::string_view jpeg);
 
+/// The same of a WebP file, from its EXIF chunk.
+Orientation webpOrientation(std::string_view webp);
+
 }  // namespace glint

@@ -1,6 +1,7 @@
 // WebP through libwebp.
 #include <webp/decode.h>
 
+#include "engine/io/exif.h"
 #include "engine/io/image_builder.h"
 #include "engine/io/image_formats.h"
 
@@ -47,7 +48,7 @@ Result<SceneImage> decode(const std::string& bytes, const std::string& path) {
     const VP8StatusCode code = WebPDecode(data, bytes.size(), &config);
     WebPFreeDecBuffer(&config.output);
     if (code != VP8_STATUS_OK) { return brokenImage(path, reasonOf(code)); }
-    Image8Builder builder({config.input.width, config.input.height});
+    Image8Builder builder({config.input.width, config.input.height, webpOrientation(bytes)});
     for (size_t row = 0; row < height; ++row) {
         builder.setRow(static_cast<int>(row), std::span(rgba).subspan(4 * width * row, 4 * width));
     }

@@ -19,6 +19,12 @@ Result<SceneDescription> load(const std::string& path, const LoadOptions& option
 }  // namespace
 
 extern const Importer kImportJson;
-const Importer kImportJson{"Glint JSON", ".json", looksLike, load};
+const Importer kImportJson{
+    .name = "Glint JSON",
+    .extensions = ".json",
+    .looksLike = looksLike,
+    .load = load,
+    .lights =
+        "\"emission\" in the material of an object, \"lights\", or an \"environment\" that is not black"};
 
 }  // namespace glint

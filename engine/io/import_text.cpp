@@ -23,6 +23,11 @@ Result<SceneDescription> load(const std::string& path, const LoadOptions& option
 }  // namespace
 
 extern const Importer kImportText;
-const Importer kImportText{"6.837 text", ".txt", looksLike, load};
+const Importer kImportText{
+    .name = "6.837 text",
+    .extensions = ".txt",
+    .looksLike = looksLike,
+    .load = load,
+    .lights = "'emission' in the material of an object, a Lights block, or a Background that is not black"};
 
 }  // namespace glint

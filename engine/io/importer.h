@@ -26,6 +26,8 @@ struct Importer {
     Result<MeshFile> (*readMesh)(const std::string& bytes, const std::string& path) = nullptr;
     /// Gives a mesh file read from `path` its own materials; null: it has none.
     Status (*readMaterials)(const std::string& path, MeshFile* file) = nullptr;
+    /// What brings light in such a file, for the message where nothing does.
+    std::string_view lights = "a material that shines";
 };
 
 /// In the order in which they are listed and asked.

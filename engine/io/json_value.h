@@ -52,10 +52,6 @@ class JsonValue {
     std::string string() const;
     /// An error at the value's first character, a string's opening quote.
     Error error(std::string message) const;
-    /// "path:line: message".
-    std::string warning(std::string_view message) const {
-        return document_->source.warning(node().begin, message);
-    }
 
     /// Elements of an array, or keys and values in turn of an object: for (v = first(); v.present(); v
     /// = next(v)).

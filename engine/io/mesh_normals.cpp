@@ -217,13 +217,6 @@ uint64_t turnByNormals(MeshData* mesh) {
     return turned;
 }
 
-std::string turnedOver(uint64_t triangles) {
-    return fmt::format(
-        "{} triangles are wound against their normals and turned over: normals decide which side is the "
-        "front",
-        triangles);
-}
-
 uint64_t addSmoothNormals(std::vector<MeshPart>* parts) {
     std::vector<SmoothFace> faces = facesWithoutNormals(*parts);
     if (faces.empty()) { return 0; }
@@ -262,7 +255,12 @@ void completeNormals(const std::string& path, MeshFile* file) {
         hasGroups =
             hasGroups || (!part.smoothing.empty() && part.smoothing.back().group != Smoothing::ByAngle);
     }
-    if (turned > 0) { file->warnings.push_back(fmt::format("{}: {}", path, turnedOver(turned))); }
+    if (turned > 0) {
+        file->warnings.push_back(fmt::format(
+            "{}: {} triangles are wound against their normals and turned over: normals decide which side is "
+            "the front",
+            path, turned));
+    }
     if (const uint64_t smooth = addSmoothNormals(&file->parts); smooth > 0) {
         file->notes.push_back(
             fmt::format("{}: {} triangles without normals get smooth ones, {}", path, smooth,

@@ -15,8 +15,6 @@ constexpr float kCreaseAngleDeg = 40.0f;
 /// Turns over triangles whose winding the sum of their vertex normals opposes, and says how many: as other
 /// renderers have it, normals decide which side is the front.
 uint64_t turnByNormals(MeshData* mesh);
-/// What a warning says of that.
-std::string turnedOver(uint64_t triangles);
 
 /// Gives normals to triangles that have none, and says how many get other ones than their face's: at each
 /// corner the mean, weighted by angles (Thürmer and Wüthrich 1998, "Computing Vertex Normals from Polygonal

@@ -53,7 +53,10 @@ Status ObjParser::run() {
 
 bool ObjParser::runLines(bool (ObjParser::*parse)(std::string_view, const char*)) {
     for (; !cursor_.atEnd(); cursor_.nextLine()) {
-        if (cursor_.atLineEnd()) { continue; }
+        if (cursor_.atLineEnd()) {
+            if (parse == &ObjParser::parseAttribute || !verticesFirst_) { readPolypaint(); }
+            continue;
+        }
         const char* where = cursor_.position();
         if (!(this->*parse)(cursor_.word(), where)) { return false; }
     }

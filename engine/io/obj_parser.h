@@ -48,6 +48,7 @@ class ObjParser {
     bool resolveIndex(int64_t number, std::string_view word, Attribute attribute, int32_t* index);
     bool countLine(Attribute attribute);
     void leaveOutRest(const char* where);
+    void readPolypaint();
     void useMaterial(const char* where);
     void useSmoothing();
     void finishPart();
@@ -60,6 +61,7 @@ class ObjParser {
     bool needsVerticesFirst_ = false;
     std::array<size_t, kAttributes> known_{};    ///< in the pools
     std::array<size_t, kAttributes> defined_{};  ///< up to the present line
+    size_t painted_ = 0;                         ///< vertices that have polypaint
     std::vector<ObjCorner> corners_;
     std::vector<SmoothingRun> smoothing_;   ///< of the present part
     Smoothing group_ = Smoothing::ByAngle;  ///< in force now

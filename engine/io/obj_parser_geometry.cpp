@@ -61,6 +61,21 @@ bool ObjParser::parsePosition() {
     return countLine(kPosition);
 }
 
+/// ZBrush's vertex colours: comments of 8 hexadecimal digits for each vertex, a mask and sRGB bytes.
+void ObjParser::readPolypaint() {
+    constexpr std::string_view kMark = "#MRGB ";
+    const char* at = cursor_.position();
+    if (!std::string_view(at, static_cast<size_t>(cursor_.end() - at)).starts_with(kMark)) { return; }
+    at += kMark.size();
+    pools_.colors.resize(pools_.positions.size(), Vec3(1.0f));
+    for (; cursor_.end() - at >= 8 && painted_ < pools_.colors.size(); at += 8, ++painted_) {
+        uint32_t mrgb = 0;
+        if (std::from_chars(at, at + 8, mrgb, 16).ptr != at + 8) { return; }
+        const auto channel = [mrgb](int shift) { return static_cast<float>(mrgb >> shift & 255) / 255.0f; };
+        pools_.colors[painted_] = {channel(16), channel(8), channel(0)};
+    }
+}
+
 bool ObjParser::parseUv() {
     const char* where = cursor_.position();
     float uvw[3] = {};

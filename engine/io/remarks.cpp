@@ -15,4 +15,12 @@ std::vector<std::string> Remarks::lines() const {
     return out;
 }
 
+void boundLines(std::vector<std::string>* lines) {
+    constexpr size_t kMostLines = 40;
+    if (lines->size() <= kMostLines) { return; }
+    const size_t more = lines->size() - (kMostLines - 1);
+    lines->resize(kMostLines - 1);
+    lines->push_back(fmt::format("and {} more like these", more));
+}
+
 }  // namespace glint

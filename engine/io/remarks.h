@@ -41,4 +41,8 @@ class Remarks {
     std::vector<Entry> entries_;
 };
 
+/// Leaves the first lines, and one that says how many more there were, where there are very many: one of each
+/// kind may still be one of each file.
+void boundLines(std::vector<std::string>* lines);
+
 }  // namespace glint

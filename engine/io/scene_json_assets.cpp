@@ -9,11 +9,10 @@ namespace glint {
 void SceneJsonReader::readAssets() {
     if (errors_.failed()) { return; }
     checkIdleAssets();
-    Remarks remarks;
     readUsedAssets(&assets_, &scene_, [&](const Asset& asset, const Error& error) {
         const std::string file = assetFile(scene_, asset);
         if (asset.kind == AssetKind::Texture && broughtTextures_.contains(asset.index)) {
-            remarkUnreadImage(asset, error, &scene_, &remarks);
+            remarkUnreadImage(asset, error, &scene_, &remarks_);
         } else if (file.empty()) {
             errors_.add(placeOf(asset), error.message);
         } else {
@@ -21,7 +20,7 @@ void SceneJsonReader::readAssets() {
         }
         return !errors_.failed();
     });
-    const std::vector<std::string> lines = remarks.lines();
+    const std::vector<std::string> lines = remarks_.lines();
     scene_.warnings.insert(scene_.warnings.end(), lines.begin(), lines.end());
 }
 
@@ -29,8 +28,7 @@ void SceneJsonReader::checkIdleAssets() {
     for (const Asset& asset : idleAssets(scene_)) {
         const std::string file = assetFile(scene_, asset);
         if (!file.empty() && !fileExists(resolvePath(file, assets_.scenePath()))) {
-            scene_.warnings.push_back(
-                placeOf(asset).warning(fmt::format("\"{}\" is missing; nothing uses it", file)));
+            remark(placeOf(asset), "files are missing that nothing uses", file);
         }
     }
 }
@@ -52,13 +50,21 @@ void SceneJsonReader::reportFile(const JsonValue& at, const std::string& path, c
     if (fileExists(resolved)) {
         errors_.add(error);  // It is there but broken: its own place says more.
     } else if (options_.allowMissing) {
-        scene_.warnings.push_back(at.warning(fmt::format("\"{}\" is missing and left out", path)));
+        remark(at, "files are missing and left out", path);
     } else {
         errors_.add(at,
                     fmt::format("the file \"{}\" cannot be read: {} (looked for {}); --allow-missing goes on "
                                 "without it",
                                 path, error.message, resolved));
     }
+}
+
+void SceneJsonReader::remark(const JsonValue& at, std::string_view kind, std::string_view detail) {
+    const auto place = [&] {
+        const SourcePlace found = at.error("").place;
+        return fmt::format("{}:{}", found.file, found.line);
+    };
+    remarks_.add(kind, place, detail);
 }
 
 }  // namespace glint

@@ -115,10 +115,11 @@ std::shared_ptr<const MeshData> SceneJsonReader::readInlineMesh(const JsonValue&
     checkCount(errors_, fields.find("colors"), "colors", mesh->colors.size(), vertexCount);
     readIndices(errors_, fields.require("triangles"), vertexCount, &mesh->indices);
     if (mesh->indices.empty()) { errors_.add(value, "the mesh has no triangles"); }
-    const uint64_t turned = errors_.failed() ? 0 : turnByNormals(mesh.get());
-    if (turned > 0) {
-        const SourcePlace place = value.error("").place;
-        scene_.warnings.push_back(fmt::format("{}:{}: {}", place.file, place.line, turnedOver(turned)));
+    if (!errors_.failed() && turnByNormals(mesh.get()) > 0) {
+        remark(value,
+               "meshes have triangles that are wound against their normals and turned over: normals "
+               "decide which side is the front",
+               "");
     }
     return mesh;
 }

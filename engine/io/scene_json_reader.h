@@ -39,6 +39,7 @@ class SceneJsonReader {
     const JsonValue& placeOf(const Asset& asset) const;
     /// Records a missing or unreadable file: an error at `at`, or a warning where missing files are allowed.
     void reportFile(const JsonValue& at, const std::string& path, const Error& error);
+    void remark(const JsonValue& at, std::string_view kind, std::string_view detail);
 
     // scene_json_materials.cpp
     void readTextures(const JsonValue& value);
@@ -113,6 +114,7 @@ class SceneJsonReader {
     std::vector<JsonValue> meshPlaces_;
     std::set<size_t> broughtTextures_;  ///< those that mesh files' materials name
     JsonValue environmentPlace_;
+    Remarks remarks_;
 };
 
 /// Calls body(value, number) for each element of an array until there is an error.

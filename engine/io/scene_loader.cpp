@@ -9,7 +9,9 @@
 #include "engine/io/file_kind.h"
 #include "engine/io/foreign_kind.h"
 #include "engine/io/importer.h"
+#include "engine/io/remarks.h"
 #include "engine/io/scene_names.h"
+#include "engine/scene/scene_use.h"
 #include "engine/scene/stability_warnings.h"
 
 namespace glint {
@@ -33,6 +35,12 @@ Result<SceneDescription> loadScene(const std::string& path, const LoadOptions& o
         makeNamesText(&*scene);
         std::vector<std::string> limits = stabilityWarnings(*scene);
         std::move(limits.begin(), limits.end(), std::back_inserter(scene->warnings));
+        if (!hasLight(*scene)) {
+            scene->warnings.push_back(fmt::format(
+                "{}: nothing shines, so the picture stays black; expected {}", path, importer->lights));
+        }
+        boundLines(&scene->warnings);
+        boundLines(&scene->notes);
     }
     return scene;
 }

@@ -9,6 +9,12 @@
 #include "engine/scene/object_box.h"
 
 namespace glint {
+namespace {
+
+/// Of the angle between view and up: less says nothing about which way is up (camera_builder.cpp).
+constexpr float kLeastSine = 1e-6f;
+
+}  // namespace
 
 SceneTextReader::SceneTextReader(TextSource source, const LoadOptions& options)
     : tokens_(std::move(source)), options_(options), assets_(tokens_.source().path, options.counts) {
@@ -21,6 +27,7 @@ Result<SceneDescription> SceneTextReader::read() {
     readBlocks();
     if (!tokens_.failed()) { finish(); }
     if (tokens_.failed()) { return tokens_.error(); }
+    if (missingMesh_ && scene_.objects.empty() && !options_.allowMissing) { return *missingMesh_; }
     return std::move(scene_);
 }
 
@@ -87,14 +94,11 @@ void SceneTextReader::readCamera() {
             tokens_.failUnknown("PerspectiveCamera", kFields);
         }
     }
-    if (!tokens_.failed() && isZero(glm::cross(glm::normalize(direction), up))) {
-        tokens_.fail(at, "the camera looks along 'up'; expected an 'up' that is not parallel to 'direction'");
-    }
-    if (!tokens_.failed()) { placeCamera(direction, up, angleDeg, focalLength, halfAperture); }
+    if (!tokens_.failed()) { placeCamera(at, direction, up, angleDeg, focalLength, halfAperture); }
 }
 
-void SceneTextReader::placeCamera(const Vec3& direction, const Vec3& up, float angleDeg, float focalLength,
-                                  float halfAperture) {
+void SceneTextReader::placeCamera(const TextToken& at, const Vec3& direction, const Vec3& up, float angleDeg,
+                                  float focalLength, float halfAperture) {
     Camera& camera = scene_.camera;
     const Vec3 forward = glm::normalize(direction);
     camera.target = camera.position + focalLength * forward;
@@ -103,7 +107,12 @@ void SceneTextReader::placeCamera(const Vec3& direction, const Vec3& up, float a
     }
     camera.up = up;
     // The original does not normalise its image axes: both have the length of `direction x up`.
-    const float narrowing = glm::length(glm::cross(forward, up));
+    float narrowing = glm::length(glm::cross(forward, up));
+    if (narrowing <= kLeastSine * glm::length(up)) {
+        narrowing = 1.0f;
+        scene_.notes.push_back(tokens_.source().warning(
+            at.offset, "the camera looks along 'up': another axis is up, and the angle is not narrowed"));
+    }
     const float halfAngleRad = 0.5f * angleDeg * (kPi / 180.0f);
     camera.verticalFovDeg =
         narrowing == 1.0f ? angleDeg : 2.0f * std::atan(narrowing * std::tan(halfAngleRad)) * (180.0f / kPi);
@@ -182,10 +191,7 @@ void SceneTextReader::readDiskLights() {
         }
     }
     tokens_.expect("}", fmt::format("{} DiskLights", count));
-    if (count > 0 && !tokens_.failed()) {
-        scene_.warnings.push_back(tokens_.source().warning(
-            at.offset, "DiskLights are left out, as the original's path tracer does"));
-    }
+    if (count > 0) { remark(at, "DiskLights are left out, as the original's path tracer does", ""); }
 }
 
 void SceneTextReader::finish() {
@@ -205,15 +211,8 @@ void SceneTextReader::finish() {
     } else if (!scene_.lights.empty()) {
         useLights();
     }
-    for (const Missing& missing : missing_) {
-        scene_.warnings.push_back(tokens_.source().warning(missing.at.offset, missing.what + "; left out"));
-    }
-    if (!missing_.empty() && !options_.allowMissing) {
-        const std::string more =
-            missing_.size() > 1 ? fmt::format(" (and {} more such places)", missing_.size() - 1) : "";
-        tokens_.fail(missing_.front().at,
-                     fmt::format("{}{}; --allow-missing goes on without", missing_.front().what, more));
-    }
+    const std::vector<std::string> lines = remarks_.lines();
+    scene_.warnings.insert(scene_.warnings.end(), lines.begin(), lines.end());
 }
 
 void SceneTextReader::useLights() {
@@ -233,8 +232,11 @@ Vec3 SceneTextReader::sceneCenter() const {
     return bounds.empty() ? scene_.camera.target : bounds.center();
 }
 
-void SceneTextReader::missing(const TextToken& at, std::string what) {
-    if (!tokens_.failed()) { missing_.push_back({at, std::move(what)}); }
+void SceneTextReader::remark(const TextToken& at, std::string_view kind, std::string_view detail) {
+    const auto place = [&] {
+        return fmt::format("{}:{}", scene_.path, tokens_.source().place(at.offset).line);
+    };
+    if (!tokens_.failed()) { remarks_.add(kind, place, detail); }
 }
 
 std::string SceneTextReader::locate(const std::string& path) const {

@@ -50,7 +50,7 @@ void SceneTextReader::readMaterial() {
             const TextToken pathAt = tokens_.peek();
             material.color.texture = addTexture(pathAt, tokens_.path("a texture"));
         } else if (tokens_.accept("bump")) {
-            missing(at, fmt::format("bump maps (\"{}\") are not drawn yet", tokens_.path("a bump map")));
+            remark(at, "bump maps are not drawn yet", tokens_.path("a bump map"));
         } else {
             tokens_.failUnknown("Material", kFields);
         }
@@ -99,16 +99,15 @@ void SceneTextReader::readTextures() {
     };
     for (const Asset& asset : idleAssets(scene_)) {
         if (isMissing(asset)) {
-            scene_.warnings.push_back(
-                tokens_.source().warning(texturePlaces_[asset.index].offset,
-                                         fmt::format("the texture \"{}\" is missing; no object uses it",
-                                                     scene_.textures[asset.index].name)));
+            remark(texturePlaces_[asset.index], "textures are missing that no object uses",
+                   scene_.textures[asset.index].name);
         }
     }
     readUsedAssets(&assets_, &scene_, [&](const Asset& asset, const Error& error) {
         const TextToken& at = texturePlaces_[asset.index];
         if (isMissing(asset)) {
-            missing(at, fmt::format("the texture \"{}\" is missing", scene_.textures[asset.index].name));
+            remark(at, "textures are missing; the material's own colour takes their place",
+                   scene_.textures[asset.index].name);
             return true;
         }
         tokens_.fail(at, fmt::format("the texture cannot be read: {}", error.format()));

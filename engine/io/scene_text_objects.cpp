@@ -79,8 +79,7 @@ void SceneTextReader::readObject(const Affine& toWorld, int depth) {
     } else if (word == "RevSurface") {
         readRevSurface(toWorld);
     } else if (word == "BezierCurve" || word == "BsplineCurve") {
-        scene_.warnings.push_back(tokens_.source().warning(
-            tokens_.peek().offset, fmt::format("this {} has no surface, so nothing of it is drawn", word)));
+        remark(tokens_.peek(), "curves have no surface, so nothing of them is drawn", word);
         readCurve();
     } else {
         tokens_.failUnknown("Group", kObjects);
@@ -216,7 +215,13 @@ void SceneTextReader::readMesh(const Affine& toWorld) {
     if (tokens_.failed()) { return; }
     const std::string located = locate(path);
     if (!fileExists(resolvePath(located, scene_.path))) {
-        missing(at, fmt::format("the mesh \"{}\" is missing", path));
+        remark(at, "meshes are missing and left out", path);
+        if (!missingMesh_) {
+            missingMesh_ = tokens_.source().error(
+                at.offset, fmt::format("the mesh \"{}\" is missing, and nothing else is there to be seen; "
+                                       "--allow-missing goes on without",
+                                       path));
+        }
         return;
     }
     const auto file = assets_.meshFile(located);

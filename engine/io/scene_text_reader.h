@@ -3,11 +3,13 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/io/asset_cache.h"
 #include "engine/io/load_options.h"
+#include "engine/io/remarks.h"
 #include "engine/io/scene_text_tokens.h"
 #include "engine/scene/scene.h"
 
@@ -24,8 +26,8 @@ class SceneTextReader {
     void readBlocks();
     void readBlock(std::string_view word);
     void readCamera();
-    void placeCamera(const Vec3& direction, const Vec3& up, float angleDeg, float focalLength,
-                     float halfAperture);
+    void placeCamera(const TextToken& at, const Vec3& direction, const Vec3& up, float angleDeg,
+                     float focalLength, float halfAperture);
     void readBackground();
     void readLights();
     void readDiskLights();
@@ -56,22 +58,19 @@ class SceneTextReader {
     void addObject(const TextToken& at, ShapeKind shape, const Affine& toWorld, int mesh, bool frontOnly);
     int addMesh(const std::string& path, int part, std::shared_ptr<const MeshData> data);
 
-    /// Something the scene asks for and does not get: reported once all is read.
-    void missing(const TextToken& at, std::string what);
+    /// Something the scene asks for and does not get: reported once all is read. `kind` is as Remarks wants
+    /// it.
+    void remark(const TextToken& at, std::string_view kind, std::string_view detail);
     /// `path` as it has to be written to be found from the scene's folder: as it is, or from the
     /// folder above.
     std::string locate(const std::string& path) const;
-
-    struct Missing {
-        TextToken at;
-        std::string what;
-    };
 
     SceneTextTokens tokens_;
     LoadOptions options_;
     AssetCache assets_;
     SceneDescription scene_;
-    std::vector<Missing> missing_;
+    Remarks remarks_;
+    std::optional<Error> missingMesh_;  ///< the first one
     std::vector<std::string> seenBlocks_;
     std::map<std::string, int> textures_;   ///< by path
     std::vector<TextToken> texturePlaces_;  ///< where each is named first

@@ -237,7 +237,9 @@ struct FieldsOf<FileSource> {
               {.help = "OBJ or PLY; relative to the scene's folder", .inPicture = false, .required = true}),
         field("part", &FileSource::part,
               {.range = {.lo = 0, .hi = 100'000'000},
-               .help = "OBJ: the n-th run of faces of one material, from 0; all of them if left out",
+               .help = "the file's n-th part, from 0 (OBJ: a run of faces of one material; PLY has one "
+                       "part); all of "
+                       "them if left out",
                .inPicture = false},
               {.isSaved = [](const FileSource& file) { return file.part >= 0; }})};
 };

@@ -1,5 +1,7 @@
 #include "engine/scene/scene_use.h"
 
+#include <algorithm>
+
 namespace glint {
 namespace {
 
@@ -82,6 +84,19 @@ bool usesEnvironmentImage(const SceneDescription& scene) {
     const Environment& environment = scene.environment;
     return environment.emissive() && environment.image >= 0 &&
            static_cast<size_t>(environment.image) < scene.environmentImages.size();
+}
+
+bool hasLight(const SceneDescription& scene) {
+    const auto shines = [&](const Object& object) {
+        const auto material = static_cast<size_t>(object.material);
+        return object.material >= 0 && material < scene.materials.size() &&
+               scene.materials[material].emissive();
+    };
+    const auto isOn = [](const Light& light) {
+        return light.strength > 0.0f && maxComponent(light.color) > 0.0f;
+    };
+    return std::ranges::any_of(scene.objects, shines) || std::ranges::any_of(scene.lights, isOn) ||
+           scene.environment.emissive();
 }
 
 }  // namespace glint

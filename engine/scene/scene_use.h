@@ -36,5 +36,7 @@ std::vector<bool> usedMeshes(const SceneDescription& scene);
 std::vector<bool> texturedMeshes(const SceneDescription& scene);
 /// Whether the environment shines with an image.
 bool usesEnvironmentImage(const SceneDescription& scene);
+/// Whether anything shines: a material that an object has, a light, or the environment.
+bool hasLight(const SceneDescription& scene);
 
 }  // namespace glint

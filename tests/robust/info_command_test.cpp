@@ -56,7 +56,7 @@ TEST_F(InfoCommand, WhatIsNamedInVainIsListedWithWhatItWouldTake) {
     EXPECT_TRUE(says(text.out, "           texture 'gone' gone.png: the file is missing\n"));
     EXPECT_TRUE(
         says(text.out, "           environment image 'sky': the environment does not shine with it\n"));
-    EXPECT_TRUE(says(text.out, "\"gone.png\" is missing; nothing uses it"));
+    EXPECT_TRUE(says(text.out, "files are missing that nothing uses: \"gone.png\""));
     EXPECT_EQ(text.out.find("held unused"), std::string::npos) << "an empty column says nothing";
 
     const Json report = reportOf(scene);

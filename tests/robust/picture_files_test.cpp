@@ -123,11 +123,11 @@ TEST(PictureFiles, PngWithAWrongChecksumIsRefused) {
     }
 }
 
-TEST(PictureFiles, JpegFollowsTheOrientationOfItsExif) {
+void expectOrientations(std::string (*file)(int orientation)) {
     // Where the white half of the stored picture, its left one, is shown.
     const char* const kWhite[] = {"left", "right", "right", "left", "top", "top", "bottom", "bottom"};
     for (int orientation = 1; orientation <= 8; ++orientation) {
-        const auto image = decodeImage(test::jpegWithOrientation(orientation), "a.jpg");
+        const auto image = decodeImage(file(orientation), "a");
         ASSERT_TRUE(image) << image.error().format();
         const Image8& pixels = *image->bytes;
         EXPECT_EQ(pixels.width, orientation < 5 ? 16 : 8);
@@ -141,6 +141,42 @@ TEST(PictureFiles, JpegFollowsTheOrientationOfItsExif) {
                                                                                 : "bottom";
         EXPECT_EQ(white, kWhite[orientation - 1]) << "orientation " << orientation;
     }
+}
+
+TEST(PictureFiles, JpegAndWebpFollowTheOrientationOfTheirExif) {
+    expectOrientations(test::jpegWithOrientation);
+    expectOrientations(test::webpWithOrientation);
+}
+
+TEST(PictureFiles, DdsBlocksOfOneChannelHoldEightValues) {
+    // 4 x 4 pixels, whose choices count 0 to 7, twice.
+    const auto valuesBetween = [](int first, int second) {
+        std::string bytes = "DDS " + test::little(124, 4) + test::little(0x1007, 4) + test::little(4, 4) +
+                            test::little(4, 4) + std::string(56, '\0') + test::little(32, 4) +
+                            test::little(4, 4) + "BC4U" + std::string(40, '\0');
+        bytes +=
+            test::little(static_cast<uint64_t>(first), 1) + test::little(static_cast<uint64_t>(second), 1);
+        bytes += test::little(0xfac688, 3) + test::little(0xfac688, 3);
+        const auto image = decodeImage(bytes, "a.dds");
+        EXPECT_TRUE(image) << image.error().format();
+        std::vector<int> values;
+        for (size_t i = 0; image && i < 8; ++i) {
+            values.push_back(image->bytes->rgb[3 * i]);
+        }
+        return values;
+    };
+    EXPECT_THAT(valuesBetween(210, 0), testing::ElementsAre(210, 0, 180, 150, 120, 90, 60, 30));
+    EXPECT_THAT(valuesBetween(50, 100), testing::ElementsAre(50, 100, 60, 70, 80, 90, 0, 255));
+}
+
+TEST(PictureFiles, DdsPixelsThatAreNotReadAreNamed) {
+    const std::string bytes = "DDS " + test::little(124, 4) + test::little(0x1007, 4) + test::little(4, 4) +
+                              test::little(4, 4) + std::string(56, '\0') + test::little(32, 4) +
+                              test::little(4, 4) + "DX10" + std::string(40, '\0') + test::little(98, 4) +
+                              std::string(32, '\0');
+    const auto image = decodeImage(bytes, "a.dds");
+    ASSERT_FALSE(image);
+    EXPECT_THAT(image.error().format(), HasSubstr("has DDS pixels of kind BC7; expected DXT1"));
 }
 
 TEST(PictureFiles, XyzeHasItsColours) {

@@ -190,14 +190,7 @@ void addJpeg(std::vector<PictureFile>* files) {
 }
 
 std::string jpegWithOrientation(int orientation) {
-    Image8 image{16, 8, std::vector<uint8_t>(3 * 128, 0)};
-    for (size_t i = 0; i < 128; ++i) {
-        if (i % 16 < 8) { std::fill_n(&image.rgb[3 * i], 3, uint8_t{255}); }
-    }
-    const std::string tiffHeader = "II" + little(42, 2) + little(8, 4);
-    const std::string entry =
-        little(0x112, 2) + little(3, 2) + little(1, 4) + little(static_cast<uint64_t>(orientation), 4);
-    return jpeg(image, false, std::string("Exif\0\0", 6) + tiffHeader + little(1, 2) + entry + little(0, 4));
+    return jpeg(halfWhiteImage(), false, std::string("Exif\0\0", 6) + exifOf(orientation));
 }
 
 void addTiff(std::vector<PictureFile>* files) {

@@ -185,37 +185,72 @@ void addDds(std::vector<PictureFile>* files) {
         std::memcpy(&fourCc, name, 4);
         files->push_back({std::string(name) + ".dds", dds(4, fourCc, 0, blocks), two, 8});
     }
+    // Blocks of one channel, whose even columns have the first end and whose odd ones the second.
+    const auto channel = [](int even, int odd) {
+        return bytesOf({even, odd, 0x08, 0x82, 0x20, 0x08, 0x82, 0x20});
+    };
+    Image8 grey{6, 5, {}}, normals{6, 5, {}};
+    std::string one, both;
+    for (int i = 0; i < 30; ++i) {
+        const uint8_t x = i % 2 == 0 ? 200 : 10, y = i % 2 == 0 ? 100 : 127, z = i % 2 == 0 ? 229 : 177;
+        grey.rgb.insert(grey.rgb.end(), {x, x, x});
+        normals.rgb.insert(normals.rgb.end(), {x, y, z});
+    }
+    for (int block = 0; block < 4; ++block) {
+        one += channel(200, 10);
+        both += channel(200, 10) + channel(100, 127);
+    }
+    files->push_back({"ATI1.dds", dds(4, 0x31495441, 0, one), grey});
+    files->push_back({"BC5U.dds", dds(4, 0x55354342, 0, both), normals});
 }
 
-void addWebp(std::vector<PictureFile>* files) {
-    for (const bool hasAlpha : {false, true}) {
-        const Image8 image = hasAlpha ? transparentImage() : patternImage();
-        const std::string rgba = rowsOf(image, false, [](const Pixel& p) {
-            return bytesOf({p[0], p[1], p[2], p[3]});
-        });
-        WebPConfig config;
-        WebPPicture picture;
-        WebPConfigInit(&config);
-        WebPConfigLosslessPreset(&config, 6);
-        WebPPictureInit(&picture);
-        config.exact = 1;
-        picture.use_argb = 1;
-        picture.width = 6;
-        picture.height = 5;
-        WebPPictureImportRGBA(&picture, reinterpret_cast<const uint8_t*>(rgba.data()), 24);
-        WebPMemoryWriter writer;
-        WebPMemoryWriterInit(&writer);
-        picture.writer = WebPMemoryWrite;
-        picture.custom_ptr = &writer;
-        WebPEncode(&config, &picture);
-        files->push_back({hasAlpha ? "alpha.webp" : "plain.webp",
-                          std::string(reinterpret_cast<const char*>(writer.mem), writer.size), image});
-        WebPMemoryWriterClear(&writer);
-        WebPPictureFree(&picture);
-    }
+std::string webp(const Image8& image) {
+    const std::string rgba = rowsOf(image, false, [](const Pixel& p) {
+        return bytesOf({p[0], p[1], p[2], p[3]});
+    });
+    WebPConfig config;
+    WebPPicture picture;
+    WebPConfigInit(&config);
+    WebPConfigLosslessPreset(&config, 6);
+    WebPPictureInit(&picture);
+    config.exact = 1;
+    picture.use_argb = 1;
+    picture.width = image.width;
+    picture.height = image.height;
+    WebPPictureImportRGBA(&picture, reinterpret_cast<const uint8_t*>(rgba.data()), 4 * image.width);
+    WebPMemoryWriter writer;
+    WebPMemoryWriterInit(&writer);
+    picture.writer = WebPMemoryWrite;
+    picture.custom_ptr = &writer;
+    WebPEncode(&config, &picture);
+    std::string bytes(reinterpret_cast<const char*>(writer.mem), writer.size);
+    WebPMemoryWriterClear(&writer);
+    WebPPictureFree(&picture);
+    return bytes;
 }
 
 }  // namespace
+
+Image8 halfWhiteImage() {
+    Image8 image{16, 8, std::vector<uint8_t>(3 * 128, 0)};
+    for (size_t i = 0; i < 128; ++i) {
+        if (i % 16 < 8) { std::fill_n(&image.rgb[3 * i], 3, uint8_t{255}); }
+    }
+    return image;
+}
+
+std::string exifOf(int orientation) {
+    const std::string entry =
+        little(0x112, 2) + little(3, 2) + little(1, 4) + little(static_cast<uint64_t>(orientation), 4);
+    return "II" + little(42, 2) + little(8, 4) + little(1, 2) + entry + little(0, 4);
+}
+
+std::string webpWithOrientation(int orientation) {
+    const std::string exif = exifOf(orientation);
+    const std::string chunks = "WEBPVP8X" + little(10, 4) + little(8, 4) + little(15, 3) + little(7, 3) +
+                               webp(halfWhiteImage()).substr(12) + "EXIF" + little(exif.size(), 4) + exif;
+    return "RIFF" + little(chunks.size(), 4) + chunks;
+}
 
 std::string little(uint64_t value, int bytes) {
     std::string out;
@@ -262,7 +297,8 @@ std::vector<PictureFile> pictureFiles() {
     addPnm(&files);
     addPsd(&files);
     addDds(&files);
-    addWebp(&files);
+    files.push_back({"plain.webp", webp(patternImage()), patternImage()});
+    files.push_back({"alpha.webp", webp(transparentImage()), transparentImage()});
     return files;
 }
 

@@ -28,8 +28,13 @@ std::vector<PictureFile> pictureFiles();
 /// HDR, EXR and TIFF files of floats; their pixels are 1 / 255 each.
 std::vector<PictureFile> floatPictureFiles();
 
-/// A JPEG file of 16 x 8 pixels, its left half white, with an EXIF block of that orientation.
+/// 16 x 8 pixels, the left half white.
+Image8 halfWhiteImage();
+/// The TIFF header and directory of an EXIF block of that orientation.
+std::string exifOf(int orientation);
+/// The picture above with such a block.
 std::string jpegWithOrientation(int orientation);
+std::string webpWithOrientation(int orientation);
 
 /// Numbers as files of one byte order or the other have them.
 std::string little(uint64_t value, int bytes);

@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "engine/builders/camera_builder.h"
+
 namespace glint {
 namespace {
 
@@ -30,6 +32,18 @@ TEST(SceneText, CameraNarrowsByTheSineBetweenDirectionAndUp) {
                 1e-6f);
     EXPECT_EQ(scene.resolution, (Resolution{30, 20}));
     EXPECT_EQ(scene.camera.horizontalScale, 1.0f);
+}
+
+TEST(SceneText, ACameraMayLookAlongItsUp) {
+    for (const char* view : {"direction 0 -1 0", "direction 0 3 0", "direction 0 0 -2 up 0 0 5"}) {
+        const SceneDescription scene =
+            mustRead(std::string("PerspectiveCamera { center 0 9 0 angle 50 ") + view + " }");
+        EXPECT_EQ(scene.camera.verticalFovDeg, 50.0f) << view;
+        EXPECT_TRUE(buildCamera(scene.camera, 1.0f)) << view;
+        EXPECT_THAT(scene.warnings, testing::IsEmpty()) << view;
+        EXPECT_THAT(scene.notes, testing::ElementsAre(HasSubstr("scene.txt:1: the camera looks along 'up'")))
+            << view;
+    }
 }
 
 TEST(SceneText, ApertureIsTheHalfSideOfASquareLens) {
@@ -137,7 +151,9 @@ TEST(SceneText, RevSurfacesAreTurnedProfiles) {
     EXPECT_EQ(scene.objects[0].objectToWorld.translation, Vec3(0, 5, 0));
     EXPECT_EQ(scene.objects[1].curve, CurveKind::Bezier);
     EXPECT_EQ(scene.objects[1].profile, (std::vector<Vec2>{{0, 0}, {1, 0}, {1, 2}, {0, 2}}));
-    EXPECT_THAT(scene.warnings, testing::Contains(HasSubstr("this BezierCurve has no surface")));
+    EXPECT_THAT(
+        scene.warnings,
+        testing::Contains(HasSubstr("curves have no surface, so nothing of them is drawn: \"BezierCurve\"")));
     std::string points;
     for (int i = 0; i < 19; ++i) {
         points += "[ 1 " + std::to_string(i) + " 0 ] ";

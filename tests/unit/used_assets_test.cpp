@@ -36,7 +36,8 @@ TEST_F(UsedAssets, AJsonSceneReadsOneMeshOfAllThatItNames) {
     expectNothingUnused(scene);
     EXPECT_TRUE(scene.meshes[0].data->uvsLeftOut);
     EXPECT_EQ(idleAssets(scene).size(), 3u + 4u + 1u);
-    EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("idle.json:4: \"gone.png\" is missing; nothing uses")));
+    EXPECT_THAT(scene.warnings,
+                ElementsAre(HasSubstr("idle.json:4: files are missing that nothing uses: \"gone.png\"")));
 }
 
 TEST_F(UsedAssets, AnObjSceneReadsTheTexturesOfItsFaces) {

@@ -36,13 +36,18 @@ TEST(VertexColors, MeanTheSameInBothFormatsAndRanges) {
         }
         return text + "4 0 1 2 3\n";
     };
+    // ZBrush's, over two lines, in front of the faces and behind them.
+    const std::string paint = "#MRGB ffFF3300ffff3300\n#MRGB 00ff3300ffff3300\n", plain = obj("");
+    const size_t faces = plain.find("f ");
     const Vec3 expected(1.0f, srgbToLinear(0.2f), 0.0f);
     for (const Vec3& color :
          {colorOf("a.obj", obj("1 0.2 0")), colorOf("a.obj", obj("255 51 0")),
-          colorOf("a.obj", obj("1 0.2 0 1")), colorOf("a.ply", ply("uchar", "255 51 0")),
-          colorOf("a.ply", ply("int", "255 51 0")), colorOf("a.ply", ply("ushort", "65535 13107 0")),
-          colorOf("a.ply", ply("float", "1 0.2 0")), colorOf("a.ply", ply("float", "255 51 0")),
-          colorOf("a.ply", ply("uchar", "255.0 51.0 0"))}) {
+          colorOf("a.obj", obj("1 0.2 0 1")),
+          colorOf("a.obj", plain.substr(0, faces) + paint + plain.substr(faces)),
+          colorOf("a.obj", plain.substr(faces) + plain.substr(0, faces) + paint),
+          colorOf("a.ply", ply("uchar", "255 51 0")), colorOf("a.ply", ply("int", "255 51 0")),
+          colorOf("a.ply", ply("ushort", "65535 13107 0")), colorOf("a.ply", ply("float", "1 0.2 0")),
+          colorOf("a.ply", ply("float", "255 51 0")), colorOf("a.ply", ply("uchar", "255.0 51.0 0"))}) {
         EXPECT_NEAR(glm::length(color - expected), 0.0f, 1e-5f) << color.x << " " << color.y;
     }
 }
