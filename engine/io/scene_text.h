@@ -11,9 +11,9 @@
 
 namespace glint {
 
-/// Files that are missing are left out with a warning. Error: anything outside the grammar, with its place; no
-/// object is left, since its mesh is missing, unless options.allowMissing. Paths count from the scene's folder
-/// or the one above it.
+/// Files that are missing are left out with a warning. Error: anything outside the grammar, with its place;
+/// no object is left, since its mesh is missing, unless options.allowMissing. Paths count from the scene's
+/// folder or the one above it.
 Result<SceneDescription> readSceneText(TextSource source, const LoadOptions& options);
 
 }  // namespace glint

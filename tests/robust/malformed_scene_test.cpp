@@ -290,7 +290,8 @@ TEST(MalformedScene, MissingFilesOfATextAreOneWarningOfEachKind) {
     std::string materials = "Materials { numMaterials 50\n", objects = "Group { numObjects 100\n";
     for (int i = 0; i < 50; ++i) {
         materials += "Material { texture none" + std::to_string(i) + ".png }\n";
-        objects += "MaterialIndex " + std::to_string(i) + " Sphere { center 0 0 0 radius 1 }\n";
+        objects += "MaterialIndex " + std::to_string(i) + " Sphere { center " + std::to_string(3 * i) +
+                   " 0 0 radius 1 }\n";
         objects += "TriangleMesh { obj_file none" + std::to_string(i) + ".obj }\n";
     }
     const ScratchFile file("many.txt", materials + "}\n" + objects + "}");
@@ -334,7 +335,7 @@ TEST(MalformedScene, WhereNothingShinesTheMessageNamesWhatWouldInThatFormat) {
     EXPECT_THAT(warningsOf("lit.txt", ball), testing::IsEmpty());
     // The material that shines is on no object, and the light is switched off.
     EXPECT_THAT(warningsOf("dark.json", R"({"glint":1,"materials":{"a":{"type":"diffuse"},
-        "b":{"type":"diffuse","emission":1}},"lights":[{"type":"point","intensity":0}],
+        "b":{"type":"diffuse","emission":1}},"lights":[{"type":"point","position":[0,0,9],"intensity":0}],
         "objects":[{"type":"sphere","material":"a"}]})"),
                 testing::ElementsAre(HasSubstr("\"lights\", or an \"environment\" that is not black")));
     EXPECT_THAT(warningsOf("lit.json", R"({"glint":1,"materials":{"b":{"type":"diffuse","emission":1}},

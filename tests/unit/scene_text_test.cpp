@@ -34,6 +34,8 @@ TEST(SceneText, CameraNarrowsByTheSineBetweenDirectionAndUp) {
     EXPECT_EQ(scene.camera.horizontalScale, 1.0f);
 }
 
+TEST(SceneText, MirrorsReflectMirrorsToDepth64) { EXPECT_EQ(mustRead(kTwoMaterials).options.maxDepth, 64); }
+
 TEST(SceneText, ACameraMayLookAlongItsUp) {
     for (const char* view : {"direction 0 -1 0", "direction 0 3 0", "direction 0 0 -2 up 0 0 5"}) {
         const SceneDescription scene =

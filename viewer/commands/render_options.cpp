@@ -52,8 +52,15 @@ void addImageOptions(const Command& command, RenderCommandOptions* o) {
     command.option("-o,--output", &o->output, "Picture to write: " + listSavedExtensions())
         .typeName("OUT")
         .group(group);
-    command.option("--exposure", &o->exposure, "PNG: exposure in stops").between(-100.0, 100.0).group(group);
-    command.option("--tone", &o->tone, "PNG: tone map")
+    command
+        .option("--exposure", &o->exposure,
+                "PNG: exposure in stops; by default 0, or what a picture needs that would be black or white")
+        .between(-100.0, 100.0)
+        .group(group);
+    command
+        .flag("--no-auto-exposure", &o->noAutoExposure, "PNG: exposure 0 also where that is black or white")
+        .group(group);
+    command.option("--tone", &o->tone, "PNG: tone map, srgb by default")
         .oneOf({"clamp", "srgb", "filmic", "reinhard"})
         .group(group);
     command
@@ -85,6 +92,16 @@ void addCheckpointOptions(const Command& command, RenderCommandOptions* o) {
 }
 
 }  // namespace
+
+std::optional<float> statedExposure(const RenderCommandOptions& options) {
+    const bool isZero = options.noAutoExposure || options.overrides.asOriginal;
+    return options.exposure || !isZero ? options.exposure : std::optional(0.0f);
+}
+
+ToneMap toneMapOf(const RenderCommandOptions& options) {
+    return toneMapFromName(options.tone)
+        .value_or(options.overrides.asOriginal ? ToneMap::Clamp : ToneMap::Srgb);
+}
 
 StopLimits finalLimits(const RenderCommandOptions& options) {
     return options.limits == StopLimits{} ? StopLimits{.passes = kDefaultPasses} : options.limits;

@@ -24,8 +24,9 @@ struct RenderCommandOptions {
     int threads = 0;
     std::vector<std::string> aovs;
     bool exrFloat = false;
-    float exposure = 0.0f;
-    std::string tone = "srgb";
+    std::optional<float> exposure;  ///< nothing: chosen by the picture
+    bool noAutoExposure = false;
+    std::string tone;  ///< empty: sRGB, or the original's
     std::string checkpoint;
     std::string checkpointEvery;
     std::string resume;
@@ -39,6 +40,10 @@ struct RenderCommandOptions {
 };
 
 void addRenderOptions(const Command& command, RenderCommandOptions* options);
+
+/// Of PNGs; nothing: the picture decides.
+std::optional<float> statedExposure(const RenderCommandOptions& options);
+ToneMap toneMapOf(const RenderCommandOptions& options);
 
 /// The limits that were given, or kDefaultPasses where none was.
 StopLimits finalLimits(const RenderCommandOptions& options);

@@ -7,6 +7,7 @@
 
 #include "engine/base/console.h"
 #include "engine/base/log.h"
+#include "engine/io/file_path.h"
 #include "engine/render/error_estimate.h"
 #include "engine/render/sppm_state.h"
 #include "viewer/commands/json_output.h"
@@ -30,6 +31,10 @@ void printSummary(const RenderReport& r, const ErrorEstimate& error) {
     put("{}: {}x{}, {} passes in {:.2f} s ({:.2f} Mpaths/s, {}, kernel {}), relative error {}\n",
         r.options.output, film.width(), film.height(), film.passes(), seconds,
         pathCount(film) / seconds * 1e-6, r.status.backend, r.status.kernel, describe(error));
+    if (hasExtension(r.options.output, ".png") && !statedExposure(r.options) && r.exposureStops != 0.0f) {
+        put("exposure {:+.2f} stops: the picture is {} without (--exposure, --no-auto-exposure)\n",
+            r.exposureStops, r.exposureStops < 0.0f ? "white" : "black");
+    }
     if (const SppmState* photons = asSppm(r.capture.statistics.get())) {
         const auto emitted = static_cast<double>(photons->emittedPhotons);
         put("photons: {} a pass, {:.4g} in all ({:.3f} M/s)\n", r.photonsPerPass, emitted,
@@ -114,6 +119,7 @@ nlohmann::ordered_json jsonReport(const RenderReport& r, const ErrorEstimate& er
                                      {"backend", r.status.backend},
                                      {"kernel", r.status.kernel},
                                      {"seed", r.capture.scene->options.seed},
+                                     {"exposure_stops", r.exposureStops},
                                      {"dropped",
                                       {{"not_a_number", film.faultCounts()[1]},
                                        {"infinite", film.faultCounts()[2]},

@@ -15,6 +15,7 @@ struct RenderReport {
     const SessionStatus& status;
     double loadSeconds;
     uint32_t photonsPerPass;  ///< SPPM: what the memory budget allows; 0 for path tracing
+    float exposureStops;      ///< of a PNG
 };
 
 /// Prints, and writes JSON where options.json asks for it. Error: the JSON file cannot be written.

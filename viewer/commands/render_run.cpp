@@ -10,6 +10,7 @@
 #include "engine/base/console.h"
 #include "engine/base/log.h"
 #include "engine/base/parallel.h"
+#include "engine/render/auto_exposure.h"
 #include "engine/render/checkpoint.h"
 #include "engine/render/image_file.h"
 #include "engine/render/snapshot.h"
@@ -122,8 +123,8 @@ class BatchRender {
         const auto capture = session_->capture();
         if (!capture) { return reportError(Error{"nothing was rendered", {}}, kExitFailed); }
         if (const Status saved = save(*capture); !saved) { return reportError(saved.error(), kExitFailed); }
-        const Status reported =
-            reportRender({options_, *capture, session_->status(), loadSeconds_, photonsPerPass_});
+        const Status reported = reportRender({options_, *capture, session_->status(), loadSeconds_,
+                                              photonsPerPass_, exposure_.value_or(0.0f)});
         if (status.state == SessionState::Failed || end == End::OutOfMemory) { return kExitFailed; }
         if (!reported) { return reportError(reported.error(), kExitFailed); }
         return end == End::Done ? kExitDone : kExitInterrupted;
@@ -218,13 +219,19 @@ class BatchRender {
         return Error{"not enough memory to save it", {.file = path}};
     }
 
-    Status writeImage(const SessionCapture& capture, const std::string& path) const {
+    /// The same for all pictures of the run.
+    float exposureOf(const FilmSnapshot& picture) {
+        if (!exposure_) { exposure_ = autoExposure(picture.radiance, picture.width, picture.height); }
+        return *exposure_;
+    }
+
+    Status writeImage(const SessionCapture& capture, const std::string& path) {
         auto snapshot = makeSnapshot(
             capture, {.standardError = aovs_.standardError, .errorMaps = aovs_.errorMaps}, options_.threads);
         snapshot->aovs = std::make_shared<AovFilm>(capture.aovs);
         ImageOptions image;
-        image.exposureStops = options_.exposure;
-        image.toneMap = toneMapFromName(options_.tone).value_or(ToneMap::Srgb);
+        image.exposureStops = exposureOf(*snapshot);
+        image.toneMap = toneMapOf(options_);
         image.exrColor = options_.exrFloat ? ExrPixelType::Float : ExrPixelType::Half;
         // A failure may come before the layers are rendered; the picture is worth saving without them.
         image.aovs = capture.aovs.passes() > 0 ? aovs_.aovs : 0;
@@ -260,6 +267,7 @@ class BatchRender {
     uint32_t photonsPerPass_ = 0;  ///< SPPM: what the budget allows
     uint32_t startPasses_ = 0;     ///< that the checkpoint brought
     uint32_t nextImage_ = 0;       ///< pass count of the next numbered picture; 0: none before the end
+    std::optional<float> exposure_ = statedExposure(options_);  ///< of PNGs
     RenderRequest request_;
     InterruptGuard interrupt_;
     MemoryReserve reserve_;

@@ -51,6 +51,15 @@ std::string photonOptions() {
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
+/// Its lens is a square, whose corners lie on the circle that a round one fills.
+void applyOriginal(SceneDescription* scene) {
+    scene->options.maxDepth = 20;
+    scene->options.filter = FilterKind::Box;
+    scene->options.filterRadius = 1.0f;
+    scene->camera.apertureBlades = 4;
+    scene->camera.bladeRotationDeg = 45.0f;
+}
+
 Status applySetting(const SceneOverrides::Given& given, SceneDescription* scene) {
     const TextSetting& setting = *given.setting;
     const std::string text = setting.isVector ? fmt::format("{}", fmt::join(given.numbers, ",")) : given.text;
@@ -71,6 +80,12 @@ void addSceneOverrides(const Command& command, SceneOverrides* overrides,
     command.option("--size", &overrides->size, "Picture size in pixels")
         .typeName("WxH")
         .group(kSettingsGroup);
+    command
+        .flag(
+            "--as-original", &overrides->asOriginal,
+            "As the program that 6.837 texts were written for: depth 20, a box filter of 1 pixel each way, a "
+            "square lens; render: --tone clamp, exposure 0")
+        .group(kSettingsGroup);
     for (const TextSetting& setting : textSettings()) {
         const bool has = !setting.option.empty() && (!wanted || wanted(setting.option));
         if (has) { overrides->settings.push_back({.setting = &setting}); }
@@ -84,13 +99,14 @@ std::string sceneOptionsAsWritten(const Command& command) {
     std::string all;
     for (const GivenOption& option : command.given()) {
         if (option.group == kSettingsGroup) {
-            all += fmt::format(" {} {}", option.name, quotedForShell(option.value));
+            all += " " + option.name + (option.takesValue ? " " + quotedForShell(option.value) : "");
         }
     }
     return all;
 }
 
 Status applyTo(const SceneOverrides& overrides, SceneDescription* scene) {
+    if (overrides.asOriginal) { applyOriginal(scene); }
     if (!overrides.size.empty()) {
         if (Status sized = applySize(overrides.size, scene); !sized) { return sized; }
     }

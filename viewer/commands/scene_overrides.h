@@ -22,6 +22,7 @@ struct SceneOverrides {
         std::vector<std::string> numbers = {};  ///< of a vector, in its place
     };
     std::string size;
+    bool asOriginal = false;
     std::vector<Given> settings;
 };
 

@@ -42,6 +42,7 @@ struct ViewCommandOptions {
     std::string json;
     std::string backend = "cpu";
     int threads = 0;
+    bool noAutoExposure = false;
     LoadOptions load;
 };
 
@@ -84,6 +85,7 @@ Result<ViewerOptions> viewerOptions(const ViewCommandOptions& o, RunFiles* files
     options.headless = o.headless;
     options.surface = {.width = size->x, .height = size->y, .contentScale = o.scale};
     options.passes = o.passes;
+    options.noAutoExposure = o.noAutoExposure;
     options.screenshot = o.screenshot;
     options.output = o.output;
     options.frameStats = o.json;
@@ -169,6 +171,8 @@ void addViewCommand(const Command& program) {
         .accepts(checkReportFile);
     command.option("--backend", &options->backend, "cpu or cuda");
     command.option("--threads", &options->threads, "Threads that render; 0: all").range(0, 1024);
+    command.flag("--no-auto-exposure", &options->noAutoExposure,
+                 "Exposure 0 also where that shows a scene black or white");
     addLoadOptions(command, &options->load);
     command.footer(kFooter);
     command.onRun([options] { return runCommand(*options); });

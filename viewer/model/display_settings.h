@@ -17,6 +17,8 @@ struct ComparedPair {
 
 struct DisplaySettings {
     float exposureStops = 0.0f;
+    bool autoExposure = true;  ///< a scene that is opened gets the exposure that its first picture needs
+    float chosenExposureStops = 0.0f;  ///< for the scene that is open
     ToneMap toneMap = ToneMap::Srgb;
     ShownImage shown = ShownImage::Radiance;
     bool pixelScale = false;  ///< one screen pixel an image pixel, instead of fitting the window

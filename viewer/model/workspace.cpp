@@ -8,6 +8,7 @@
 #include "engine/io/file_kind.h"
 #include "engine/io/image_formats.h"
 #include "engine/io/importer.h"
+#include "engine/render/auto_exposure.h"
 #include "viewer/model/workspace_part.h"
 
 namespace glint {
@@ -48,6 +49,9 @@ void Workspace::adopt(SceneDescription scene) {
     sceneFiles.opened = scene.path;
     sceneFiles.dismissError();
     document.adopt(std::move(scene));
+    if (display.exposureStops == display.chosenExposureStops) { display.exposureStops = 0.0f; }
+    awaitsExposure_ = display.autoExposure && display.exposureStops == 0.0f;
+    display.chosenExposureStops = 0.0f;
     sendRequest();  // first, so that not a pass too many is made
     render.post({document.posted(), EditKind::Everything});
 }
@@ -70,6 +74,7 @@ void Workspace::refresh() {
     if (assets.takeArrival()) { commitEdits(false); }
     const IntegratorKind own = document.draft().options.integrator;
     render.refresh(display.split ? std::optional(display.otherOf(own)) : std::nullopt);
+    chooseExposure();
     convergence.refresh();
     if (const auto& reference = convergence.reference.loaded()) {
         inputs.reads("the reference picture", reference->path);
@@ -88,6 +93,20 @@ EditKind Workspace::commitEdits(bool held) {
     }
     sendRequest();
     return edits.kinds;
+}
+
+/// Not once the user has moved it.
+void Workspace::chooseExposure() {
+    const auto& picture = render.snapshot();
+    if (!awaitsExposure_ || !picture || render.awaitsImage()) { return; }
+    awaitsExposure_ = false;
+    if (display.exposureStops != 0.0f) { return; }
+    const float stops = autoExposure(picture->radiance, picture->width, picture->height);
+    display.exposureStops = display.chosenExposureStops = stops;
+    if (stops != 0.0f) {
+        logInfo("Exposure {:+.2f} stops: without, the picture is {}", stops,
+                stops < 0.0f ? "white" : "black");
+    }
 }
 
 void Workspace::sendRequest() {

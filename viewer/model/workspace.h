@@ -66,6 +66,9 @@ class Workspace {
 
   private:
     void sendRequest();
+    void chooseExposure();
+
+    bool awaitsExposure_ = false;  ///< the scene was opened, and no picture of it has come
 };
 
 }  // namespace glint

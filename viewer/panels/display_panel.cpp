@@ -76,6 +76,9 @@ void draw(DisplaySettings* display, const SceneDocument* document, const Converg
                 .max = 10.0f,
                 .slider = true,
                 .tooltip = "Doubles the brightness with each stop; never restarts ([ and ])"});
+    if (display->exposureStops != 0.0f && display->exposureStops == display->chosenExposureStops) {
+        ui::hint("chosen when the scene was opened: it would be black or white");
+    }
     int toneMap = static_cast<int>(display->toneMap);
     if (ui::choice("Tone map", &toneMap, kToneMaps, "From radiance to the screen; never restarts")) {
         display->toneMap = static_cast<ToneMap>(toneMap);

@@ -121,6 +121,7 @@ Status App::open(std::optional<SceneDescription> scene) {
         if (passLimit == 0) { passLimit = kHeadlessPasses; }
         progress_.emplace();
     }
+    workspace_.display.autoExposure = !options_.noAutoExposure;
     if (scene) { workspace_.adopt(std::move(*scene)); }
     return {};
 }

@@ -16,7 +16,8 @@ namespace glint {
 struct ViewerOptions {
     bool headless = false;
     SurfaceOptions surface;
-    uint32_t passes = 0;     ///< stop limit; headless without a script: how many to wait for, 0: 64
+    uint32_t passes = 0;  ///< stop limit; headless without a script: how many to wait for, 0: 64
+    bool noAutoExposure = false;
     std::string screenshot;  ///< headless: PNG of the whole window at the end
     std::string output;      ///< headless: the picture alone, .png, .exr or .hdr
     std::optional<std::vector<ScriptStatement>> script;
