@@ -31,6 +31,7 @@ void addConvergeCommand(const Command& program);
 void addConvertCommand(const Command& program);
 void addSchemaCommand(const Command& program);
 void addDiffCommand(const Command& program);
+void addBesideCommand(const Command& program);
 void addStressCommand(const Command& program);
 void addBenchCommand(const Command& program);
 

@@ -18,7 +18,8 @@
 namespace glint {
 namespace {
 
-constexpr const char* kFooter = R"(A SCENE is Glint JSON, a 6.837-style text scene, OBJ (with its MTL) or PLY.
+constexpr const char* kFooter =
+    R"(A SCENE is Glint JSON, a 6.837-style text scene, OBJ (with its MTL), PLY, STL or glTF 2.0.
 Without a command, `glint [SCENE]` opens the window, as `glint view` does.
 
 Exit codes: 0 done, 1 the input or the options are wrong, 2 the run failed, 3 a limit that was asked for is exceeded,
@@ -33,6 +34,7 @@ void addCommands(const Command& program) {
     addConvertCommand(program);
     addSchemaCommand(program);
     addDiffCommand(program);
+    addBesideCommand(program);
     addStressCommand(program);
     addBenchCommand(program);
 }
