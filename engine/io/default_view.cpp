@@ -37,7 +37,10 @@ void applyDefaultView(SceneDescription* scene, bool noStudio) {
         material.color.value = Vec3(0.7f);
         scene->materials.push_back(std::move(material));
     }
-    if (hasLight(*scene)) { return; }
+    if (!hasLight(*scene)) { lightModel(scene, noStudio); }
+}
+
+void lightModel(SceneDescription* scene, bool noStudio) {
     if (noStudio) {
         scene->environment = {.color = Vec3(1.0f)};
         return;

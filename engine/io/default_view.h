@@ -11,4 +11,7 @@ namespace glint {
 /// material. Does nothing to a scene without objects but the resolution.
 void applyDefaultView(SceneDescription* scene, bool noStudio);
 
+/// Adds the studio, with a note, or the white environment.
+void lightModel(SceneDescription* scene, bool noStudio);
+
 }  // namespace glint

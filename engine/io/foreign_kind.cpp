@@ -18,14 +18,6 @@ struct ForeignKind {
 
 bool has(std::string_view head, std::string_view word) { return head.find(word) != std::string_view::npos; }
 
-/// JSON as Glint's own scenes are.
-bool isGltf(std::string_view head) {
-    return firstText(head).starts_with('{') && has(head, "\"asset\"") && !has(head, "\"glint\"");
-}
-bool isBinaryGltf(std::string_view head) { return head.starts_with("glTF"); }
-bool isStl(std::string_view head) {
-    return firstText(head).starts_with("solid") && has(head, "facet") && has(head, "normal");
-}
 bool isFbx(std::string_view head) {
     return head.starts_with("Kaydara FBX Binary") || firstText(head).starts_with("; FBX");
 }
@@ -45,13 +37,17 @@ bool isDirectX(std::string_view head) { return head.starts_with("xof 0"); }
 bool isPbrt(std::string_view head) { return has(head, "WorldBegin"); }
 bool isMitsuba(std::string_view head) { return has(head, "<scene version"); }
 
-constexpr ForeignKind kKinds[] = {{"glTF", ".gltf", isGltf},      {"binary glTF", ".glb", isBinaryGltf},
-                                  {"STL", ".stl", isStl},         {"FBX", ".fbx", isFbx},
-                                  {"COLLADA", ".dae", isCollada}, {"3DS", ".3ds", is3ds},
-                                  {"Blender", ".blend", isBlend}, {"USD", ".usd .usda .usdc .usdz", isUsd},
-                                  {"OFF", ".off", isOff},         {"VRML", ".wrl", isVrml},
-                                  {"X3D", ".x3d", isX3d},         {"DirectX", ".x", isDirectX},
-                                  {"pbrt", ".pbrt", isPbrt},      {"Mitsuba", "", isMitsuba}};
+constexpr ForeignKind kKinds[] = {{"FBX", ".fbx", isFbx},
+                                  {"COLLADA", ".dae", isCollada},
+                                  {"3DS", ".3ds", is3ds},
+                                  {"Blender", ".blend", isBlend},
+                                  {"USD", ".usd .usda .usdc .usdz", isUsd},
+                                  {"OFF", ".off", isOff},
+                                  {"VRML", ".wrl", isVrml},
+                                  {"X3D", ".x3d", isX3d},
+                                  {"DirectX", ".x", isDirectX},
+                                  {"pbrt", ".pbrt", isPbrt},
+                                  {"Mitsuba", "", isMitsuba}};
 
 }  // namespace
 

@@ -7,6 +7,7 @@ namespace glint {
 namespace {
 
 bool looksLike(std::string_view head) {
+    if (looksLikeGltf(head)) { return false; }
     const std::string_view text = firstText(head);
     return text.starts_with("{") || text.starts_with("//") || text.starts_with("/*");
 }

@@ -9,10 +9,11 @@
 
 namespace glint {
 
-extern const Importer kImportJson, kImportText, kImportObj, kImportPly;
+extern const Importer kImportJson, kImportText, kImportObj, kImportPly, kImportStl, kImportGltf;
 
 std::span<const Importer> importers() {
-    static const Importer kAll[] = {kImportJson, kImportText, kImportObj, kImportPly};
+    static const Importer kAll[] = {kImportJson, kImportText, kImportObj,
+                                    kImportPly,  kImportStl,  kImportGltf};
     return kAll;
 }
 

@@ -33,6 +33,9 @@ struct Importer {
 /// In the order in which they are listed and asked.
 std::span<const Importer> importers();
 
+/// Whether a file's first bytes are JSON of glTF, or of its binary form.
+bool looksLikeGltf(std::string_view head);
+
 /// Which one opens the file, as kindOf() tells; null: none.
 const Importer* importerOf(const std::string& path, std::string_view head);
 

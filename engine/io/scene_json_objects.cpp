@@ -179,7 +179,7 @@ void SceneJsonReader::readMeshObject(const JsonFields& fields, Object object) {
     }
     if (!hasMaterial) {
         errors_.add(fields.object(),
-                    "mesh has no \"material\", which only whole .obj and .ply files bring themselves");
+                    "mesh has no \"material\", which only whole .obj, .ply and .stl files bring themselves");
         return;
     }
     object.mesh = meshIndex(mesh, object.name);

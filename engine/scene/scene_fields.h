@@ -234,7 +234,9 @@ struct FieldsOf<FileSource> {
     static constexpr EditKind kEdit = EditKind::None;
     static constexpr std::tuple kList{
         field("file", &FileSource::path,
-              {.help = "OBJ or PLY; relative to the scene's folder", .inPicture = false, .required = true}),
+              {.help = "OBJ, PLY or STL; relative to the scene's folder",
+               .inPicture = false,
+               .required = true}),
         field("part", &FileSource::part,
               {.range = {.lo = 0, .hi = 100'000'000},
                .help = "the file's n-th part, from 0 (OBJ: a run of faces of one material; PLY has one "

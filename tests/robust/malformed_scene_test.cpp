@@ -252,7 +252,7 @@ const BadScene kBadText[] = {
 INSTANTIATE_TEST_SUITE_P(Robust, MalformedText, testing::ValuesIn(kBadText), testName);
 
 TEST(MalformedScene, FilesThatAreNoScenesAreNamed) {
-    const ScratchFile file("scene.gltf", "\x01\x02\x03");
+    const ScratchFile file("scene.xyz", "\x01\x02\x03");
     EXPECT_THAT(loadScene(file.path()).error().format(), HasSubstr("expected Glint JSON (.json)"));
     EXPECT_THAT(loadScene(file.path("none.json")).error().format(), HasSubstr("no such file"));
     EXPECT_THAT(loadScene(fs::path(file.path()).parent_path().string()).error().format(),

@@ -11,9 +11,8 @@ void addLoadOptions(const Command& command, LoadOptions* options) {
                  "Go on without what is missing, and without what Glint cannot draw");
     command.flag("--strict", &options->strict,
                  "Refuse what is otherwise repaired or left out with a warning");
-    command.flag(
-        "--no-studio", &options->noStudio,
-        "OBJ and PLY without light: a plain white environment instead of key light, fill and ground");
+    command.flag("--no-studio", &options->noStudio,
+                 "Models without light: a plain white environment instead of key light, fill and ground");
 }
 
 Result<SceneDescription> openScene(const std::string& path, const LoadOptions& options) {

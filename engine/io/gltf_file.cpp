@@ -1,0 +1,132 @@
+#include "engine/io/gltf_file.h"
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "engine/io/atomic_file.h"
+
+namespace glint {
+namespace {
+
+constexpr int kMaxNesting = 200;  ///< tinygltf reads what lies within by recursion
+constexpr size_t kBinaryHeader = 20;
+
+constexpr std::string_view kSupported[] = {"KHR_lights_punctual",
+                                           "KHR_texture_transform",
+                                           "KHR_mesh_quantization",
+                                           "EXT_texture_webp",
+                                           "KHR_materials_ior",
+                                           "KHR_materials_emissive_strength",
+                                           "KHR_materials_unlit",
+                                           "KHR_materials_transmission",
+                                           "KHR_materials_volume",
+                                           "KHR_materials_variants",
+                                           "KHR_materials_pbrSpecularGlossiness"};
+
+std::string_view jsonOf(const std::string& bytes) {
+    if (!bytes.starts_with("glTF")) { return bytes; }
+    uint32_t length = 0;
+    if (bytes.size() < kBinaryHeader) { return {}; }
+    std::memcpy(&length, bytes.data() + 12, sizeof length);
+    return std::string_view(bytes).substr(kBinaryHeader, length);
+}
+
+bool isNestedTooDeeply(std::string_view json) {
+    int depth = 0;
+    bool inString = false;
+    for (size_t i = 0; i < json.size(); ++i) {
+        const char c = json[i];
+        if (inString) {
+            i += c == '\\' ? 1 : 0;
+            inString = c != '"';
+        } else if (c == '"') {
+            inString = true;
+        } else if (c == '{' || c == '[') {
+            if (++depth > kMaxNesting) { return true; }
+        } else if (c == '}' || c == ']') {
+            --depth;
+        }
+    }
+    return false;
+}
+
+bool readBuffer(std::vector<unsigned char>* out, std::string* error, const std::string& path, void*) {
+    const Result<std::string> bytes = readFile(path);
+    if (!bytes) {
+        *error += bytes.error().format() + "\n";
+        return false;
+    }
+    out->assign(bytes->begin(), bytes->end());
+    return true;
+}
+
+/// Keeps what stands in a data URI; other images are read by whoever uses them.
+bool keepImage(tinygltf::Image* image, int index, std::string*, std::string*, int, int,
+               const unsigned char* bytes, int size, void* user) {
+    auto* images = static_cast<std::vector<std::shared_ptr<const std::string>>*>(user);
+    if (image->bufferView >= 0 || !image->uri.empty() || index < 0 || size < 0) { return true; }
+    images->resize(std::max(images->size(), static_cast<size_t>(index) + 1));
+    (*images)[static_cast<size_t>(index)] =
+        std::make_shared<const std::string>(reinterpret_cast<const char*>(bytes), static_cast<size_t>(size));
+    return true;
+}
+
+Error wrongVersion(const GltfFile& file, std::string_view version) {
+    return file.error(fmt::format("is glTF {}; expected 2.0", version));
+}
+
+Status checkExtensions(const GltfFile& file) {
+    for (const std::string& name : file.model.extensionsRequired) {
+        if (std::ranges::find(kSupported, name) == std::end(kSupported)) {
+            return file.error(fmt::format(
+                "needs {}, which Glint does not read; expected a file that was saved without it", name));
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<GltfFile>> readGltfFile(const std::string& path) {
+    const Result<std::string> bytes = readFile(path);
+    if (!bytes) { return bytes.error(); }
+    auto file = std::make_unique<GltfFile>();
+    file->path = path;
+    if (isNestedTooDeeply(jsonOf(*bytes))) {
+        return file->error(fmt::format("is nested deeper than {} levels", kMaxNesting));
+    }
+    if (bytes->starts_with(std::string_view("glTF\1\0\0\0", 8))) { return wrongVersion(*file, "1.0"); }
+    tinygltf::TinyGLTF parser;
+    parser.SetImageLoader(keepImage, &file->dataImages);
+    parser.SetFsCallbacks({tinygltf::FileExists, tinygltf::ExpandFilePath, readBuffer, nullptr, nullptr});
+    const std::string folder = std::filesystem::path(path).parent_path().string();
+    std::string error, warning;
+    const auto size = static_cast<unsigned>(bytes->size());
+    if (bytes->size() > UINT32_MAX) { return file->error("is larger than 4 GiB"); }
+    const bool read =
+        bytes->starts_with("glTF")
+            ? parser.LoadBinaryFromMemory(&file->model, &error, &warning,
+                                          reinterpret_cast<const unsigned char*>(bytes->data()), size, folder)
+            : parser.LoadASCIIFromString(&file->model, &error, &warning, bytes->data(), size, folder);
+    // What it needs may be why it cannot be read.
+    if (Status supported = checkExtensions(*file); !supported) { return supported.error(); }
+    if (!read) {
+        error = error.substr(0, error.find('\n'));
+        return file->error("is no glTF file that can be read: " +
+                           (error.empty() ? "it is broken or cut off" : error));
+    }
+    const std::string& version = file->model.asset.version;
+    if (!version.starts_with("2.")) { return wrongVersion(*file, version); }
+    return file;
+}
+
+double numberOf(const tinygltf::Value* extension, const char* key, double otherwise) {
+    if (extension == nullptr || !extension->Has(key)) { return otherwise; }
+    const tinygltf::Value& value = extension->Get(key);
+    return value.IsNumber() ? value.GetNumberAsDouble() : otherwise;
+}
+
+}  // namespace glint

@@ -1,0 +1,277 @@
+// glTF 2.0 specification, section 3.9, and the KHR_materials extensions.
+#include "engine/io/gltf_materials.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "engine/io/file_path.h"
+#include "engine/io/gltf_accessor.h"
+#include "engine/io/image_io.h"
+
+namespace glint {
+namespace {
+
+float number(double value, double least, double most) {
+    return static_cast<float>(std::isfinite(value) ? std::clamp(value, least, most) : least);
+}
+
+Vec3 colorOf(const std::vector<double>& factor, double most = 1.0) {
+    Vec3 color(1.0f);
+    for (size_t c = 0; c < 3 && c < factor.size(); ++c) {
+        color[static_cast<int>(c)] = number(factor[c], 0.0, most);
+    }
+    return color;
+}
+
+WrapMode wrapOf(int mode) {
+    return mode == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE     ? WrapMode::Clamp
+           : mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? WrapMode::Mirror
+                                                           : WrapMode::Repeat;
+}
+
+/// glTF counts v from the top row, as flipV does; its transform scales, turns and moves in this order.
+void place(const tinygltf::Value* transform, Texture* texture) {
+    texture->flipV = true;
+    if (transform == nullptr) { return; }
+    const auto pair = [transform](const char* key, Vec2 otherwise) {
+        const tinygltf::Value& value = transform->Get(key);
+        if (!value.IsArray() || value.ArrayLen() != 2) { return otherwise; }
+        return Vec2(number(value.Get(0).GetNumberAsDouble(), -1e6, 1e6),
+                    number(value.Get(1).GetNumberAsDouble(), -1e6, 1e6));
+    };
+    texture->scale = pair("scale", Vec2(1.0f));
+    texture->offset = pair("offset", Vec2(0.0f));
+    texture->rotationDeg = number(numberOf(transform, "rotation", 0.0), -1e4, 1e4) * (180.0f / kPi);
+}
+
+/// The percent-encoded characters of a URI.
+std::string decodedUri(const std::string& uri) {
+    std::string out;
+    for (size_t i = 0; i < uri.size(); ++i) {
+        const auto digit = [&uri](size_t at) {
+            const char c = at < uri.size() ? uri[at] : 'x';
+            return c >= '0' && c <= '9'                 ? c - '0'
+                   : (c | 32) >= 'a' && (c | 32) <= 'f' ? (c | 32) - 'a' + 10
+                                                        : -1;
+        };
+        const bool isEncoded = uri[i] == '%' && digit(i + 1) >= 0 && digit(i + 2) >= 0;
+        out += isEncoded ? static_cast<char>(16 * digit(i + 1) + digit(i + 2)) : uri[i];
+        i += isEncoded ? 2 : 0;
+    }
+    return out;
+}
+
+/// KHR_materials_pbrSpecularGlossiness, which older files have, as a rough dielectric.
+tinygltf::PbrMetallicRoughness surfaceOf(const tinygltf::Material& material) {
+    const auto* older = extensionOf(material, "KHR_materials_pbrSpecularGlossiness");
+    if (older == nullptr) { return material.pbrMetallicRoughness; }
+    tinygltf::PbrMetallicRoughness surface;
+    const tinygltf::Value& color = older->Get("diffuseFactor");
+    for (size_t c = 0; c < 4 && color.ArrayLen() == 4; ++c) {
+        surface.baseColorFactor[c] = color.Get(static_cast<int>(c)).GetNumberAsDouble();
+    }
+    const tinygltf::Value& map = older->Get("diffuseTexture");
+    if (map.IsObject()) {
+        surface.baseColorTexture.index = static_cast<int>(numberOf(&map, "index", -1.0));
+        surface.baseColorTexture.texCoord = static_cast<int>(numberOf(&map, "texCoord", 0.0));
+    }
+    surface.metallicFactor = 0.0;
+    surface.roughnessFactor = 1.0 - numberOf(older, "glossinessFactor", 1.0);
+    return surface;
+}
+
+/// A conductor of nearly this reflectance at normal incidence (mtl_loader.h), times its colour.
+void makeMetal(const Vec3& color, bool isTextured, Material* out) {
+    out->kind = MaterialKind::Conductor;
+    out->metal.clear();
+    const Vec3 r = isTextured ? Vec3(0.999f) : glm::clamp(color, Vec3(0.0f), Vec3(0.999f));
+    out->eta.value = (Vec3(1.0f) - r) / (Vec3(1.0f) + r);
+    out->k.value = 2.0f * glm::sqrt(r) / (Vec3(1.0f) + r);
+    out->color.value = Vec3(1.0f);
+}
+
+}  // namespace
+
+Result<ImageSource> GltfMaterials::sourceOf(int index) {
+    const auto& images = file_.model.images;
+    if (index < 0 || static_cast<size_t>(index) >= images.size()) {
+        return file_.error(fmt::format("there is no image {}; the file has {}", index, images.size()));
+    }
+    const tinygltf::Image& image = images[static_cast<size_t>(index)];
+    const std::string extension = image.mimeType == "image/png"    ? ".png"
+                                  : image.mimeType == "image/webp" ? ".webp"
+                                                                   : ".jpg";
+    const std::string stem = std::filesystem::path(file_.path).stem().string();
+    const std::string name = fmt::format("{}-image{}{}", stem, index, extension);
+    if (image.bufferView >= 0) {
+        const auto bytes = bufferViewBytes(file_, image.bufferView, fmt::format("image {}", index));
+        if (!bytes) { return bytes.error(); }
+        return ImageSource(EmbeddedFile{name, std::make_shared<const std::string>(*bytes)});
+    }
+    const auto& kept = file_.dataImages;
+    if (static_cast<size_t>(index) < kept.size() && kept[static_cast<size_t>(index)]) {
+        return ImageSource(EmbeddedFile{name, kept[static_cast<size_t>(index)]});
+    }
+    return ImageSource(FileSource{decodedUri(image.uri)});
+}
+
+template <class Info>
+Result<GltfMaterials::Map> GltfMaterials::takeTexture(const Info& info, ColorEncoding encoding) {
+    if (info.index < 0) { return Map{}; }
+    const auto& textures = file_.model.textures;
+    if (static_cast<size_t>(info.index) >= textures.size()) {
+        return file_.error(
+            fmt::format("there is no texture {}; the file has {}", info.index, textures.size()));
+    }
+    const tinygltf::Texture& from = textures[static_cast<size_t>(info.index)];
+    const auto* webp = extensionOf(from, "EXT_texture_webp");
+    const int image = webp != nullptr ? static_cast<int>(numberOf(webp, "source", -1.0)) : from.source;
+    Result<ImageSource> source = sourceOf(image);
+    if (!source) { return source.error(); }
+    Texture texture;
+    texture.name = file_.model.images[static_cast<size_t>(image)].name;
+    if (texture.name.empty()) { texture.name = fmt::format("image {}", image); }
+    texture.image.source = std::move(*source);
+    texture.encoding = encoding;
+    const tinygltf::Value* transform = extensionOf(info, "KHR_texture_transform");
+    place(transform, &texture);
+    if (from.sampler >= 0 && static_cast<size_t>(from.sampler) < file_.model.samplers.size()) {
+        const tinygltf::Sampler& sampler = file_.model.samplers[static_cast<size_t>(from.sampler)];
+        texture.wrapU = wrapOf(sampler.wrapS);
+        texture.wrapV = wrapOf(sampler.wrapT);
+        const bool isNearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
+        texture.filter = isNearest ? TexelFilter::Nearest : TexelFilter::Bilinear;
+    }
+    const std::string key =
+        fmt::format("{} {} {} {} {} {} {} {}", info.index, static_cast<int>(encoding), texture.scale.x,
+                    texture.scale.y, texture.offset.x, texture.offset.y, texture.rotationDeg, image);
+    const auto [known, isNew] = textures_.try_emplace(key, static_cast<int>(scene_.textures.size()));
+    if (isNew) { scene_.textures.push_back(std::move(texture)); }
+    return Map{known->second, static_cast<int>(numberOf(transform, "texCoord", info.texCoord))};
+}
+
+Result<Vec3> GltfMaterials::meanOf(int index) {
+    if (const auto known = means_.find(index); known != means_.end()) { return known->second; }
+    if (static_cast<size_t>(index) >= file_.model.textures.size()) {
+        return file_.error(
+            fmt::format("there is no texture {}; the file has {}", index, file_.model.textures.size()));
+    }
+    const Result<ImageSource> source = sourceOf(file_.model.textures[static_cast<size_t>(index)].source);
+    if (!source) { return source.error(); }
+    const auto* embedded = std::get_if<EmbeddedFile>(&*source);
+    const Result<SceneImage> image = embedded != nullptr
+                                         ? decodeImage(*embedded->bytes, embedded->name)
+                                         : loadImage(resolvePath(pathOf(*source), file_.path));
+    Vec3 mean(1.0f);
+    if (image && image->bytes) {
+        double sums[3] = {};
+        for (size_t i = 0; i < image->bytes->rgb.size(); ++i) {
+            sums[i % 3] += image->bytes->rgb[i];
+        }
+        const double scale = 3.0 / (255.0 * static_cast<double>(image->bytes->rgb.size()));
+        mean = Vec3(static_cast<float>(sums[0] * scale), static_cast<float>(sums[1] * scale),
+                    static_cast<float>(sums[2] * scale));
+        file_.remark("images of roughness and metalness are taken for their mean");
+    } else {
+        file_.remark("images of roughness or metalness cannot be read", pathOf(*source));
+    }
+    return means_[index] = mean;
+}
+
+Status GltfMaterials::takeSurface(const tinygltf::Material& from, Material* out) {
+    const tinygltf::PbrMetallicRoughness pbr = surfaceOf(from);
+    float roughness = number(pbr.roughnessFactor, 0.0, 1.0), metallic = number(pbr.metallicFactor, 0.0, 1.0);
+    if (pbr.metallicRoughnessTexture.index >= 0) {
+        const Result<Vec3> mean = meanOf(pbr.metallicRoughnessTexture.index);
+        if (!mean) { return mean.error(); }
+        roughness *= mean->y;
+        metallic *= mean->z;
+    }
+    out->roughness.value = roughness * roughness;
+    out->ior.value = number(numberOf(extensionOf(from, "KHR_materials_ior"), "ior", 1.5), 0.01, 100.0);
+    const auto* transmission = extensionOf(from, "KHR_materials_transmission");
+    const double passing = numberOf(transmission, "transmissionFactor", 0.0);
+    if (extensionOf(from, "KHR_materials_unlit") != nullptr) {
+        out->kind = MaterialKind::Diffuse;
+        out->emission = out->color;
+        out->color = {Vec3(0.0f)};
+        out->emitsBothSides = true;
+        file_.remark("unlit materials are taken for surfaces that shine", from.name);
+    } else if (passing >= 0.5) {
+        out->kind = MaterialKind::Dielectric;
+        out->thin = !(numberOf(extensionOf(from, "KHR_materials_volume"), "thicknessFactor", 0.0) > 0.0);
+    } else if (metallic >= 0.5f) {
+        makeMetal(out->color.value, out->color.texture >= 0, out);
+    } else {
+        out->kind = MaterialKind::Plastic;
+    }
+    const bool isMixed = (metallic > 0.0f && metallic < 1.0f) || (passing > 0.0 && passing < 1.0);
+    if (isMixed) {
+        file_.remark("materials between metal, glass and neither become the nearest one", from.name);
+    }
+    return {};
+}
+
+void GltfMaterials::remarkLeftOut(const tinygltf::Material& from) {
+    if (from.normalTexture.index >= 0) { file_.remark("normal maps are left out", from.name); }
+    if (from.occlusionTexture.index >= 0) {
+        file_.remark("occlusion maps are left out: light is occluded by itself", from.name);
+    }
+    if (from.alphaMode != "OPAQUE" && !from.alphaMode.empty()) {
+        file_.remark("transparency by alpha is left out: nothing is cut out", from.name);
+    }
+    for (const auto& [name, value] : from.extensions) {
+        const bool isRead = name == "KHR_materials_ior" || name == "KHR_materials_pbrSpecularGlossiness" ||
+                            name == "KHR_materials_unlit" || name == "KHR_materials_emissive_strength" ||
+                            name == "KHR_materials_transmission";
+        if (name == "KHR_materials_volume" && value.Has("attenuationDistance")) {
+            file_.remark("attenuation in glass is left out", from.name);
+        } else if (!isRead && name != "KHR_materials_volume") {
+            file_.remark("extensions of materials are left out", name);
+        }
+    }
+}
+
+Result<GltfMaterial> GltfMaterials::take(int index) {
+    if (const auto known = taken_.find(index); known != taken_.end()) { return known->second; }
+    const auto& materials = file_.model.materials;
+    if (index >= static_cast<int>(materials.size())) {
+        return file_.error(fmt::format("there is no material {}; the file has {}", index, materials.size()));
+    }
+    static const tinygltf::Material kDefault;
+    const tinygltf::Material& from = index >= 0 ? materials[static_cast<size_t>(index)] : kDefault;
+    Material out;
+    out.name = !from.name.empty() ? from.name : index >= 0 ? fmt::format("material {}", index) : "default";
+    const tinygltf::PbrMetallicRoughness pbr = surfaceOf(from);
+    const Result<Map> color = takeTexture(pbr.baseColorTexture, ColorEncoding::Srgb);
+    if (!color) { return color.error(); }
+    out.color = {colorOf(pbr.baseColorFactor), color->texture};
+    GltfMaterial taken{.index = static_cast<int>(scene_.materials.size()), .uvSet = color->uvSet};
+    if (color->texture >= 0) { taken.vertexFactor = out.color.value; }
+    if (Status surface = takeSurface(from, &out); !surface) { return surface.error(); }
+    const Result<Map> emission = takeTexture(from.emissiveTexture, ColorEncoding::Srgb);
+    if (!emission) { return emission.error(); }
+    const Vec3 factor = from.emissiveFactor.empty() ? Vec3(0.0f) : colorOf(from.emissiveFactor, 1e6);
+    const auto* strength = extensionOf(from, "KHR_materials_emissive_strength");
+    const float times = number(numberOf(strength, "emissiveStrength", 1.0), 0.0, 1e9);
+    if (maxComponent(factor) > 0.0f) {
+        out.emission = {factor, emission->texture};
+        out.emissionStrength = times * (emission->texture >= 0 ? maxComponent(factor) : 1.0f);
+        out.emitsBothSides = from.doubleSided;
+        if (emission->texture >= 0 && color->texture < 0) { taken.uvSet = emission->uvSet; }
+        if (emission->texture >= 0 && minComponent(factor) < maxComponent(factor)) {
+            file_.remark("emission maps lose the colour of their factor", from.name);
+        }
+    }
+    if (color->texture >= 0 && emission->texture >= 0 && color->uvSet != emission->uvSet) {
+        file_.remark("all maps of a material use the texture coordinates of its colour", from.name);
+    }
+    remarkLeftOut(from);
+    scene_.materials.push_back(std::move(out));
+    return taken_[index] = taken;
+}
+
+}  // namespace glint

@@ -1,0 +1,164 @@
+#include "engine/io/gltf_meshes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "engine/io/gltf_accessor.h"
+
+namespace glint {
+namespace {
+
+constexpr float kMaxCoordinate = 1e18f;
+
+/// -1: it has none of that name.
+int accessorOf(const tinygltf::Primitive& primitive, const std::string& attribute) {
+    const auto found = primitive.attributes.find(attribute);
+    return found != primitive.attributes.end() ? found->second : -1;
+}
+
+/// Corner numbers of triangles, strips and fans as those of triangles (section 3.7.2.1).
+std::vector<uint32_t> asTriangles(const std::vector<uint32_t>& corners, int mode) {
+    if (mode == TINYGLTF_MODE_TRIANGLES || mode == -1) {
+        return {corners.begin(), corners.end() - static_cast<std::ptrdiff_t>(corners.size() % 3)};
+    }
+    std::vector<uint32_t> out;
+    for (size_t i = 2; i < corners.size(); ++i) {
+        const bool isFan = mode == TINYGLTF_MODE_TRIANGLE_FAN;
+        const size_t odd = isFan ? 0 : i % 2;
+        out.push_back(isFan ? corners[0] : corners[i - 2 + odd]);
+        out.push_back(isFan ? corners[i - 1] : corners[i - 1 - odd]);
+        out.push_back(corners[i]);
+    }
+    return out;
+}
+
+template <class Vector>
+void copyFinite(const GltfNumbers& numbers, int width, std::vector<Vector>* out) {
+    for (size_t i = 0; i < numbers.count(); ++i) {
+        Vector value(0.0f);
+        for (int c = 0; c < width; ++c) {
+            value[c] = std::isfinite(numbers.at(i)[c]) ? numbers.at(i)[c] : 0.0f;
+        }
+        out->push_back(value);
+    }
+}
+
+}  // namespace
+
+Status GltfMeshes::readTriangles(const tinygltf::Primitive& from, const std::string& what, MeshData* mesh) {
+    const auto positions = readNumbers(file_, accessorOf(from, "POSITION"), 3, 3, what + ", positions");
+    if (!positions) { return positions.error(); }
+    copyFinite(*positions, 3, &mesh->positions);
+    for (const float value : positions->values) {
+        if (!(std::abs(value) <= kMaxCoordinate)) {
+            return file_.error(what + ": a position is not finite or above 1e18");
+        }
+    }
+    std::vector<uint32_t> corners;
+    if (from.indices >= 0) {
+        auto indices = readIndices(file_, from.indices, what + ", indices");
+        if (!indices) { return indices.error(); }
+        corners = std::move(*indices);
+    } else {
+        for (uint32_t i = 0; i < mesh->positions.size(); ++i) {
+            corners.push_back(i);
+        }
+    }
+    for (const uint32_t corner : corners) {
+        if (corner >= mesh->positions.size()) {
+            return file_.error(fmt::format("{}: an index is {}; there are {} vertices", what, corner,
+                                           mesh->positions.size()));
+        }
+    }
+    mesh->indices = asTriangles(corners, from.mode);
+    return {};
+}
+
+Status GltfMeshes::readAttributes(const tinygltf::Primitive& from, const GltfMaterial& material,
+                                  const std::string& what, MeshData* mesh) {
+    const auto checkCount = [&](size_t count, const char* attribute) {
+        return count == mesh->positions.size()
+                   ? Status()
+                   : Status(file_.error(fmt::format("{}: {} {} for {} positions", what, count, attribute,
+                                                    mesh->positions.size())));
+    };
+    if (const int accessor = accessorOf(from, "NORMAL"); accessor >= 0) {
+        const auto normals = readNumbers(file_, accessor, 3, 3, what + ", normals");
+        if (!normals) { return normals.error(); }
+        copyFinite(*normals, 3, &mesh->normals);
+        if (Status count = checkCount(mesh->normals.size(), "normals"); !count) { return count; }
+    }
+    if (const int accessor = accessorOf(from, fmt::format("TEXCOORD_{}", material.uvSet)); accessor >= 0) {
+        const auto uvs = readNumbers(file_, accessor, 2, 2, what + ", texture coordinates");
+        if (!uvs) { return uvs.error(); }
+        copyFinite(*uvs, 2, &mesh->uvs);
+        if (Status count = checkCount(mesh->uvs.size(), "texture coordinates"); !count) { return count; }
+    }
+    if (const int accessor = accessorOf(from, "COLOR_0"); accessor >= 0) {
+        const auto colors = readNumbers(file_, accessor, 3, 4, what + ", colours");
+        if (!colors) { return colors.error(); }
+        copyFinite(*colors, 3, &mesh->colors);
+        if (Status count = checkCount(mesh->colors.size(), "colours"); !count) { return count; }
+    }
+    if (material.vertexFactor != Vec3(1.0f)) {
+        mesh->colors.resize(mesh->positions.size(), Vec3(1.0f));
+        for (Vec3& color : mesh->colors) {
+            color *= material.vertexFactor;
+        }
+    }
+    for (Vec3& color : mesh->colors) {
+        color = glm::clamp(color, Vec3(0.0f), Vec3(1.0f));
+    }
+    return {};
+}
+
+Result<std::shared_ptr<MeshData>> GltfMeshes::read(const tinygltf::Primitive& from,
+                                                   const GltfMaterial& material, const std::string& what) {
+    auto mesh = std::make_shared<MeshData>();
+    if (Status triangles = readTriangles(from, what, mesh.get()); !triangles) { return triangles.error(); }
+    if (Status attributes = readAttributes(from, material, what, mesh.get()); !attributes) {
+        return attributes.error();
+    }
+    return mesh;
+}
+
+void GltfMeshes::remarkLeftOut(const tinygltf::Mesh& mesh, const tinygltf::Primitive& primitive) {
+    const bool isMorphed = std::ranges::any_of(mesh.weights, [](double weight) { return weight != 0.0; });
+    if (!primitive.targets.empty() && isMorphed) { file_.remark("morph targets are left out", mesh.name); }
+}
+
+Result<std::vector<GltfPart>> GltfMeshes::take(int index) {
+    if (const auto known = taken_.find(index); known != taken_.end()) { return known->second; }
+    const auto& meshes = file_.model.meshes;
+    if (index < 0 || static_cast<size_t>(index) >= meshes.size()) {
+        return file_.error(fmt::format("there is no mesh {}; the file has {}", index, meshes.size()));
+    }
+    const tinygltf::Mesh& from = meshes[static_cast<size_t>(index)];
+    const std::string name = from.name.empty() ? fmt::format("mesh {}", index) : from.name;
+    std::vector<GltfPart> parts;
+    for (size_t i = 0; i < from.primitives.size(); ++i) {
+        const tinygltf::Primitive& primitive = from.primitives[i];
+        if (primitive.mode >= TINYGLTF_MODE_POINTS && primitive.mode <= TINYGLTF_MODE_LINE_STRIP) {
+            file_.remark("points and lines are left out", name);
+            continue;
+        }
+        if (accessorOf(primitive, "POSITION") < 0) {
+            file_.remark("primitives without positions are left out", name);
+            continue;
+        }
+        remarkLeftOut(from, primitive);
+        const auto material = materials_.take(primitive.material);
+        if (!material) { return material.error(); }
+        auto mesh = read(primitive, *material, fmt::format("mesh {}, primitive {}", index, i));
+        if (!mesh) { return mesh.error(); }
+        if ((*mesh)->indices.empty()) { continue; }
+        parts.push_back({static_cast<int>(scene_.meshes.size()), material->index});
+        const std::string partName = from.primitives.size() > 1 ? fmt::format("{} {}", name, i) : name;
+        scene_.meshes.push_back({partName, {}, std::move(*mesh)});
+    }
+    return taken_[index] = parts;
+}
+
+}  // namespace glint

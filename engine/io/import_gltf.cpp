@@ -1,0 +1,266 @@
+// glTF 2.0: the scene's nodes with their meshes, cameras and lights. engine/io/README.md says what maps to
+// what.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/gtc/quaternion.hpp>
+
+#include "engine/io/asset_cache.h"
+#include "engine/io/default_view.h"
+#include "engine/io/file_kind.h"
+#include "engine/io/gltf_meshes.h"
+#include "engine/io/importer.h"
+#include "engine/io/used_assets.h"
+
+namespace glint {
+namespace {
+
+constexpr float kLumensPerWatt = 683.0f;  ///< at 555 nm, as exporters of watts count
+
+Affine placementOf(const tinygltf::Node& node) {
+    const auto at = [](const std::vector<double>& values, size_t i) { return static_cast<float>(values[i]); };
+    if (const auto& m = node.matrix; m.size() == 16) {
+        return {
+            Mat3(at(m, 0), at(m, 1), at(m, 2), at(m, 4), at(m, 5), at(m, 6), at(m, 8), at(m, 9), at(m, 10)),
+            Vec3(at(m, 12), at(m, 13), at(m, 14))};
+    }
+    Affine placement;
+    if (const auto& q = node.rotation; q.size() == 4) {
+        const glm::dquat rotation(q[3], q[0], q[1], q[2]);
+        const double length = glm::length(rotation);
+        if (length > 0.0) { placement.linear = Mat3(glm::mat3_cast(rotation / length)); }
+    }
+    if (const auto& s = node.scale; s.size() == 3) {
+        placement.linear = placement.linear * Mat3(at(s, 0), 0, 0, 0, at(s, 1), 0, 0, 0, at(s, 2));
+    }
+    if (const auto& t = node.translation; t.size() == 3) {
+        placement.translation = Vec3(at(t, 0), at(t, 1), at(t, 2));
+    }
+    return placement;
+}
+
+class GltfReader {
+  public:
+    GltfReader(GltfFile* file, bool noStudio)
+        : file_(*file), noStudio_(noStudio), materials_(file, &scene_), meshes_(file, &materials_, &scene_) {
+        scene_.path = file->path;
+        scene_.title = file->path.substr(file->path.find_last_of('/') + 1);
+    }
+
+    Result<SceneDescription> read(LoadCounts* counts) {
+        if (Status nodes = readNodes(); !nodes) { return nodes.error(); }
+        if (scene_.objects.empty()) {
+            return file_.error("the file has no triangles in its scene; expected a mesh");
+        }
+        if (!file_.model.animations.empty()) { file_.remark("animations are left out"); }
+        AssetCache assets(file_.path, counts);
+        readUsedAssets(&assets, &scene_, [&](const Asset& asset, const Error& error) {
+            remarkUnreadImage(asset, error, &scene_, &file_.remarks);
+            return true;
+        });
+        applyDefaultView(&scene_, noStudio_);
+        if (isLitByScreensAlone()) { lightModel(&scene_, noStudio_); }
+        if (camera_) { useCamera(*camera_); }
+        for (const Asset& asset : lackingAssets(scene_)) {  // the studio's light
+            if (Status read = readAsset(asset, &assets, &scene_); !read) { return read.error(); }
+        }
+        const std::vector<std::string> lines = file_.remarks.lines();
+        scene_.warnings.insert(scene_.warnings.end(), lines.begin(), lines.end());
+        return std::move(scene_);
+    }
+
+  private:
+    struct Placed {
+        int node;
+        Affine toWorld;
+    };
+    struct PlacedCamera {
+        int camera;
+        Affine toWorld;
+    };
+
+    std::vector<int> rootsOfScene() const {
+        const auto& scenes = file_.model.scenes;
+        const size_t index = static_cast<size_t>(std::max(file_.model.defaultScene, 0));
+        if (index < scenes.size()) { return scenes[index].nodes; }
+        std::vector<bool> isChild(file_.model.nodes.size(), false);
+        for (const tinygltf::Node& node : file_.model.nodes) {
+            for (const int child : node.children) {
+                if (child >= 0 && static_cast<size_t>(child) < isChild.size()) {
+                    isChild[static_cast<size_t>(child)] = true;
+                }
+            }
+        }
+        std::vector<int> roots;
+        for (size_t i = 0; i < isChild.size(); ++i) {
+            if (!isChild[i]) { roots.push_back(static_cast<int>(i)); }
+        }
+        return roots;
+    }
+
+    /// Each node has one parent, so that none is met twice.
+    Status readNodes() {
+        std::vector<bool> met(file_.model.nodes.size(), false);
+        std::vector<Placed> waiting;
+        const std::vector<int> roots = rootsOfScene();
+        for (size_t i = roots.size(); i-- > 0;) {
+            waiting.push_back({roots[i], {}});
+        }
+        while (!waiting.empty()) {
+            const Placed next = waiting.back();
+            waiting.pop_back();
+            const auto index = static_cast<size_t>(next.node);
+            if (next.node < 0 || index >= met.size()) {
+                return file_.error(
+                    fmt::format("there is no node {}; the file has {}", next.node, met.size()));
+            }
+            if (met[index]) {
+                return file_.error(fmt::format("node {} has two parents, or is its own", next.node));
+            }
+            met[index] = true;
+            const tinygltf::Node& node = file_.model.nodes[index];
+            const Affine toWorld = next.toWorld * placementOf(node);
+            if (Status read = readNode(node, toWorld); !read) { return read; }
+            for (size_t i = node.children.size(); i-- > 0;) {
+                waiting.push_back({node.children[i], toWorld});
+            }
+        }
+        return {};
+    }
+
+    Status readNode(const tinygltf::Node& node, const Affine& toWorld) {
+        if (node.skin >= 0) {
+            file_.remark("skins are left out: meshes stand where they were modelled", node.name);
+        }
+        if (extensionOf(node, "EXT_mesh_gpu_instancing") != nullptr) {
+            file_.remark("instances by EXT_mesh_gpu_instancing are left out", node.name);
+        }
+        if (node.mesh >= 0) {
+            if (Status placed = placeMesh(node, toWorld); !placed) { return placed; }
+        }
+        if (node.camera >= 0) {
+            if (!camera_) {
+                camera_ = PlacedCamera{node.camera, toWorld};
+            } else {
+                file_.remark("cameras after the first are left out", node.name);
+            }
+        }
+        const double light = numberOf(extensionOf(node, "KHR_lights_punctual"), "light", -1.0);
+        return light >= 0.0 ? addLight(static_cast<int>(std::min(light, 1e9)), toWorld) : Status();
+    }
+
+    Status placeMesh(const tinygltf::Node& node, const Affine& toWorld) {
+        const auto parts = meshes_.take(node.mesh);
+        if (!parts) { return parts.error(); }
+        if (!isInvertible(toWorld)) {
+            file_.remark("nodes that are flattened or not finite are left out", node.name);
+            return {};
+        }
+        for (const GltfPart& part : *parts) {
+            Object object;
+            object.name = node.name.empty() ? scene_.meshes[static_cast<size_t>(part.mesh)].name : node.name;
+            object.shape = ShapeKind::Mesh;
+            object.mesh = part.mesh;
+            object.material = part.material;
+            object.objectToWorld = toWorld;
+            scene_.objects.push_back(std::move(object));
+        }
+        return {};
+    }
+
+    /// Candela and lux are counted as watts per steradian and square metre by kLumensPerWatt.
+    Status addLight(int index, const Affine& toWorld) {
+        const auto& lights = file_.model.lights;
+        if (static_cast<size_t>(index) >= lights.size()) {
+            return file_.error(fmt::format("there is no light {}; the file has {}", index, lights.size()));
+        }
+        const tinygltf::Light& from = lights[static_cast<size_t>(index)];
+        Light light;
+        light.name = from.name.empty() ? fmt::format("light {}", index) : from.name;
+        light.kind = from.type == "directional" ? LightKind::Directional
+                     : from.type == "spot"      ? LightKind::Spot
+                                                : LightKind::Point;
+        light.position = toWorld.translation;
+        light.direction = toWorld.vector({0, 0, -1});
+        if (isZero(light.direction) || !isFinite(light.direction) || !isFinite(light.position)) {
+            file_.remark("lights without a direction are left out", light.name);
+            return {};
+        }
+        for (size_t c = 0; c < std::min<size_t>(3, from.color.size()); ++c) {
+            light.color[static_cast<int>(c)] = clampf(static_cast<float>(from.color[c]), 0.0f, 1e6f);
+        }
+        light.strength = clampf(static_cast<float>(from.intensity), 0.0f, 1e20f) / kLumensPerWatt;
+        const auto degrees = [](double rad) {
+            return clampf(static_cast<float>(rad) * (180.0f / kPi), 0.0f, 90.0f);
+        };
+        light.coneAngleDeg = std::max(degrees(from.spot.outerConeAngle), 0.01f);
+        light.coneFalloffStartDeg = std::min(degrees(from.spot.innerConeAngle), light.coneAngleDeg);
+        scene_.lights.push_back(std::move(light));
+        return {};
+    }
+
+    /// Emission up to 1 is how labels and screens look: viewers light such models.
+    bool isLitByScreensAlone() const {
+        return scene_.lights.empty() && !scene_.environment.emissive() &&
+               std::ranges::all_of(scene_.materials,
+                                   [](const Material& m) { return m.emissionStrength <= 1.0f; });
+    }
+
+    void useCamera(const PlacedCamera& placed) {
+        const auto& cameras = file_.model.cameras;
+        if (static_cast<size_t>(placed.camera) >= cameras.size() ||
+            cameras[static_cast<size_t>(placed.camera)].type != "perspective") {
+            file_.remark("the camera is not a perspective one: the default view takes its place");
+            return;
+        }
+        const auto& from = cameras[static_cast<size_t>(placed.camera)].perspective;
+        const Vec3 forward = placed.toWorld.vector({0, 0, -1}), position = placed.toWorld.translation;
+        const float fov = static_cast<float>(from.yfov) * (180.0f / kPi);
+        if (isZero(forward) || !isFinite(forward) || !isFinite(position) || !(fov > 0.0f && fov < 180.0f)) {
+            file_.remark("the camera makes no sense: the default view takes its place");
+            return;
+        }
+        Camera& camera = scene_.camera;
+        // The orbit centre is where the model's middle is closest to the line of sight.
+        const Vec3 unit = glm::normalize(forward);
+        const float distance = glm::dot(camera.target - position, unit);
+        camera.focalDistance = distance > 0.0f ? distance : 1.0f;
+        camera.target = position + camera.focalDistance * unit;
+        camera.position = position;
+        camera.up = placed.toWorld.vector({0, 1, 0});
+        camera.verticalFovDeg = fov;
+        if (from.aspectRatio > 0.0) {
+            scene_.resolution.width =
+                static_cast<int>(std::clamp(std::round(600.0 * from.aspectRatio), 60.0, 6000.0));
+        }
+    }
+
+    GltfFile& file_;
+    bool noStudio_;
+    SceneDescription scene_;
+    GltfMaterials materials_;
+    GltfMeshes meshes_;
+    std::optional<PlacedCamera> camera_;
+};
+
+Result<SceneDescription> load(const std::string& path, const LoadOptions& options) {
+    const auto file = readGltfFile(path);
+    if (!file) { return file.error(); }
+    return GltfReader(file->get(), options.noStudio).read(options.counts);
+}
+
+}  // namespace
+
+bool looksLikeGltf(std::string_view head) {
+    const auto has = [head](std::string_view word) { return head.find(word) != std::string_view::npos; };
+    if (head.starts_with("glTF")) { return true; }
+    constexpr std::string_view kKeys[] = {"\"asset\"",  "\"accessors\"", "\"bufferViews\"",
+                                          "\"scenes\"", "\"nodes\"",     "\"extensionsUsed\""};
+    return firstText(head).starts_with('{') && !has("\"glint\"") && std::ranges::any_of(kKeys, has);
+}
+
+extern const Importer kImportGltf;
+const Importer kImportGltf{"glTF", ".gltf .glb", looksLikeGltf, load};
+
+}  // namespace glint

@@ -1,0 +1,19 @@
+#include "engine/io/file_kind.h"
+#include "engine/io/importer.h"
+#include "engine/io/mesh_scene.h"
+#include "engine/io/stl_loader.h"
+
+namespace glint {
+namespace {
+
+/// The text form alone: the binary one has no mark.
+bool looksLike(std::string_view head) {
+    return firstText(head).starts_with("solid") && head.find("facet") != std::string_view::npos;
+}
+
+}  // namespace
+
+extern const Importer kImportStl;
+const Importer kImportStl{"STL", ".stl", looksLike, loadMeshScene, parseStl, readStlMaterials};
+
+}  // namespace glint
