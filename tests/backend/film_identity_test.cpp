@@ -5,10 +5,13 @@
 #include <gtest/gtest.h>
 
 #include "engine/builders/scene_builder.h"
+#include "engine/io/scene_json.h"
+#include "engine/io/scene_loader.h"
 #include "engine/render/pass_params.h"
 #include "engine/render/path_pass.h"
 #include "engine/render/render_session.h"
 #include "tests/support/film_bits.h"
+#include "tests/support/temp_folder.h"
 #include "tests/support/test_scenes.h"
 
 namespace glint {
@@ -63,6 +66,35 @@ TEST(FilmIdentity, TextScenesAndObjFilesSavedAndLoadedAgain) {
             test::expectSameFilmWhenSaved(entry.path().string());
         }
     }
+}
+
+TEST(FilmIdentity, WhatTextsAndModelsHoldIsEditableJsonWithTheSameFilm) {
+    const test::TempFolder folder;
+    test::expectSameFilmWhenSaved(folder.write("lights.txt", R"(
+PerspectiveCamera { center 0 2 9 direction 0 -0.2 -1 up 0.1 1 0 angle 45 width 40 height 30 focalLength 9 aperture 0.2 }
+Background { color 0.1 0.2 0.3 }
+Lights { numLights 2 PointLight { position 3 5 4 color 1 1 1 } DirectionalLight { direction -1 -1 0 color 0.3 0.2 0.1 } }
+Materials { numMaterials 2 Material { color 0.8 0.7 0.6 } Material { type 0.5 0.3 0.2 refr 1.4 } }
+Group { numObjects 4 Plane { normal 0 1 0 offset 0 } MaterialIndex 1
+    Transform { Translate -1 0 0 YRotate 30 Scale 1 1.5 1 RevSurface { profile BsplineCurve {
+        controls [ 0 0 0 ] [ 0.8 0 0 ] [ 0.6 1 0 ] [ 0.4 1.5 0 ] [ 0.5 2 0 ] } } }
+    Transform { Matrix4f { 1 0 0 0  0.3 1 0 0  0 0 1 0  1 1 0 1 } Sphere { center 0 0 0 radius 0.7 } }
+    Triangle { vertex0 -2 0 -2 vertex1 2 0 -2 vertex2 0 3 -2 } })"));
+    folder.write("room.mtl",
+                 "newmtl floor\nKd 0.7 0.6 0.5\nnewmtl lamp\nKd 0 0 0\nKe 10 9 8\nnewmtl unused\n");
+    const std::string model = folder.write("room.obj",
+                                           "mtllib room.mtl\nv -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\n"
+                                           "v -0.3 1.9 -0.3\nv 0.3 1.9 -0.3\nv 0.3 1.9 0.3\nv -0.3 1.9 "
+                                           "0.3\nusemtl floor\nf 4 3 2 1\nusemtl lamp\nf 5 6 7 8\n");
+    test::expectSameFilmWhenSaved(model);
+    const auto opened = loadScene(model);
+    ASSERT_TRUE(opened && saveSceneJson(*opened, folder.path("room.json")));
+    const auto scene = loadScene(folder.path("room.json"));
+    ASSERT_TRUE(scene) << scene.error().format();
+    ASSERT_EQ(scene->materials.size(), 2u) << "one for each that faces have";
+    EXPECT_EQ(scene->materials[1].name, "lamp");
+    EXPECT_EQ(scene->materials[1].emission.value, Vec3(10, 9, 8));
+    EXPECT_EQ(scene->meshes[0].data->triangleCount(), 2u) << "the quad";
 }
 
 TEST(FilmIdentity, AStoppedPassLeavesNoTrace) {
