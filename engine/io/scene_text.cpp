@@ -225,7 +225,7 @@ void SceneTextReader::useLights() {
         light.strength = kPi;  // Phong's diffuse term lacks Lambert's 1 / pi.
         if (light.kind == LightKind::Point) { light.strength *= lengthSquared(light.position - center); }
     }
-    scene_.warnings.push_back(
+    scene_.notes.push_back(
         fmt::format("{}: no material emits, so the Lights block shines; point lights fall off "
                     "with distance and are as bright as written at the scene's middle",
                     scene_.path));
