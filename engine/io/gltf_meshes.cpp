@@ -11,6 +11,8 @@ namespace glint {
 namespace {
 
 constexpr float kMaxCoordinate = 1e18f;
+constexpr uint64_t kMaxPosedVertices = uint64_t{1}
+                                       << 26;  ///< a file may bend one mesh for each of many nodes
 
 /// -1: it has none of that name.
 int accessorOf(const tinygltf::Primitive& primitive, const std::string& attribute) {
@@ -51,10 +53,8 @@ Status GltfMeshes::readTriangles(const tinygltf::Primitive& from, const std::str
     const auto positions = readNumbers(file_, accessorOf(from, "POSITION"), 3, 3, what + ", positions");
     if (!positions) { return positions.error(); }
     copyFinite(*positions, 3, &mesh->positions);
-    for (const float value : positions->values) {
-        if (!(std::abs(value) <= kMaxCoordinate)) {
-            return file_.error(what + ": a position is not finite or above 1e18");
-        }
+    if (!std::ranges::all_of(positions->values, [](float value) { return std::isfinite(value); })) {
+        return file_.error(what + ": a position is not finite or above 1e18");
     }
     std::vector<uint32_t> corners;
     if (from.indices >= 0) {
@@ -114,28 +114,98 @@ Status GltfMeshes::readAttributes(const tinygltf::Primitive& from, const GltfMat
     return {};
 }
 
+Status GltfMeshes::morph(const tinygltf::Primitive& from, const std::vector<double>& weights,
+                         const std::string& what, MeshData* mesh) {
+    for (size_t target = 0; target < std::min(weights.size(), from.targets.size()); ++target) {
+        const auto weight = static_cast<float>(weights[target]);
+        if (weight == 0.0f || !std::isfinite(weight)) { continue; }
+        for (const auto& [attribute, out] :
+             {std::pair{"POSITION", &mesh->positions}, {"NORMAL", &mesh->normals}}) {
+            const auto found = from.targets[target].find(attribute);
+            if (found == from.targets[target].end()) { continue; }
+            const auto moves = readNumbers(file_, found->second, 3, 3, what + ", morph target");
+            if (!moves) { return moves.error(); }
+            for (size_t i = 0; i < std::min(moves->count(), out->size()); ++i) {
+                const float* move = moves->at(i);
+                (*out)[i] += weight * Vec3(move[0], move[1], move[2]);
+            }
+        }
+    }
+    return {};
+}
+
+/// Section 3.7.3.1: each vertex follows the mean of its joints.
+Status GltfMeshes::bend(const tinygltf::Primitive& from, const std::vector<Affine>& joints,
+                        const std::string& what, MeshData* mesh) {
+    const int jointsOf = accessorOf(from, "JOINTS_0"), weightsOf = accessorOf(from, "WEIGHTS_0");
+    if (joints.empty() || jointsOf < 0 || weightsOf < 0) { return {}; }
+    const auto numbers = readNumbers(file_, jointsOf, 4, 4, what + ", joints");
+    if (!numbers) { return numbers.error(); }
+    const auto weights = readNumbers(file_, weightsOf, 4, 4, what + ", weights");
+    if (!weights) { return weights.error(); }
+    for (size_t i = 0; i < std::min({mesh->positions.size(), numbers->count(), weights->count()}); ++i) {
+        Affine mean{Mat3(0.0f), Vec3(0.0f)};
+        float sum = 0.0f;
+        for (int k = 0; k < 4; ++k) {
+            const float joint = numbers->at(i)[k], weight = weights->at(i)[k];
+            if (!(joint >= 0.0f && joint < static_cast<float>(joints.size()))) {
+                return file_.error(
+                    fmt::format("{}: a vertex follows joint {} of {}", what, joint, joints.size()));
+            }
+            if (!(weight > 0.0f)) { continue; }
+            sum += weight;
+            mean.linear += weight * joints[static_cast<size_t>(joint)].linear;
+            mean.translation += weight * joints[static_cast<size_t>(joint)].translation;
+        }
+        if (!(sum > 0.0f)) { continue; }
+        mean = {mean.linear / sum, mean.translation / sum};
+        mesh->positions[i] = mean.point(mesh->positions[i]);
+        if (mesh->normals.empty()) { continue; }
+        const Mat3& m = mean.linear;  // normals go by its cofactors
+        mesh->normals[i] =
+            Mat3(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])) * mesh->normals[i];
+    }
+    return {};
+}
+
 Result<std::shared_ptr<MeshData>> GltfMeshes::read(const tinygltf::Primitive& from,
-                                                   const GltfMaterial& material, const std::string& what) {
+                                                   const GltfMaterial& material, const GltfPose& pose,
+                                                   const std::string& what) {
     auto mesh = std::make_shared<MeshData>();
     if (Status triangles = readTriangles(from, what, mesh.get()); !triangles) { return triangles.error(); }
     if (Status attributes = readAttributes(from, material, what, mesh.get()); !attributes) {
         return attributes.error();
     }
+    if (Status morphed = morph(from, pose.weights, what, mesh.get()); !morphed) { return morphed.error(); }
+    if (!pose.joints.empty() && (posedVertices_ += mesh->positions.size()) > kMaxPosedVertices) {
+        return file_.error(fmt::format("its skins bend more than {} vertices", kMaxPosedVertices));
+    }
+    if (Status bent = bend(from, pose.joints, what, mesh.get()); !bent) { return bent.error(); }
+    for (const Vec3& p : mesh->positions) {
+        if (!(maxComponent(absVec(p)) <= kMaxCoordinate)) {
+            return file_.error(what + ": a position is not finite or above 1e18");
+        }
+    }
     return mesh;
 }
 
-void GltfMeshes::remarkLeftOut(const tinygltf::Mesh& mesh, const tinygltf::Primitive& primitive) {
-    const bool isMorphed = std::ranges::any_of(mesh.weights, [](double weight) { return weight != 0.0; });
-    if (!primitive.targets.empty() && isMorphed) { file_.remark("morph targets are left out", mesh.name); }
-}
-
-Result<std::vector<GltfPart>> GltfMeshes::take(int index) {
-    if (const auto known = taken_.find(index); known != taken_.end()) { return known->second; }
+Result<std::vector<GltfPart>> GltfMeshes::take(int index, const GltfPose& pose) {
     const auto& meshes = file_.model.meshes;
     if (index < 0 || static_cast<size_t>(index) >= meshes.size()) {
         return file_.error(fmt::format("there is no mesh {}; the file has {}", index, meshes.size()));
     }
-    const tinygltf::Mesh& from = meshes[static_cast<size_t>(index)];
+    const std::vector<double>& weights = meshes[static_cast<size_t>(index)].weights;
+    if (!pose.joints.empty() || !pose.weights.empty()) {
+        return readParts(index, {pose.joints, pose.weights.empty() ? weights : pose.weights});
+    }
+    if (const auto known = taken_.find(index); known != taken_.end()) { return known->second; }
+    auto parts = readParts(index, {.joints = {}, .weights = weights});
+    if (parts) { taken_[index] = *parts; }
+    return parts;
+}
+
+Result<std::vector<GltfPart>> GltfMeshes::readParts(int index, const GltfPose& pose) {
+    const tinygltf::Mesh& from = file_.model.meshes[static_cast<size_t>(index)];
     const std::string name = from.name.empty() ? fmt::format("mesh {}", index) : from.name;
     std::vector<GltfPart> parts;
     for (size_t i = 0; i < from.primitives.size(); ++i) {
@@ -148,17 +218,16 @@ Result<std::vector<GltfPart>> GltfMeshes::take(int index) {
             file_.remark("primitives without positions are left out", name);
             continue;
         }
-        remarkLeftOut(from, primitive);
         const auto material = materials_.take(primitive.material);
         if (!material) { return material.error(); }
-        auto mesh = read(primitive, *material, fmt::format("mesh {}, primitive {}", index, i));
+        auto mesh = read(primitive, *material, pose, fmt::format("mesh {}, primitive {}", index, i));
         if (!mesh) { return mesh.error(); }
         if ((*mesh)->indices.empty()) { continue; }
         parts.push_back({static_cast<int>(scene_.meshes.size()), material->index});
         const std::string partName = from.primitives.size() > 1 ? fmt::format("{} {}", name, i) : name;
         scene_.meshes.push_back({partName, {}, std::move(*mesh)});
     }
-    return taken_[index] = parts;
+    return parts;
 }
 
 }  // namespace glint

@@ -14,28 +14,38 @@ struct GltfPart {
     int material = 0;
 };
 
+/// How a node bends the mesh that it places.
+struct GltfPose {
+    std::vector<Affine> joints;   ///< of its skin, from the mesh's space to the world; empty: it has none
+    std::vector<double> weights;  ///< of morph targets; empty: the mesh's own
+};
+
 class GltfMeshes {
   public:
     /// All must outlive it.
     GltfMeshes(GltfFile* file, GltfMaterials* materials, SceneDescription* scene)
         : file_(*file), materials_(*materials), scene_(*scene) {}
 
-    /// A mesh's parts, read when they are asked for the first time. Error: as the accessors'; an index beyond
-    /// the vertices, a position that is not finite or above 1e18.
-    Result<std::vector<GltfPart>> take(int mesh);
+    /// A mesh's parts, of which nodes without a pose share one. Error: as the accessors'; an index beyond the
+    /// vertices or the joints, a position that is not finite or above 1e18.
+    Result<std::vector<GltfPart>> take(int mesh, const GltfPose& pose = {});
 
   private:
+    Result<std::vector<GltfPart>> readParts(int mesh, const GltfPose& pose);
     Result<std::shared_ptr<MeshData>> read(const tinygltf::Primitive& from, const GltfMaterial& material,
-                                           const std::string& what);
+                                           const GltfPose& pose, const std::string& what);
+    Status morph(const tinygltf::Primitive& from, const std::vector<double>& weights, const std::string& what,
+                 MeshData* mesh);
+    Status bend(const tinygltf::Primitive& from, const std::vector<Affine>& joints, const std::string& what,
+                MeshData* mesh);
     Status readTriangles(const tinygltf::Primitive& from, const std::string& what, MeshData* mesh);
     Status readAttributes(const tinygltf::Primitive& from, const GltfMaterial& material,
                           const std::string& what, MeshData* mesh);
-    void remarkLeftOut(const tinygltf::Mesh& mesh, const tinygltf::Primitive& primitive);
-
     GltfFile& file_;
     GltfMaterials& materials_;
     SceneDescription& scene_;
     std::map<int, std::vector<GltfPart>> taken_;
+    uint64_t posedVertices_ = 0;  ///< of meshes that a node has for itself
 };
 
 }  // namespace glint

@@ -4,41 +4,17 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <glm/gtc/quaternion.hpp>
 
 #include "engine/io/asset_cache.h"
 #include "engine/io/default_view.h"
 #include "engine/io/file_kind.h"
 #include "engine/io/gltf_meshes.h"
+#include "engine/io/gltf_nodes.h"
 #include "engine/io/importer.h"
 #include "engine/io/used_assets.h"
 
 namespace glint {
 namespace {
-
-constexpr float kLumensPerWatt = 683.0f;  ///< at 555 nm, as exporters of watts count
-
-Affine placementOf(const tinygltf::Node& node) {
-    const auto at = [](const std::vector<double>& values, size_t i) { return static_cast<float>(values[i]); };
-    if (const auto& m = node.matrix; m.size() == 16) {
-        return {
-            Mat3(at(m, 0), at(m, 1), at(m, 2), at(m, 4), at(m, 5), at(m, 6), at(m, 8), at(m, 9), at(m, 10)),
-            Vec3(at(m, 12), at(m, 13), at(m, 14))};
-    }
-    Affine placement;
-    if (const auto& q = node.rotation; q.size() == 4) {
-        const glm::dquat rotation(q[3], q[0], q[1], q[2]);
-        const double length = glm::length(rotation);
-        if (length > 0.0) { placement.linear = Mat3(glm::mat3_cast(rotation / length)); }
-    }
-    if (const auto& s = node.scale; s.size() == 3) {
-        placement.linear = placement.linear * Mat3(at(s, 0), 0, 0, 0, at(s, 1), 0, 0, 0, at(s, 2));
-    }
-    if (const auto& t = node.translation; t.size() == 3) {
-        placement.translation = Vec3(at(t, 0), at(t, 1), at(t, 2));
-    }
-    return placement;
-}
 
 class GltfReader {
   public:
@@ -53,7 +29,9 @@ class GltfReader {
         if (scene_.objects.empty()) {
             return file_.error("the file has no triangles in its scene; expected a mesh");
         }
-        if (!file_.model.animations.empty()) { file_.remark("animations are left out"); }
+        if (!file_.model.animations.empty()) {
+            file_.remark("animations are left out: all stands as at rest");
+        }
         AssetCache assets(file_.path, counts);
         readUsedAssets(&assets, &scene_, [&](const Asset& asset, const Error& error) {
             remarkUnreadImage(asset, error, &scene_, &file_.remarks);
@@ -80,30 +58,21 @@ class GltfReader {
         Affine toWorld;
     };
 
-    std::vector<int> rootsOfScene() const {
-        const auto& scenes = file_.model.scenes;
-        const size_t index = static_cast<size_t>(std::max(file_.model.defaultScene, 0));
-        if (index < scenes.size()) { return scenes[index].nodes; }
-        std::vector<bool> isChild(file_.model.nodes.size(), false);
-        for (const tinygltf::Node& node : file_.model.nodes) {
-            for (const int child : node.children) {
-                if (child >= 0 && static_cast<size_t>(child) < isChild.size()) {
-                    isChild[static_cast<size_t>(child)] = true;
-                }
-            }
+    Status readNodes() {
+        std::vector<int> order;
+        if (Status placed = placeNodes(&order); !placed) { return placed; }
+        for (const int node : order) {
+            if (Status read = readNode(node); !read) { return read; }
         }
-        std::vector<int> roots;
-        for (size_t i = 0; i < isChild.size(); ++i) {
-            if (!isChild[i]) { roots.push_back(static_cast<int>(i)); }
-        }
-        return roots;
+        return {};
     }
 
     /// Each node has one parent, so that none is met twice.
-    Status readNodes() {
+    Status placeNodes(std::vector<int>* order) {
         std::vector<bool> met(file_.model.nodes.size(), false);
+        toWorld_.assign(met.size(), {});
         std::vector<Placed> waiting;
-        const std::vector<int> roots = rootsOfScene();
+        const std::vector<int> roots = rootsOf(file_.model);
         for (size_t i = roots.size(); i-- > 0;) {
             waiting.push_back({roots[i], {}});
         }
@@ -120,8 +89,8 @@ class GltfReader {
             }
             met[index] = true;
             const tinygltf::Node& node = file_.model.nodes[index];
-            const Affine toWorld = next.toWorld * placementOf(node);
-            if (Status read = readNode(node, toWorld); !read) { return read; }
+            const Affine toWorld = toWorld_[index] = next.toWorld * placementOf(node);
+            order->push_back(next.node);
             for (size_t i = node.children.size(); i-- > 0;) {
                 waiting.push_back({node.children[i], toWorld});
             }
@@ -129,10 +98,9 @@ class GltfReader {
         return {};
     }
 
-    Status readNode(const tinygltf::Node& node, const Affine& toWorld) {
-        if (node.skin >= 0) {
-            file_.remark("skins are left out: meshes stand where they were modelled", node.name);
-        }
+    Status readNode(int index) {
+        const tinygltf::Node& node = file_.model.nodes[static_cast<size_t>(index)];
+        const Affine toWorld = toWorld_[static_cast<size_t>(index)];
         if (extensionOf(node, "EXT_mesh_gpu_instancing") != nullptr) {
             file_.remark("instances by EXT_mesh_gpu_instancing are left out", node.name);
         }
@@ -150,9 +118,17 @@ class GltfReader {
         return light >= 0.0 ? addLight(static_cast<int>(std::min(light, 1e9)), toWorld) : Status();
     }
 
-    Status placeMesh(const tinygltf::Node& node, const Affine& toWorld) {
-        const auto parts = meshes_.take(node.mesh);
+    /// A skin's joints alone place its mesh.
+    Status placeMesh(const tinygltf::Node& node, const Affine& nodeToWorld) {
+        GltfPose pose{.joints = {}, .weights = node.weights};
+        if (node.skin >= 0) {
+            auto joints = jointsOf(file_, node.skin, toWorld_);
+            if (!joints) { return joints.error(); }
+            pose.joints = std::move(*joints);
+        }
+        const auto parts = meshes_.take(node.mesh, pose);
         if (!parts) { return parts.error(); }
+        const Affine toWorld = pose.joints.empty() ? nodeToWorld : Affine();
         if (!isInvertible(toWorld)) {
             file_.remark("nodes that are flattened or not finite are left out", node.name);
             return {};
@@ -169,34 +145,19 @@ class GltfReader {
         return {};
     }
 
-    /// Candela and lux are counted as watts per steradian and square metre by kLumensPerWatt.
     Status addLight(int index, const Affine& toWorld) {
         const auto& lights = file_.model.lights;
         if (static_cast<size_t>(index) >= lights.size()) {
             return file_.error(fmt::format("there is no light {}; the file has {}", index, lights.size()));
         }
         const tinygltf::Light& from = lights[static_cast<size_t>(index)];
-        Light light;
-        light.name = from.name.empty() ? fmt::format("light {}", index) : from.name;
-        light.kind = from.type == "directional" ? LightKind::Directional
-                     : from.type == "spot"      ? LightKind::Spot
-                                                : LightKind::Point;
-        light.position = toWorld.translation;
-        light.direction = toWorld.vector({0, 0, -1});
-        if (isZero(light.direction) || !isFinite(light.direction) || !isFinite(light.position)) {
-            file_.remark("lights without a direction are left out", light.name);
+        std::optional<Light> light = lightOf(from, toWorld);
+        if (!light) {
+            file_.remark("lights without a direction are left out", from.name);
             return {};
         }
-        for (size_t c = 0; c < std::min<size_t>(3, from.color.size()); ++c) {
-            light.color[static_cast<int>(c)] = clampf(static_cast<float>(from.color[c]), 0.0f, 1e6f);
-        }
-        light.strength = clampf(static_cast<float>(from.intensity), 0.0f, 1e20f) / kLumensPerWatt;
-        const auto degrees = [](double rad) {
-            return clampf(static_cast<float>(rad) * (180.0f / kPi), 0.0f, 90.0f);
-        };
-        light.coneAngleDeg = std::max(degrees(from.spot.outerConeAngle), 0.01f);
-        light.coneFalloffStartDeg = std::min(degrees(from.spot.innerConeAngle), light.coneAngleDeg);
-        scene_.lights.push_back(std::move(light));
+        if (light->name.empty()) { light->name = fmt::format("light {}", index); }
+        scene_.lights.push_back(std::move(*light));
         return {};
     }
 
@@ -242,6 +203,7 @@ class GltfReader {
     GltfMaterials materials_;
     GltfMeshes meshes_;
     std::optional<PlacedCamera> camera_;
+    std::vector<Affine> toWorld_;  ///< of each node of the scene
 };
 
 Result<SceneDescription> load(const std::string& path, const LoadOptions& options) {

@@ -1,18 +1,16 @@
 // glTF 2.0: what nodes, meshes, materials, cameras and lights become.
+#include "tests/support/gltf_test.h"
+
 #include <cmath>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "engine/builders/scene_validation.h"
 #include "engine/io/atomic_file.h"
 #include "engine/io/image_io.h"
 #include "engine/io/scene_json.h"
-#include "engine/io/scene_loader.h"
 #include "engine/io/studio.h"
 #include "tests/support/film_bits.h"
-#include "tests/support/gltf_files.h"
-#include "tests/support/temp_folder.h"
 
 namespace glint {
 namespace {
@@ -24,27 +22,10 @@ using test::kNode;
 using test::kSquare;
 using test::material;
 using test::packed;
-using test::TempFolder;
-using testing::Contains;
 using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::IsEmpty;
 
-class Gltf : public testing::Test {
-  protected:
-    SceneDescription load(const std::string& text, const std::string& name = "a.gltf") {
-        auto scene = loadScene(folder.write(name, text), {.noStudio = true});
-        EXPECT_TRUE(scene) << scene.error().format();
-        if (!scene) { return {}; }
-        EXPECT_TRUE(validateScene(*scene, EditKind::Everything));
-        return std::move(*scene);
-    }
-    Material only(const std::string& members) {
-        const SceneDescription scene = load(gltf(material(members)));
-        return scene.materials.empty() ? Material() : scene.materials[0];
-    }
-    TempFolder folder;
-};
+using Gltf = test::GltfTest;
 
 TEST_F(Gltf, TextAndBinaryFilesHoldTheSameMesh) {
     const std::string json = gltf(material(""));
@@ -134,91 +115,40 @@ TEST_F(Gltf, NodesPlaceMeshesWithinEachOtherAndShareThem) {
     EXPECT_LT(glm::length(scene.objects[1].objectToWorld.point({1, 0, 0}) - Vec3(1, 8, 3)), 1e-5f);
 }
 
-TEST_F(Gltf, MaterialsBecomeTheNearestOfGlint) {
-    const Material plain = only("");
-    EXPECT_EQ(plain.kind, MaterialKind::Conductor) << "metallic is 1 unless it is said";
-    const Material plastic =
-        only(R"("pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.25, 1, 1], "metallicFactor": 0,
-        "roughnessFactor": 0.5}, "extensions": {"KHR_materials_ior": {"ior": 1.3}})");
-    EXPECT_EQ(plastic.kind, MaterialKind::Plastic);
-    EXPECT_EQ(plastic.color.value, Vec3(0.5f, 0.25f, 1.0f));
-    EXPECT_EQ(plastic.roughness.value, 0.25f);
-    EXPECT_FLOAT_EQ(plastic.ior.value, 1.3f);
-    const Material metal =
-        only(R"("pbrMetallicRoughness": {"baseColorFactor": [0.9, 0.6, 0.2, 1], "roughnessFactor": 0})");
-    ASSERT_EQ(metal.kind, MaterialKind::Conductor);
-    for (int c = 0; c < 3; ++c) {
-        const float n = metal.eta.value[c], k = metal.k.value[c];
-        EXPECT_NEAR(((n - 1) * (n - 1) + k * k) / ((n + 1) * (n + 1) + k * k), Vec3(0.9f, 0.6f, 0.2f)[c],
-                    1e-4f);
-    }
-    const std::string passing = R"("extensions": {"KHR_materials_transmission": {"transmissionFactor": 1})";
-    EXPECT_EQ(only(passing + "}").kind, MaterialKind::Dielectric);
-    EXPECT_TRUE(only(passing + "}").thin);
-    EXPECT_FALSE(only(passing + R"(, "KHR_materials_volume": {"thicknessFactor": 0.1}})").thin);
-    const Material lamp = only(R"("emissiveFactor": [1, 0.5, 0], "doubleSided": true,
-        "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 20}})");
-    EXPECT_EQ(lamp.emission.value, Vec3(1.0f, 0.5f, 0.0f));
-    EXPECT_EQ(lamp.emissionStrength, 20.0f);
-    EXPECT_TRUE(lamp.emitsBothSides);
-    const Material older =
-        only(R"("extensions": {"KHR_materials_pbrSpecularGlossiness": {"diffuseFactor": [0.5, 0.25, 1, 1],
-        "glossinessFactor": 0.5}})");
-    EXPECT_EQ(older.kind, MaterialKind::Plastic);
-    EXPECT_EQ(older.color.value, Vec3(0.5f, 0.25f, 1.0f));
-    EXPECT_EQ(older.roughness.value, 0.25f);
-    const Material unlit = only(R"("pbrMetallicRoughness": {"baseColorFactor": [0.2, 0.4, 0.6, 1]},
-        "extensions": {"KHR_materials_unlit": {}})");
-    EXPECT_EQ(unlit.emission.value, Vec3(0.2f, 0.4f, 0.6f));
-    EXPECT_EQ(unlit.color.value, Vec3(0.0f));
-}
-
-TEST_F(Gltf, WhatGlintDoesNotDrawIsSaidOnceOfEachKind) {
-    const SceneDescription scene = load(gltf(R"("materials": [{"name": "a", "alphaMode": "MASK",
-        "pbrMetallicRoughness": {"metallicFactor": 0.7}, "extensions": {"KHR_materials_sheen": {}}}],
-        "animations": [{"channels": [], "samplers": []}])"));
-    EXPECT_THAT(scene.warnings, Contains(HasSubstr("nothing is cut out: \"a\"")));
-    EXPECT_THAT(scene.warnings, Contains(HasSubstr("between metal, glass and neither")));
-    EXPECT_THAT(scene.warnings,
-                Contains(HasSubstr("extensions of materials are left out: \"KHR_materials_sheen\"")));
-    EXPECT_THAT(scene.warnings, Contains(HasSubstr("animations are left out")));
-    EXPECT_FALSE(loadScene(scene.path, {.strict = true}));
-}
-
-TEST_F(Gltf, TexturesArePlacedAndMultiplied) {
-    // The top half of the image is red.
-    std::vector<uint8_t> rgb(3 * 4 * 4, 0);
-    for (size_t i = 0; i < 8; ++i) {
-        rgb[3 * i] = 255;
-    }
-    ASSERT_TRUE(savePng(folder.path("t.png"), {4, 4, rgb}));
-    const std::string more =
-        R"("images": [{"uri": "t.png"}], "samplers": [{"wrapS": 33071, "wrapT": 33648, "magFilter": 9728}],
-        "textures": [{"source": 0, "sampler": 0}], "materials": [{"pbrMetallicRoughness": {"metallicFactor": 0,
-        "baseColorFactor": [0.5, 1, 1, 1], "baseColorTexture": {"index": 0, "extensions": {"KHR_texture_transform":
-        {"offset": [0.25, 0.5], "rotation": 1.5707963, "scale": [2, 3]}}}}}])";
-    const SceneDescription scene = load(gltf(more));
-    ASSERT_EQ(scene.textures.size(), 1u);
-    const Texture& texture = scene.textures[0];
-    EXPECT_TRUE(texture.flipV) << "v counts from the top row";
-    EXPECT_EQ(texture.wrapU, WrapMode::Clamp);
-    EXPECT_EQ(texture.wrapV, WrapMode::Mirror);
-    EXPECT_EQ(texture.filter, TexelFilter::Nearest);
-    EXPECT_EQ(texture.scale, Vec2(2, 3));
-    EXPECT_EQ(texture.offset, Vec2(0.25f, 0.5f));
-    EXPECT_NEAR(texture.rotationDeg, 90.0f, 1e-3f);
-    EXPECT_EQ(texture.encoding, ColorEncoding::Srgb);
-    EXPECT_EQ(scene.meshes[0].data->colors[0], Vec3(0.5f, 1.0f, 1.0f)) << "the factor, on the vertices";
-    // In a data URI, and in the buffer; a missing one is a warning.
-    const std::string png = base64(readFile(folder.path("t.png")).value());
-    std::string inside = more;
-    inside.replace(inside.find("t.png"), 5, "data:image/png;base64," + png);
-    EXPECT_TRUE(load(gltf(inside)).textures.at(0).image.isRead());
-    std::string gone = more;
-    gone.replace(gone.find("t.png"), 5, "gone.png");
-    const SceneDescription without = load(gltf(gone));
-    EXPECT_THAT(without.warnings, Contains(HasSubstr("images cannot be read")));
-    EXPECT_EQ(without.materials[0].color.texture, -1);
+TEST_F(Gltf, SkinsAndMorphTargetsAreAtRest) {
+    // The square's left corners follow joint 1, its right ones joint 2; a morph target lifts all corners.
+    const std::string buffer = packed<float>({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0}) +
+                               packed<float>({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}) +
+                               packed<uint8_t>({0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0}) +
+                               packed<float>({1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}) +
+                               packed<float>({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}) +
+                               packed<float>({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -5, 0, 0, 1});
+    const std::string views =
+        R"("bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 48},
+        {"buffer": 0, "byteOffset": 96, "byteLength": 16}, {"buffer": 0, "byteOffset": 112, "byteLength": 64},
+        {"buffer": 0, "byteOffset": 176, "byteLength": 128}], "accessors": [
+        {"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
+        {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC3"},
+        {"bufferView": 2, "componentType": 5121, "count": 4, "type": "VEC4"},
+        {"bufferView": 3, "componentType": 5126, "count": 4, "type": "VEC4"},
+        {"bufferView": 4, "componentType": 5126, "count": 2, "type": "MAT4"}])";
+    const std::string mesh =
+        R"("meshes": [{"weights": [0.5], "primitives": [{"mode": 6, "attributes": {"POSITION": 0,
+        "JOINTS_0": 2, "WEIGHTS_0": 3}, "targets": [{"POSITION": 1}]}]}])";
+    const SceneDescription scene =
+        load(gltf(R"("skins": [{"joints": [1, 2], "inverseBindMatrices": 4}])", mesh,
+                  R"("nodes": [{"mesh": 0, "skin": 0, "translation": [100, 0, 0]}, {"translation": [0, 7, 0]},
+                     {"translation": [5, 0, 2]}, {"mesh": 0, "weights": [2], "translation": [0, 0, 9]}])",
+                  views, buffer));
+    ASSERT_EQ(scene.objects.size(), 2u);
+    EXPECT_EQ(scene.objects[0].objectToWorld, Affine()) << "joints alone place a skin's mesh";
+    EXPECT_THAT(scene.meshes[0].data->positions,
+                ElementsAre(Vec3(-1, 6, 0.5f), Vec3(1, -1, 2.5f), Vec3(1, 1, 2.5f), Vec3(-1, 8, 0.5f)));
+    EXPECT_EQ(scene.meshes[1].data->positions[0], Vec3(-1, -1, 2))
+        << "twice the target, by the node's own weight";
+    EXPECT_EQ(scene.objects[1].objectToWorld.translation, Vec3(0, 0, 9));
+    const SceneDescription plain = load(gltf("", mesh, kNode, views, buffer));
+    EXPECT_EQ(plain.meshes[0].data->positions[0], Vec3(-1, -1, 0.5f)) << "by the mesh's weight";
 }
 
 TEST_F(Gltf, CamerasAndLights) {

@@ -1,0 +1,108 @@
+// glTF 2.0: what materials and their images become.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/io/atomic_file.h"
+#include "engine/io/image_io.h"
+#include "tests/support/gltf_test.h"
+
+namespace glint {
+namespace {
+
+using test::base64;
+using test::gltf;
+using test::material;
+using testing::Contains;
+using testing::HasSubstr;
+
+using Gltf = test::GltfTest;
+
+TEST_F(Gltf, MaterialsBecomeTheNearestOfGlint) {
+    const Material plain = only("");
+    EXPECT_EQ(plain.kind, MaterialKind::Conductor) << "metallic is 1 unless it is said";
+    const Material plastic =
+        only(R"("pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.25, 1, 1], "metallicFactor": 0,
+        "roughnessFactor": 0.5}, "extensions": {"KHR_materials_ior": {"ior": 1.3}})");
+    EXPECT_EQ(plastic.kind, MaterialKind::Plastic);
+    EXPECT_EQ(plastic.color.value, Vec3(0.5f, 0.25f, 1.0f));
+    EXPECT_EQ(plastic.roughness.value, 0.25f);
+    EXPECT_FLOAT_EQ(plastic.ior.value, 1.3f);
+    const Material metal =
+        only(R"("pbrMetallicRoughness": {"baseColorFactor": [0.9, 0.6, 0.2, 1], "roughnessFactor": 0})");
+    ASSERT_EQ(metal.kind, MaterialKind::Conductor);
+    for (int c = 0; c < 3; ++c) {
+        const float n = metal.eta.value[c], k = metal.k.value[c];
+        EXPECT_NEAR(((n - 1) * (n - 1) + k * k) / ((n + 1) * (n + 1) + k * k), Vec3(0.9f, 0.6f, 0.2f)[c],
+                    1e-4f);
+    }
+    const std::string passing = R"("extensions": {"KHR_materials_transmission": {"transmissionFactor": 1})";
+    EXPECT_EQ(only(passing + "}").kind, MaterialKind::Dielectric);
+    EXPECT_TRUE(only(passing + "}").thin);
+    EXPECT_FALSE(only(passing + R"(, "KHR_materials_volume": {"thicknessFactor": 0.1}})").thin);
+    const Material lamp = only(R"("emissiveFactor": [1, 0.5, 0], "doubleSided": true,
+        "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 20}})");
+    EXPECT_EQ(lamp.emission.value, Vec3(1.0f, 0.5f, 0.0f));
+    EXPECT_EQ(lamp.emissionStrength, 20.0f);
+    EXPECT_TRUE(lamp.emitsBothSides);
+    const Material older =
+        only(R"("extensions": {"KHR_materials_pbrSpecularGlossiness": {"diffuseFactor": [0.5, 0.25, 1, 1],
+        "glossinessFactor": 0.5}})");
+    EXPECT_EQ(older.kind, MaterialKind::Plastic);
+    EXPECT_EQ(older.color.value, Vec3(0.5f, 0.25f, 1.0f));
+    EXPECT_EQ(older.roughness.value, 0.25f);
+    const Material unlit = only(R"("pbrMetallicRoughness": {"baseColorFactor": [0.2, 0.4, 0.6, 1]},
+        "extensions": {"KHR_materials_unlit": {}})");
+    EXPECT_EQ(unlit.emission.value, Vec3(0.2f, 0.4f, 0.6f));
+    EXPECT_EQ(unlit.color.value, Vec3(0.0f));
+}
+
+TEST_F(Gltf, TexturesArePlacedAndMultiplied) {
+    // The top half of the image is red.
+    std::vector<uint8_t> rgb(3 * 4 * 4, 0);
+    for (size_t i = 0; i < 8; ++i) {
+        rgb[3 * i] = 255;
+    }
+    ASSERT_TRUE(savePng(folder.path("t.png"), {4, 4, rgb}));
+    const std::string more =
+        R"("images": [{"uri": "t.png"}], "samplers": [{"wrapS": 33071, "wrapT": 33648, "magFilter": 9728}],
+        "textures": [{"source": 0, "sampler": 0}], "materials": [{"pbrMetallicRoughness": {"metallicFactor": 0,
+        "baseColorFactor": [0.5, 1, 1, 1], "baseColorTexture": {"index": 0, "extensions": {"KHR_texture_transform":
+        {"offset": [0.25, 0.5], "rotation": 1.5707963, "scale": [2, 3]}}}}}])";
+    const SceneDescription scene = load(gltf(more));
+    ASSERT_EQ(scene.textures.size(), 1u);
+    const Texture& texture = scene.textures[0];
+    EXPECT_TRUE(texture.flipV) << "v counts from the top row";
+    EXPECT_EQ(texture.wrapU, WrapMode::Clamp);
+    EXPECT_EQ(texture.wrapV, WrapMode::Mirror);
+    EXPECT_EQ(texture.filter, TexelFilter::Nearest);
+    EXPECT_EQ(texture.scale, Vec2(2, 3));
+    EXPECT_EQ(texture.offset, Vec2(0.25f, 0.5f));
+    EXPECT_NEAR(texture.rotationDeg, 90.0f, 1e-3f);
+    EXPECT_EQ(texture.encoding, ColorEncoding::Srgb);
+    EXPECT_EQ(scene.meshes[0].data->colors[0], Vec3(0.5f, 1.0f, 1.0f)) << "the factor, on the vertices";
+    // In a data URI, and in the buffer; a missing one is a warning.
+    const std::string png = base64(readFile(folder.path("t.png")).value());
+    std::string inside = more;
+    inside.replace(inside.find("t.png"), 5, "data:image/png;base64," + png);
+    EXPECT_TRUE(load(gltf(inside)).textures.at(0).image.isRead());
+    std::string gone = more;
+    gone.replace(gone.find("t.png"), 5, "gone.png");
+    const SceneDescription without = load(gltf(gone));
+    EXPECT_THAT(without.warnings, Contains(HasSubstr("images cannot be read")));
+    EXPECT_EQ(without.materials[0].color.texture, -1);
+}
+
+TEST_F(Gltf, WhatGlintDoesNotDrawIsSaidOnceOfEachKind) {
+    const SceneDescription scene = load(gltf(R"("materials": [{"name": "a", "alphaMode": "MASK",
+        "pbrMetallicRoughness": {"metallicFactor": 0.7}, "extensions": {"KHR_materials_sheen": {}}}],
+        "animations": [{"channels": [], "samplers": []}])"));
+    EXPECT_THAT(scene.warnings, Contains(HasSubstr("nothing is cut out: \"a\"")));
+    EXPECT_THAT(scene.warnings, Contains(HasSubstr("between metal, glass and neither")));
+    EXPECT_THAT(scene.warnings,
+                Contains(HasSubstr("extensions of materials are left out: \"KHR_materials_sheen\"")));
+    EXPECT_THAT(scene.warnings, Contains(HasSubstr("animations are left out")));
+    EXPECT_FALSE(loadScene(scene.path, {.strict = true}));
+}
+
+}  // namespace
+}  // namespace glint
