@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <glm/gtc/quaternion.hpp>
@@ -11,6 +13,7 @@
 namespace glint {
 namespace {
 
+constexpr size_t kMaxInstances = 1'000'000;
 constexpr float kLumensPerWatt = 683.0f;  ///< at 555 nm, as exporters of watts count
 
 }  // namespace
@@ -35,6 +38,34 @@ Affine placementOf(const tinygltf::Node& node) {
         placement.translation = Vec3(at(t, 0), at(t, 1), at(t, 2));
     }
     return placement;
+}
+
+Result<std::vector<Affine>> instancesOf(const GltfFile& file, const tinygltf::Node& node) {
+    const auto* extension = extensionOf(node, "EXT_mesh_gpu_instancing");
+    if (extension == nullptr || !extension->Get("attributes").IsObject()) { return std::vector<Affine>(1); }
+    const tinygltf::Value& attributes = extension->Get("attributes");
+    std::vector<tinygltf::Node> nodes;
+    const std::tuple<const char*, int, std::vector<double> tinygltf::Node::*> parts[] = {
+        {"TRANSLATION", 3, &tinygltf::Node::translation},
+        {"ROTATION", 4, &tinygltf::Node::rotation},
+        {"SCALE", 3, &tinygltf::Node::scale}};
+    for (const auto& [name, width, member] : parts) {
+        if (!attributes.Has(name)) { continue; }
+        const auto accessor = static_cast<int>(numberOf(&attributes, name, -1.0));
+        const auto values = readNumbers(file, accessor, width, width, fmt::format("instances, {}", name));
+        if (!values) { return values.error(); }
+        if (values->count() > kMaxInstances) {
+            return file.error(
+                fmt::format("a node has {} instances; at most {} are read", values->count(), kMaxInstances));
+        }
+        nodes.resize(std::max(nodes.size(), values->count()));
+        for (size_t i = 0; i < values->count(); ++i) {
+            (nodes[i].*member).assign(values->at(i), values->at(i) + width);
+        }
+    }
+    std::vector<Affine> places;
+    std::ranges::transform(nodes, std::back_inserter(places), placementOf);
+    return places;
 }
 
 std::vector<int> rootsOf(const tinygltf::Model& model) {

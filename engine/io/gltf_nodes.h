@@ -13,6 +13,10 @@ namespace glint {
 /// Within its parent.
 Affine placementOf(const tinygltf::Node& node);
 
+/// EXT_mesh_gpu_instancing: where within the node its mesh is; once at the node itself without it. Error: as
+/// the accessors'; there are very many.
+Result<std::vector<Affine>> instancesOf(const GltfFile& file, const tinygltf::Node& node);
+
 /// Of the scene that the file shows; of all nodes where it has none.
 std::vector<int> rootsOf(const tinygltf::Model& model);
 

@@ -16,6 +16,8 @@
 namespace glint {
 namespace {
 
+constexpr size_t kMaxObjects = 4'000'000;  ///< instances cost a file next to nothing
+
 class GltfReader {
   public:
     GltfReader(GltfFile* file, bool noStudio)
@@ -101,11 +103,12 @@ class GltfReader {
     Status readNode(int index) {
         const tinygltf::Node& node = file_.model.nodes[static_cast<size_t>(index)];
         const Affine toWorld = toWorld_[static_cast<size_t>(index)];
-        if (extensionOf(node, "EXT_mesh_gpu_instancing") != nullptr) {
-            file_.remark("instances by EXT_mesh_gpu_instancing are left out", node.name);
-        }
         if (node.mesh >= 0) {
-            if (Status placed = placeMesh(node, toWorld); !placed) { return placed; }
+            const auto instances = instancesOf(file_, node);
+            if (!instances) { return instances.error(); }
+            for (const Affine& instance : *instances) {
+                if (Status placed = placeMesh(node, toWorld * instance); !placed) { return placed; }
+            }
         }
         if (node.camera >= 0) {
             if (!camera_) {
@@ -132,6 +135,9 @@ class GltfReader {
         if (!isInvertible(toWorld)) {
             file_.remark("nodes that are flattened or not finite are left out", node.name);
             return {};
+        }
+        if (scene_.objects.size() > kMaxObjects) {
+            return file_.error(fmt::format("its nodes place more than {} meshes", kMaxObjects));
         }
         for (const GltfPart& part : *parts) {
             Object object;

@@ -151,6 +151,25 @@ TEST_F(Gltf, SkinsAndMorphTargetsAreAtRest) {
     EXPECT_EQ(plain.meshes[0].data->positions[0], Vec3(-1, -1, 0.5f)) << "by the mesh's weight";
 }
 
+TEST_F(Gltf, InstancesShareTheMeshOfTheirNode) {
+    const std::string buffer =
+        kSquare + packed<float>({1, 0, 0, 0, 2, 0}) + packed<float>({2, 2, 2, 3, 3, 3});
+    std::string views = test::kViews;
+    views.insert(views.find("],"), R"(, {"buffer": 0, "byteOffset": 92, "byteLength": 24}, {"buffer": 0,
+        "byteOffset": 116, "byteLength": 24})");
+    views.insert(views.rfind(']'), R"(, {"bufferView": 3, "componentType": 5126, "count": 2, "type": "VEC3"},
+        {"bufferView": 4, "componentType": 5126, "count": 2, "type": "VEC3"})");
+    const SceneDescription scene =
+        load(gltf(material("") + R"(, "extensionsRequired": ["EXT_mesh_gpu_instancing"])", kMesh,
+                  R"("nodes": [{"mesh": 0, "translation": [0, 0, 5], "extensions": {"EXT_mesh_gpu_instancing":
+        {"attributes": {"TRANSLATION": 3, "SCALE": 4}}}}])",
+                  views, buffer));
+    ASSERT_EQ(scene.objects.size(), 2u);
+    EXPECT_EQ(scene.objects[0].mesh, scene.objects[1].mesh);
+    EXPECT_EQ(scene.objects[0].objectToWorld.point({1, 1, 0}), Vec3(3, 2, 5));
+    EXPECT_EQ(scene.objects[1].objectToWorld.point({1, 1, 0}), Vec3(3, 5, 5));
+}
+
 TEST_F(Gltf, CamerasAndLights) {
     const SceneDescription scene =
         load(gltf(material("") + R"(, "cameras": [{"type": "perspective",
