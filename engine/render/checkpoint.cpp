@@ -1,7 +1,8 @@
 // Sections: INFO (text Glint version, f64 render seconds), SETT (u32 count, then name and value texts), HASH
 // (u32 count, then u64 low and high per scene part), FILM (film_checkpoint.h), CURV (u32 count, then u32
 // passes and 5 f64 per point of the convergence curve), and that of the integrator's statistics where it has
-// some. A section with other letters is skipped. Texts are u64 length and characters.
+// some, and SCNE (checkpoint_scene.h). A section with other letters is skipped. Texts are u64 length and
+// characters.
 #include "engine/render/checkpoint.h"
 
 #include <filesystem>
@@ -11,6 +12,7 @@
 
 #include "engine/base/log.h"
 #include "engine/io/atomic_file.h"
+#include "engine/render/checkpoint_scene.h"
 #include "engine/render/checkpoint_sections.h"
 #include "engine/render/film_checkpoint.h"
 
@@ -66,6 +68,7 @@ Result<CheckpointInfo> readInfo(const CheckpointSections& sections, const std::s
     ByteReader film(sections.at("FILM"));
     film.readRaw(2 * sizeof(uint32_t));
     info.passes = film.read<uint32_t>();
+    info.scenePath = checkpointScenePath(sections);
     if (about.failed() || settings.failed() || count > kMaxSettings || hashes.failed() || !rightParts ||
         film.failed()) {
         return checkpointError(path, "is damaged: a section is too short");
@@ -171,6 +174,7 @@ Status saveCheckpoint(const std::string& path, const SessionCapture& capture) {
     if (const ImageStatistics* statistics = capture.statistics.get()) {
         file.section(statistics->section().tag, [&](ByteWriter* out) { statistics->write(out); });
     }
+    writeCheckpointScene(*capture.scene, &file);
     return writeFileAtomically(path, file.finish());
 }
 
@@ -200,6 +204,13 @@ Result<ResumePoint> loadCheckpoint(const std::string& path, const SceneDescripti
             path, fmt::format("is damaged: its {} cannot be read", point.statistics->section().name));
     }
     return point;
+}
+
+Result<SceneDescription> loadCheckpointScene(const std::string& path) {
+    std::string bytes;
+    CheckpointSections sections;
+    const Result<CheckpointInfo> info = openCheckpoint(path, &bytes, &sections);
+    return info ? readCheckpointScene(sections, path) : info.error();
 }
 
 Status checkReplacesCheckpoint(const std::string& path, uint32_t passes) {

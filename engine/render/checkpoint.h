@@ -1,9 +1,9 @@
 // A render on disk that can be gone on with: the film and the integrator's statistics to the last bit, and
 // what they are of.
 //
-// The file is described in checkpoint.cpp and checkpoint_sections.h. It holds
-// fingerprints of the scene, not the scene: resuming needs the scene file, and says what differs when it is
-// not the same one.
+// The file is described in checkpoint.cpp and checkpoint_sections.h. It holds fingerprints of the scene, so
+// that resuming says what differs when another one is open, and the scene as it was edited, whose meshes and
+// images stay in their files.
 #pragma once
 
 #include <string>
@@ -21,6 +21,7 @@ struct CheckpointInfo {
     std::string glintVersion;  ///< that wrote it
     double renderSeconds = 0.0;
     uint32_t passes = 0;
+    std::string scenePath;  ///< absolute; "" where it holds no scene
     std::vector<Setting> settings;
     SceneHashes hashes;
 };
@@ -37,6 +38,10 @@ size_t checkpointBytes(int width, int height, IntegratorKind integrator);
 /// damaged, or the scene or a setting differs from the checkpoint's: each difference is named ("maxDepth is 8
 /// in the checkpoint and 16 now").
 Result<ResumePoint> loadCheckpoint(const std::string& path, const SceneDescription& scene);
+
+/// The scene that the checkpoint is of, as it was edited (checkpoint_scene.h). Error: as above, but for
+/// differences, or the checkpoint holds no scene, or a file that it names cannot be read.
+Result<SceneDescription> loadCheckpointScene(const std::string& path);
 
 /// Error: the file at `path`, where there is one, is no checkpoint, or holds a film of more than `passes`: a
 /// longer render is not thrown away for a shorter one.

@@ -18,12 +18,13 @@ bool asksForMore(const RenderRequest& before, const RenderRequest& now) {
 
 }  // namespace
 
-EditTicket CommandQueue::post(SceneEdit edit, std::optional<ResumePoint> resume) {
+EditTicket CommandQueue::post(SceneEdit edit, FilmTake take, std::optional<ResumePoint> resume) {
     const std::lock_guard lock(mutex_);
     const EditKind waiting = commands_.edit ? commands_.edit->kinds : EditKind::None;
     edit.kinds |= waiting;
     if (has(edit.kinds, EditKind::Everything)) { abandonBuild_ = true; }
     commands_.edit = std::move(edit);
+    commands_.take = take;
     commands_.resume = std::move(resume);
     return postEdit(SessionClock::now());
 }

@@ -23,6 +23,7 @@ using CapturePromise = std::promise<std::optional<SessionCapture>>;
 /// What happened since the render thread last looked; each happens once.
 struct Commands {
     std::optional<SceneEdit> edit;      ///< the newest scene; kinds of all edits that waited
+    FilmTake take = 0;                  ///< belongs to `edit`
     std::optional<ResumePoint> resume;  ///< belongs to `edit`
     bool restart = false;
     bool quit = false;
@@ -47,7 +48,7 @@ struct PassInFlight {
 
 class CommandQueue {
   public:
-    EditTicket post(SceneEdit edit, std::optional<ResumePoint> resume);
+    EditTicket post(SceneEdit edit, FilmTake take, std::optional<ResumePoint> resume);
     EditTicket postRestart();
     void postQuit();
     void postCapture(CapturePromise capture);

@@ -15,6 +15,9 @@ namespace glint {
 /// Counts the edits and restarts that were posted to a session, from 1. 0: none yet.
 using EditTicket = uint64_t;
 
+/// Tells films of one scene apart: each restart that can be gone back behind begins another take.
+using FilmTake = uint64_t;
+
 struct FilmSnapshot {
     EditTicket ticket = 0;  ///< of the newest edit that it answers
     int width = 0;          ///< smaller than the film's while something moves

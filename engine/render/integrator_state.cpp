@@ -23,60 +23,69 @@ void RenderedImage::prepareStatistics(IntegratorKind kind, int width, int height
     }
 }
 
+size_t RenderedFilm::bytes() const {
+    return image.film.bytes() + (image.statistics ? image.statistics->bytes() : 0);
+}
+
 void IntegratorState::restart() {
     isStale_ = true;
     ++restarts_;
-    renderSeconds_ = 0.0;
-    secondsPerPass_ = 0.0;
-    error_ = {};
-    curve_.clear();
+    film_.renderSeconds = 0.0;
+    film_.secondsPerPass = 0.0;
+    film_.error = {};
+    film_.curve.clear();
 }
 
-void IntegratorState::goOnFrom(RenderedImage image, double renderSeconds, ConvergenceCurve curve,
-                               int threads) {
+RenderedFilm IntegratorState::takeFilm() {
+    RenderedFilm film = std::exchange(film_, {});
     restart();
-    image_ = std::move(image);
+    return film;
+}
+
+void IntegratorState::goOnFrom(RenderedFilm film) {
+    restart();
+    film_ = std::move(film);
     isStale_ = false;
-    renderSeconds_ = renderSeconds;
-    curve_ = std::move(curve);
     isPreviewing_ = false;
-    estimateErrorAnew(threads);
 }
 
 ImageStatistics* IntegratorState::statisticsForPass(int width, int height) {
-    image_.prepareStatistics(kind_, width, height, passes());
-    return image_.statistics.get();
+    film_.image.prepareStatistics(kind_, width, height, passes());
+    return film_.image.statistics.get();
 }
 
 bool IntegratorState::commit(const std::vector<PixelSample>& samples, const Resolution& size, double seconds,
                              double decay, int threads) {
     isPreviewing_ = false;
-    const bool isAllocated = isStale_ && image_.clearFilm(size.width, size.height);
+    const bool isAllocated = isStale_ && film_.image.clearFilm(size.width, size.height);
     isStale_ = false;
-    Film& film = image_.film;
+    Film& film = film_.image.film;
     const uint64_t raysBefore = film.rays();
     film.commit(samples, film.passes(), threads);
-    calibrateNoise(image_.statistics.get(), decay, threads, &film);
-    renderSeconds_ += seconds;
-    secondsPerPass_ = secondsPerPass_ == 0.0 ? seconds : 0.8 * secondsPerPass_ + 0.2 * seconds;
-    raysOfPass_ = film.rays() - raysBefore;
-    pace.measured(image_.pixels(), seconds);
+    calibrateNoise(film_.image.statistics.get(), decay, threads, &film);
+    film_.renderSeconds += seconds;
+    double& secondsPerPass = film_.secondsPerPass;
+    secondsPerPass = secondsPerPass == 0.0 ? seconds : 0.8 * secondsPerPass + 0.2 * seconds;
+    film_.raysOfPass = film.rays() - raysBefore;
+    pace.measured(film_.image.pixels(), seconds);
     return isAllocated;
 }
 
 void IntegratorState::estimateErrorAnew(int threads) {
-    error_ = estimateError(image_.film, image_.statistics.get(), threads);
+    film_.error = estimateError(film_.image.film, film_.image.statistics.get(), threads);
 }
 
 bool IntegratorState::recordError(int threads) {
-    if (!curve_.isDue(image_.film.passes())) { return false; }
+    const uint32_t passes = film_.image.film.passes();
+    if (!film_.curve.isDue(passes)) { return false; }
     estimateErrorAnew(threads);
-    curve_.add({.passes = image_.film.passes(),
-                .renderSeconds = renderSeconds_,
-                .relativeError = error_.relative,
-                .relativeErrorLow = error_.low,
-                .relativeErrorHigh = error_.high,
-                .relativeBias = error_.bias});
+    const ErrorEstimate& error = film_.error;
+    film_.curve.add({.passes = passes,
+                     .renderSeconds = film_.renderSeconds,
+                     .relativeError = error.relative,
+                     .relativeErrorLow = error.low,
+                     .relativeErrorHigh = error.high,
+                     .relativeBias = error.bias});
     return true;
 }
 

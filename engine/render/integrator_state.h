@@ -29,6 +29,18 @@ struct RenderedImage {
     void prepareStatistics(IntegratorKind kind, int width, int height, uint32_t passes);
 };
 
+/// A film and what is known of it.
+struct RenderedFilm {
+    RenderedImage image;
+    double renderSeconds = 0.0;
+    double secondsPerPass = 0.0;  ///< of late
+    uint64_t raysOfPass = 0;      ///< of the last one
+    ErrorEstimate error{};
+    ConvergenceCurve curve{};
+
+    size_t bytes() const;
+};
+
 /// What the newest snapshot of an integrator is of: a new one is due when any of it changed.
 struct ShownImage {
     EditTicket ticket = 0;
@@ -51,11 +63,13 @@ class IntegratorState {
     IntegratorKind kind() const { return kind_; }
 
     // The film.
-    uint32_t passes() const { return isStale_ ? 0 : image_.film.passes(); }
-    const RenderedImage& image() const { return image_; }
+    uint32_t passes() const { return isStale_ ? 0 : film_.image.film.passes(); }
+    const RenderedImage& image() const { return film_.image; }
     /// Empties the film, but only when the next pass is ready to be added: an edit must not wait for it.
     void restart();
-    void goOnFrom(RenderedImage image, double renderSeconds, ConvergenceCurve curve, int threads);
+    /// Restarts, and hands over the film that it had, which must have passes.
+    RenderedFilm takeFilm();
+    void goOnFrom(RenderedFilm film);
     /// Where the next film pass of this size puts its statistics; null: it has none.
     ImageStatistics* statisticsForPass(int width, int height);
     /// Adds a pass that took so long. Returns whether the film had to be allocated. `decay` is
@@ -66,11 +80,11 @@ class IntegratorState {
     bool recordError(int threads);
     void estimateErrorAnew(int threads);
 
-    double renderSeconds() const { return renderSeconds_; }
-    double secondsPerPass() const { return secondsPerPass_; }
-    uint64_t raysOfPass() const { return raysOfPass_; }
-    const ErrorEstimate& error() const { return error_; }
-    const ConvergenceCurve& curve() const { return curve_; }
+    double renderSeconds() const { return film_.renderSeconds; }
+    double secondsPerPass() const { return film_.secondsPerPass; }
+    uint64_t raysOfPass() const { return film_.raysOfPass; }
+    const ErrorEstimate& error() const { return film_.error; }
+    const ConvergenceCurve& curve() const { return film_.curve; }
     /// Tells the film from those before.
     uint64_t restarts() const { return restarts_; }
 
@@ -85,7 +99,7 @@ class IntegratorState {
     void commitPreview(const std::vector<PixelSample>& samples, double seconds, int threads);
 
     // What there is to be seen.
-    const RenderedImage& visible() const { return isPreviewing_ ? preview_ : image_; }
+    const RenderedImage& visible() const { return isPreviewing_ ? preview_ : film_.image; }
     uint32_t visiblePasses() const { return isPreviewing_ ? preview_.film.passes() : passes(); }
     ShownImage shown;
     std::shared_ptr<const FilmSnapshot> snapshot;  ///< that `shown` describes
@@ -95,14 +109,9 @@ class IntegratorState {
 
   private:
     IntegratorKind kind_;
-    RenderedImage image_;
+    RenderedFilm film_;
     bool isStale_ = true;
     uint64_t restarts_ = 0;
-    double renderSeconds_ = 0.0;
-    double secondsPerPass_ = 0.0;
-    uint64_t raysOfPass_ = 0;
-    ErrorEstimate error_;
-    ConvergenceCurve curve_;
 
     RenderedImage preview_;
     bool isPreviewing_ = false;

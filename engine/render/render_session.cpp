@@ -35,12 +35,13 @@ RenderSession::RenderSession(std::unique_ptr<Backend> backend, SessionOptions op
 
 RenderSession::~RenderSession() = default;
 
-EditTicket RenderSession::post(SceneEdit edit) {
-    return impl_->commandQueue.post(std::move(edit), std::nullopt);
+EditTicket RenderSession::post(SceneEdit edit, FilmTake take) {
+    return impl_->commandQueue.post(std::move(edit), take, std::nullopt);
 }
 
-EditTicket RenderSession::resume(std::shared_ptr<const SceneDescription> scene, ResumePoint from) {
-    return impl_->commandQueue.post({std::move(scene), EditKind::Everything}, std::move(from));
+EditTicket RenderSession::resume(std::shared_ptr<const SceneDescription> scene, ResumePoint from,
+                                 FilmTake take) {
+    return impl_->commandQueue.post({std::move(scene), EditKind::Everything}, take, std::move(from));
 }
 
 EditTicket RenderSession::restart() { return impl_->commandQueue.postRestart(); }

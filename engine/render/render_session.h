@@ -44,10 +44,11 @@ using SceneBuildFunction = std::function<Result<std::shared_ptr<const BuiltScene
     const SceneEdit&, const BuiltScene* previous, int threads, const std::atomic<bool>* stop, BuildReport*)>;
 
 struct SessionOptions {
-    bool previews = true;     ///< low-resolution passes after edits; off for batch renders
-    bool snapshots = true;    ///< off: snapshot() stays null
-    bool lowPriority = true;  ///< render threads give way to the UI
-    int threads = 0;          ///< for building, committing and snapshots; 0: all
+    bool previews = true;      ///< low-resolution passes after edits; off for batch renders
+    bool snapshots = true;     ///< off: snapshot() stays null
+    bool lowPriority = true;   ///< render threads give way to the UI
+    int threads = 0;           ///< for building, committing and snapshots; 0: all
+    size_t heldFilmBytes = 0;  ///< of films that edits made wrong, for the way back; 0: none are kept
     SceneBuildFunction build = buildScene;
 };
 
@@ -61,10 +62,12 @@ class RenderSession {
 
     /// Takes the scene after an edit. The first edit must be EditKind::Everything. Edits that wait are
     /// joined: the answer of one is the first status, or the first snapshot, with its ticket or a later one.
-    EditTicket post(SceneEdit edit);
+    /// Another take than that of the post before empties all films, and the films of a take that are still
+    /// held go on where its scene is posted again.
+    EditTicket post(SceneEdit edit, FilmTake take = 0);
     /// Like post() with EditKind::Everything, going on from a checkpoint instead of an empty film.
-    EditTicket resume(std::shared_ptr<const SceneDescription> scene, ResumePoint from);
-    /// Empties the films.
+    EditTicket resume(std::shared_ptr<const SceneDescription> scene, ResumePoint from, FilmTake take = 0);
+    /// Empties the films; none of them is held.
     EditTicket restart();
     /// What holds from now on. Costs nothing when it is the same as before.
     void request(const RenderRequest& request);

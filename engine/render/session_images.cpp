@@ -18,8 +18,8 @@ void AovImages::commit(AovFilm* to, const std::vector<AovSample>& samples, int w
     shown.reset();
 }
 
-SessionImages::SessionImages(bool previews, SessionCounters* counters)
-    : hasPreviews_(previews), counters_(counters) {
+SessionImages::SessionImages(bool previews, size_t heldFilmBytes, SessionCounters* counters)
+    : hasPreviews_(previews), counters_(counters), held_(heldFilmBytes) {
     use({shownKind()});
 }
 
@@ -43,8 +43,9 @@ void SessionImages::use(const std::vector<IntegratorKind>& kinds) {
 }
 
 std::vector<IntegratorKind> SessionImages::takeScene(std::shared_ptr<const SceneDescription> scene,
-                                                     EditKind kinds, const RenderRequest& request) {
-    scene_ = std::move(scene);
+                                                     EditKind kinds, FilmTake take,
+                                                     const RenderRequest& request) {
+    const std::shared_ptr<const SceneDescription> before = std::exchange(scene_, std::move(scene));
     use({shownKind()});
     use(compared(request));
     if (has(kinds, EditKind::Everything)) {
@@ -52,29 +53,56 @@ std::vector<IntegratorKind> SessionImages::takeScene(std::shared_ptr<const Scene
             state.pace.forget();
         }
     }
-    return restart(kinds, request);
+    if (take != take_) { kinds |= EditKind::Everything; }
+    const std::vector<IntegratorKind> emptied = empty(kinds, before, request);
+    take_ = take;
+    if (held_.isEnabled()) {
+        for (const IntegratorKind kind : emptied) {
+            auto film = held_.takeBack(kind, take_, scene_, request.interacting);
+            if (film) { of(kind).goOnFrom(std::move(*film)); }
+        }
+    }
+    begin(request);
+    return emptied;
 }
 
-std::vector<IntegratorKind> SessionImages::restart(EditKind kinds, const RenderRequest& request) {
+std::vector<IntegratorKind> SessionImages::restart(const RenderRequest& request) {
+    const std::vector<IntegratorKind> emptied = empty(EditKind::Everything, nullptr, request);
+    begin(request);
+    return emptied;
+}
+
+/// Empties what the kinds make wrong; holds films of the scene `before`, where there is one.
+std::vector<IntegratorKind> SessionImages::empty(EditKind kinds,
+                                                 const std::shared_ptr<const SceneDescription>& before,
+                                                 const RenderRequest& request) {
     const EditKind ofOne = allOwnEdits() | EditKind::Integrator;
     const bool isOfAll = (kinds & ofOne) != kinds;
-    std::vector<IntegratorKind> restarted;
+    const bool holds = held_.isEnabled() && before && !isOfDrag_;
+    std::vector<IntegratorKind> emptied;
     for (auto& [kind, state] : states_) {
-        if (isOfAll || has(kinds, integratorType(kind).ownEdits())) {
-            state.restart();
-            restarted.push_back(kind);
-        }
         if (kind != shownKind()) { state.endPreview(); }
+        if (!isOfAll && !has(kinds, integratorType(kind).ownEdits())) { continue; }
+        emptied.push_back(kind);
+        if (holds && state.passes() > 0) {
+            held_.hold(kind, take_, before, state.takeFilm());
+        } else {
+            state.restart();
+        }
     }
+    if (!emptied.empty()) { isOfDrag_ = request.interacting; }
     if (isOfAll) {
         aovs.film.clear();
         aovs.shown.reset();
     }
+    return emptied;
+}
+
+void SessionImages::begin(const RenderRequest& request) {
     beginShown(request);
     for (const IntegratorKind kind : compared(request)) {
         startPreviewBeside(kind, request);
     }
-    return restarted;
 }
 
 void SessionImages::beginShown(const RenderRequest& request) {
@@ -89,6 +117,7 @@ void SessionImages::beginShown(const RenderRequest& request) {
 
 void SessionImages::takeRequest(const RenderRequest& request) {
     if (request.aovs == 0) { aovs = {}; }
+    isOfDrag_ = isOfDrag_ && request.interacting;
     if (!scene_) { return; }
     const std::vector<IntegratorKind> kinds = compared(request);
     use(kinds);
@@ -159,6 +188,7 @@ void SessionImages::addMemory(MemoryUse* use) const {
     }
     (*use)[MemoryPart::Preview] += aovs.preview.bytes();
     (*use)[MemoryPart::Aovs] += aovs.film.bytes();
+    (*use)[MemoryPart::Film] += held_.bytes();
 }
 
 size_t SessionImages::bytes() const {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/render/held_films.h"
 #include "engine/render/integrator_state.h"
 #include "engine/render/render_request.h"
 #include "engine/render/session_status.h"
@@ -30,18 +31,20 @@ struct AovImages {
 class SessionImages {
   public:
     /// Without previews, passes have the film's size from the first on. Counts restarts of what is shown.
-    SessionImages(bool previews, SessionCounters* counters);
+    /// Of films that edits empty, the last `heldFilmBytes` are kept.
+    SessionImages(bool previews, size_t heldFilmBytes, SessionCounters* counters);
 
     bool hasScene() const { return scene_ != nullptr; }
     const std::shared_ptr<const SceneDescription>& scene() const { return scene_; }
     const Resolution& size() const { return scene_->resolution; }
 
     /// Takes the scene after an edit of these kinds: empties the films that it makes wrong, and begins anew
-    /// with what is shown. Returns the integrators whose films were emptied.
+    /// with what is shown. All are emptied where the take is another one. Films that are held of this scene
+    /// and take go on. Returns the integrators whose films were emptied.
     std::vector<IntegratorKind> takeScene(std::shared_ptr<const SceneDescription> scene, EditKind kinds,
-                                          const RenderRequest& request);
+                                          FilmTake take, const RenderRequest& request);
     /// Empties every film.
-    std::vector<IntegratorKind> restart(EditKind kinds, const RenderRequest& request);
+    std::vector<IntegratorKind> restart(const RenderRequest& request);
     /// Begins what the request adds to the one before, and drops what it no longer asks for.
     void takeRequest(const RenderRequest& request);
 
@@ -75,6 +78,9 @@ class SessionImages {
 
   private:
     void use(const std::vector<IntegratorKind>& kinds);
+    std::vector<IntegratorKind> empty(EditKind kinds, const std::shared_ptr<const SceneDescription>& before,
+                                      const RenderRequest& request);
+    void begin(const RenderRequest& request);
     void beginShown(const RenderRequest& request);
     void startPreviewBeside(IntegratorKind kind, const RenderRequest& request);
     int previewScaleNow(int present, const RenderRequest& request) const;
@@ -82,6 +88,10 @@ class SessionImages {
     bool hasPreviews_;
     SessionCounters* counters_;
     std::shared_ptr<const SceneDescription> scene_;
+    FilmTake take_ = 0;
+    HeldFilms held_;
+    bool isOfDrag_ =
+        false;  ///< the films began within the drag that still goes on: they are nothing to go back to
     /// References stay as others come into use. What is shown is always there.
     std::map<IntegratorKind, IntegratorState> states_;
     std::vector<IntegratorKind> comparedBefore_;

@@ -19,7 +19,7 @@ SessionWorker::SessionWorker(std::unique_ptr<Backend> backend, SessionOptions op
       queue_(queue),
       published_(published),
       keeper_(backend_.get(), options_.build, options_.threads, queue),
-      images_(options_.previews, &status_.counters),
+      images_(options_.previews, options_.heldFilmBytes, &status_.counters),
       passes_(backend_.get(), queue, published, options_.threads),
       snapshots_(published, options_.snapshots, options_.threads) {
     status_.backend = backend_->name();
@@ -52,11 +52,11 @@ void SessionWorker::runOnce(Commands commands) {
     std::ranges::move(commands.captures, std::back_inserter(captures_));
     if (commands.firstPosted) { snapshots_.expectAnswer(*commands.firstPosted); }
     if (commands.edit) {
-        takeEdit(std::move(*commands.edit), commands.restart, std::move(commands.resume));
+        takeEdit(std::move(commands));
     } else if (commands.restart && keeper_.hasScene()) {
         failed_ = false;
         images_.takeTicket(status_.ticket);
-        publishCurves(images_.restart(EditKind::Everything, request_));
+        publishCurves(images_.restart(request_));
     }
     images_.takeRequest(request_);
     // What is there already, before a pass that may take long.
@@ -89,7 +89,8 @@ void SessionWorker::fail(std::string_view why) noexcept {
     attempt([&] { setStatus(); });
 }
 
-void SessionWorker::takeEdit(SceneEdit edit, bool restarts, std::optional<ResumePoint> resume) {
+void SessionWorker::takeEdit(Commands commands) {
+    SceneEdit& edit = *commands.edit;
     status_.state = SessionState::Building;
     published_->set(status_, messages_);
     const SceneKeeper::Outcome outcome = keeper_.take(&edit, &status_);
@@ -101,9 +102,9 @@ void SessionWorker::takeEdit(SceneEdit edit, bool restarts, std::optional<Resume
         return;
     }
     failed_ = false;
-    if (restarts) { edit.kinds |= EditKind::Camera; }  // empties the films of all integrators
-    publishCurves(images_.takeScene(std::move(edit.scene), edit.kinds, request_));
-    if (resume) { goOnFrom(std::move(*resume)); }
+    if (commands.restart) { edit.kinds |= EditKind::Camera; }  // empties the films of all integrators
+    publishCurves(images_.takeScene(std::move(edit.scene), edit.kinds, commands.take, request_));
+    if (commands.resume) { goOnFrom(std::move(*commands.resume)); }
 }
 
 void SessionWorker::goOnFrom(ResumePoint resume) {
@@ -113,8 +114,10 @@ void SessionWorker::goOnFrom(ResumePoint resume) {
                          resume.film.height(), size.width, size.height));
         return;
     }
-    images_.shown().goOnFrom({std::move(resume.film), std::move(resume.statistics)}, resume.renderSeconds,
-                             std::move(resume.curve), options_.threads);
+    images_.shown().goOnFrom({.image = {std::move(resume.film), std::move(resume.statistics)},
+                              .renderSeconds = resume.renderSeconds,
+                              .curve = std::move(resume.curve)});
+    images_.shown().estimateErrorAnew(options_.threads);
     passes_.publishCurve(images_.shown());
 }
 

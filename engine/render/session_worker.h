@@ -25,7 +25,7 @@ class SessionWorker {
     void runOnce(Commands commands);
     void fail(std::string_view why) noexcept;
 
-    void takeEdit(SceneEdit edit, bool restarts, std::optional<ResumePoint> resume);
+    void takeEdit(Commands commands);
     void goOnFrom(ResumePoint resume);
     void publishCurves(const std::vector<IntegratorKind>& kinds);
 

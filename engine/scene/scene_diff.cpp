@@ -85,7 +85,52 @@ EditKind compare(const Value& a, const Value& b, EditKind edit) {
     return kinds;
 }
 
+using Differences = std::vector<SceneDifference>;
+
+template <class Value>
+void listFields(SceneDifference at, const Value& a, const Value& b, EditKind edit, Differences* out) {
+    if constexpr (HasFields<Value>) {
+        const uint32_t kinds = kindBit(b);
+        forEachField<Value>([&](const auto& field) {
+            const EditKind own = editOf(field);
+            const bool isOfKind = (field.traits.kinds & kinds) != 0;
+            if (own == EditKind::None || !isOfKind ||
+                compare(a.*field.member, b.*field.member, own) == EditKind::None) {
+                return;
+            }
+            at.key = field.key;
+            out->push_back(at);
+        });
+    } else if (compare(a, b, edit) != EditKind::None) {
+        out->push_back(at);
+    }
+}
+
+template <class Value>
+void listPart(std::string_view part, const Value& a, const Value& b, EditKind edit, Differences* out) {
+    if constexpr (!kIsVector<Value>) {
+        listFields({.part = part}, a, b, edit, out);
+    } else if (a.size() != b.size()) {
+        out->push_back({.part = part, .added = static_cast<int>(b.size()) - static_cast<int>(a.size())});
+    } else {
+        for (size_t i = 0; i < a.size(); ++i) {
+            listFields({.part = part, .item = static_cast<int>(i)}, a[i], b[i], edit, out);
+        }
+    }
+}
+
 }  // namespace
+
+std::vector<SceneDifference> listDifferences(const SceneDescription& before, const SceneDescription& after) {
+    Differences out;
+    forEachField<SceneDescription>([&](const auto& field) {
+        const EditKind own = editOf(field);
+        using Value = std::remove_cvref_t<decltype(before.*field.member)>;
+        const std::string_view part = std::is_same_v<Value, SppmOptions> ? "sppm" : field.key;
+        if (own != EditKind::None) { listPart(part, before.*field.member, after.*field.member, own, &out); }
+    });
+    return out;
+}
 
 EditKind differences(const SceneDescription& before, const SceneDescription& after) {
     const EditKind kinds = compareScenes(before, after);

@@ -17,10 +17,10 @@ Commands takeNow(CommandQueue& commandQueue, RenderRequest* request) {
 TEST(CommandQueue, EditsThatWaitAreJoinedAndTheNewestSceneWins) {
     CommandQueue commandQueue;
     RenderRequest request;
-    commandQueue.post(edit(EditKind::Camera), std::nullopt);
-    commandQueue.post(edit(EditKind::Lights), std::nullopt);
+    commandQueue.post(edit(EditKind::Camera), 0, std::nullopt);
+    commandQueue.post(edit(EditKind::Lights), 0, std::nullopt);
     const SceneEdit newest = edit(EditKind::Camera | EditKind::ObjectTransform);
-    commandQueue.post(newest, std::nullopt);
+    commandQueue.post(newest, 0, std::nullopt);
     const Commands commands = takeNow(commandQueue, &request);
     ASSERT_TRUE(commands.edit.has_value());
     EXPECT_EQ(commands.edit->scene, newest.scene);
@@ -32,10 +32,10 @@ TEST(CommandQueue, FirstPostingTimeIsKept) {
     CommandQueue commandQueue;
     RenderRequest request;
     const auto before = SessionClock::now();
-    commandQueue.post(edit(EditKind::Camera), std::nullopt);
+    commandQueue.post(edit(EditKind::Camera), 0, std::nullopt);
     const auto after = SessionClock::now();
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    commandQueue.post(edit(EditKind::Camera), std::nullopt);
+    commandQueue.post(edit(EditKind::Camera), 0, std::nullopt);
     const Commands commands = takeNow(commandQueue, &request);
     ASSERT_TRUE(commands.firstPosted.has_value());
     EXPECT_GE(*commands.firstPosted, before);
@@ -47,7 +47,7 @@ TEST(CommandQueue, AnEditStopsAPassAndTheNextPassStartsUnstopped) {
     RenderRequest request;
     commandQueue.beginPass({});
     EXPECT_FALSE(commandQueue.stopFlag());
-    commandQueue.post(edit(EditKind::Camera), std::nullopt);
+    commandQueue.post(edit(EditKind::Camera), 0, std::nullopt);
     EXPECT_TRUE(commandQueue.stopFlag());
     commandQueue.endPass();
     (void)takeNow(commandQueue, &request);
@@ -59,7 +59,7 @@ TEST(CommandQueue, AnEditBetweenTakeAndPassStopsThatPass) {
     CommandQueue commandQueue;
     RenderRequest request;
     (void)takeNow(commandQueue, &request);
-    commandQueue.post(edit(EditKind::Camera), std::nullopt);
+    commandQueue.post(edit(EditKind::Camera), 0, std::nullopt);
     commandQueue.beginPass({});
     EXPECT_TRUE(commandQueue.stopFlag());
 }
@@ -67,7 +67,7 @@ TEST(CommandQueue, AnEditBetweenTakeAndPassStopsThatPass) {
 TEST(CommandQueue, APassThatMustBeShownIsStoppedByQuittingOnly) {
     CommandQueue commandQueue;
     commandQueue.beginPass({.mustBeShown = true});
-    commandQueue.post(edit(EditKind::Camera), std::nullopt);
+    commandQueue.post(edit(EditKind::Camera), 0, std::nullopt);
     commandQueue.postRestart();
     EXPECT_FALSE(commandQueue.stopFlag());
     commandQueue.postQuit();
@@ -77,7 +77,7 @@ TEST(CommandQueue, APassThatMustBeShownIsStoppedByQuittingOnly) {
 TEST(CommandQueue, APreviewThatIsAlmostDoneIsLetThrough) {
     CommandQueue commandQueue;
     commandQueue.beginPass({.previewSeconds = 0.005});
-    commandQueue.post(edit(EditKind::Camera), std::nullopt);
+    commandQueue.post(edit(EditKind::Camera), 0, std::nullopt);
     EXPECT_FALSE(commandQueue.stopFlag());
     commandQueue.endPass();
     commandQueue.beginPass({.previewSeconds = 5.0});
@@ -105,9 +105,9 @@ TEST(CommandQueue, LimitsAndCapturesStopNothing) {
 TEST(CommandQueue, OnlyAnotherSceneOrTheEndMakesABuildFutile) {
     CommandQueue commandQueue;
     RenderRequest request;
-    commandQueue.post(edit(EditKind::MaterialKind), std::nullopt);
+    commandQueue.post(edit(EditKind::MaterialKind), 0, std::nullopt);
     EXPECT_FALSE(commandQueue.abandonBuild());
-    commandQueue.post(edit(EditKind::Everything), std::nullopt);
+    commandQueue.post(edit(EditKind::Everything), 0, std::nullopt);
     EXPECT_TRUE(commandQueue.abandonBuild());
     (void)takeNow(commandQueue, &request);
     EXPECT_FALSE(commandQueue.abandonBuild());

@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <memory>
@@ -99,6 +100,11 @@ class Child {
         return exitCode_.has_value();
     }
     /// -1: it did not end.
+    /// As a crash would.
+    void killAtOnce() {
+        kill(pid_, SIGKILL);
+        exitCode();
+    }
     int exitCode() {
         return until([this] { return ended(); }) ? *exitCode_ : -1;
     }
@@ -175,20 +181,30 @@ class RealWindow : public testing::Test {
             if (!isInstalled(program)) { GTEST_SKIP() << program << " is not installed"; }
         }
         write("scene.json", kWindowScene);
+        // What sessions keep for a recovery is the test's own.
+        setenv("XDG_STATE_HOME", std::filesystem::absolute("state").c_str(), 1);
+        std::filesystem::remove_all("state");
+    }
+
+    /// Where widgets are once a headless window has played the script, which begins with a picture.
+    void findWidgets(const std::string& script) {
+        write("widgets.txt", "wait picture\n" + script + "print widgets\n");
+        widgets_ = outputOf(std::string(GLINT_PROGRAM) +
+                            " view scene.json --headless --size 1280x720 --scale 1 --recovery 3600 "
+                            "--script widgets.txt");
     }
 
     /// Opens the window and waits until it has drawn the scene's first frame.
     void openWindow() {
-        write("widgets.txt", "wait picture\nprint widgets\n");
-        widgets_ = outputOf(std::string(GLINT_PROGRAM) +
-                            " view scene.json --headless --size 1280x720 --scale 1 --script widgets.txt");
+        findWidgets("");
         display_ = std::make_unique<XServer>();
         ASSERT_FALSE(display_->name().empty()) << read("xvfb.log");
         setenv("DISPLAY", display_->name().c_str(), 1);
         std::remove("view.json");
-        glint_ = std::make_unique<Child>(Words{GLINT_PROGRAM, "view", "scene.json", "--size", "1280x720",
-                                               "--scale", "1", "--threads", "1", "--json", "view.json"},
-                                         "glint.log");
+        glint_ = std::make_unique<Child>(
+            Words{GLINT_PROGRAM, "view", "scene.json", "--size", "1280x720", "--scale", "1", "--threads", "1",
+                  "--recovery", "0.5", "--json", "view.json"},
+            "glint.log");
         ASSERT_TRUE(titleSays("scene.json")) << read("glint.log");
     }
 
@@ -199,6 +215,15 @@ class RealWindow : public testing::Test {
                                .empty();
                }) &&
                !glint_->ended();
+    }
+
+    /// Holds Ctrl and the key until the title says so: pressed and released between two frames, a key would
+    /// be lost.
+    bool titleSaysAfterCtrl(const std::string& key, const std::string& part) {
+        hand("keydown ctrl keydown " + key);
+        const bool says = titleSays(part);
+        hand("keyup " + key + " keyup ctrl");
+        return says;
     }
 
     static std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
@@ -221,8 +246,9 @@ class RealWindow : public testing::Test {
         hand("mouseup 1");
     }
 
-    void dragImage(int dx, int dy) {
-        const auto place = placeOf(widgets_, "Image");
+    void dragImage(int dx, int dy) { drag("Image", dx, dy); }
+    void drag(const std::string& widget, int dx, int dy) {
+        const auto place = placeOf(widgets_, widget);
         ASSERT_TRUE(place) << widgets_;
         moveTo(place->centreX(), place->centreY());
         hand("mousedown 1");
@@ -230,6 +256,15 @@ class RealWindow : public testing::Test {
             moveTo(place->centreX() + dx * step / 12, place->centreY() + dy * step / 12);
         }
         hand("mouseup 1");
+    }
+
+    /// An edit of the scene; the panels above it are closed for it.
+    void dragAperture() {
+        click("Render");
+        findWidgets("close \"Render\"\nwait frames 3\n");
+        click("Convergence");
+        findWidgets("close \"Render\"\nclose \"Convergence\"\nwait frames 3\n");
+        drag("Camera/Aperture", 60, 0);
     }
 
     nlohmann::json report() { return nlohmann::json::parse(read("view.json"), nullptr, false); }

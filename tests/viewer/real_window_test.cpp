@@ -64,6 +64,55 @@ TEST_F(RealWindow, FilesAreDroppedOnIt) {
 #endif
 }
 
+TEST_F(RealWindow, ADragIsUndone) {
+    openWindow();
+    if (HasFatalFailure()) { return; }
+    hand("windowfocus " + window_);
+    dragImage(120, 30);
+    ASSERT_TRUE(titleSays("scene.json[*]")) << "the edit is not in the file";
+    ASSERT_TRUE(titleSaysAfterCtrl("z", "^scene.json ")) << read("glint.log");
+    ASSERT_TRUE(titleSaysAfterCtrl("y", "^scene.json[*] ")) << read("glint.log");
+}
+
+TEST_F(RealWindow, ClosingAsksBeforeEditsAreLost) {
+#if GLINT_TEST_HAS_XLIB
+    openWindow();
+    if (HasFatalFailure()) { return; }
+    dragAperture();
+    ASSERT_TRUE(titleSays("scene.json[*]")) << read("glint.log");
+    askToClose(display_->name(), std::stoul(window_));
+    findWidgets("set \"Aperture\" 20\nkey ctrl down\nkey q\nkey ctrl up\nwait frames 4\n");
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    ASSERT_FALSE(glint_->ended()) << "it asks first";
+    click("Close");
+    EXPECT_EQ(glint_->exitCode(), 0) << read("glint.log");
+#else
+    GTEST_SKIP() << "Xlib's headers are not installed";
+#endif
+}
+
+TEST_F(RealWindow, AKilledSessionIsRestored) {
+    openWindow();
+    if (HasFatalFailure()) { return; }
+    dragAperture();
+    ASSERT_TRUE(titleSays("scene.json[*]")) << read("glint.log");
+    const auto keeps = [] {
+        const std::filesystem::path folder = "state/glint/sessions";
+        for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+            if (entry.path().extension() == ".glintfilm") { return true; }
+        }
+        return false;
+    };
+    ASSERT_TRUE(until(keeps));
+    std::this_thread::sleep_for(std::chrono::seconds(2));  // the edit too
+    glint_->killAtOnce();
+    openWindow();
+    if (HasFatalFailure()) { return; }
+    ASSERT_TRUE(titleSays("^scene.json ")) << "as it is in the file";
+    click("Restore");
+    EXPECT_TRUE(titleSays("scene.json[*]")) << read("glint.log");
+}
+
 TEST_F(RealWindow, TheKeyboardPausesAndQuits) {
     openWindow();
     if (HasFatalFailure()) { return; }

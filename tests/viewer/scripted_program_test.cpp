@@ -132,7 +132,9 @@ set "Field of view" 30
 wait picture
 click "Resume"
 wait jobs
-expect message "camera"
+expect message "with the scene it is of"
+wait picture
+expect "Field of view" 40
 )",
                       "--passes 6"));
 }

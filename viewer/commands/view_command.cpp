@@ -40,6 +40,7 @@ struct ViewCommandOptions {
     std::string output;
     std::string script;
     std::string json;
+    std::optional<float> recoverySeconds;
     std::string backend = "cpu";
     int threads = 0;
     bool noAutoExposure = false;
@@ -48,6 +49,7 @@ struct ViewCommandOptions {
 
 #if GLINT_HAS_VIEWER
 
+constexpr float kRecoverySeconds = 30.0f;
 constexpr int kSmallestSide = 64;
 constexpr int kLargestSide = 16384;
 
@@ -89,6 +91,7 @@ Result<ViewerOptions> viewerOptions(const ViewCommandOptions& o, RunFiles* files
     options.screenshot = o.screenshot;
     options.output = o.output;
     options.frameStats = o.json;
+    options.recoverySeconds = o.recoverySeconds.value_or(o.headless ? 0.0f : kRecoverySeconds);
     return options;
 }
 
@@ -169,6 +172,11 @@ void addViewCommand(const Command& program) {
     command.option("--script", &options->script, "Play input from a file");
     command.option("--json", &options->json, "Frame times to a file, or - for standard output")
         .accepts(checkReportFile);
+    command
+        .option("--recovery", &options->recoverySeconds,
+                "Seconds between two saves of the session, which the next start offers after a crash; 0: "
+                "none; 30 with a window by default")
+        .range(0.0, 86400.0);
     command.option("--backend", &options->backend, "cpu or cuda");
     command.option("--threads", &options->threads, "Threads that render; 0: all").range(0, 1024);
     command.flag("--no-auto-exposure", &options->noAutoExposure,

@@ -15,10 +15,13 @@ void CurveExport::save(const ConvergenceWatch& convergence) {
     for (const IntegratorInfo& info : kIntegratorTable) {
         curves.push_back({info.kind, *convergence.curve(info.kind), convergence.reference.points(info.kind)});
     }
+    guard_->save(path, [this, csv = convergenceCsv(curves)] { start(csv); });
+}
+
+void CurveExport::start(const std::string& csv) {
     jobs_->start(
-        [this, file = path, free = inputs_->checkIsNoInput(path),
-         curves = std::move(curves)]() -> JobQueue::Completion {
-            const Status result = free ? writeFileAtomically(file, convergenceCsv(curves)) : free;
+        [this, file = path, free = inputs_->checkIsNoInput(path), csv]() -> JobQueue::Completion {
+            const Status result = free ? writeFileAtomically(file, csv) : free;
             return [this, file, result] {
                 notice_->tell(result, fmt::format("Saved {}", file));
                 result_.show(notice_->text(), notice_->isError());

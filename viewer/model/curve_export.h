@@ -7,14 +7,15 @@
 #include "viewer/base/run_files.h"
 #include "viewer/model/convergence_watch.h"
 #include "viewer/model/notice.h"
+#include "viewer/model/overwrite_guard.h"
 
 namespace glint {
 
 class CurveExport {
   public:
     /// `notice` is told as well as the export's own.
-    CurveExport(JobQueue* jobs, Notice* notice, const RunFiles* inputs)
-        : jobs_(jobs), notice_(notice), inputs_(inputs) {}
+    CurveExport(JobQueue* jobs, Notice* notice, const RunFiles* inputs, OverwriteGuard* guard)
+        : jobs_(jobs), notice_(notice), inputs_(inputs), guard_(guard) {}
 
     std::string path = "convergence.csv";
     void save(const ConvergenceWatch& convergence);
@@ -22,9 +23,12 @@ class CurveExport {
     const Notice& result() const { return result_; }
 
   private:
+    void start(const std::string& csv);
+
     JobQueue* jobs_;
     Notice* notice_;
     const RunFiles* inputs_;
+    OverwriteGuard* guard_;
     Notice result_;
 };
 

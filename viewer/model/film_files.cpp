@@ -1,6 +1,7 @@
 #include "viewer/model/film_files.h"
 
 #include <chrono>
+#include <filesystem>
 #include <future>
 #include <memory>
 #include <utility>
@@ -29,10 +30,38 @@ double secondsNow() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+struct LoadedCheckpoint {
+    Result<ResumePoint> point;
+    std::optional<SceneDescription> scene{};  ///< that it is of; nothing: the one that is open
+};
+
+/// `open` may be null.
+LoadedCheckpoint loadWithScene(const std::string& path, const SceneDescription* open) {
+    if (open != nullptr) {
+        Result<ResumePoint> point = loadCheckpoint(path, *open);
+        if (point || !readCheckpointInfo(path) || readCheckpointInfo(path)->scenePath.empty()) {
+            return {std::move(point)};
+        }
+    }
+    Result<SceneDescription> scene = loadCheckpointScene(path);
+    if (!scene) { return {scene.error()}; }
+    Result<ResumePoint> point = loadCheckpoint(path, *scene);
+    return {std::move(point), std::move(*scene)};
+}
+
+Status saveOverShorter(const std::string& path, const SessionCapture& capture) {
+    const Status replaces = checkReplacesCheckpoint(path, capture.film.passes());
+    return replaces ? saveCheckpoint(path, capture) : replaces;
+}
+
 }  // namespace
 
-void FilmFiles::saveCaptured(const std::string& path, std::function<Status(const SessionCapture&)> save) {
+void FilmFiles::saveCaptured(const std::string& path, Save save) {
     if (const Status free = inputs_->checkIsNoInput(path); !free) { return notice_->tell(free, ""); }
+    guard_->save(path, [this, path, save = std::move(save)] { startSave(path, save); });
+}
+
+void FilmFiles::startSave(const std::string& path, Save save) {
     auto future = std::make_shared<std::future<std::optional<SessionCapture>>>(render_->captureLater());
     notice_->show(fmt::format("Saving {}…", path));
     jobs_->start(
@@ -81,29 +110,37 @@ void FilmFiles::startExr() {
 }
 
 void FilmFiles::saveCheckpointFile() {
-    lastAutosave_ = secondsNow();
     saveCaptured(checkpoint, [path = checkpoint](const SessionCapture& capture) {
-        const Status replaces = checkReplacesCheckpoint(path, capture.film.passes());
-        return replaces ? saveCheckpoint(path, capture) : replaces;
+        return saveOverShorter(path, capture);
     });
 }
 
-void FilmFiles::resumeCheckpoint() {
-    if (!document_->isOpen()) { return; }
-    notice_->show(fmt::format("Reading {}…", checkpoint));
+void FilmFiles::autosave() {
+    if (!checkReplacesCheckpoint(checkpoint, render_->status().passes)) {
+        checkpoint = freeNameBeside(checkpoint);
+    }
+    guard_->mayReplace(checkpoint);
+    saveCheckpointFile();
+}
+
+void FilmFiles::resume(const std::string& file) {
+    notice_->show(fmt::format("Reading {}…", file));
     jobs_->start(
-        [this, path = checkpoint, scene = document_->posted()]() -> JobQueue::Completion {
-            auto loaded = std::make_shared<Result<ResumePoint>>(loadCheckpoint(path, *scene));
+        [this, path = file, scene = document_->posted()]() -> JobQueue::Completion {
+            auto loaded = std::make_shared<LoadedCheckpoint>(loadWithScene(path, scene.get()));
             return [this, path, scene, loaded] {
-                if (!*loaded) {
-                    notice_->tell(loaded->error(), "");
+                if (!loaded->point) {
+                    notice_->tell(loaded->point.error(), "");
                 } else if (scene != document_->posted()) {
                     notice_->tell(
                         Error{"the scene was edited meanwhile; nothing was resumed", {path, 0, 0, ""}}, "");
                 } else {
-                    const uint32_t passes = loaded->value().film.passes();
-                    render_->resume(scene, std::move(loaded->value()));
-                    notice_->tell({}, fmt::format("Resumed {} at {} passes", path, passes));
+                    const uint32_t passes = loaded->point->film.passes();
+                    const char* how = loaded->scene ? ", with the scene it is of" : "";
+                    guard_->mayReplace(path);
+                    resume_(std::move(loaded->scene), std::move(*loaded->point),
+                            fmt::format("Resume {}", std::filesystem::path(path).filename().string()));
+                    notice_->tell({}, fmt::format("Resumed {} at {} passes{}", path, passes, how));
                 }
             };
         },
@@ -117,8 +154,8 @@ void FilmFiles::refresh(bool busy) {
     if (!isDue) { return; }
     if (lastAutosave_ == 0.0) { lastAutosave_ = secondsNow(); }
     if (secondsNow() - lastAutosave_ < static_cast<double>(automaticSeconds)) { return; }
-    if (!checkReplacesCheckpoint(checkpoint, status.passes)) { checkpoint = freeNameBeside(checkpoint); }
-    saveCheckpointFile();
+    lastAutosave_ = secondsNow();
+    autosave();
 }
 
 }  // namespace glint

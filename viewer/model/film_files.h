@@ -2,12 +2,15 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "viewer/base/job_queue.h"
 #include "viewer/base/run_files.h"
 #include "viewer/model/display_settings.h"
 #include "viewer/model/notice.h"
+#include "viewer/model/overwrite_guard.h"
 #include "viewer/model/render_control.h"
 #include "viewer/model/scene_document.h"
 
@@ -19,9 +22,17 @@ inline constexpr uint32_t kAllAovs =
 
 class FilmFiles {
   public:
+    /// Goes on from a checkpoint, as an edit of this name, after opening its scene where there is one.
+    using Resume = std::function<void(std::optional<SceneDescription>, ResumePoint, const std::string& name)>;
     FilmFiles(JobQueue* jobs, const SceneDocument* document, RenderControl* render, Notice* notice,
-              const RunFiles* inputs)
-        : jobs_(jobs), document_(document), render_(render), notice_(notice), inputs_(inputs) {}
+              const RunFiles* inputs, OverwriteGuard* guard, Resume resume)
+        : jobs_(jobs),
+          document_(document),
+          render_(render),
+          notice_(notice),
+          inputs_(inputs),
+          guard_(guard),
+          resume_(std::move(resume)) {}
 
     std::string png = "render.png";
     std::string exr = "render.exr";
@@ -37,9 +48,10 @@ class FilmFiles {
     Status saveNow(const std::string& path, const DisplaySettings& display);
     /// Waits for the layers first, where they are wanted.
     void saveExr();
-    /// Not over a longer film: an automatic save goes to another name then, any other one is an error.
+    /// Not over a longer film, which is an error.
     void saveCheckpointFile();
-    void resumeCheckpoint();
+    /// With the scene that the checkpoint holds where it is not of the one that is open.
+    void resume(const std::string& file);
 
     /// The session has to make layers.
     bool needsLayers() const { return exrLayers || isExrPending_; }
@@ -49,8 +61,13 @@ class FilmFiles {
     void refresh(bool busy);
 
   private:
-    /// Takes the film when the pass in flight is done, then runs `save` on it, both in the background.
-    void saveCaptured(const std::string& path, std::function<Status(const SessionCapture&)> save);
+    using Save = std::function<Status(const SessionCapture&)>;
+    /// Takes the film when the pass in flight is done, then runs `save` on it, both in the background. Asks
+    /// before it replaces a file.
+    void saveCaptured(const std::string& path, Save save);
+    void startSave(const std::string& path, Save save);
+    /// Under another name where the file holds a longer film.
+    void autosave();
     void startExr();
 
     JobQueue* jobs_;
@@ -58,6 +75,8 @@ class FilmFiles {
     RenderControl* render_;
     Notice* notice_;
     const RunFiles* inputs_;
+    OverwriteGuard* guard_;
+    Resume resume_;
     bool isExrPending_ = false;
     double lastAutosave_ = 0.0;
 };

@@ -1,26 +1,32 @@
 #include "viewer/model/render_control.h"
 
-#include <utility>
+#include <algorithm>
 
-#include "engine/base/log.h"
+#include <unistd.h>
 
 namespace glint {
 
-RenderControl::RenderControl(std::unique_ptr<Backend> backend) : session_(std::move(backend)) {}
+namespace {
+
+/// The last few films of a window's size, and not much of a small machine.
+SessionOptions sessionOptions() {
+    constexpr size_t kMostHeldBytes = size_t{768} << 20;
+    const auto pages = static_cast<size_t>(std::max(sysconf(_SC_PHYS_PAGES), 0L));
+    const auto pageBytes = static_cast<size_t>(std::max(sysconf(_SC_PAGESIZE), 0L));
+    SessionOptions options;
+    options.heldFilmBytes = std::min(kMostHeldBytes, pages * pageBytes / 8);
+    return options;
+}
+
+}  // namespace
+
+RenderControl::RenderControl(std::unique_ptr<Backend> backend)
+    : session_(std::move(backend), sessionOptions()) {}
 
 void RenderControl::setInteracting(bool interacting) {
     if (request.interacting == interacting) { return; }
     request.interacting = interacting;
     send();
-}
-
-void RenderControl::resume(std::shared_ptr<const SceneDescription> scene, ResumePoint from) {
-    awaited_ = session_.resume(std::move(scene), std::move(from));
-}
-
-void RenderControl::restart() {
-    awaited_ = session_.restart();
-    logInfo("Restarted by hand");
 }
 
 void RenderControl::refresh(std::optional<IntegratorKind> compared) {

@@ -6,6 +6,7 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "engine/render/render_session.h"
 
@@ -21,9 +22,14 @@ class RenderControl {
     /// Edits that follow are shown at low resolution until it is called with false.
     void setInteracting(bool interacting);
 
-    void post(SceneEdit edit) { awaited_ = session_.post(std::move(edit)); }
-    void resume(std::shared_ptr<const SceneDescription> scene, ResumePoint from);
-    void restart();
+    void post(SceneEdit edit, FilmTake take) { awaited_ = session_.post(std::move(edit), take); }
+    void resume(std::shared_ptr<const SceneDescription> scene, ResumePoint from, FilmTake take) {
+        awaited_ = session_.resume(std::move(scene), std::move(from), take);
+    }
+
+    /// Empties the films, as the edit of this frame.
+    void restart() { isRestartAsked_ = true; }
+    bool takeRestart() { return std::exchange(isRestartAsked_, false); }
 
     /// Once a frame: takes what the render thread has published. `compared`: whose image is shown beside the
     /// scene's own; nothing: none.
@@ -55,6 +61,7 @@ class RenderControl {
     SessionStatus status_;
     std::shared_ptr<const FilmSnapshot> snapshot_;
     std::shared_ptr<const FilmSnapshot> otherSnapshot_;
+    bool isRestartAsked_ = false;
     EditTicket awaited_ = 0;  ///< 0: every edit has been answered
 };
 

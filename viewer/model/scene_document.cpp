@@ -1,5 +1,6 @@
 #include "viewer/model/scene_document.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -10,18 +11,56 @@
 
 namespace glint {
 
-void SceneDocument::adopt(SceneDescription scene) {
+void SceneDocument::adopt(SceneDescription scene, bool isSaved) {
     ++adoptions_;
     draft_ = std::move(scene);
     posted_ = std::make_shared<const SceneDescription>(draft_);
-    cameraOfFile_ = draft_.camera;
-    bounds_ = sceneBounds(draft_);
+    opened_ =
+        std::make_shared<Opened>(Opened{draft_.camera, sceneBounds(draft_), isSaved ? posted_ : nullptr});
     selectedMaterial = 0;
     selectedLight = 0;
     // An orbit must not change the focus of a scene whose author focused elsewhere.
     const float distance = targetDistance(draft_.camera);
     focusFollowsTarget = draft_.camera.apertureDiameter <= 0.0f ||
                          std::fabs(distance - draft_.camera.focalDistance) <= 1e-3f * distance;
+}
+
+EditKind SceneDocument::show(const Version& version) {
+    ++adoptions_;
+    const EditKind kinds =
+        version.opened == opened_ ? differences(*posted_, *version.scene) : EditKind::Everything;
+    draft_ = *version.scene;
+    posted_ = version.scene;
+    opened_ = version.opened;
+    return kinds;
+}
+
+SceneDocument::Unsaved SceneDocument::unsaved() const {
+    if (compared_ == posted_ && comparedWith_ == opened_->saved) { return unsaved_; }
+    compared_ = posted_;
+    comparedWith_ = opened_->saved;
+    unsaved_ = Unsaved::Nothing;
+    if (posted_ == comparedWith_) { return unsaved_; }
+    if (!comparedWith_) { return unsaved_ = Unsaved::Edits; }
+    for (const SceneDifference& each : listDifferences(*comparedWith_, *posted_)) {
+        const bool follows = focusFollowsTarget && each.key == "focalDistance";
+        const bool isView =
+            each.part == "camera" && (each.key == "position" || each.key == "target" || follows);
+        unsaved_ = std::max(unsaved_, isView ? Unsaved::View : Unsaved::Edits);
+    }
+    return unsaved_;
+}
+
+void SceneDocument::resetCamera() {
+    draft_.camera = opened_->camera;
+    nameEdit("Reset camera");
+}
+
+void SceneDocument::frameScene() {
+    const Resolution& size = draft_.resolution;
+    frameBounds(&draft_.camera, opened_->bounds,
+                static_cast<float>(size.width) / static_cast<float>(size.height));
+    nameEdit("Frame the scene");
 }
 
 void SceneDocument::focusOnTarget() {

@@ -5,6 +5,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <utility>
 
 #include "engine/math/bounds.h"
 #include "engine/scene/scene_edit.h"
@@ -18,14 +20,46 @@ class SceneDocument {
     const SceneDescription& draft() const { return draft_; }
     /// The version that is rendered; null before the first scene. Immutable: an edit replaces it.
     const std::shared_ptr<const SceneDescription>& posted() const { return posted_; }
-    const Camera& cameraOfFile() const { return cameraOfFile_; }
     /// Of the scene as it was opened; empty where nothing in it is finite.
-    const Bounds& bounds() const { return bounds_; }
+    const Bounds& bounds() const { return opened_->bounds; }
 
-    /// Takes another scene, or the same one anew, as draft and as posted version.
-    void adopt(SceneDescription scene);
+    /// What stays of a scene from its opening on.
+    struct Opened {
+        Camera camera;
+        Bounds bounds;
+        /// As it is in a file; null: it is in none.
+        std::shared_ptr<const SceneDescription> saved;
+    };
+    /// All that undo has to bring back.
+    struct Version {
+        std::shared_ptr<const SceneDescription> scene;
+        std::shared_ptr<Opened> opened;
+    };
+    Version version() const { return {posted_, opened_}; }
+
+    /// Takes another scene, or the same one anew, as draft and as posted version. `isSaved`: it is as its
+    /// file says.
+    void adopt(SceneDescription scene, bool isSaved = true);
+    /// Goes back, or forward again, to a version of before. Returns what that changes.
+    EditKind show(const Version& version);
+
+    enum class Unsaved {
+        Nothing,
+        View,  ///< where the camera stands and looks, alone
+        Edits,
+    };
+    Unsaved unsaved() const;
+    bool hasUnsavedEdits() const { return isOpen() && unsaved() == Unsaved::Edits; }
+    /// The version is in a file now, under whatever name.
+    void noteSaved(const std::shared_ptr<const SceneDescription>& scene) { opened_->saved = scene; }
     /// How often that happened: the name of a scene for what takes long.
     uint64_t adoptions() const { return adoptions_; }
+
+    // Edits of the draft.
+    /// The camera as the file has it.
+    void resetCamera();
+    /// Moves the camera until everything is in the picture.
+    void frameScene();
 
     struct Edits {
         EditKind kinds = EditKind::None;
@@ -34,6 +68,10 @@ class SceneDocument {
     };
     /// What the draft has changed since the last call, now part of posted(). Needs an open scene.
     Edits takeEdits();
+    /// For what the draft changes until the next takeEdits(), where the fields that it changes do not say it.
+    void nameEdit(std::string name) { editName_ = std::move(name); }
+    /// Once after each takeEdits(): "" without a name.
+    std::string takeEditName() { return std::exchange(editName_, {}); }
 
     /// Keeps the focal distance on the target when the camera moves.
     bool focusFollowsTarget = true;
@@ -45,9 +83,12 @@ class SceneDocument {
 
     SceneDescription draft_;
     std::shared_ptr<const SceneDescription> posted_;
-    Camera cameraOfFile_;
-    Bounds bounds_;
+    std::shared_ptr<Opened> opened_ = std::make_shared<Opened>();
     uint64_t adoptions_ = 0;
+    std::string editName_;
+    /// The answer of unsaved() is of these.
+    mutable std::shared_ptr<const SceneDescription> compared_, comparedWith_;
+    mutable Unsaved unsaved_ = Unsaved::Nothing;
 };
 
 }  // namespace glint

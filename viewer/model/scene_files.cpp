@@ -36,12 +36,17 @@ void SceneFiles::open(const std::string& path) {
         false);
 }
 
-void SceneFiles::save(std::shared_ptr<const SceneDescription> scene) {
+void SceneFiles::save(const std::shared_ptr<const SceneDescription>& scene) {
     if (const Status free = inputs_->checkIsNoInput(saved); !free) { return notice_->tell(free, ""); }
+    guard_->save(saved, [this, path = saved, scene] { startSave(path, scene); });
+}
+
+void SceneFiles::startSave(const std::string& path, const std::shared_ptr<const SceneDescription>& scene) {
     jobs_->start(
-        [this, path = saved, scene = std::move(scene)]() -> JobQueue::Completion {
+        [this, path, scene]() -> JobQueue::Completion {
             const Status result = scene ? saveSceneJson(*scene, path) : Status(Error{"no scene is open", {}});
-            return [this, path, result] {
+            return [this, path, scene, result] {
+                if (result) { noteSaved_(scene); }
                 notice_->tell(result, fmt::format("Saved {}", Notice::placeOf(path)));
             };
         },

@@ -10,15 +10,23 @@
 #include "viewer/base/job_queue.h"
 #include "viewer/base/run_files.h"
 #include "viewer/model/notice.h"
+#include "viewer/model/overwrite_guard.h"
 
 namespace glint {
 
 class SceneFiles {
   public:
     using Adopt = std::function<void(SceneDescription)>;
-    /// `adopt` takes a scene that was loaded.
-    SceneFiles(JobQueue* jobs, Notice* notice, const RunFiles* inputs, Adopt adopt)
-        : jobs_(jobs), notice_(notice), inputs_(inputs), adopt_(std::move(adopt)) {}
+    using NoteSaved = std::function<void(const std::shared_ptr<const SceneDescription>&)>;
+    /// `adopt` takes a scene that was loaded, `noteSaved` hears of one that was saved.
+    SceneFiles(JobQueue* jobs, Notice* notice, const RunFiles* inputs, OverwriteGuard* guard, Adopt adopt,
+               NoteSaved noteSaved)
+        : jobs_(jobs),
+          notice_(notice),
+          inputs_(inputs),
+          guard_(guard),
+          adopt_(std::move(adopt)),
+          noteSaved_(std::move(noteSaved)) {}
 
     std::string opened;                ///< the file that is shown, or will be asked for next
     std::string saved = "scene.json";  ///< where save() writes
@@ -30,14 +38,18 @@ class SceneFiles {
     const std::optional<Error>& error() const { return error_; }
     void dismissError() { error_.reset(); }
 
-    /// As Glint JSON. `scene` may be null, which is an error.
-    void save(std::shared_ptr<const SceneDescription> scene);
+    /// As Glint JSON. `scene` may be null, which is an error. Asks before it replaces a file.
+    void save(const std::shared_ptr<const SceneDescription>& scene);
 
   private:
+    void startSave(const std::string& path, const std::shared_ptr<const SceneDescription>& scene);
+
     JobQueue* jobs_;
     Notice* notice_;
     const RunFiles* inputs_;
+    OverwriteGuard* guard_;
     Adopt adopt_;
+    NoteSaved noteSaved_;
     bool opening_ = false;
     std::string next_;  ///< asked for while another scene was being opened
     std::optional<Error> error_;

@@ -1,14 +1,18 @@
 #include "viewer/model/workspace.h"
 
+#include <filesystem>
 #include <optional>
 #include <tuple>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "engine/base/log.h"
 #include "engine/io/file_kind.h"
 #include "engine/io/image_formats.h"
 #include "engine/io/importer.h"
 #include "engine/render/auto_exposure.h"
+#include "viewer/model/edit_name.h"
 #include "viewer/model/workspace_part.h"
 
 namespace glint {
@@ -25,15 +29,21 @@ bool isImage(const std::string& path) {
 }  // namespace
 
 Workspace::Workspace(std::unique_ptr<Backend> backend)
-    : render(std::move(backend)),
-      sceneFiles(&jobs, &notice, &inputs, [this](SceneDescription scene) { adopt(std::move(scene)); }),
-      filmFiles(&jobs, &document, &render, &notice, &inputs),
+    : backup(&document, &render),
+      render(std::move(backend)),
+      sceneFiles(
+          &jobs, &notice, &inputs, &overwrite, [this](SceneDescription scene) { adopt(std::move(scene)); },
+          [this](const auto& scene) { document.noteSaved(scene); }),
+      filmFiles(&jobs, &document, &render, &notice, &inputs, &overwrite,
+                [this](std::optional<SceneDescription> scene, ResumePoint point, const std::string& name) {
+                    resumeFrom(std::move(scene), std::move(point), name);
+                }),
       assets(&jobs, &document, &notice),
       convergence(&document, &render, &notice),
-      curveExport(&jobs, &notice, &inputs),
+      curveExport(&jobs, &notice, &inputs, &overwrite),
       faults(&jobs, &render) {}
 
-void Workspace::adopt(SceneDescription scene) {
+void Workspace::adopt(SceneDescription scene, bool isSaved) {
     for (const std::string& warning : scene.warnings) {
         logWarning("{}: {}", scene.path, warning);
     }
@@ -44,25 +54,65 @@ void Workspace::adopt(SceneDescription scene) {
             scene.materials.size(), scene.lights.size(), scene.resolution.width, scene.resolution.height);
     inputs.readsScene(scene);
     if (scene.path != document.draft().path) { convergence.forget(); }
+    sceneFiles.dismissError();
+    document.adopt(std::move(scene), isSaved);
+    forgetScene();
+    expectExposure();
+    const FilmTake take = history.nextTake();
+    const std::string file = std::filesystem::path(document.draft().path).filename().string();
+    history.record({fmt::format("Open {}", file), document.version(), take}, 0);
+    if (!inputs.checkIsNoInput(sceneFiles.saved)) {
+        sceneFiles.saved = std::filesystem::path(document.draft().path).stem().string() + "-edited.json";
+    }
+    sendRequest();  // first, so that not a pass too many is made
+    render.post({document.posted(), EditKind::Everything}, take);
+}
+
+void Workspace::forgetScene() {
     assets.forget();
     faults.forget();
-    sceneFiles.opened = scene.path;
-    sceneFiles.dismissError();
-    document.adopt(std::move(scene));
+    sceneFiles.opened = document.draft().path;
+}
+
+/// Of another scene that is shown now.
+void Workspace::expectExposure() {
     if (display.exposureStops == display.chosenExposureStops) { display.exposureStops = 0.0f; }
     awaitsExposure_ = display.autoExposure && display.exposureStops == 0.0f;
     display.chosenExposureStops = 0.0f;
-    sendRequest();  // first, so that not a pass too many is made
-    render.post({document.posted(), EditKind::Everything});
+}
+
+void Workspace::goTo(size_t index) {
+    const SceneDocument::Version before = document.version();
+    const EditHistory::State& state = history.goTo(index);
+    const EditKind kinds = document.show(state.version);
+    if (document.draft().path != before.scene->path) { convergence.forget(); }
+    if (state.version.opened != before.opened) { expectExposure(); }
+    forgetScene();
+    render.post({document.posted(), kinds}, state.take);
+}
+
+void Workspace::restart() {
+    const FilmTake take = history.nextTake();
+    history.record({"Restart", document.version(), take}, 0);
+    render.post({document.posted(), EditKind::None}, take);
+    logInfo("Restarted by hand");
+}
+
+void Workspace::resumeFrom(std::optional<SceneDescription> scene, ResumePoint point,
+                           const std::string& name) {
+    if (scene) { adopt(std::move(*scene), false); }
+    const FilmTake take = history.nextTake();
+    history.record({name, document.version(), take}, 0);
+    render.resume(document.posted(), std::move(point), take);
 }
 
 void Workspace::takeDroppedFile(const std::string& path) {
     if (isImage(path)) {
         convergence.referencePath = path;
         convergence.reference.load(path, document.draft().resolution);
-    } else if (document.isOpen() && hasExtension(path, ".glintfilm")) {
+    } else if (hasExtension(path, ".glintfilm")) {
         filmFiles.checkpoint = path;
-        filmFiles.resumeCheckpoint();
+        filmFiles.resume(path);
     } else {
         sceneFiles.opened = path;
         sceneFiles.open(path);
@@ -80,19 +130,38 @@ void Workspace::refresh() {
         inputs.reads("the reference picture", reference->path);
     }
     filmFiles.refresh(busy());
+    backup.refresh();
 }
 
-EditKind Workspace::commitEdits(bool held) {
-    if (!document.isOpen()) { return EditKind::None; }
-    const SceneDocument::Edits edits = document.takeEdits();
-    if (edits.lacksAssets) { assets.read(); }
-    if (edits.kinds != EditKind::None) {
-        if (held) { render.setInteracting(true); }
-        render.post({document.posted(), edits.kinds});
-        faults.forget();
+bool Workspace::commitEdits(bool held) {
+    if (!document.isOpen()) { return false; }
+    if (!held) { ++gesture_; }
+    bool isPosted = commitDraft(held);
+    if (const auto asked = history.takeAsked()) {
+        goTo(*asked);
+        isPosted = true;
+    }
+    if (render.takeRestart()) {
+        restart();
+        isPosted = true;
     }
     sendRequest();
-    return edits.kinds;
+    return isPosted;
+}
+
+bool Workspace::commitDraft(bool held) {
+    const std::shared_ptr<const SceneDescription> before = document.posted();
+    const SceneDocument::Edits edits = document.takeEdits();
+    std::string name = document.takeEditName();
+    if (edits.lacksAssets) { assets.read(); }
+    if (edits.kinds == EditKind::None) { return false; }
+    if (name.empty()) { name = editName(*before, *document.posted()); }
+    const FilmTake take = history.take();
+    history.record({std::move(name), document.version(), take}, held ? gesture_ : 0);
+    if (held) { render.setInteracting(true); }
+    render.post({document.posted(), edits.kinds}, take);
+    faults.forget();
+    return true;
 }
 
 /// Not once the user has moved it.
@@ -136,12 +205,13 @@ bool Workspace::carriesShownImage() const {
 
 template <class Part>
 Part* partOf(Workspace* w) {
-    return &std::get<Part&>(std::tie(w->notice, w->document, w->render, w->display, w->sceneFiles,
+    return &std::get<Part&>(std::tie(w->notice, w->document, w->history, w->render, w->display, w->sceneFiles,
                                      w->filmFiles, w->assets, w->convergence, w->curveExport, w->faults));
 }
 
 template Notice* partOf(Workspace*);
 template SceneDocument* partOf(Workspace*);
+template EditHistory* partOf(Workspace*);
 template RenderControl* partOf(Workspace*);
 template DisplaySettings* partOf(Workspace*);
 template SceneFiles* partOf(Workspace*);

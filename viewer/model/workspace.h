@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "viewer/base/job_queue.h"
@@ -13,12 +14,14 @@
 #include "viewer/model/convergence_watch.h"
 #include "viewer/model/curve_export.h"
 #include "viewer/model/display_settings.h"
+#include "viewer/model/edit_history.h"
 #include "viewer/model/fault_finder.h"
 #include "viewer/model/film_files.h"
 #include "viewer/model/notice.h"
 #include "viewer/model/render_control.h"
 #include "viewer/model/scene_document.h"
 #include "viewer/model/scene_files.h"
+#include "viewer/model/session_backup.h"
 
 namespace glint {
 
@@ -31,7 +34,10 @@ class Workspace {
     RunFiles inputs;  ///< no save replaces them
     JobQueue jobs;    ///< before the render, whose end answers the jobs that wait for a film
     Notice notice;    ///< of the last save, load or resume
+    OverwriteGuard overwrite;
     SceneDocument document;
+    SessionBackup backup;  ///< before the render, as jobs
+    EditHistory history;   ///< of the document
     RenderControl render;
     DisplaySettings display;
     SceneFiles sceneFiles;
@@ -43,17 +49,19 @@ class Workspace {
     /// Set by who draws: what is on the screen is not of the newest snapshots yet.
     bool displayIsBehind = false;
 
-    /// Opens a scene that is in memory.
-    void adopt(SceneDescription scene);
+    /// Opens a scene that is in memory, as an edit that can be undone.
+    /// `isSaved`: it is as its file says.
+    void adopt(SceneDescription scene, bool isSaved = true);
     /// A file that was dropped on the window: an image becomes the reference, a checkpoint (.glintfilm) is
     /// resumed, anything else is opened as a scene.
     void takeDroppedFile(const std::string& path);
 
     // Once a frame: first refresh(), then what draws and edits, then commitEdits().
     void refresh();
-    /// `held`: the user is holding a control or the camera, so passes run at low resolution until
-    /// finishMotion(). Returns what was posted.
-    EditKind commitEdits(bool held);
+    /// The draft's edits, or else a restart, undo or redo that was asked for. `held`: the user is holding a
+    /// control or the camera, so passes run at low resolution until finishMotion(), and all edits until it is
+    /// let go are one step of the history. Returns whether anything was posted.
+    bool commitEdits(bool held);
     void finishMotion() { render.setInteracting(false); }
 
     bool busy() const;
@@ -67,8 +75,16 @@ class Workspace {
   private:
     void sendRequest();
     void chooseExposure();
+    void expectExposure();
+    bool commitDraft(bool held);
+    void goTo(size_t state);
+    void restart();
+    void resumeFrom(std::optional<SceneDescription> scene, ResumePoint point, const std::string& name);
+    /// What was known of the scene before.
+    void forgetScene();
 
     bool awaitsExposure_ = false;  ///< the scene was opened, and no picture of it has come
+    uint64_t gesture_ = 1;         ///< counts what the user does at one go
 };
 
 }  // namespace glint

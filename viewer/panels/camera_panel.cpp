@@ -35,12 +35,10 @@ void drawView(SceneDocument* document) {
         {.format = "%.1f°", .speed = 0.1f, .min = 1.0f, .max = 170.0f, .tooltip = "Vertical, full angle"});
     const float width = ui::buttonWidth(2);
     if (ui::button("Frame", width, "Moves back or closer until everything is in the picture (F)")) {
-        const Resolution& size = document->draft().resolution;
-        frameBounds(camera, document->bounds(),
-                    static_cast<float>(size.width) / static_cast<float>(size.height));
+        document->frameScene();
     }
     ImGui::SameLine();
-    if (ui::button("Reset", width, "The scene file's camera (Home)")) { *camera = document->cameraOfFile(); }
+    if (ui::button("Reset", width, "The scene file's camera (Home)")) { document->resetCamera(); }
 }
 
 void drawLens(SceneDocument* document) {

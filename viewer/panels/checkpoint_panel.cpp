@@ -32,8 +32,8 @@ void drawCheckpoint(FilmFiles* files) {
     const float half = ui::buttonWidth(2);
     if (ui::button("Save", half, "After the pass that is running")) { files->saveCheckpointFile(); }
     ImGui::SameLine();
-    if (ui::button("Resume", half, "Goes on from the file. Another scene or other settings are refused")) {
-        files->resumeCheckpoint();
+    if (ui::button("Resume", half, "Goes on from the file, with the scene that it is of")) {
+        files->resume(files->checkpoint);
     }
     ui::toggle("Automatic", &files->isAutomatic, "Saves the checkpoint again and again while it renders");
     ui::number("Every", &files->automaticSeconds,

@@ -19,6 +19,7 @@
     X(lights)           \
     X(display)          \
     X(image)            \
+    X(history)          \
     X(checkpoint)       \
     X(log)
 

@@ -23,6 +23,15 @@ WidgetRegistry* registry = nullptr;
 const Fonts* frameFonts = nullptr;
 float frameScale = 1.0f;
 
+/// To the item that was drawn last, also where it is in a list of its own within the column.
+void scrollHere() {
+    ImGui::SetScrollHereY(0.5f);
+    const ImGuiWindow* window = ImGui::GetCurrentWindow();
+    if ((window->Flags & ImGuiWindowFlags_ChildWindow) != 0) {
+        ImGui::ScrollToBringRectIntoView(window->ParentWindow, window->Rect());
+    }
+}
+
 bool isCentreVisible(const ImVec2& min, const ImVec2& max) {
     const ImVec2 centre{(min.x + max.x) * 0.5f, (min.y + max.y) * 0.5f};
     return ImGui::GetCurrentWindow()->ClipRect.Contains(centre);
@@ -45,7 +54,7 @@ ImVec4 screenColor4(const Vec3& linear) {
 void record(WidgetKind kind, std::string_view label, std::string shown) {
     const ImVec2 min = ImGui::GetItemRectMin();
     const ImVec2 max = ImGui::GetItemRectMax();
-    if (registry->wantsScroll(label)) { ImGui::SetScrollHereY(0.5f); }
+    if (registry->wantsScroll(label)) { scrollHere(); }
     registry->add(kind, label, {min.x, min.y}, {max.x, max.y}, isCentreVisible(min, max), std::move(shown));
 }
 
@@ -100,6 +109,8 @@ bool section(const char* label, bool openAtFirst, const char* tooltip) {
     registry->setSection(label);
     return open;
 }
+
+void leaveSection() { registry->setSection(""); }
 
 void heading(const char* text) {
     ImGui::Dummy({0.0f, 2.0f * frameScale});

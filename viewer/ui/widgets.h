@@ -23,6 +23,8 @@ const Fonts& fonts();
 
 /// A collapsing group. Widgets that follow belong to it. Returns whether it is open.
 bool section(const char* label, bool openAtFirst, const char* tooltip = nullptr);
+/// Widgets that follow are in no section.
+void leaveSection();
 /// A quiet heading inside a section.
 void heading(const char* text);
 void gap();

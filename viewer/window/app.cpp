@@ -56,6 +56,7 @@ class App {
     void fitToScreen();
     void drawFrame();
     void showImages();
+    bool mustEnd();
     bool worthDrawing();
     bool isIdle() const;
     std::string currentTitle() const;
@@ -122,6 +123,9 @@ Status App::open(std::optional<SceneDescription> scene) {
         progress_.emplace();
     }
     workspace_.display.autoExposure = !options_.noAutoExposure;
+    if (options_.recoverySeconds > 0.0) {
+        workspace_.backup.begin(SessionBackup::usualFolder(), options_.recoverySeconds);
+    }
     if (scene) { workspace_.adopt(std::move(*scene)); }
     return {};
 }
@@ -165,7 +169,7 @@ void App::drawFrame() {
     ImGui::NewFrame();
     ui::beginFrame(&registry_, &fonts_, loadedScale_ / loadedFramebufferScale_);
     const bool held = shell_.draw(&workspace_, panes_);
-    if (workspace_.commitEdits(held) != EditKind::None) { pacer_.noteEdit(); }
+    if (workspace_.commitEdits(held)) { pacer_.noteEdit(); }
     if (!held || pacer_.motionHasEnded()) { workspace_.finishMotion(); }
     ImGui::Render();
     const auto built = Clock::now();
@@ -202,7 +206,7 @@ bool App::isIdle() const {
 
 Result<bool> App::run(bool* scriptFailed) {
     auto planned = Clock::now();
-    while (!surface_->shouldClose() && !shell_.quitWanted() && !interrupt_.interrupted()) {
+    while (!mustEnd()) {
         wakeMs_ = std::max(0.0, milliseconds(planned, Clock::now()));
         workspace_.refresh();
         if (player_) {
@@ -231,11 +235,21 @@ Result<bool> App::run(bool* scriptFailed) {
     return !interrupt_.interrupted();
 }
 
+bool App::mustEnd() {
+    if (surface_->shouldClose()) {
+        shell_.dialogs.askToClose(workspace_.document);
+        surface_->refuseClose();
+        pacer_.noteInput();
+    }
+    return interrupt_.interrupted() || shell_.dialogs.mustClose(workspace_.document);
+}
+
 std::string App::currentTitle() const {
     if (!workspace_.document.isOpen()) { return "Glint"; }
     const std::string file = std::filesystem::path(workspace_.document.draft().path).filename().string();
     const bool paused = workspace_.render.status().state == SessionState::Paused;
-    return fmt::format("{}{} – Glint", file, paused ? " (paused)" : "");
+    const bool isUnsaved = workspace_.document.unsaved() != SceneDocument::Unsaved::Nothing;
+    return fmt::format("{}{}{} – Glint", file, isUnsaved ? "*" : "", paused ? " (paused)" : "");
 }
 
 bool App::headlessDone() {
@@ -254,6 +268,8 @@ bool App::headlessDone() {
 
 Status App::finish() {
     if (progress_) { progress_->finish(); }
+    // A session that is ended from outside could not ask.
+    if (interrupt_.interrupted() && workspace_.document.hasUnsavedEdits()) { workspace_.backup.keep(); }
     if (workspace_.render.status().state == SessionState::Failed && options_.headless) {
         return Error{workspace_.render.status().error, {}};
     }

@@ -44,6 +44,7 @@ class HeadlessSurface final : public Surface {
 
     void present() override { gl_.Finish(); }
     bool shouldClose() const override { return false; }
+    void refuseClose() override {}
     bool takeInputFlag() override { return false; }
     std::vector<std::string> takeDroppedFiles() override { return {}; }
     Vec2i framebufferSize() const override { return size_; }

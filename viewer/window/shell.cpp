@@ -9,7 +9,6 @@
 #include <imgui.h>
 
 #include "viewer/base/units.h"
-#include "viewer/model/camera_controller.h"
 #include "viewer/panels/panels.h"
 #include "viewer/ui/theme.h"
 #include "viewer/ui/widgets.h"
@@ -46,6 +45,8 @@ constexpr KeyHelp kKeyHelp[] = {
     {"R", "restart"},
     {"C", "compare two integrators"},
     {"[ and ]", "exposure by a third of a stop"},
+    {"Ctrl + Z", "undo, also a restart or opening a scene"},
+    {"Ctrl + Shift + Z", "redo (also Ctrl + Y)"},
     {"Ctrl + S", "save the PNG"},
     {"Ctrl + Q", "quit"},
     {"Tab", "show or hide the panels"},
@@ -65,7 +66,13 @@ void Shell::handleKeys(Workspace* workspace) {
     if (io.WantTextInput) { return; }
     if (io.KeyCtrl) {
         if (isPressed(GLFW_KEY_S) && document.isOpen()) { workspace->filmFiles.savePng(display); }
-        if (isPressed(GLFW_KEY_Q)) { quitWanted_ = true; }
+        if (isPressed(GLFW_KEY_Q)) { dialogs.askToClose(document); }
+        const bool isRedo = isPressed(GLFW_KEY_Y) || (io.KeyShift && isPressed(GLFW_KEY_Z));
+        if (isRedo) {
+            workspace->history.askRedo();
+        } else if (isPressed(GLFW_KEY_Z)) {
+            workspace->history.askUndo();
+        }
         return;
     }
     if (isPressed(GLFW_KEY_TAB)) { panelsShown_ = !panelsShown_; }
@@ -76,12 +83,8 @@ void Shell::handleKeys(Workspace* workspace) {
     if (isPressed(GLFW_KEY_SPACE)) { paused = !paused; }
     if (isPressed(GLFW_KEY_R)) { workspace->render.restart(); }
     if (isPressed(GLFW_KEY_C)) { display.split = !display.split; }
-    if (isPressed(GLFW_KEY_HOME)) { document.draft().camera = document.cameraOfFile(); }
-    if (isPressed(GLFW_KEY_F)) {
-        const Resolution& size = document.draft().resolution;
-        frameBounds(&document.draft().camera, document.bounds(),
-                    static_cast<float>(size.width) / static_cast<float>(size.height));
-    }
+    if (isPressed(GLFW_KEY_HOME)) { document.resetCamera(); }
+    if (isPressed(GLFW_KEY_F)) { document.frameScene(); }
 }
 
 void Shell::drawSplitter(float x, float height) {
@@ -217,6 +220,7 @@ bool Shell::draw(Workspace* workspace, const ImagePanes& panes) {
     }
     drawStatusLine(*workspace, statusTop);
     if (helpShown_) { drawHelp(); }
+    dialogs.draw(workspace);
     return moving || ImGui::IsAnyItemActive();
 }
 

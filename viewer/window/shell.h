@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "viewer/window/dialogs.h"
 #include "viewer/window/image_view.h"
 
 namespace glint {
@@ -12,8 +13,7 @@ class Shell {
   public:
     /// Draws the whole window. Returns true while the user holds the camera or a control.
     bool draw(Workspace* workspace, const ImagePanes& panes);
-    /// The keys asked for the end.
-    bool quitWanted() const { return quitWanted_; }
+    Dialogs dialogs;
 
   private:
     void handleKeys(Workspace* workspace);
@@ -28,7 +28,6 @@ class Shell {
     float columnUnits_ = 372.0f;  // 96-dpi units
     bool panelsShown_ = true;
     bool helpShown_ = false;
-    bool quitWanted_ = false;
     std::string lastNotice_;
     double noticeSince_ = 0.0;
 };

@@ -26,6 +26,8 @@ class Surface {
     /// Shows what was drawn.
     virtual void present() = 0;
     virtual bool shouldClose() const = 0;
+    /// The user has to answer first.
+    virtual void refuseClose() = 0;
     /// True once after input arrived from outside; the application then draws a few frames without pause.
     virtual bool takeInputFlag() = 0;
 

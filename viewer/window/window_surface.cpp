@@ -70,6 +70,7 @@ class WindowSurface final : public Surface {
 
     void present() override { glfwSwapBuffers(window_); }
     bool shouldClose() const override { return glfwWindowShouldClose(window_) != 0; }
+    void refuseClose() override { glfwSetWindowShouldClose(window_, GLFW_FALSE); }
     bool takeInputFlag() override { return std::exchange(inputArrived_, false); }
     std::vector<std::string> takeDroppedFiles() override { return std::exchange(droppedFiles_, {}); }
 

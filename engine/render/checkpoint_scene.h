@@ -1,0 +1,23 @@
+// The scene in a checkpoint: as it was edited, as Glint JSON.
+#pragma once
+
+#include <string>
+
+#include "engine/base/result.h"
+#include "engine/render/checkpoint_sections.h"
+#include "engine/scene/scene.h"
+
+namespace glint {
+
+/// Writes the section SCNE: the scene's path, absolute, as text, then the scene as JSON text whose relative
+/// paths count from there. None where the scene cannot be written, since it holds images in memory alone.
+void writeCheckpointScene(const SceneDescription& scene, CheckpointWriter* file);
+
+/// Its absolute path, "" where there is none.
+std::string checkpointScenePath(const CheckpointSections& sections);
+
+/// The scene with everything that it names, which is read from its files. Error: the checkpoint has none
+/// (older ones, images in memory), it is damaged, or one of those files is missing or broken.
+Result<SceneDescription> readCheckpointScene(const CheckpointSections& sections, const std::string& path);
+
+}  // namespace glint

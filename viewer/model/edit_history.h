@@ -1,0 +1,59 @@
+// The states of the document that undo and redo go between.
+//
+// Scenes share their meshes and images, so that a state costs little. Knows nothing of rendering.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/render/film_snapshot.h"
+#include "viewer/model/scene_document.h"
+
+namespace glint {
+
+class EditHistory {
+  public:
+    struct State {
+        std::string name;  ///< of the edit that led here, for people
+        SceneDocument::Version version;
+        FilmTake take = 0;  ///< of its films
+    };
+
+    /// An edit has led to this state; those that were undone are forgotten, and so is the oldest of too many.
+    /// Edits of one `gesture` are one step, and none where it ends as it began; 0: this one is for itself.
+    void record(State state, uint64_t gesture);
+
+    /// Oldest first; at least one once a scene is open.
+    const std::vector<State>& states() const { return states_; }
+    /// Which of them is shown.
+    size_t present() const { return present_; }
+    bool canUndo() const { return present_ > 0; }
+    bool canRedo() const { return present_ + 1 < states_.size(); }
+    /// `index` is one of states().
+    const State& goTo(size_t index);
+
+    /// To be gone to as the edit of this frame; nothing where there is no such state.
+    void ask(size_t index);
+    void askUndo() { ask(present_ - 1); }
+    void askRedo() { ask(present_ + 1); }
+    std::optional<size_t> takeAsked() { return std::exchange(asked_, std::nullopt); }
+
+    /// Another one than any state has.
+    FilmTake nextTake() { return ++lastTake_; }
+    FilmTake take() const { return states_.empty() ? 0 : states_[present_].take; }
+
+    static constexpr size_t kMostStates = 200;
+
+  private:
+    std::vector<State> states_;
+    size_t present_ = 0;
+    FilmTake lastTake_ = 0;
+    std::optional<size_t> asked_;
+    uint64_t gesture_ = 0;  ///< that led to the present state; 0: none, or it was undone or redone
+};
+
+}  // namespace glint

@@ -1,0 +1,148 @@
+#include "viewer/model/session_backup.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <future>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include "engine/base/log.h"
+#include "engine/render/checkpoint.h"
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kExtension = ".glintfilm";
+constexpr double kMostOfTime = 0.05;  // that saving may take
+
+double secondsNow() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::string lockName(const std::string& file) { return file + ".lock"; }
+
+/// -1: its session lives, or the disk knows no locks.
+int lockOf(const std::string& file) {
+    const int lock = ::open(lockName(file).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+    if (lock >= 0 && ::flock(lock, LOCK_EX | LOCK_NB) != 0) {
+        ::close(lock);
+        return -1;
+    }
+    return lock;
+}
+
+void removeFile(const std::string& file, int lock) {
+    std::error_code none;
+    fs::remove(file, none);
+    fs::remove(lockName(file), none);
+    if (lock >= 0) { ::close(lock); }
+}
+
+}  // namespace
+
+std::string SessionBackup::usualFolder() {
+    const auto variable = [](const char* name) {
+        const char* value = std::getenv(name);
+        return fs::path(value != nullptr ? value : "");
+    };
+    const fs::path state = variable("XDG_STATE_HOME");
+    // A relative one is to be ignored (XDG Base Directory Specification 0.8).
+    const fs::path base = state.is_absolute() ? state : variable("HOME") / ".local" / "state";
+    return (base / "glint" / "sessions").string();
+}
+
+void SessionBackup::begin(const std::string& folder, double seconds) {
+    std::error_code problem;
+    fs::create_directories(folder, problem);
+    findLeftovers(folder);
+    for (int number = 1; lock_ < 0 && number < 100; ++number) {
+        file_ = (fs::path(folder) / fmt::format("{}-{}{}", ::getpid(), number, kExtension)).string();
+        if (!fs::exists(file_, problem)) { lock_ = lockOf(file_); }
+    }
+    if (lock_ < 0) {
+        logWarning("{}: cannot be written; this session could not be recovered after a crash", folder);
+        return;
+    }
+    interval_ = seconds;
+    lastSaved_ = secondsNow();
+}
+
+void SessionBackup::findLeftovers(const std::string& folder) {
+    std::error_code problem;
+    std::vector<std::pair<fs::file_time_type, std::string>> files;
+    for (const auto& entry : fs::directory_iterator(folder, problem)) {
+        if (entry.path().extension() == kExtension) {
+            files.emplace_back(entry.last_write_time(problem), entry.path().string());
+        }
+    }
+    std::ranges::sort(files);
+    for (const auto& [time, file] : files) {
+        const int lock = lockOf(file);
+        if (lock < 0) { continue; }
+        const Result<CheckpointInfo> info = readCheckpointInfo(file);
+        if (info && !info->scenePath.empty()) {
+            leftovers_.push_back({{file, info->scenePath, info->passes}, lock});
+        } else {
+            removeFile(file, lock);
+        }
+    }
+}
+
+SessionBackup::~SessionBackup() {
+    jobs_.reset();  // a save that is under way
+    if (lock_ >= 0 && !isKept_) { removeFile(file_, lock_); }
+}
+
+std::string SessionBackup::takeOver() {
+    const Locked taken = leftovers_.back();
+    leftovers_.pop_back();
+    if (lock_ >= 0) { removeFile(file_, lock_); }
+    file_ = taken.info.file;
+    lock_ = taken.lock;
+    return file_;
+}
+
+void SessionBackup::discard() {
+    removeFile(leftovers_.back().info.file, leftovers_.back().lock);
+    leftovers_.pop_back();
+}
+
+void SessionBackup::refresh() {
+    jobs_->runCompletions();
+    const SessionStatus& status = render_->status();
+    const bool isNew = document_->posted() != savedScene_ || status.passes != savedPasses_;
+    const bool isDue = interval_ > 0.0 && secondsNow() - lastSaved_ >= interval_;
+    const bool isReady = document_->isOpen() && status.passes > 0 && !render_->request.interacting &&
+                         !render_->awaitsImage() && status.state != SessionState::Failed;
+    if (isDue && isNew && isReady && !isSaving_) { save(); }
+}
+
+void SessionBackup::save() {
+    isSaving_ = true;
+    savedScene_ = document_->posted();
+    savedPasses_ = render_->status().passes;
+    auto future = std::make_shared<std::future<std::optional<SessionCapture>>>(render_->captureLater());
+    jobs_->start(
+        [this, future, file = file_]() -> JobQueue::Completion {
+            const std::optional<SessionCapture> capture = future->get();
+            const double began = secondsNow();
+            const Status saved = capture ? saveCheckpoint(file, *capture) : Status();
+            if (!saved) { logWarning("The session cannot be kept for a crash: {}", saved.error().format()); }
+            return [this, took = secondsNow() - began] {
+                isSaving_ = false;
+                lastSaved_ = secondsNow() - interval_ + std::max(interval_, took / kMostOfTime);
+            };
+        },
+        true);
+}
+
+}  // namespace glint

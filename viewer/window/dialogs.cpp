@@ -1,0 +1,119 @@
+#include "viewer/window/dialogs.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "viewer/base/units.h"
+#include "viewer/ui/theme.h"
+#include "viewer/ui/widgets.h"
+
+namespace glint {
+namespace {
+
+constexpr float kWidthUnits = 440.0f;
+
+/// Draws a question in the middle of the window; `drawAnswers` draws its buttons.
+template <class DrawAnswers>
+void drawQuestion(const char* name, const std::string& title, const std::string& text,
+                  const DrawAnswers& drawAnswers) {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const float scale = ui::scale();
+    ImGui::SetNextWindowPos({size.x * 0.5f, size.y * 0.5f}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize({std::min(kWidthUnits * scale, size.x - 20.0f * scale), 0.0f});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(20.0f * scale, 16.0f * scale));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8.0f * scale);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0.13f, 0.13f, 0.13f, 0.98f));
+    ImGui::Begin(name, nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings);
+    ImGui::PushFont(ui::fonts().heading);
+    ImGui::TextWrapped("%s", title.c_str());
+    ImGui::PopFont();
+    ImGui::Dummy({0.0f, 2.0f * scale});
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::kTextDim);
+    ImGui::TextWrapped("%s", text.c_str());
+    ImGui::PopStyleColor();
+    ImGui::Dummy({0.0f, 6.0f * scale});
+    ui::leaveSection();
+    drawAnswers();
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(2);
+}
+
+bool isEscaped() { return ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false); }
+
+std::string fileName(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+
+}  // namespace
+
+void Dialogs::drawOverwrite(OverwriteGuard* guard) const {
+    const std::string path = guard->asked();
+    drawQuestion("##overwrite", fmt::format("Replace {}?", fileName(path)),
+                 fmt::format("{} is there already, and is not from this session.", Notice::placeOf(path)),
+                 [&] {
+                     const float width = ui::buttonWidth(2);
+                     if (ui::button("Replace", width)) { guard->agree(); }
+                     ImGui::SameLine();
+                     if (ui::button("Keep the old file", width, "Esc") || isEscaped()) { guard->refuse(); }
+                 });
+}
+
+void Dialogs::drawClose(Workspace* workspace) {
+    const SceneDocument& document = workspace->document;
+    const std::string saved = fileName(workspace->sceneFiles.saved);
+    std::string text = fmt::format("Saving writes the scene as edited to {}.", saved);
+    if (workspace->notice.isError() && !isSaving_) { text += " " + workspace->notice.text(); }
+    drawQuestion("##close", fmt::format("{} has unsaved edits", fileName(document.draft().path)), text, [&] {
+        const float width = ui::buttonWidth(3);
+        if (ui::button("Save and close", width)) {
+            workspace->sceneFiles.save(document.posted());
+            isSaving_ = true;
+        }
+        ImGui::SameLine();
+        if (ui::button("Close", width, "The edits are lost")) { isDecided_ = true; }
+        ImGui::SameLine();
+        if (ui::button("Go on", width, "Esc") || isEscaped()) { asksToClose_ = false; }
+    });
+}
+
+void Dialogs::drawRecovery(Workspace* workspace) const {
+    SessionBackup& backup = workspace->backup;
+    const SessionBackup::Leftover& leftover = *backup.leftover();
+    const std::string text =
+        fmt::format("{} was open, with its edits and {}.", leftover.scenePath, passCount(leftover.passes));
+    drawQuestion("##recovery", "The last session ended unexpectedly", text, [&] {
+        const float width = ui::buttonWidth(2);
+        const bool isWanted = ui::button("Restore", width, "The scene as it was edited, and its film");
+        ImGui::SameLine();
+        const bool isUnwanted = ui::button("Discard", width);
+        if (isWanted) {
+            workspace->filmFiles.resume(backup.takeOver());
+        } else if (isUnwanted) {
+            backup.discard();
+        }
+    });
+}
+
+void Dialogs::draw(Workspace* workspace) {
+    if (!workspace->overwrite.asked().empty()) { return drawOverwrite(&workspace->overwrite); }
+    const bool isUnderWay = workspace->busy() || !workspace->document.hasUnsavedEdits();
+    isSaving_ = isSaving_ && isUnderWay;
+    if (asksToClose_) { return drawClose(workspace); }
+    if (workspace->backup.leftover() != nullptr) { drawRecovery(workspace); }
+}
+
+void Dialogs::askToClose(const SceneDocument& document) {
+    asksToClose_ = document.hasUnsavedEdits();
+    isDecided_ = !asksToClose_;
+}
+
+bool Dialogs::mustClose(const SceneDocument& document) const {
+    return isDecided_ || (isSaving_ && !document.hasUnsavedEdits());
+}
+
+}  // namespace glint
