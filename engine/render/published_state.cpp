@@ -38,6 +38,16 @@ std::shared_ptr<const FilmSnapshot> PublishedState::snapshot(IntegratorKind inte
     return found != beside_.end() ? found->second : nullptr;
 }
 
+void PublishedState::setBuiltScene(std::shared_ptr<const BuiltScene> scene) {
+    const std::lock_guard lock(mutex_);
+    builtScene_ = std::move(scene);
+}
+
+std::shared_ptr<const BuiltScene> PublishedState::builtScene() const {
+    const std::lock_guard lock(mutex_);
+    return builtScene_;
+}
+
 void PublishedState::setCurve(IntegratorKind integrator, std::shared_ptr<const ConvergenceCurve> curve) {
     const std::lock_guard lock(mutex_);
     curves_[integrator].swap(curve);

@@ -20,6 +20,9 @@ class PublishedState {
     /// edit.
     void showBeside(std::shared_ptr<const FilmSnapshot> snapshot);
 
+    void setBuiltScene(std::shared_ptr<const BuiltScene> scene);
+    std::shared_ptr<const BuiltScene> builtScene() const;
+
     void setCurve(IntegratorKind integrator, std::shared_ptr<const ConvergenceCurve> curve);
     /// Never null.
     std::shared_ptr<const ConvergenceCurve> curve(IntegratorKind integrator) const;
@@ -37,6 +40,7 @@ class PublishedState {
     std::shared_ptr<const FilmSnapshot> snapshot_;
     std::map<IntegratorKind, std::shared_ptr<const FilmSnapshot>> beside_;
     std::map<IntegratorKind, std::shared_ptr<const ConvergenceCurve>> curves_;
+    std::shared_ptr<const BuiltScene> builtScene_;
     SessionStatus status_;
     uint64_t messages_ = 0;
 };

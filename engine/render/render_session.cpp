@@ -54,6 +54,8 @@ std::shared_ptr<const FilmSnapshot> RenderSession::snapshot(IntegratorKind integ
     return impl_->published.snapshot(integrator);
 }
 
+std::shared_ptr<const BuiltScene> RenderSession::builtScene() const { return impl_->published.builtScene(); }
+
 SessionStatus RenderSession::status() const { return impl_->published.status(); }
 
 std::shared_ptr<const ConvergenceCurve> RenderSession::convergenceCurve(IntegratorKind integrator) const {

@@ -23,6 +23,7 @@ class SceneKeeper {
     Outcome take(SceneEdit* edit, SessionStatus* status);
 
     bool hasScene() const { return built_ != nullptr; }
+    const std::shared_ptr<const BuiltScene>& built() const { return built_; }
     const MemoryUse& memory() const { return memory_; }
 
   private:

@@ -102,6 +102,7 @@ void SessionWorker::takeEdit(Commands commands) {
         return;
     }
     failed_ = false;
+    published_->setBuiltScene(keeper_.built());
     if (commands.restart) { edit.kinds |= EditKind::Camera; }  // empties the films of all integrators
     publishCurves(images_.takeScene(std::move(edit.scene), edit.kinds, commands.take, request_));
     if (commands.resume) { goOnFrom(std::move(*commands.resume)); }

@@ -15,6 +15,7 @@ struct HoldingBench : SessionBench {
     explicit HoldingBench(size_t bytes = size_t{1} << 20) : SessionBench(false) {
         options.heldFilmBytes = bytes;
         session = std::make_unique<RenderSession>(makeFakeBackend(control), options);
+        limit({.passes = 1});
     }
     void renderTo(uint32_t passes) {
         limit({.passes = passes});

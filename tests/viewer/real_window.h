@@ -264,7 +264,7 @@ class RealWindow : public testing::Test {
         findWidgets("close \"Render\"\nwait frames 3\n");
         click("Convergence");
         findWidgets("close \"Render\"\nclose \"Convergence\"\nwait frames 3\n");
-        drag("Camera/Aperture", 60, 0);
+        drag("Lens/Aperture", 60, 0);
     }
 
     nlohmann::json report() { return nlohmann::json::parse(read("view.json"), nullptr, false); }

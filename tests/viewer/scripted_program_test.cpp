@@ -23,7 +23,7 @@ open "Log"
 wait frames 3
 expect widget "Scene/Open"
 expect widget "Render/Pause"
-expect widget "Camera/Aperture"
+expect widget "Lens/Aperture"
 expect widget "Materials/Kind"
 expect widget "Lights/Rotation"
 expect widget "Display/Exposure"

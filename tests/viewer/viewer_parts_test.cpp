@@ -170,15 +170,6 @@ TEST(CameraController, DollyNeverReachesTheTarget) {
     EXPECT_NEAR(targetDistance(other), 5.0f, 1e-4f);
 }
 
-TEST(CameraController, FStopAndApertureAreInverse) {
-    Camera camera;
-    EXPECT_TRUE(std::isinf(fStop(camera)));
-    camera.apertureDiameter = apertureForFStop(camera, 2.8f);
-    EXPECT_NEAR(fStop(camera), 2.8f, 1e-4f);
-    // 24 mm of sensor at 40 degrees: f = 12 mm / tan 20 = 32.97 mm.
-    EXPECT_NEAR(camera.apertureDiameter, 0.03297f / 2.8f, 1e-5f);
-}
-
 TEST(CameraController, FramePutsTheWholeSphereInTheImage) {
     Camera camera;
     frameBounds(&camera, {Vec3(9.0f), Vec3(11.0f)}, 1.0f);

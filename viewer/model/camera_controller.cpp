@@ -7,8 +7,7 @@ namespace glint {
 namespace {
 
 constexpr float kPoleMarginRad = 0.02f;
-constexpr float kDollyShare = 0.12f;     // of the distance, each wheel step
-constexpr float kSensorHeight = 0.024f;  // metres; the full frame that photographers count f-stops with
+constexpr float kDollyShare = 0.12f;  // of the distance, each wheel step
 constexpr float kFrameMargin = 1.08f;
 
 struct Axes {
@@ -95,16 +94,6 @@ void frameBounds(Camera* camera, const Bounds& bounds, float aspect) {
     const Vec3 forward = axesOf(*camera).forward;
     camera->target = bounds.center();
     camera->position = camera->target - forward * distance;
-}
-
-float fStop(const Camera& camera) {
-    const float focalLength = 0.5f * kSensorHeight / tanHalfFov(camera);
-    return camera.apertureDiameter > 0.0f ? focalLength / camera.apertureDiameter : kInfinity;
-}
-
-float apertureForFStop(const Camera& camera, float stop) {
-    const float focalLength = 0.5f * kSensorHeight / tanHalfFov(camera);
-    return stop > 0.0f && std::isfinite(stop) ? focalLength / stop : 0.0f;
 }
 
 }  // namespace glint

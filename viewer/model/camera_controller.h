@@ -25,10 +25,4 @@ void frameBounds(Camera* camera, const Bounds& bounds, float aspect);
 /// Metres from the position to the target.
 float targetDistance(const Camera& camera);
 
-/// Focal length over aperture diameter, of a lens in front of a full-frame sensor of 24 mm height. Infinite
-/// for a pinhole.
-float fStop(const Camera& camera);
-/// Aperture diameter in metres for an f-stop; 0 for an infinite one.
-float apertureForFStop(const Camera& camera, float fStop);
-
 }  // namespace glint

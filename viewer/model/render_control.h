@@ -44,6 +44,7 @@ class RenderControl {
     /// An edit was posted, and no image of it has come back.
     bool awaitsImage() const { return awaited_ != 0; }
 
+    std::shared_ptr<const BuiltScene> builtScene() const { return session_.builtScene(); }
     /// As of this moment, whatever the frame began with.
     SessionStatus statusNow() const { return session_.status(); }
     std::shared_ptr<const ConvergenceCurve> curve(IntegratorKind integrator) const {

@@ -63,6 +63,12 @@ void SceneDocument::frameScene() {
     nameEdit("Frame the scene");
 }
 
+void SceneDocument::focusAt(float distance, const std::string& what) {
+    draft_.camera.focalDistance = distance;
+    focusFollowsTarget = false;
+    nameEdit("Focus on " + what);
+}
+
 void SceneDocument::focusOnTarget() {
     const bool hasMoved =
         draft_.camera.position != posted_->camera.position || draft_.camera.target != posted_->camera.target;

@@ -60,6 +60,8 @@ class SceneDocument {
     void resetCamera();
     /// Moves the camera until everything is in the picture.
     void frameScene();
+    /// `distance` metres along the view axis; the focus no longer follows the target.
+    void focusAt(float distance, const std::string& what);
 
     struct Edits {
         EditKind kinds = EditKind::None;

@@ -12,6 +12,7 @@
 #include "engine/io/image_formats.h"
 #include "engine/io/importer.h"
 #include "engine/render/auto_exposure.h"
+#include "engine/render/first_hits.h"
 #include "viewer/model/edit_name.h"
 #include "viewer/model/workspace_part.h"
 
@@ -119,6 +120,19 @@ void Workspace::takeDroppedFile(const std::string& path) {
     }
 }
 
+void Workspace::focusAt(Vec2i pixel) {
+    lens.picksFocus = false;
+    const std::shared_ptr<const BuiltScene> scene = render.builtScene();
+    const SceneDescription& draft = document.draft();
+    const auto [width, height] = draft.resolution;
+    if (!scene) { return; }
+    const FirstHit hit = firstHit(*scene, width, height, pixel.x, pixel.y);
+    if (hit.depth <= 0.0f) { return notice.show("There is nothing to focus on"); }
+    const size_t index = hit.object - 1;
+    const bool isNamed = index < draft.objects.size() && !draft.objects[index].name.empty();
+    document.focusAt(hit.depth, isNamed ? draft.objects[index].name : fmt::format("object {}", hit.object));
+}
+
 void Workspace::refresh() {
     jobs.runCompletions();
     if (assets.takeArrival()) { commitEdits(false); }
@@ -131,6 +145,12 @@ void Workspace::refresh() {
     }
     filmFiles.refresh(busy());
     backup.refresh();
+    focusOverlay.refresh({.kind = lens.overlay,
+                          .sharpPixels = lens.sharpPixels,
+                          .camera = document.draft().camera,
+                          .resolution = document.draft().resolution,
+                          .isMoving = render.request.interacting},
+                         render.builtScene());
 }
 
 bool Workspace::commitEdits(bool held) {
@@ -205,8 +225,9 @@ bool Workspace::carriesShownImage() const {
 
 template <class Part>
 Part* partOf(Workspace* w) {
-    return &std::get<Part&>(std::tie(w->notice, w->document, w->history, w->render, w->display, w->sceneFiles,
-                                     w->filmFiles, w->assets, w->convergence, w->curveExport, w->faults));
+    return &std::get<Part&>(std::tie(w->notice, w->document, w->history, w->render, w->display, w->lens,
+                                     w->sceneFiles, w->filmFiles, w->assets, w->convergence, w->curveExport,
+                                     w->faults));
 }
 
 template Notice* partOf(Workspace*);
@@ -214,6 +235,7 @@ template SceneDocument* partOf(Workspace*);
 template EditHistory* partOf(Workspace*);
 template RenderControl* partOf(Workspace*);
 template DisplaySettings* partOf(Workspace*);
+template LensSettings* partOf(Workspace*);
 template SceneFiles* partOf(Workspace*);
 template FilmFiles* partOf(Workspace*);
 template AssetReader* partOf(Workspace*);

@@ -17,6 +17,7 @@
 #include "viewer/model/edit_history.h"
 #include "viewer/model/fault_finder.h"
 #include "viewer/model/film_files.h"
+#include "viewer/model/lens_settings.h"
 #include "viewer/model/notice.h"
 #include "viewer/model/render_control.h"
 #include "viewer/model/scene_document.h"
@@ -40,6 +41,8 @@ class Workspace {
     EditHistory history;   ///< of the document
     RenderControl render;
     DisplaySettings display;
+    LensSettings lens;
+    FocusOverlay focusOverlay;
     SceneFiles sceneFiles;
     FilmFiles filmFiles;
     AssetReader assets;
@@ -55,6 +58,9 @@ class Workspace {
     /// A file that was dropped on the window: an image becomes the reference, a checkpoint (.glintfilm) is
     /// resumed, anything else is opened as a scene.
     void takeDroppedFile(const std::string& path);
+
+    /// Focuses on what is seen in this pixel of the picture; tells where nothing is.
+    void focusAt(Vec2i pixel);
 
     // Once a frame: first refresh(), then what draws and edits, then commitEdits().
     void refresh();

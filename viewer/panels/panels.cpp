@@ -15,6 +15,7 @@
     X(convergence)      \
     X(sppm)             \
     X(camera)           \
+    X(lens)             \
     X(materials)        \
     X(lights)           \
     X(display)          \

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 #include <backends/imgui_impl_opengl3.h>
 #include <fmt/format.h>
@@ -55,7 +56,6 @@ class App {
   private:
     void fitToScreen();
     void drawFrame();
-    void showImages();
     bool mustEnd();
     bool worthDrawing();
     bool isIdle() const;
@@ -89,8 +89,7 @@ class App {
 };
 
 App::~App() {
-    panes_.own.display.reset();
-    panes_.other.display.reset();
+    panes_.release();
     if (rendererStarted_) { ImGui_ImplOpenGL3_Shutdown(); }
     // The surface ends ImGui's platform back end, which lives in ImGui's context.
     surface_.reset();
@@ -106,11 +105,7 @@ Status App::open(std::optional<SceneDescription> scene) {
     surface_ = std::move(*surface);
     rendererStarted_ = ImGui_ImplOpenGL3_Init("#version 330 core");
     if (!rendererStarted_) { return Error{"Dear ImGui cannot use this OpenGL context", {}}; }
-    for (ImagePane* pane : {&panes_.own, &panes_.other}) {
-        auto display = ImageDisplay::create(surface_->gl());
-        if (!display) { return display.error(); }
-        pane->display = std::move(*display);
-    }
+    if (Status created = panes_.create(surface_->gl()); !created) { return created.error(); }
     if (options_.script) {
         player_ =
             std::make_unique<ScriptPlayer>(*options_.script, &registry_, &workspace_,
@@ -142,27 +137,10 @@ void App::fitToScreen() {
     loadedFramebufferScale_ = framebuffer;
 }
 
-void App::showImages() {
-    const DisplaySettings& settings = workspace_.display;
-    ImagePane& own = panes_.own;
-    ImagePane& other = panes_.other;
-    ShownImageSource::Wanted wanted{workspace_.render.snapshot(),
-                                    settings.shown,
-                                    workspace_.convergence.usableReference(),
-                                    {settings.exposureStops, settings.toneMap}};
-    own.source.show(wanted, nullptr, own.display.get());
-    if (settings.split) {
-        wanted.snapshot = workspace_.render.otherSnapshot();
-        other.source.show(wanted, &own.source, other.display.get());
-    }
-    workspace_.displayIsBehind = own.source.isBehind() || (settings.split && other.source.isBehind());
-    own.drawn = workspace_.render.snapshot();
-    other.drawn = workspace_.render.otherSnapshot();
-}
-
 void App::drawFrame() {
     const auto start = Clock::now();
     fitToScreen();
+    panes_.takeOverlay(workspace_.focusOverlay);
     ImGui_ImplOpenGL3_NewFrame();
     surface_->beginFrame();
     if (player_) { player_->feed(&ImGui::GetIO()); }
@@ -173,7 +151,7 @@ void App::drawFrame() {
     if (!held || pacer_.motionHasEnded()) { workspace_.finishMotion(); }
     ImGui::Render();
     const auto built = Clock::now();
-    showImages();
+    panes_.show(&workspace_);
     if (!options_.frameStats.empty()) { surface_->gl().Finish(); }
     const auto uploaded = Clock::now();
     const GlApi& gl = surface_->gl();
@@ -189,9 +167,7 @@ void App::drawFrame() {
 }
 
 bool App::worthDrawing() {
-    const bool hasNews = workspace_.render.snapshot() != panes_.own.drawn ||
-                         workspace_.render.otherSnapshot() != panes_.other.drawn ||
-                         panes_.own.source.isReady() || panes_.other.source.isReady();
+    const bool hasNews = panes_.areOld(workspace_);
     const SessionState state = workspace_.render.status().state;
     const bool isBusy = state == SessionState::Rendering || state == SessionState::Building ||
                         workspace_.busy() || workspace_.awaitsEdit();

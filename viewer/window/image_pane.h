@@ -1,8 +1,10 @@
 // An image on the graphics card together with what brings it up to date.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
+#include "viewer/model/workspace.h"
 #include "viewer/window/image_display.h"
 #include "viewer/window/shown_image_source.h"
 
@@ -18,6 +20,20 @@ struct ImagePane {
 struct ImagePanes {
     ImagePane own;
     ImagePane other;
+    std::unique_ptr<ImageDisplay> overlay;  ///< FocusOverlay's colours
+    uint64_t overlayVersion = 0;            ///< that it holds
+
+    /// Error: as ImageDisplay::create().
+    Status create(const GlApi& gl);
+    /// While the context is there.
+    void release();
+
+    /// Before a frame's lists are made: the first colours have to be in it.
+    void takeOverlay(const FocusOverlay& focus);
+    /// Before a frame is drawn: brings up to date what it shows.
+    void show(Workspace* workspace);
+    /// There is something newer than what the last frame showed.
+    bool areOld(const Workspace& workspace);
 };
 
 }  // namespace glint

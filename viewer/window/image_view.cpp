@@ -107,6 +107,23 @@ void ImageView::findPixel(const Workspace& workspace) {
     hoversOther_ = workspace.display.split && onRight != ownIsRight;
 }
 
+/// By Ctrl + click, by a click once the panel asked for one, or by T.
+void ImageView::focus(Workspace* workspace, bool isClick) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool picks = workspace->lens.picksFocus;
+    if (picks && hoveredPixel_) { ImGui::SetMouseCursor(ImGuiMouseCursor_Hand); }
+    const bool isKey = !io.WantTextInput && !io.KeyCtrl && ImGui::IsKeyPressed(GLFW_KEY_T, false);
+    const bool isWanted = isKey || (isClick && (picks || io.KeyCtrl));
+    if (isWanted && hoveredPixel_) { workspace->focusAt(*hoveredPixel_); }
+}
+
+void ImageView::drawOverlay(const FocusOverlay& overlay, const ImageDisplay& display) const {
+    if (overlay.colors().empty() || display.texture() == 0) { return; }
+    ImGui::GetWindowDrawList()->AddImage(
+        reinterpret_cast<ImTextureID>(static_cast<intptr_t>(display.texture())), {imageMin_.x, imageMin_.y},
+        {imageMax_.x, imageMax_.y});
+}
+
 bool ImageView::draw(Workspace* workspace, const ImagePanes& panes, Vec2 min, Vec2 max) {
     const bool hasScene = workspace->document.isOpen();
     ImGui::SetNextWindowPos({min.x, min.y});
@@ -120,9 +137,11 @@ bool ImageView::draw(Workspace* workspace, const ImagePanes& panes, Vec2 min, Ve
     if (hasScene && workspace->display.split) { dragDivider(&workspace->display, imageMin_, imageMax_); }
     ImGui::SetCursorScreenPos({min.x, min.y});
     // A click on the image takes the keyboard back from a text field.
-    ImGui::InvisibleButton("##area", {max.x - min.x, max.y - min.y},
-                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
-                               ImGuiButtonFlags_MouseButtonMiddle);
+    const bool isReleased =
+        ImGui::InvisibleButton("##area", {max.x - min.x, max.y - min.y},
+                               ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                                   ImGuiButtonFlags_MouseButtonMiddle);
+    const bool isClick = isReleased && !isDragging_ && ImGui::IsMouseReleased(ImGuiMouseButton_Left);
     const bool hovered = ImGui::IsItemHovered();
     const bool held = ImGui::IsItemActive();
     hoveredPixel_.reset();
@@ -131,10 +150,12 @@ bool ImageView::draw(Workspace* workspace, const ImagePanes& panes, Vec2 min, Ve
         moving = navigate(&workspace->document.draft().camera, hovered, held);
         if (panes.own.display->texture() != 0) {
             drawPanes(*workspace, panes, imageMin_, imageMax_);
+            drawOverlay(workspace->focusOverlay, *panes.overlay);
         } else {
             drawHint(min, max, "Building…");
         }
         if (hovered) { findPixel(*workspace); }
+        focus(workspace, isClick);
     } else {
         drawHint(
             min, max,

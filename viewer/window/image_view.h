@@ -1,6 +1,4 @@
-// The image's area: draws it, and turns the mouse and the keyboard into camera moves.
-//
-// Room for picking and click-to-focus: they belong here too, as further meanings of a click.
+// The image's area: draws it, and turns the mouse and the keyboard into camera moves and clicks to focus.
 #pragma once
 
 #include <optional>
@@ -25,6 +23,8 @@ class ImageView {
   private:
     void placeImage(const Workspace& workspace, Vec2 min, Vec2 max);
     void findPixel(const Workspace& workspace);
+    void focus(Workspace* workspace, bool isClick);
+    void drawOverlay(const FocusOverlay& overlay, const ImageDisplay& display) const;
     Vec2 dragged(bool held);
     bool navigate(Camera* camera, bool hovered, bool held);
 

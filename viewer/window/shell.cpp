@@ -35,6 +35,7 @@ constexpr KeyHelp kKeyHelp[] = {
     {"Left drag", "orbit around the target"},
     {"Right or middle drag", "pan (also Shift + left drag)"},
     {"Ctrl + left drag", "look around"},
+    {"Ctrl + click, T", "focus on what is under the mouse"},
     {"Wheel", "dolly: closer or farther"},
     {"W A S D", "fly forwards, left, back, right"},
     {"E, Q", "fly up, down"},
@@ -62,7 +63,7 @@ void Shell::handleKeys(Workspace* workspace) {
     SceneDocument& document = workspace->document;
     DisplaySettings& display = workspace->display;
     if (isPressed(GLFW_KEY_F1)) { helpShown_ = !helpShown_; }
-    if (isPressed(GLFW_KEY_ESCAPE)) { helpShown_ = false; }
+    if (isPressed(GLFW_KEY_ESCAPE)) { helpShown_ = workspace->lens.picksFocus = false; }
     if (io.WantTextInput) { return; }
     if (io.KeyCtrl) {
         if (isPressed(GLFW_KEY_S) && document.isOpen()) { workspace->filmFiles.savePng(display); }

@@ -1,0 +1,40 @@
+#include "engine/render/first_hits.h"
+
+#include "engine/kernels/camera_ray.h"
+#include "engine/kernels/intersect.h"
+#include "engine/kernels/surface.h"
+
+namespace glint {
+namespace {
+
+FirstHit hitOf(const SceneView& view, int width, int height, int x, int y) {
+    const Vec2 ndc = pixelToNdc(width, height, x, y, Vec2(0.0f));
+    const Ray ray = cameraRay<FeatureMask{0}>(view.camera, ndc, Vec2(0.0f));
+    Hit hit;
+    if (!intersect<kAllFeatures>(view, ray, &hit)) { return {}; }
+    const SurfacePoint surface = surfaceAt<kAllFeatures>(view, ray, hit);
+    return {-glm::dot(surface.p - view.camera.position, view.camera.frame.n), surface.instance + 1,
+            static_cast<uint32_t>(surface.material) + 1};
+}
+
+}  // namespace
+
+FirstHit firstHit(const BuiltScene& scene, int width, int height, int x, int y) {
+    return hitOf(scene.view(), width, height, x, y);
+}
+
+std::vector<float> firstDepths(const BuiltScene& scene, int width, int height,
+                               const std::atomic<bool>& stop) {
+    const SceneView view = scene.view();
+    std::vector<float> depths;
+    depths.reserve(static_cast<size_t>(width) * static_cast<size_t>(height));
+    for (int y = 0; y < height; ++y) {
+        if (stop) { return {}; }
+        for (int x = 0; x < width; ++x) {
+            depths.push_back(hitOf(view, width, height, x, y).depth);
+        }
+    }
+    return depths;
+}
+
+}  // namespace glint
