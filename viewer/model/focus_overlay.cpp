@@ -18,7 +18,7 @@ struct FocusOverlay::Stop {
 
 namespace {
 
-constexpr int kMostDepths = 1 << 20;
+constexpr int kMostDepths = 1 << 19;
 constexpr int kMovingDepths = 1 << 14;  // a few milliseconds
 constexpr float kLargestBlur = 64.0f;   // pixels; the colours are full from there on
 constexpr float kSmoothStep = 0.1f;     // of the depth: more is another surface, not one that is cut

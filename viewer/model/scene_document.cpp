@@ -17,6 +17,7 @@ void SceneDocument::adopt(SceneDescription scene, bool isSaved) {
     posted_ = std::make_shared<const SceneDescription>(draft_);
     opened_ =
         std::make_shared<Opened>(Opened{draft_.camera, sceneBounds(draft_), isSaved ? posted_ : nullptr});
+    selectedObject = -1;
     selectedMaterial = 0;
     selectedLight = 0;
     // An orbit must not change the focus of a scene whose author focused elsewhere.
@@ -32,6 +33,7 @@ EditKind SceneDocument::show(const Version& version) {
     draft_ = *version.scene;
     posted_ = version.scene;
     opened_ = version.opened;
+    if (static_cast<size_t>(selectedObject + 1) > draft_.objects.size()) { selectedObject = -1; }
     return kinds;
 }
 
@@ -56,11 +58,22 @@ void SceneDocument::resetCamera() {
     nameEdit("Reset camera");
 }
 
-void SceneDocument::frameScene() {
+void SceneDocument::frame(const Bounds& bounds, const std::string& name) {
     const Resolution& size = draft_.resolution;
-    frameBounds(&draft_.camera, opened_->bounds,
-                static_cast<float>(size.width) / static_cast<float>(size.height));
-    nameEdit("Frame the scene");
+    frameBounds(&draft_.camera, bounds, static_cast<float>(size.width) / static_cast<float>(size.height));
+    nameEdit("Frame " + name);
+}
+
+void SceneDocument::frameScene() { frame(opened_->bounds, "the scene"); }
+
+void SceneDocument::frameSelection() {
+    const auto index = static_cast<size_t>(selectedObject);
+    if (selectedObject < 0 || index >= draft_.objects.size()) { return; }
+    SceneDescription alone;
+    alone.objects = {draft_.objects[index]};
+    alone.meshes = draft_.meshes;
+    const std::string& name = draft_.objects[index].name;
+    frame(sceneBounds(alone), name.empty() ? "an object" : name);
 }
 
 void SceneDocument::focusAt(float distance, const std::string& what) {

@@ -60,6 +60,8 @@ class SceneDocument {
     void resetCamera();
     /// Moves the camera until everything is in the picture.
     void frameScene();
+    /// The same for the selected object; nothing without one.
+    void frameSelection();
     /// `distance` metres along the view axis; the focus no longer follows the target.
     void focusAt(float distance, const std::string& what);
 
@@ -77,10 +79,12 @@ class SceneDocument {
 
     /// Keeps the focal distance on the target when the camera moves.
     bool focusFollowsTarget = true;
+    int selectedObject = -1;  ///< -1: none
     int selectedMaterial = 0;
     int selectedLight = 0;
 
   private:
+    void frame(const Bounds& bounds, const std::string& name);
     void focusOnTarget();
 
     SceneDescription draft_;

@@ -7,6 +7,7 @@
 #include "engine/base/log.h"
 #include "engine/io/scene_json.h"
 #include "engine/io/scene_loader.h"
+#include "viewer/base/desktop_dialog.h"
 
 namespace glint {
 
@@ -32,6 +33,17 @@ void SceneFiles::open(const std::string& path) {
                     notice_->show(error_->format(), true);
                 }
             };
+        },
+        false);
+}
+
+void SceneFiles::browse() {
+    const std::string command = usesDesktop ? desktopDialog("Open a scene", opened) : "";
+    if (command.empty()) { return browser.open(opened); }
+    jobs_->start(
+        [this, command]() -> JobQueue::Completion {
+            const std::string path = outputOf(command);
+            return [this, path] { open(path); };
         },
         false);
 }

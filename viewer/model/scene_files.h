@@ -9,8 +9,10 @@
 #include "engine/scene/scene.h"
 #include "viewer/base/job_queue.h"
 #include "viewer/base/run_files.h"
+#include "viewer/model/file_browser.h"
 #include "viewer/model/notice.h"
 #include "viewer/model/overwrite_guard.h"
+#include "viewer/model/recent_files.h"
 
 namespace glint {
 
@@ -37,6 +39,13 @@ class SceneFiles {
     bool opening() const { return opening_; }
     const std::optional<Error>& error() const { return error_; }
     void dismissError() { error_.reset(); }
+
+    /// Lets the user look for a scene: by the desktop's own dialog where `usesDesktop` and one is installed
+    /// (zenity, kdialog), else by the browser.
+    void browse();
+    FileBrowser browser;
+    RecentFiles recent;
+    bool usesDesktop = false;
 
     /// As Glint JSON. `scene` may be null, which is an error. Asks before it replaces a file.
     void save(const std::shared_ptr<const SceneDescription>& scene);

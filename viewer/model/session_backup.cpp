@@ -49,7 +49,7 @@ void removeFile(const std::string& file, int lock) {
 
 }  // namespace
 
-std::string SessionBackup::usualFolder() {
+std::string SessionBackup::stateFolder() {
     const auto variable = [](const char* name) {
         const char* value = std::getenv(name);
         return fs::path(value != nullptr ? value : "");
@@ -57,7 +57,7 @@ std::string SessionBackup::usualFolder() {
     const fs::path state = variable("XDG_STATE_HOME");
     // A relative one is to be ignored (XDG Base Directory Specification 0.8).
     const fs::path base = state.is_absolute() ? state : variable("HOME") / ".local" / "state";
-    return (base / "glint" / "sessions").string();
+    return (base / "glint").string();
 }
 
 void SessionBackup::begin(const std::string& folder, double seconds) {

@@ -44,8 +44,8 @@ class SessionBackup {
     std::string takeOver();
     void discard();
 
-    /// In the user's state folder (XDG): "~/.local/state/glint/sessions".
-    static std::string usualFolder();
+    /// What the program keeps for the user from session to session (XDG): "~/.local/state/glint".
+    static std::string stateFolder();
 
   private:
     struct Locked {

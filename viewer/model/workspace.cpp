@@ -12,7 +12,6 @@
 #include "engine/io/image_formats.h"
 #include "engine/io/importer.h"
 #include "engine/render/auto_exposure.h"
-#include "engine/render/first_hits.h"
 #include "viewer/model/edit_name.h"
 #include "viewer/model/workspace_part.h"
 
@@ -65,6 +64,7 @@ void Workspace::adopt(SceneDescription scene, bool isSaved) {
     if (!inputs.checkIsNoInput(sceneFiles.saved)) {
         sceneFiles.saved = std::filesystem::path(document.draft().path).stem().string() + "-edited.json";
     }
+    sceneFiles.recent.add(document.draft().path);
     sendRequest();  // first, so that not a pass too many is made
     render.post({document.posted(), EditKind::Everything}, take);
 }
@@ -120,13 +120,22 @@ void Workspace::takeDroppedFile(const std::string& path) {
     }
 }
 
+FirstHit Workspace::hitAt(Vec2i pixel) const {
+    const std::shared_ptr<const BuiltScene> scene = render.builtScene();
+    const auto [width, height] = document.draft().resolution;
+    return scene ? firstHit(*scene, width, height, pixel.x, pixel.y) : FirstHit{};
+}
+
+void Workspace::selectAt(Vec2i pixel) {
+    const FirstHit hit = hitAt(pixel);
+    document.selectedObject = static_cast<int>(hit.object) - 1;
+    if (hit.material > 0) { document.selectedMaterial = static_cast<int>(hit.material) - 1; }
+}
+
 void Workspace::focusAt(Vec2i pixel) {
     lens.picksFocus = false;
-    const std::shared_ptr<const BuiltScene> scene = render.builtScene();
     const SceneDescription& draft = document.draft();
-    const auto [width, height] = draft.resolution;
-    if (!scene) { return; }
-    const FirstHit hit = firstHit(*scene, width, height, pixel.x, pixel.y);
+    const FirstHit hit = hitAt(pixel);
     if (hit.depth <= 0.0f) { return notice.show("There is nothing to focus on"); }
     const size_t index = hit.object - 1;
     const bool isNamed = index < draft.objects.size() && !draft.objects[index].name.empty();
@@ -203,6 +212,7 @@ void Workspace::sendRequest() {
     request.aovs = filmFiles.needsLayers() ? kAllAovs : 0;
     request.standardError = request.errorMaps = request.integratorMaps = false;
     if (const auto ask = infoOf(display.shown).ask) { ask(&request); }
+    if (std::exchange(inspector.isOpen, false)) { request.standardError = request.integratorMaps = true; }
     request.compare.clear();
     if (display.split) {
         const auto [left, right] = comparedPair();
@@ -226,8 +236,8 @@ bool Workspace::carriesShownImage() const {
 template <class Part>
 Part* partOf(Workspace* w) {
     return &std::get<Part&>(std::tie(w->notice, w->document, w->history, w->render, w->display, w->lens,
-                                     w->sceneFiles, w->filmFiles, w->assets, w->convergence, w->curveExport,
-                                     w->faults));
+                                     w->inspector, w->outliner, w->sceneFiles, w->filmFiles, w->assets,
+                                     w->convergence, w->curveExport, w->faults));
 }
 
 template Notice* partOf(Workspace*);
@@ -236,6 +246,8 @@ template EditHistory* partOf(Workspace*);
 template RenderControl* partOf(Workspace*);
 template DisplaySettings* partOf(Workspace*);
 template LensSettings* partOf(Workspace*);
+template Inspector* partOf(Workspace*);
+template Outliner* partOf(Workspace*);
 template SceneFiles* partOf(Workspace*);
 template FilmFiles* partOf(Workspace*);
 template AssetReader* partOf(Workspace*);

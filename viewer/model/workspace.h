@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "engine/render/first_hits.h"
 #include "viewer/base/job_queue.h"
 #include "viewer/base/run_files.h"
 #include "viewer/model/asset_reader.h"
@@ -17,8 +18,10 @@
 #include "viewer/model/edit_history.h"
 #include "viewer/model/fault_finder.h"
 #include "viewer/model/film_files.h"
+#include "viewer/model/inspector.h"
 #include "viewer/model/lens_settings.h"
 #include "viewer/model/notice.h"
+#include "viewer/model/outliner.h"
 #include "viewer/model/render_control.h"
 #include "viewer/model/scene_document.h"
 #include "viewer/model/scene_files.h"
@@ -43,6 +46,8 @@ class Workspace {
     DisplaySettings display;
     LensSettings lens;
     FocusOverlay focusOverlay;
+    Inspector inspector;
+    Outliner outliner;
     SceneFiles sceneFiles;
     FilmFiles filmFiles;
     AssetReader assets;
@@ -61,6 +66,8 @@ class Workspace {
 
     /// Focuses on what is seen in this pixel of the picture; tells where nothing is.
     void focusAt(Vec2i pixel);
+    /// Selects the object that is seen there, and its material; none where nothing is.
+    void selectAt(Vec2i pixel);
 
     // Once a frame: first refresh(), then what draws and edits, then commitEdits().
     void refresh();
@@ -80,6 +87,7 @@ class Workspace {
 
   private:
     void sendRequest();
+    FirstHit hitAt(Vec2i pixel) const;
     void chooseExposure();
     void expectExposure();
     bool commitDraft(bool held);

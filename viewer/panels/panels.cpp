@@ -16,9 +16,11 @@
     X(sppm)             \
     X(camera)           \
     X(lens)             \
+    X(outliner)         \
     X(materials)        \
     X(lights)           \
     X(display)          \
+    X(inspector)        \
     X(image)            \
     X(history)          \
     X(checkpoint)       \

@@ -1,5 +1,9 @@
 // Which scene is open, opening another, and what went wrong with that.
 #include <string>
+#include <string_view>
+#include <vector>
+
+#include <imgui.h>
 
 #include "engine/io/importer.h"
 #include "viewer/model/scene_document.h"
@@ -11,13 +15,27 @@
 namespace glint {
 namespace {
 
+void drawRecent(SceneFiles* files) {
+    const std::vector<std::string>& paths = files->recent.paths();
+    if (paths.empty()) { return; }
+    std::vector<std::string_view> names{"–"};
+    names.insert(names.end(), paths.begin(), paths.end());
+    int chosen = 0;
+    if (ui::choice("Recent", &chosen, names, "Opened last, also in earlier sessions") && chosen > 0) {
+        files->opened = paths[static_cast<size_t>(chosen) - 1];
+        files->open(files->opened);
+    }
+}
+
 void draw(SceneFiles* files, const SceneDocument* document) {
     static const std::string help = "A scene to open: " + listImporters() + ". Enter opens it.";
     const bool entered = ui::text("File", &files->opened, "scene.json, .txt, .obj, .ply", help.c_str());
     const char* action = files->opening() ? "Opening…" : "Open";
-    if ((ui::button(action, ui::buttonWidth(1)) || entered) && !files->opening()) {
-        files->open(files->opened);
-    }
+    const float width = ui::buttonWidth(2);
+    if ((ui::button(action, width) || entered) && !files->opening()) { files->open(files->opened); }
+    ImGui::SameLine();
+    if (ui::button("Browse…", width, "Look for a file in folders (Ctrl+O)")) { files->browse(); }
+    drawRecent(files);
     if (files->error()) {
         ui::gap();
         if (drawErrorBox("This scene cannot be opened", *files->error())) { files->dismissError(); }

@@ -117,9 +117,12 @@ Status App::open(std::optional<SceneDescription> scene) {
         if (passLimit == 0) { passLimit = kHeadlessPasses; }
         progress_.emplace();
     }
+    workspace_.sceneFiles.usesDesktop = !options_.headless;
     workspace_.display.autoExposure = !options_.noAutoExposure;
     if (options_.recoverySeconds > 0.0) {
-        workspace_.backup.begin(SessionBackup::usualFolder(), options_.recoverySeconds);
+        const std::string folder = SessionBackup::stateFolder();
+        workspace_.backup.begin(folder + "/sessions", options_.recoverySeconds);
+        workspace_.sceneFiles.recent.begin(folder + "/recent");
     }
     if (scene) { workspace_.adopt(std::move(*scene)); }
     return {};

@@ -17,6 +17,7 @@ namespace glint {
 namespace {
 
 constexpr float kWidthUnits = 440.0f;
+constexpr float kBrowserRows = 14.0f;
 
 /// Draws a question in the middle of the window; `drawAnswers` draws its buttons.
 template <class DrawAnswers>
@@ -99,11 +100,34 @@ void Dialogs::drawRecovery(Workspace* workspace) const {
     });
 }
 
+void Dialogs::drawBrowser(SceneFiles* files) const {
+    FileBrowser& browser = files->browser;
+    drawQuestion("##browser", "Open a scene", browser.folder(), [&] {
+        std::string chosen;
+        if (ui::text("Name", &browser.typed, "a file, a folder, or a path", "~ is the home folder")) {
+            chosen = browser.typed;
+        }
+        ImGui::BeginChild("##entries", {0.0f, kBrowserRows * ImGui::GetTextLineHeightWithSpacing()});
+        for (const FileBrowser::Entry& entry : browser.entries()) {
+            if (ui::selectable(entry.name.c_str(), entry.name == browser.typed)) { chosen = entry.name; }
+        }
+        ImGui::EndChild();
+        const float width = ui::buttonWidth(2);
+        if (ui::button("Open this", width) && !browser.typed.empty()) { chosen = browser.typed; }
+        ImGui::SameLine();
+        const bool isCancelled = ui::button("Cancel", width, "Esc") || isEscaped();
+        const std::string file = chosen.empty() ? "" : browser.choose(chosen);
+        if (!file.empty()) { files->open(file); }
+        if (!file.empty() || isCancelled) { browser.close(); }
+    });
+}
+
 void Dialogs::draw(Workspace* workspace) {
     if (!workspace->overwrite.asked().empty()) { return drawOverwrite(&workspace->overwrite); }
     const bool isUnderWay = workspace->busy() || !workspace->document.hasUnsavedEdits();
     isSaving_ = isSaving_ && isUnderWay;
     if (asksToClose_) { return drawClose(workspace); }
+    if (workspace->sceneFiles.browser.isOpen()) { return drawBrowser(&workspace->sceneFiles); }
     if (workspace->backup.leftover() != nullptr) { drawRecovery(workspace); }
 }
 

@@ -107,14 +107,20 @@ void ImageView::findPixel(const Workspace& workspace) {
     hoversOther_ = workspace.display.split && onRight != ownIsRight;
 }
 
-/// By Ctrl + click, by a click once the panel asked for one, or by T.
-void ImageView::focus(Workspace* workspace, bool isClick) {
+/// Focuses by Ctrl + click, by a click once the panel asked for one, or by T; any other click selects.
+void ImageView::pick(Workspace* workspace, bool isClick) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool picks = workspace->lens.picksFocus;
     if (picks && hoveredPixel_) { ImGui::SetMouseCursor(ImGuiMouseCursor_Hand); }
     const bool isKey = !io.WantTextInput && !io.KeyCtrl && ImGui::IsKeyPressed(GLFW_KEY_T, false);
     const bool isWanted = isKey || (isClick && (picks || io.KeyCtrl));
-    if (isWanted && hoveredPixel_) { workspace->focusAt(*hoveredPixel_); }
+    if (!hoveredPixel_) { return; }
+    workspace->inspector.pixel = hoveredPixel_;
+    if (isWanted) {
+        workspace->focusAt(*hoveredPixel_);
+    } else if (isClick) {
+        workspace->selectAt(*hoveredPixel_);
+    }
 }
 
 void ImageView::drawOverlay(const FocusOverlay& overlay, const ImageDisplay& display) const {
@@ -155,7 +161,7 @@ bool ImageView::draw(Workspace* workspace, const ImagePanes& panes, Vec2 min, Ve
             drawHint(min, max, "Building…");
         }
         if (hovered) { findPixel(*workspace); }
-        focus(workspace, isClick);
+        pick(workspace, isClick);
     } else {
         drawHint(
             min, max,

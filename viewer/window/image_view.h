@@ -23,7 +23,7 @@ class ImageView {
   private:
     void placeImage(const Workspace& workspace, Vec2 min, Vec2 max);
     void findPixel(const Workspace& workspace);
-    void focus(Workspace* workspace, bool isClick);
+    void pick(Workspace* workspace, bool isClick);
     void drawOverlay(const FocusOverlay& overlay, const ImageDisplay& display) const;
     Vec2 dragged(bool held);
     bool navigate(Camera* camera, bool hovered, bool held);

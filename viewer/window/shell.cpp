@@ -40,7 +40,8 @@ constexpr KeyHelp kKeyHelp[] = {
     {"W A S D", "fly forwards, left, back, right"},
     {"E, Q", "fly up, down"},
     {"Shift", "fly fast"},
-    {"F", "frame the whole scene"},
+    {"Click", "select, for the outliner and the materials"},
+    {"F, Shift + F", "frame the whole scene, the selected object"},
     {"Home", "the scene file's camera"},
     {"Space", "pause and go on"},
     {"R", "restart"},
@@ -48,6 +49,7 @@ constexpr KeyHelp kKeyHelp[] = {
     {"[ and ]", "exposure by a third of a stop"},
     {"Ctrl + Z", "undo, also a restart or opening a scene"},
     {"Ctrl + Shift + Z", "redo (also Ctrl + Y)"},
+    {"Ctrl + O", "look for a scene to open"},
     {"Ctrl + S", "save the PNG"},
     {"Ctrl + Q", "quit"},
     {"Tab", "show or hide the panels"},
@@ -66,6 +68,7 @@ void Shell::handleKeys(Workspace* workspace) {
     if (isPressed(GLFW_KEY_ESCAPE)) { helpShown_ = workspace->lens.picksFocus = false; }
     if (io.WantTextInput) { return; }
     if (io.KeyCtrl) {
+        if (isPressed(GLFW_KEY_O)) { workspace->sceneFiles.browse(); }
         if (isPressed(GLFW_KEY_S) && document.isOpen()) { workspace->filmFiles.savePng(display); }
         if (isPressed(GLFW_KEY_Q)) { dialogs.askToClose(document); }
         const bool isRedo = isPressed(GLFW_KEY_Y) || (io.KeyShift && isPressed(GLFW_KEY_Z));
@@ -85,7 +88,7 @@ void Shell::handleKeys(Workspace* workspace) {
     if (isPressed(GLFW_KEY_R)) { workspace->render.restart(); }
     if (isPressed(GLFW_KEY_C)) { display.split = !display.split; }
     if (isPressed(GLFW_KEY_HOME)) { document.resetCamera(); }
-    if (isPressed(GLFW_KEY_F)) { document.frameScene(); }
+    if (isPressed(GLFW_KEY_F)) { io.KeyShift ? document.frameSelection() : document.frameScene(); }
 }
 
 void Shell::drawSplitter(float x, float height) {

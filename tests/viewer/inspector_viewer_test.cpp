@@ -1,0 +1,129 @@
+// One pixel in numbers, the histogram, and the outliner: parts and scripts.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/viewer/play_script.h"
+#include "viewer/model/histogram.h"
+#include "viewer/model/outliner.h"
+
+namespace glint {
+namespace {
+
+using namespace test;
+using testing::HasSubstr;
+
+TEST(Histogram, CountsWhatIsShown) {
+    FilmSnapshot snapshot;
+    snapshot.width = 4;
+    snapshot.height = 1;
+    // Black, white, a red that is cut, and half of white, linear.
+    snapshot.radiance = {0, 0, 0, 1, 1, 1, 9, 0, 0, 0.5f, 0.5f, 0.5f};
+    const Histogram histogram = histogramOf(snapshot, 0.0f, ToneMap::Clamp);
+    EXPECT_FLOAT_EQ(histogram.black, 0.25f);
+    EXPECT_FLOAT_EQ(histogram.white, 0.5f);
+    EXPECT_FLOAT_EQ(histogram.bins[0].front(), 0.25f);
+    EXPECT_FLOAT_EQ(histogram.bins[1].front(), 0.5f);
+    EXPECT_FLOAT_EQ(histogram.bins[0].back(), 0.5f);
+    EXPECT_FLOAT_EQ(histogram.bins[2][32], 0.25f);
+    // A stop more cuts the grey too.
+    EXPECT_FLOAT_EQ(histogramOf(snapshot, 1.0f, ToneMap::Clamp).white, 0.75f);
+    FilmSnapshot large;
+    large.radiance.assign(size_t{3} << 20, 0.2f);
+    EXPECT_NEAR(histogramOf(large, 0.0f, ToneMap::Clamp).bins[0][12], 1.0f, 1e-3f)
+        << "all pixels have a share";
+}
+
+TEST(Outliner, FindsByPartsOfNamesInAnyCase) {
+    SceneDescription scene;
+    scene.objects.resize(10000);
+    scene.objects[4321].name = "Teapot";
+    scene.materials.resize(1);
+    scene.materials[0].name = "tea colour";
+    scene.lights.resize(2);
+    SceneDocument document;
+    document.adopt(scene);
+    Outliner outliner;
+    EXPECT_EQ(outliner.entries(document).size(), 10003u);
+    outliner.search = "TEA";
+    const auto& found = outliner.entries(document);
+    ASSERT_EQ(found.size(), 2u);
+    EXPECT_EQ(found[0].label, "Object 4322: Teapot");
+    EXPECT_EQ(found[0].index, 4321);
+    EXPECT_EQ(found[1].label, "Material 1: tea colour");
+    EXPECT_EQ(outliner.count(), 10003u);
+    outliner.search = "light";
+    EXPECT_EQ(outliner.entries(document).size(), 2u);
+}
+
+TEST(InspectorViewer, TellsWhatThePixelHolds) {
+    const Ran ran = play(R"(
+wait finished
+open "Inspector"
+wait frames 3
+move "Image" 0.5 0.06
+wait picture
+wait frames 4
+expect "Inspector/Linear" "1  1  1"
+expect "Inspector/Object" "–"
+expect "Depth" "–"
+move "Image"
+wait picture
+wait frames 4
+expect "Pixel" "32, 24"
+expect "Inspector/Object" "sphere 1"
+expect "Inspector/Material" grey
+expect "Depth" "3 m"
+print "Inspector/Luminance"
+print "Clipped"
+screenshot inspector.png
+set "Integrator" SPPM
+wait finished
+wait frames 4
+expect widget "SPPM radius"
+)",
+                         "--passes 4");
+    expectPlayed(ran);
+    EXPECT_THAT(ran.output, HasSubstr(" ± ")) << "the standard error comes by itself";
+    EXPECT_THAT(ran.output, HasSubstr("% black, ")) << ran.output;
+}
+
+TEST(OutlinerViewer, SelectsFramesAndFollowsClicks) {
+    expectPlayed(play(R"(
+wait picture
+close "Render"
+close "Convergence"
+close "Lens"
+open "Outliner"
+wait frames 3
+expect "Object 1: sphere 1" ""
+move "Image"
+press
+release
+wait frames 3
+expect "Object 1: sphere 1" selected
+set "Search" grey
+wait frames 3
+expect no-widget "Object 1: sphere 1"
+expect widget "Material 1: grey"
+set "Search" object
+wait frames 3
+move "Image" 0.5 0.05
+press
+release
+wait frames 3
+expect "Object 1: sphere 1" ""
+click "Object 1: sphere 1"
+wait frames 3
+expect "Object 1: sphere 1" selected
+mark
+click "Frame selection"
+wait picture
+expect restarts 1
+open "History"
+wait frames 3
+expect widget "2. Frame sphere 1"
+)"));
+}
+
+}  // namespace
+}  // namespace glint

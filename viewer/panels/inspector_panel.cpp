@@ -1,0 +1,154 @@
+// One pixel in numbers, and the picture's histogram.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "engine/render/first_hits.h"
+#include "engine/render/integrator.h"
+#include "viewer/base/units.h"
+#include "viewer/model/display_settings.h"
+#include "viewer/model/inspector.h"
+#include "viewer/model/render_control.h"
+#include "viewer/model/scene_document.h"
+#include "viewer/panels/panel.h"
+#include "viewer/ui/theme.h"
+#include "viewer/ui/widgets.h"
+
+namespace glint {
+namespace {
+
+constexpr float kHistogramUnits = 72.0f;
+
+struct PixelColor {
+    Vec3 linear{0.0f};
+    size_t index = 0;
+};
+
+/// `pixel` counts in full resolution.
+PixelColor colorAt(const FilmSnapshot& snapshot, Vec2i pixel) {
+    const Vec2i last(snapshot.width - 1, snapshot.height - 1);
+    const Vec2i at = glm::clamp(pixel / snapshot.previewScale, Vec2i(0), last);
+    const size_t index =
+        static_cast<size_t>(at.y) * static_cast<size_t>(snapshot.width) + static_cast<size_t>(at.x);
+    const float* rgb = snapshot.radiance.data() + 3 * index;
+    return {{rgb[0], rgb[1], rgb[2]}, index};
+}
+
+std::string numbersText(const Vec3& v) { return fmt::format("{:.4g}  {:.4g}  {:.4g}", v.x, v.y, v.z); }
+
+template <class Item>
+std::string nameOf(const std::vector<Item>& items, uint32_t number, const char* what) {
+    if (number == 0) { return "–"; }
+    const bool isNamed = number <= items.size() && !items[number - 1].name.empty();
+    return isNamed ? items[number - 1].name : fmt::format("{} {}", what, number);
+}
+
+void drawColors(const FilmSnapshot& snapshot, const DisplaySettings& display, Vec2i pixel) {
+    const auto [linear, index] = colorAt(snapshot, pixel);
+    const Vec3 shown = toneMapped(linear, display.exposureStops, display.toneMap);
+    const std::array<int, 3> bytes{displayByte(shown.x), displayByte(shown.y), displayByte(shown.z)};
+    ui::value("Linear", numbersText(linear), "Radiance, Rec.709 primaries, W/(sr m²)");
+    ui::value("Shown",
+              fmt::format("{} {} {}   #{:02x}{:02x}{:02x}", bytes[0], bytes[1], bytes[2], bytes[0], bytes[1],
+                          bytes[2]),
+              "With exposure and tone map");
+    const float l = luminance(linear);
+    const bool hasError =
+        index < snapshot.standardError.size() && std::isfinite(snapshot.standardError[index]);
+    ui::value("Luminance",
+              hasError ? fmt::format("{:.4g} ± {:.2g}", l, snapshot.standardError[index])
+                       : fmt::format("{:.4g}", l),
+              "With its standard error, from the second pass on");
+    for (const IntegratorMapInfo& map : integratorType(snapshot.integrator).maps()) {
+        const std::vector<float>& values = snapshot.map(map.values);
+        if (index < values.size()) {
+            ui::value(map.label, infoOf(*imageNamed(map.label)).readout(values[index]));
+        }
+    }
+}
+
+void drawHit(const RenderControl& render, const SceneDescription& scene, Vec2i pixel) {
+    const auto built = render.builtScene();
+    const Resolution& size = scene.resolution;
+    const bool isInside = pixel.x < size.width && pixel.y < size.height;
+    const FirstHit hit =
+        built && isInside ? firstHit(*built, size.width, size.height, pixel.x, pixel.y) : FirstHit{};
+    ui::value("Depth", hit.depth > 0.0f ? length(static_cast<double>(hit.depth)) : "–",
+              "Along the view axis, in the pixel's middle");
+    ui::value("Object", nameOf(scene.objects, hit.object, "object"));
+    ui::value("Material", nameOf(scene.materials, hit.material, "material"));
+}
+
+void refreshHistogram(const RenderControl& render, const DisplaySettings& display, Inspector* inspector) {
+    const auto& snapshot = render.snapshot();
+    const bool isSame = inspector->histogramOf == snapshot &&
+                        inspector->exposureStops == display.exposureStops &&
+                        inspector->toneMap == display.toneMap;
+    if (isSame) { return; }
+    inspector->histogramOf = snapshot;
+    inspector->exposureStops = display.exposureStops;
+    inspector->toneMap = display.toneMap;
+    inspector->histogram = histogramOf(*snapshot, display.exposureStops, display.toneMap);
+}
+
+/// Roots, so that little is seen too.
+void drawHistogram(const Histogram& histogram) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 size{ImGui::GetContentRegionAvail().x, kHistogramUnits * ui::scale()};
+    ImGui::Dummy(size);
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    draw->AddRectFilled(corner, {corner.x + size.x, corner.y + size.y},
+                        ImGui::GetColorU32(theme::kImageBackground), 4.0f);
+    constexpr std::array<ImU32, 3> kColors{IM_COL32(240, 90, 80, 110), IM_COL32(90, 210, 90, 110),
+                                           IM_COL32(90, 130, 255, 110)};
+    float most = 0.0f;
+    for (const auto& channel : histogram.bins) {
+        most = std::max(most, *std::ranges::max_element(channel));
+    }
+    const float step = size.x / static_cast<float>(Histogram::kBins);
+    for (size_t c = 0; c < histogram.bins.size(); ++c) {
+        for (size_t i = 0; i < Histogram::kBins; ++i) {
+            const float share = most > 0.0f ? std::sqrt(histogram.bins[c][i] / most) : 0.0f;
+            const float x = corner.x + step * static_cast<float>(i);
+            draw->AddRectFilled({x, corner.y + size.y * (1.0f - share)}, {x + step, corner.y + size.y},
+                                kColors[c]);
+        }
+    }
+    const std::string clipped =
+        fmt::format("{} black, {} white", percent(static_cast<double>(histogram.black)),
+                    percent(static_cast<double>(histogram.white)));
+    ui::itemArea("Histogram", clipped);
+    ui::value("Clipped", clipped, "Black in all channels, white in any");
+}
+
+void draw(RenderControl* render, const DisplaySettings* display, const SceneDocument* document,
+          Inspector* inspector) {
+    inspector->isOpen = true;
+    const auto& snapshot = render->snapshot();
+    if (!snapshot || snapshot->radiance.empty()) { return ui::hint("No picture yet."); }
+    if (inspector->pixel) {
+        const Vec2i pixel = *inspector->pixel;
+        ui::value("Pixel", fmt::format("{}, {}", pixel.x, pixel.y), "The last one that the mouse was over");
+        drawColors(*snapshot, *display, pixel);
+        if (const auto& other = render->otherSnapshot();
+            display->split && other && !other->radiance.empty()) {
+            ui::value(inCapitals(integratorInfo(other->integrator).alias).c_str(),
+                      numbersText(colorAt(*other, pixel).linear), "The same pixel of what is compared");
+        }
+        drawHit(*render, document->draft(), pixel);
+    } else {
+        ui::hint("Move the mouse over the picture.");
+    }
+    refreshHistogram(*render, *display, inspector);
+    drawHistogram(inspector->histogram);
+}
+
+}  // namespace
+
+Panel inspectorPanel() { return {"Inspector", false, OfParts<draw>::call, WithoutScene::Hides}; }
+
+}  // namespace glint

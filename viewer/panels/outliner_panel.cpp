@@ -1,0 +1,76 @@
+// Everything in the scene by name: objects, lights, materials; to be searched, selected and framed.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "viewer/model/outliner.h"
+#include "viewer/model/scene_document.h"
+#include "viewer/panels/panel.h"
+#include "viewer/ui/widgets.h"
+
+namespace glint {
+namespace {
+
+constexpr size_t kRowsShown = 10;
+
+int* selectionOf(SceneDocument* document, OutlinerEntry::Kind kind) {
+    switch (kind) {
+        case OutlinerEntry::Kind::Object:
+            return &document->selectedObject;
+        case OutlinerEntry::Kind::Light:
+            return &document->selectedLight;
+        case OutlinerEntry::Kind::Material:
+            return &document->selectedMaterial;
+    }
+    return &document->selectedObject;
+}
+
+void select(SceneDocument* document, const OutlinerEntry& entry) {
+    *selectionOf(document, entry.kind) = entry.index;
+    if (entry.kind == OutlinerEntry::Kind::Object) {
+        document->selectedMaterial = document->draft().objects[static_cast<size_t>(entry.index)].material;
+    }
+}
+
+/// Only the rows that are seen are made.
+void drawEntries(SceneDocument* document, const std::vector<OutlinerEntry>& entries) {
+    const float row = ImGui::GetTextLineHeightWithSpacing();
+    const auto rows = static_cast<float>(std::clamp<size_t>(entries.size(), 1, kRowsShown));
+    ImGui::BeginChild("##entries", {0.0f, rows * row});
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(entries.size()));
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            const OutlinerEntry& entry = entries[static_cast<size_t>(i)];
+            const bool isSelected = *selectionOf(document, entry.kind) == entry.index;
+            if (ui::selectable(entry.label.c_str(), isSelected)) { select(document, entry); }
+        }
+    }
+    ImGui::EndChild();
+}
+
+void draw(SceneDocument* document, Outliner* outliner) {
+    ui::text("Search", &outliner->search, "name", "Part of a name, in any case; or object, light, material");
+    const std::vector<OutlinerEntry>& entries = outliner->entries(*document);
+    drawEntries(document, entries);
+    ui::hint(fmt::format("{} of {}", entries.size(), outliner->count()).c_str());
+    const bool isObject = document->selectedObject >= 0;
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, isObject ? 1.0f : 0.5f);
+    const float width = ui::buttonWidth(1);
+    const bool isFramed = ui::button("Frame selection", width,
+                                     "Moves the camera until the object fills the picture (Shift + F)");
+    ImGui::PopStyleVar();
+    if (isFramed) { document->frameSelection(); }
+}
+
+}  // namespace
+
+Panel outlinerPanel() {
+    return {"Outliner", false, OfParts<draw>::call, WithoutScene::Hides,
+            "A click on the picture selects too"};
+}
+
+}  // namespace glint
