@@ -74,6 +74,34 @@ TEST_F(RealWindow, ADragIsUndone) {
     ASSERT_TRUE(titleSaysAfterCtrl("y", "^scene.json[*] ")) << read("glint.log");
 }
 
+TEST_F(RealWindow, CtrlClickFocuses) {
+    openWindow();
+    if (HasFatalFailure()) { return; }
+    hand("windowfocus " + window_);
+    hand("keydown ctrl");
+    click("Image");
+    EXPECT_TRUE(titleSays("^scene.json[*] ")) << "the focal distance is the sphere's now";
+    hand("keyup ctrl");
+    EXPECT_TRUE(titleSaysAfterCtrl("z", "^scene.json ")) << read("glint.log");
+}
+
+TEST_F(RealWindow, BrowsingAsksTheDesktopsDialog) {
+    write("another scene.json", kWindowScene);
+    std::filesystem::create_directory("programs");
+    const std::string here = std::filesystem::current_path().string();
+    write("programs/zenity", "#!/bin/sh\necho \"$@\" > asked.txt\necho '" + here + "/another scene.json'\n");
+    std::filesystem::permissions("programs/zenity", std::filesystem::perms::owner_all);
+    const std::string path = std::getenv("PATH");
+    setenv("PATH", (here + "/programs:" + path).c_str(), 1);
+    openWindow();
+    if (!HasFatalFailure()) {
+        hand("windowfocus " + window_);
+        EXPECT_TRUE(titleSaysAfterCtrl("o", "^another scene.json ")) << read("glint.log");
+        EXPECT_THAT(read("asked.txt"), testing::HasSubstr("--filename=" + here));
+    }
+    setenv("PATH", path.c_str(), 1);
+}
+
 TEST_F(RealWindow, ClosingAsksBeforeEditsAreLost) {
 #if GLINT_TEST_HAS_XLIB
     openWindow();
