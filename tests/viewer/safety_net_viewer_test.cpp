@@ -73,6 +73,19 @@ TEST(SafetyNet, ACheckpointBringsItsSceneAlong) {
              "--passes 6"));
 }
 
+TEST(SafetyNet, ACheckpointIsOpenedLikeAScene) {
+    expectPlayed(
+        play("wait finished\nset \"Aperture\" 20\nwait finished\nopen \"Checkpoint\"\nwait frames 2\n"
+             "set \"Checkpoint file\" alone.glintfilm\nclick \"Checkpoint/Save\"\nwait jobs\n",
+             "--passes 9"));
+    write("script.txt", "wait jobs\nwait finished\nexpect \"Aperture\" 20\nexpect passes-at-least 9\n");
+    expectPlayed(run("view alone.glintfilm --headless --threads 1 --passes 3 --script script.txt"));
+    write("no.glintfilm", "something else");
+    const Ran ran = run("view no.glintfilm --headless --passes 3");
+    EXPECT_EQ(ran.exitCode, 1);
+    EXPECT_THAT(ran.output, HasSubstr("no.glintfilm: is not a Glint checkpoint"));
+}
+
 /// Plays in the background until `ready` is there, then kills it as a crash would.
 void playAndKill(const std::string& script, const std::string& ready) {
     write("scene.json", kScene);

@@ -10,6 +10,7 @@
 #include "engine/io/file_path.h"
 #include "engine/io/image_formats.h"
 #include "engine/io/scene_loader.h"
+#include "engine/render/checkpoint.h"
 #include "viewer/base/make_backend.h"
 #include "viewer/base/run_files.h"
 #include "viewer/commands/command_line.h"
@@ -112,7 +113,11 @@ int runCommand(const ViewCommandOptions& o) {
     auto backend = makeBackend(o.backend, o.threads);
     if (!backend) { return reportError(backend.error(), kExitBadInput); }
     std::optional<SceneDescription> scene;
-    if (!o.scene.empty()) {
+    if (hasExtension(o.scene, ".glintfilm")) {
+        const auto checkpoint = readCheckpointInfo(o.scene);
+        if (!checkpoint) { return reportError(checkpoint.error(), kExitBadInput); }
+        options->checkpoint = o.scene;
+    } else if (!o.scene.empty()) {
         auto loaded = loadScene(o.scene, o.load);
         if (!loaded) { return reportError(loaded.error(), kExitBadInput); }
         scene = std::move(*loaded);
@@ -160,7 +165,7 @@ void addViewCommand(const Command& program) {
     auto options = std::make_shared<ViewCommandOptions>();
     // The last one counts: `run` gives defaults before the user's own options.
     command.lastCounts();
-    command.option("SCENE", &options->scene, "Scene to open");
+    command.option("SCENE", &options->scene, "Scene to open, or a checkpoint to go on with");
     command.flag("--headless", &options->headless, "Draw the same window in memory, without a display");
     command.option("--size", &options->size, "Size of the window in pixels, as 1280x720");
     command.option("--scale", &options->scale, "Size of text and controls, 1 or 2; the screen's by default")

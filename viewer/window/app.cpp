@@ -125,6 +125,7 @@ Status App::open(std::optional<SceneDescription> scene) {
         workspace_.sceneFiles.recent.begin(folder + "/recent");
     }
     if (scene) { workspace_.adopt(std::move(*scene)); }
+    if (!options_.checkpoint.empty()) { workspace_.takeDroppedFile(options_.checkpoint); }
     return {};
 }
 

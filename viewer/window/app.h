@@ -21,6 +21,7 @@ struct ViewerOptions {
     std::string screenshot;  ///< headless: PNG of the whole window at the end
     std::string output;      ///< headless: the picture alone, .png, .exr or .hdr
     std::optional<std::vector<ScriptStatement>> script;
+    std::string checkpoint;  ///< to be resumed with its scene
     double recoverySeconds =
         0.0;                 ///< between two saves for a recovery after a crash; 0: none, nor is one offered
     std::string frameStats;  ///< JSON file of frame times, "-": standard output; draws every frame for them
