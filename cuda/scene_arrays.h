@@ -5,6 +5,7 @@
 #pragma once
 
 #include "engine/kernels/scene_view.h"
+#include "engine/kernels/texture.h"
 #include "engine/kernels/triangle_cluster.h"
 
 namespace glint {
@@ -25,10 +26,12 @@ void forEachArray(MeshView& mesh, Visit&& visit) {
 
 template <class Visit>
 void forEachArray(TextureView& texture, Visit&& visit) {
-    static_assert(sizeof(TextureView) == 56, "list a new array of TextureView below");
-    const size_t values = 3 * static_cast<size_t>(texture.width) * static_cast<size_t>(texture.height);
-    visit(texture.bytes, values);
-    visit(texture.floats, values);
+    static_assert(sizeof(TextureView) == 88, "list a new array of TextureView below");
+    const size_t texels = static_cast<size_t>(texture.width) * static_cast<size_t>(texture.height);
+    visit(texture.bytes, 3 * texels);
+    visit(texture.floats, 3 * texels);
+    visit(texture.alpha, texels);
+    visit(texture.mips, mipValues(texture.width, texture.height));
 }
 
 template <class Visit>

@@ -42,8 +42,12 @@ enum class ColorEncoding : uint8_t { Srgb, Linear };
 /// What a texture shows beyond its image: the image again, its edge, or the image turned over at each edge.
 enum class WrapMode : uint8_t { Repeat, Clamp, Mirror };
 
-/// What a texture shows between the centres of its texels: a mixture of four, or the nearest one.
-enum class TexelFilter : uint8_t { Bilinear, Nearest };
+/// What a texture shows between the centres of its texels: a mixture of four, the nearest one, or the mean
+/// over what a camera ray's pixel covers.
+enum class TexelFilter : uint8_t { Bilinear, Nearest, Mipmap };
+
+/// What of an image stands for a single number. Alpha is 1 where an image has none.
+enum class TextureChannel : uint8_t { Red, Green, Blue, Alpha, Luminance };
 
 /// The weight of a sample by its distance from the pixel's centre.
 enum class FilterKind : uint8_t { Box, Gaussian, BlackmanHarris };

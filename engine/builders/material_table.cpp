@@ -120,6 +120,37 @@ void setEmission(const Material& material, const TextureTable& textures, Materia
         (isTexture ? Vec3(1.0f) : glm::max(material.emission.value, Vec3(0.0f))) * material.emissionStrength;
 }
 
+bool hasMipmap(const TextureTable& textures, uint32_t texture) {
+    return texture != kNone && textures.textures[texture].mips != nullptr;
+}
+
+/// What perturbs normals, and what is not there.
+void setRelief(const Material& material, const TextureTable& textures, MaterialData* data) {
+    data->heightTexture = material.bumpHeight != 0.0f ? textures.packed(material.bump.texture) : kNone;
+    data->bumpHeight = material.bumpHeight;
+    data->normalTexture = textures.packed(material.normalMap.texture);
+    data->normalCode = material.normalMap.value;
+    data->normalStrength = material.normalStrength;
+    data->opacity = clampf(material.opacity.value, 0.0f, 1.0f);
+    data->opacityTexture = textures.packed(material.opacity.texture);
+    const bool hasAlpha =
+        data->colorTexture != kNone && textures.textures[data->colorTexture].alpha != nullptr;
+    data->alphaTexture = material.alphaCutsOut && hasAlpha ? data->colorTexture : kNone;
+    if (data->heightTexture != kNone || data->normalTexture != kNone || data->normalCode != kNoTilt) {
+        data->flags |= kMaterialBump;
+    }
+    if (data->opacity < 1.0f || data->opacityTexture != kNone || data->alphaTexture != kNone) {
+        data->flags |= kMaterialCutOut;
+    }
+    bool isMipmapped = hasMipmap(textures, data->colorTexture);
+    forEachModelInput(
+        [&](const InputInfo&, const TextureSlot& slot) {
+            isMipmapped = isMipmapped || hasMipmap(textures, slot.index);
+        },
+        data->textures);
+    if (isMipmapped) { data->flags |= kMaterialMipmaps; }
+}
+
 /// What only one kind of material has. Error: it makes no sense.
 Status setOwn(const Material& material, MaterialData* data) {
     switch (material.kind) {
@@ -145,6 +176,7 @@ Result<MaterialData> makeMaterial(const Material& material, const TextureTable& 
     data.color = glm::clamp(material.color.value, Vec3(0.0f), Vec3(1.0f));
     data.colorTexture = textures.packed(material.color.texture);
     setInputs(material, textures, &data);
+    setRelief(material, textures, &data);
     if (material.emissive()) { setEmission(material, textures, &data); }
     if (const Status status = setOwn(material, &data); !status) { return status.error(); }
     settleConstants(&data);
@@ -153,7 +185,11 @@ Result<MaterialData> makeMaterial(const Material& material, const TextureTable& 
 
 bool sameMaterial(const MaterialData& a, const MaterialData& b) {
     bool same = a.color == b.color && a.colorTexture == b.colorTexture && a.emission == b.emission &&
-                a.emissionTexture == b.emissionTexture && a.kind == b.kind && a.flags == b.flags;
+                a.emissionTexture == b.emissionTexture && a.kind == b.kind && a.flags == b.flags &&
+                a.heightTexture == b.heightTexture && a.bumpHeight == b.bumpHeight &&
+                a.normalTexture == b.normalTexture && a.normalCode == b.normalCode &&
+                a.normalStrength == b.normalStrength && a.opacity == b.opacity &&
+                a.opacityTexture == b.opacityTexture && a.alphaTexture == b.alphaTexture;
     forEachModelInput([&](const InputInfo&, const auto& x, const auto& y, const TextureSlot& s,
                           const TextureSlot& t) { same = same && x == y && s.index == t.index; },
                       a.inputs, b.inputs, a.textures, b.textures);

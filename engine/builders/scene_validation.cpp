@@ -122,6 +122,13 @@ Status checkMaterial(const SceneDescription& scene, size_t index) {
         return fault(who,
                      fmt::format("the index of refraction is {}; expected more than 0", material.ior.value));
     }
+    if (!inRange(material.opacity.value, 0.0f, 1.0f)) {
+        return fault(who, fmt::format("the opacity is {}; expected 0 to 1", material.opacity.value));
+    }
+    if (!std::isfinite(material.bumpHeight) || !std::isfinite(material.normalStrength) ||
+        !isFinite(material.normalMap.value)) {
+        return fault(who, "bump height, normal map and its strength must be finite numbers");
+    }
     if (material.kind == MaterialKind::Conductor && !material.metal.empty() && !findMetal(material.metal)) {
         return fault(who, fmt::format("\"{}\" is not a known metal", material.metal));
     }

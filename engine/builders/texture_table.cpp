@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/builders/mip_levels.h"
 #include "engine/scene/scene_use.h"
 
 namespace glint {
@@ -25,17 +26,17 @@ Result<TextureView> makeView(const Texture& texture) {
                                  image.isRead() ? "has no pixels" : "is used, but has not been read"),
                      {}};
     }
-    for (const float number :
-         {texture.scale.x, texture.scale.y, texture.offset.x, texture.offset.y, texture.rotationDeg}) {
+    for (const float number : {texture.scale.x, texture.scale.y, texture.offset.x, texture.offset.y,
+                               texture.rotationDeg, texture.base, texture.gain, texture.exponent}) {
         if (!std::isfinite(number)) {
-            return Error{fmt::format("the scale, offset or rotation of texture '{}' is not a finite number",
-                                     texture.name),
-                         {}};
+            return Error{
+                fmt::format("a number that places or changes texture '{}' is not finite", texture.name), {}};
         }
     }
     TextureView view;
     view.bytes = image.bytes ? image.bytes->rgb.data() : nullptr;
     view.floats = image.bytes ? nullptr : image.floats->rgb.data();
+    view.alpha = image.bytes && !image.bytes->alpha.empty() ? image.bytes->alpha.data() : nullptr;
     view.width = image.bytes ? image.bytes->width : image.floats->width;
     view.height = image.bytes ? image.bytes->height : image.floats->height;
     view.scale = texture.scale;
@@ -47,13 +48,39 @@ Result<TextureView> makeView(const Texture& texture) {
     view.wrapU = texture.wrapU;
     view.wrapV = texture.wrapV;
     view.filter = texture.filter;
+    view.channel = texture.channel;
+    view.base = texture.base;
+    view.gain = texture.gain;
+    view.exponent = texture.exponent;
     view.encoding = image.bytes != nullptr ? texture.encoding : ColorEncoding::Linear;
     view.flipV = texture.flipV;
     return view;
 }
 
+bool samePixels(const TextureView& a, const TextureView& b) {
+    return a.bytes == b.bytes && a.floats == b.floats && a.width == b.width && a.height == b.height &&
+           a.encoding == b.encoding;
+}
+
+/// The mip map of the last texture of `table`, from one of the tables if it is there.
+void addMips(const TextureTable* previous, TextureTable* table) {
+    TextureView& view = table->textures.back();
+    std::shared_ptr<const std::vector<float>> mips;
+    if (view.filter == TexelFilter::Mipmap) {
+        for (const TextureTable* known : {static_cast<const TextureTable*>(table), previous}) {
+            for (size_t i = 0; known != nullptr && i < known->mips.size() && !mips; ++i) {
+                if (samePixels(known->textures[i], view)) { mips = known->mips[i]; }
+            }
+        }
+        if (!mips) { mips = std::make_shared<const std::vector<float>>(mipLevels(view)); }
+        view.mips = mips->empty() ? nullptr : mips->data();
+    }
+    table->mips.push_back(std::move(mips));
+}
+
 /// Unless it is listed already.
-Status addTexture(const SceneDescription& scene, const Material& user, int index, TextureTable* table) {
+Status addTexture(const SceneDescription& scene, const Material& user, int index,
+                  const TextureTable* previous, TextureTable* table) {
     const auto place = static_cast<size_t>(index);
     if (place >= scene.textures.size()) {
         return Error{fmt::format("material '{}' refers to texture {}; the scene has {}", user.name, index,
@@ -66,13 +93,15 @@ Status addTexture(const SceneDescription& scene, const Material& user, int index
     table->packedIndex[place] = static_cast<uint32_t>(table->textures.size());
     table->textures.push_back(*view);
     table->images.push_back(scene.textures[place].image);
+    addMips(previous, table);
     return {};
 }
 
 bool sameView(const TextureView& a, const TextureView& b) {
-    return a.bytes == b.bytes && a.floats == b.floats && a.width == b.width && a.height == b.height &&
-           a.scale == b.scale && a.turn == b.turn && a.offset == b.offset && a.encoding == b.encoding &&
-           a.flipV == b.flipV && a.wrapU == b.wrapU && a.wrapV == b.wrapV && a.filter == b.filter;
+    return samePixels(a, b) && a.alpha == b.alpha && a.scale == b.scale && a.turn == b.turn &&
+           a.offset == b.offset && a.flipV == b.flipV && a.wrapU == b.wrapU && a.wrapV == b.wrapV &&
+           a.filter == b.filter && a.channel == b.channel && a.base == b.base && a.gain == b.gain &&
+           a.exponent == b.exponent;
 }
 
 bool sameTable(const TextureTable& a, const TextureTable& b) {
@@ -82,14 +111,21 @@ bool sameTable(const TextureTable& a, const TextureTable& b) {
 
 }  // namespace
 
-size_t TextureTable::bytes() const { return imageBytes(images); }
+size_t TextureTable::bytes() const {
+    std::set<const void*> counted;
+    size_t sum = imageBytes(images);
+    for (const auto& levels : mips) {
+        if (levels && counted.insert(levels.get()).second) { sum += levels->size() * sizeof(float); }
+    }
+    return sum;
+}
 
 size_t imageBytes(const std::vector<SceneImage>& images) {
     std::set<const void*> counted;
     size_t sum = 0;
     for (const SceneImage& image : images) {
         if (image.bytes && counted.insert(image.bytes.get()).second) {
-            sum += image.bytes->rgb.size();
+            sum += image.bytes->rgb.size() + image.bytes->alpha.size();
         } else if (image.floats && counted.insert(image.floats.get()).second) {
             sum += image.floats->rgb.size() * sizeof(float);
         }
@@ -105,7 +141,9 @@ Result<std::shared_ptr<const TextureTable>> buildTextureTable(
     for (size_t i = 0; i < scene.materials.size(); ++i) {
         if (!used[i]) { continue; }
         for (const int texture : usedTextures(scene.materials[i])) {
-            if (const Status status = addTexture(scene, scene.materials[i], texture, table.get()); !status) {
+            if (const Status status =
+                    addTexture(scene, scene.materials[i], texture, previous.get(), table.get());
+                !status) {
                 return status.error();
             }
         }

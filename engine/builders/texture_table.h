@@ -18,6 +18,8 @@ struct TextureTable {
     /// for each texture of the description its index in `textures`, or kNone
     std::vector<uint32_t> packedIndex;
     std::vector<SceneImage> images;  ///< keep the pixels alive; same indices as `textures`
+    std::vector<std::shared_ptr<const std::vector<float>>>
+        mips;  ///< likewise; null where there is no mip map
 
     /// The kernels' index of the description's texture `index`; kNone for -1 and for what is not used.
     uint32_t packed(int index) const {
@@ -25,7 +27,7 @@ struct TextureTable {
         return isListed ? packedIndex[static_cast<size_t>(index)] : kNone;
     }
 
-    /// Memory of the pixels, an image that several textures share counted once.
+    /// Memory of the pixels, an image that several textures share counted once, and of mip maps.
     size_t bytes() const;
 };
 
@@ -33,7 +35,8 @@ struct TextureTable {
 size_t imageBytes(const std::vector<SceneImage>& images);
 
 /// `previous` (may be null) is returned itself where nothing changed. Error: a used material refers to a
-/// texture that does not exist, or a used texture has no pixels or a scale that is not finite.
+/// texture that does not exist, or a used texture has no pixels or a scale that is not finite. Mip maps are
+/// taken from `previous` where they are the same.
 Result<std::shared_ptr<const TextureTable>> buildTextureTable(
     const SceneDescription& scene, const std::shared_ptr<const TextureTable>& previous);
 

@@ -16,8 +16,8 @@
 
 namespace glint {
 
-template <class Generator>
-std::optional<AssetCache::StoredFile> AssetCache::storedFile(const AssetSource<Generator>& source) {
+template <class... Generators>
+std::optional<AssetCache::StoredFile> AssetCache::storedFile(const AssetSource<Generators...>& source) {
     if (const auto* file = std::get_if<FileSource>(&source)) { return *file; }
     if (const auto* file = std::get_if<EmbeddedFile>(&source)) { return *file; }
     return std::nullopt;
@@ -126,6 +126,9 @@ void AssetCache::countPixels(const SceneImage& image) {
 }
 
 Result<SceneImage> AssetCache::texture(const ImageSource& source) {
+    if (const auto* board = std::get_if<Checkerboard>(&source)) {
+        return SceneImage{source, nullptr, generateCheckerboard(*board)};
+    }
     const std::optional<StoredFile> file = storedFile(source);
     if (!file) {
         return Error{"the texture is the scene's own and cannot be read again", {.file = scenePath_}};

@@ -59,8 +59,8 @@ class AssetCache {
         bool hasMaterials = false;
     };
 
-    template <class Generator>
-    static std::optional<StoredFile> storedFile(const AssetSource<Generator>& source);
+    template <class... Generators>
+    static std::optional<StoredFile> storedFile(const AssetSource<Generators...>& source);
     /// One file that is written in two ways is one file.
     StoredFile keyOf(StoredFile file) const;
     /// What messages call the file.

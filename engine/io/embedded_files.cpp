@@ -29,8 +29,8 @@ class EmbeddedWriter {
     EmbeddedWriter(std::string scenePath, std::string pathsCountFrom)
         : scenePath_(std::move(scenePath)), pathsCountFrom_(std::move(pathsCountFrom)) {}
 
-    template <class Generator>
-    void write(AssetSource<Generator>* source) {
+    template <class... Generators>
+    void write(AssetSource<Generators...>* source) {
         const auto* embedded = std::get_if<EmbeddedFile>(source);
         if (embedded == nullptr || !status) { return; }
         std::string& path = written_[embedded->bytes.get()];

@@ -216,12 +216,8 @@ Status GltfMaterials::takeSurface(const tinygltf::Material& from, Material* out)
 }
 
 void GltfMaterials::remarkLeftOut(const tinygltf::Material& from) {
-    if (from.normalTexture.index >= 0) { file_.remark("normal maps are left out", from.name); }
     if (from.occlusionTexture.index >= 0) {
         file_.remark("occlusion maps are left out: light is occluded by itself", from.name);
-    }
-    if (from.alphaMode != "OPAQUE" && !from.alphaMode.empty()) {
-        file_.remark("transparency by alpha is left out: nothing is cut out", from.name);
     }
     for (const auto& [name, value] : from.extensions) {
         const bool isRead = name == "KHR_materials_ior" || name == "KHR_materials_pbrSpecularGlossiness" ||
@@ -252,6 +248,15 @@ Result<GltfMaterial> GltfMaterials::take(int index) {
     GltfMaterial taken{.index = static_cast<int>(scene_.materials.size()), .uvSet = color->uvSet};
     if (color->texture >= 0) { taken.vertexFactor = out.color.value; }
     if (Status surface = takeSurface(from, &out); !surface) { return surface.error(); }
+    const Result<Map> normal = takeTexture(from.normalTexture, ColorEncoding::Linear);
+    if (!normal) { return normal.error(); }
+    out.normalMap.texture = normal->texture;
+    out.normalStrength = static_cast<float>(from.normalTexture.scale);
+    out.alphaCutsOut = from.alphaMode == "MASK" || from.alphaMode == "BLEND";
+    if (out.alphaCutsOut) {
+        out.opacity = {number(pbr.baseColorFactor[3], 0.0, 1.0), out.color.texture < 0 ? color->texture : -1};
+    }
+    if (color->texture < 0 && normal->texture >= 0) { taken.uvSet = normal->uvSet; }
     const Result<Map> emission = takeTexture(from.emissiveTexture, ColorEncoding::Srgb);
     if (!emission) { return emission.error(); }
     const Vec3 factor = from.emissiveFactor.empty() ? Vec3(0.0f) : colorOf(from.emissiveFactor, 1e6);
@@ -266,7 +271,9 @@ Result<GltfMaterial> GltfMaterials::take(int index) {
             file_.remark("emission maps lose the colour of their factor", from.name);
         }
     }
-    if (color->texture >= 0 && emission->texture >= 0 && color->uvSet != emission->uvSet) {
+    const bool differs = (emission->texture >= 0 && color->uvSet != emission->uvSet) ||
+                         (normal->texture >= 0 && color->uvSet != normal->uvSet);
+    if (color->texture >= 0 && differs) {
         file_.remark("all maps of a material use the texture coordinates of its colour", from.name);
     }
     remarkLeftOut(from);

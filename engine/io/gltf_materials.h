@@ -33,6 +33,7 @@ class GltfMaterials {
     ///   - else plastic over the base colour, with the index of KHR_materials_ior (1.5).
     /// GGX alpha is the square of the roughness, on the average of its texture. Emission is the emissive
     /// factor times KHR_materials_emissive_strength, on both sides where the material is double-sided.
+    /// Normal maps are taken as they are; alpha cuts out unless the material is opaque.
     /// Everything else that a material has is left out with a remark. Error: an index or a buffer beyond what
     /// the file has.
     Result<GltfMaterial> take(int material);

@@ -44,7 +44,7 @@ void makePlastic(const tinyobj::material_t& values, Material* out) {
 /// Zeros are what exporters write that know the keys and not the material.
 bool usesPbr(const MtlEntry& entry, const tinyobj::material_t& values) {
     return (entry.has(MtlKey::Pm) && values.metallic > 0.0f) ||
-           (entry.has(MtlKey::Pr) && values.roughness > 0.0f);
+           (entry.has(MtlKey::Pr) && values.roughness > 0.0f) || entry.has(MtlKey::MapPr);
 }
 
 void makePbr(const MtlEntry& entry, const tinyobj::material_t& values, const Vec3& base, Material* out) {
@@ -86,6 +86,7 @@ Material toGlint(const MtlEntry& entry, const tinyobj::material_t& values, const
         entry.has(MtlKey::Kd) || entry.has(MtlKey::MapKd) ? unitColor(values.diffuse) : Vec3(0.5f);
     out.roughness.value = clampf(std::sqrt(2.0f / (std::max(values.shininess, 0.0f) + 2.0f)), 0.0f, 1.0f);
     const Vec3 diffuse = out.color.value;
+    if (!glass.isGlass && !entry.has(MtlKey::MapD)) { out.opacity.value = glass.opacity; }
     if (glass.isGlass) {
         makeDielectric(values, glass, &out);
     } else if (usesPbr(entry, values)) {
@@ -96,18 +97,40 @@ Material toGlint(const MtlEntry& entry, const tinyobj::material_t& values, const
     return out;
 }
 
+TextureChannel channelOf(char imfchan) {
+    switch (imfchan) {
+        case 'g':
+            return TextureChannel::Green;
+        case 'b':
+            return TextureChannel::Blue;
+        case 'l':
+            return TextureChannel::Luminance;
+        default:
+            return TextureChannel::Red;  // "m" is alpha, which counts before the channel where it is asked
+                                         // for
+    }
+}
+
 MtlMap mapOf(const std::string& file, const tinyobj::texture_option_t& options) {
-    return {file, {options.scale[0], options.scale[1]}};
+    MtlMap map{file, {}};
+    map.shown.scale = {options.scale[0], options.scale[1]};
+    map.shown.offset = {options.origin_offset[0], options.origin_offset[1]};
+    map.shown.base = options.brightness;
+    map.shown.gain = options.contrast;
+    if (options.clamp) { map.shown.wrapU = map.shown.wrapV = WrapMode::Clamp; }
+    return map;
+}
+
+MtlMap numberMapOf(const std::string& file, const tinyobj::texture_option_t& options) {
+    MtlMap map = mapOf(file, options);
+    map.shown.channel = channelOf(options.imfchan);
+    return map;
 }
 
 /// What of the material Glint does not draw.
-void remarkLeftOut(const MtlEntry& entry, const tinyobj::material_t& values, const MtlGlass& glass,
-                   const std::string& path, Remarks* remarks) {
+void remarkLeftOut(const MtlEntry& entry, const tinyobj::material_t& values, const std::string& path,
+                   Remarks* remarks) {
     const auto place = [&] { return fmt::format("{}:{}", path, entry.line); };
-    if (!glass.isGlass && glass.opacity < 1.0f) {
-        remarks->add("materials that are partly transparent (d above 0.5) are rendered opaque", place,
-                     entry.name);
-    }
     if (usesPbr(entry, values) && values.metallic > 0.0f && values.metallic < 1.0f) {
         remarks->add("partly metallic materials become metal from Pm 0.5 on, plastic below", place,
                      entry.name);
@@ -115,7 +138,6 @@ void remarkLeftOut(const MtlEntry& entry, const tinyobj::material_t& values, con
     if (values.sheen > 0.0f || values.clearcoat_thickness > 0.0f || values.anisotropy != 0.0f) {
         remarks->add("sheen, clear coat and anisotropy (Ps, Pc, aniso) are left out", place, entry.name);
     }
-    if (entry.has(MtlKey::MapD)) { remarks->add("map_d is left out: nothing is cut out", place, entry.name); }
 }
 
 }  // namespace
@@ -135,12 +157,21 @@ Result<MtlLibrary> loadMtl(const std::string& path) {
 MtlMaterial materialOf(const MtlEntry& entry, MtlLibrary* library) {
     const tinyobj::material_t values = entry.values();
     const MtlGlass glass = glassOf(entry, values, library->trIsOpacity);
-    remarkLeftOut(entry, values, glass, library->path, &library->file.remarks);
-    return {.material = toGlint(entry, values, glass),
-            .color = mapOf(values.diffuse_texname, values.diffuse_texopt),
-            .emission = mapOf(values.emissive_texname, values.emissive_texopt),
-            .glass = glass.isGlass ? glass.why : "",
-            .doubt = glass.isGlass ? "" : glass.why};
+    remarkLeftOut(entry, values, library->path, &library->file.remarks);
+    MtlMaterial mtl{.material = toGlint(entry, values, glass),
+                    .color = mapOf(values.diffuse_texname, values.diffuse_texopt),
+                    .emission = mapOf(values.emissive_texname, values.emissive_texopt),
+                    .roughness = numberMapOf(values.roughness_texname, values.roughness_texopt),
+                    .height = numberMapOf(values.bump_texname, values.bump_texopt),
+                    .bumpFactor = values.bump_texopt.bump_multiplier,
+                    .normal = mapOf(values.normal_texname, values.normal_texopt),
+                    .opacity = numberMapOf(values.alpha_texname, values.alpha_texopt),
+                    .glass = glass.isGlass ? glass.why : "",
+                    .doubt = glass.isGlass ? "" : glass.why};
+    mtl.roughness.shown.exponent = 2.0f;
+    mtl.material.normalStrength = values.normal_texopt.bump_multiplier;
+    if (mtl.opacity.file == mtl.color.file) { mtl.opacity.file.clear(); }
+    return mtl;
 }
 
 }  // namespace glint

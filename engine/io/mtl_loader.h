@@ -12,15 +12,20 @@ namespace glint {
 /// An image that is not read.
 struct MtlMap {
     std::string file;  ///< as written, relative to the MTL file; empty: none
-    Vec2 scale{1.0f};
+    Texture shown;     ///< how, without the image
 };
 
 struct MtlMaterial {
-    Material material;  ///< without textures
-    MtlMap color;       ///< map_Kd
-    MtlMap emission;    ///< map_Ke
-    std::string glass;  ///< why it is read as glass: "d 0.1"; empty: it is not
-    std::string doubt;  ///< what speaks for glass though it is read as opaque: "illum 4"; or empty
+    Material material;        ///< without textures
+    MtlMap color;             ///< map_Kd
+    MtlMap emission;          ///< map_Ke
+    MtlMap roughness;         ///< map_Pr
+    MtlMap height;            ///< map_Bump, bump
+    float bumpFactor = 1.0f;  ///< -bm: multiplies what a height is for the model (obj_materials.h)
+    MtlMap normal;            ///< norm
+    MtlMap opacity;           ///< map_d, where it is another image than map_Kd, whose alpha counts by itself
+    std::string glass;        ///< why it is read as glass: "d 0.1"; empty: it is not
+    std::string doubt;        ///< what speaks for glass though it is read as opaque: "illum 4"; or empty
 };
 
 struct MtlLibrary {
@@ -45,8 +50,9 @@ Result<MtlLibrary> loadMtl(const std::string& path);
 ///   - else diffuse of Kd, 0.5 grey when there is no Kd.
 /// Ns becomes the GGX alpha sqrt(2 / (Ns + 2)) (Walter et al. 2007, section 5.2, for Phong exponents).
 /// Ke becomes emission, on both sides until lamp_sides.h knows better. map_Kd replaces Kd, and map_Ke Ke but
-/// for its largest part, a factor where it is not 0; only their -s option counts. Ka and all other maps are
-/// left out, maps with a remark.
+/// for its largest part, a factor where it is not 0. map_Pr replaces Pr and is squared. map_d cuts out, as
+/// does d from 0.5 to 1. Of the options of maps, -s, -o, -mm, -clamp, -bm and -imfchan count. Ka and all
+/// other maps are left out, maps with a remark.
 MtlMaterial materialOf(const MtlEntry& entry, MtlLibrary* library);
 
 }  // namespace glint

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <tiny_obj_loader.h>
 
 #include "engine/io/text_cursor.h"
@@ -23,26 +24,30 @@ struct Key {
 };
 
 /// First those of MtlKey, in its order.
-constexpr Key kKeys[] = {{"Kd", Form::Color},        {"Ks", Form::Color},       {"Ke", Form::Color},
-                         {"Tf", Form::Color},        {"Ns", Form::Number},      {"Ni", Form::Number},
-                         {"d", Form::Number},        {"Tr", Form::Number},      {"illum", Form::Number},
-                         {"Pr", Form::Number},       {"Pm", Form::Number},      {"Ps", Form::Number},
-                         {"Pc", Form::Number},       {"Pcr", Form::Number},     {"aniso", Form::Number},
-                         {"anisor", Form::Number},   {"map_Kd", Form::Map},     {"map_Ke", Form::Map},
-                         {"map_d", Form::Map},       {"Kt", Form::Color},       {"map_Ka", Form::Silent},
-                         {"Ka", Form::Silent},       {"Km", Form::Silent},      {"sharpness", Form::Silent},
-                         {"map_aat", Form::Silent},  {"bump", Form::UnusedMap}, {"disp", Form::UnusedMap},
-                         {"decal", Form::UnusedMap}, {"refl", Form::UnusedMap}, {"norm", Form::UnusedMap}};
+constexpr Key kKeys[] = {{"Kd", Form::Color},         {"Ks", Form::Color},       {"Ke", Form::Color},
+                         {"Tf", Form::Color},         {"Ns", Form::Number},      {"Ni", Form::Number},
+                         {"d", Form::Number},         {"Tr", Form::Number},      {"illum", Form::Number},
+                         {"Pr", Form::Number},        {"Pm", Form::Number},      {"Ps", Form::Number},
+                         {"Pc", Form::Number},        {"Pcr", Form::Number},     {"aniso", Form::Number},
+                         {"anisor", Form::Number},    {"map_Kd", Form::Map},     {"map_Ke", Form::Map},
+                         {"map_d", Form::Map},        {"map_Bump", Form::Map},   {"bump", Form::Map},
+                         {"norm", Form::Map},         {"map_Pr", Form::Map},     {"Kt", Form::Color},
+                         {"map_Ka", Form::Silent},    {"Ka", Form::Silent},      {"Km", Form::Silent},
+                         {"sharpness", Form::Silent}, {"map_aat", Form::Silent}, {"disp", Form::UnusedMap},
+                         {"decal", Form::UnusedMap},  {"refl", Form::UnusedMap}};
 
-/// Options of maps and how many values each may have; words count as one.
+/// Options of maps, how many values each may have (0: a word), what a missing one is, and whether it counts.
 struct MapOption {
     std::string_view name;
     int numbers;
+    float missing = 0.0f;
+    bool counts = false;
 };
-constexpr MapOption kOptions[] = {{"-s", 3},      {"-o", 3},         {"-t", 3},      {"-mm", 2},
-                                  {"-bm", 1},     {"-boost", 1},     {"-texres", 1}, {"-blendu", 0},
-                                  {"-blendv", 0}, {"-clamp", 0},     {"-cc", 0},     {"-imfchan", 0},
-                                  {"-type", 0},   {"-colorspace", 0}};
+constexpr MapOption kOptions[] = {{"-s", 3, 1.0f, true},  {"-o", 3, 0.0f, true},    {"-t", 3},
+                                  {"-mm", 2, 1.0f, true}, {"-bm", 1, 1.0f, true},   {"-boost", 1},
+                                  {"-texres", 1},         {"-blendu", 0},           {"-blendv", 0},
+                                  {"-clamp", 0, 0, true}, {"-imfchan", 0, 0, true}, {"-cc", 0},
+                                  {"-type", 0},           {"-colorspace", 0}};
 
 bool sameWord(std::string_view a, std::string_view b) {
     const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c; };
@@ -89,7 +94,8 @@ class MtlReader {
             cursor_.remark(where, "what stands before the first newmtl is left out", word);
             cursor_.restOfLine();
         } else {
-            if (key->name != word) { cursor_.remark(where, "keywords in other case", word); }
+            const bool isUsual = key->name == word || word == "map_bump";
+            if (!isUsual) { cursor_.remark(where, "keywords in other case", word); }
             readValue(where, *key);
         }
     }
@@ -179,17 +185,15 @@ class MtlReader {
             }
             if (option->numbers == 0) {
                 const std::string_view value = cursor.word();
-                if (word == "-clamp" && value == "on") {
-                    cursor_.remark(where, "-clamp on: images repeat all the same");
-                }
+                if (option->counts) { out += fmt::format("{} {} ", option->name, value); }
                 continue;
             }
-            float values[3] = {1.0f, 1.0f, 1.0f};
+            float values[3] = {option->missing, option->missing, option->missing};
             if (cursor.readSomeFloats(option->numbers, values) == 0) {
                 cursor_.remark(where, "options of maps without a value are left out", word);
-            } else if (word == "-s") {
-                out += fmt::format("-s {} {} {} ", values[0], values[1], values[2]);
-            } else if (word == "-o" || word == "-t" || word == "-mm") {
+            } else if (option->counts) {
+                out += fmt::format("{} {} ", option->name, fmt::join(values, values + option->numbers, " "));
+            } else if (word == "-t") {
                 cursor_.remark(where, "options of maps that Glint does not know are left out", word);
             }
         }

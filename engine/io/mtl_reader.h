@@ -39,6 +39,10 @@ enum class MtlKey : uint32_t {
     MapKd,
     MapKe,
     MapD,
+    MapBump,
+    Bump,
+    Norm,
+    MapPr,
     Count
 };
 

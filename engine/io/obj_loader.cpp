@@ -36,6 +36,7 @@ Status readObjMaterials(const std::string& path, MeshFile* file) {
     for (MeshPart& part : file->parts) {
         part.material = resolver.indexOf(part);
     }
+    resolver.scaleBumps();
     resolver.finish();
     chooseLampSides(path, file);
     return {};

@@ -8,8 +8,10 @@
 #include <fmt/format.h>
 
 #include "engine/base/nearest_name.h"
+#include "engine/io/bump_scale.h"
 #include "engine/io/file_path.h"
 #include "engine/io/text_cursor.h"
+#include "engine/scene/kind_names.h"
 
 namespace glint {
 namespace {
@@ -118,6 +120,11 @@ Material MaterialResolver::take(const Found& found) {
     Material& material = mtl.material;
     material.color.texture = takeTexture(mtl.color, library.path, entry.line);
     material.emission.texture = takeTexture(mtl.emission, library.path, entry.line);
+    material.roughness.texture = takeTexture(mtl.roughness, library.path, entry.line);
+    material.bump.texture = takeTexture(mtl.height, library.path, entry.line);
+    material.bumpHeight = mtl.bumpFactor;
+    material.normalMap.texture = takeTexture(mtl.normal, library.path, entry.line);
+    material.opacity.texture = takeTexture(mtl.opacity, library.path, entry.line);
     const bool lacksColor = !mtl.color.file.empty() && material.color.texture < 0;
     if (lacksColor && isZero(material.color.value)) {
         material.color.value = Vec3(0.5f);
@@ -145,17 +152,33 @@ int MaterialResolver::takeTexture(const MtlMap& map, const std::string& library,
         return -1;
     }
     if (file->isGuess) { remarks_.add("images are taken for others of a like name", place, map.file); }
-    const auto [known, isNew] =
-        textures_.try_emplace(fmt::format("{}\n{} {}", file->path, map.scale.x, map.scale.y),
-                              static_cast<int>(file_.textures.size()));
+    const Texture& shown = map.shown;
+    const auto [known, isNew] = textures_.try_emplace(
+        fmt::format("{}\n{} {} {} {} {} {} {} {} {}", file->path, shown.scale.x, shown.scale.y,
+                    shown.offset.x, shown.offset.y, shown.base, shown.gain, shown.exponent,
+                    nameOf(shown.wrapU), nameOf(shown.channel)),
+        static_cast<int>(file_.textures.size()));
     if (isNew) {
-        Texture texture;
+        Texture texture = shown;
         texture.name = map.file;
         texture.image.source = FileSource{file->path};
-        texture.scale = map.scale;
         file_.textures.push_back(std::move(texture));
     }
     return known->second;
+}
+
+void MaterialResolver::scaleBumps() {
+    std::vector<ImageWidth> widths(file_.materials.size());
+    for (const MeshPart& part : file_.parts) {
+        const auto material = static_cast<size_t>(part.material);
+        if (file_.materials[material].bump.texture >= 0) { widths[material].add(*part.mesh); }
+    }
+    for (size_t i = 0; i < widths.size(); ++i) {
+        Material& material = file_.materials[i];
+        if (material.bump.texture < 0) { continue; }
+        material.bumpHeight *=
+            widths[i].bumpHeight(file_.textures[static_cast<size_t>(material.bump.texture)]);
+    }
 }
 
 void MaterialResolver::finish() {

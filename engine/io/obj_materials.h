@@ -22,6 +22,8 @@ class MaterialResolver {
     /// `lines` are what mtllib lines name. A missing or unreadable file is a warning.
     void readLibraries(const std::vector<std::string>& lines);
     int indexOf(const MeshPart& part);
+    /// Gives bumps their height in metres, once all parts have their materials.
+    void scaleBumps();
     void finish();
 
   private:
@@ -44,7 +46,7 @@ class MaterialResolver {
     std::map<std::string, Found, std::less<>> found_;
     std::map<std::string, std::string, std::less<>> looseNames_;  ///< in small letters, to names in found_
     std::map<std::string, int, std::less<>> taken_;
-    std::map<std::string, int, std::less<>> textures_;  ///< by path and scale
+    std::map<std::string, int, std::less<>> textures_;  ///< by path and how they are shown
     std::vector<std::string> glass_, opaque_;           ///< name and why, for the notes
 };
 

@@ -1,5 +1,6 @@
 // Glint JSON: textures and materials.
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -15,12 +16,30 @@ void SceneJsonReader::readTextures(const JsonValue& value) {
 }
 
 int SceneJsonReader::addTexture(const JsonValue& value, const std::string& name) {
-    const JsonFields fields = fieldsOf(value, "texture", fieldKeys<Texture>());
     Texture texture;
     texture.name = name;
-    readFields(fields, ~0u, &texture);
+    bool isGenerated = false;
+    if (value.is(JsonType::Object)) {
+        forEachMember(errors_, value,
+                      [&](const std::string& key, const JsonValue&) { isGenerated |= key == "generator"; });
+    }
+    const uint32_t kind = isGenerated ? FieldsOf<Texture>::kGenerated : FieldsOf<Texture>::kInFile;
+    std::vector<std::string_view> keys = fieldKeys<Texture>(kind);
+    if (isGenerated) {
+        keys = fieldKeys<Checkerboard>(~0u, std::move(keys));
+        keys.insert(keys.begin(), "generator");
+        texture.filter = TexelFilter::Nearest;
+    }
+    const JsonFields fields = fieldsOf(value, "texture", std::move(keys));
+    readFields(fields, kind, &texture);
+    if (isGenerated) {
+        Checkerboard board;
+        fields.word("generator", std::array<std::string_view, 1>{"checkerboard"});
+        readFields(fields, ~0u, &board);
+        texture.image.source = board;
+    }
     if (errors_.failed()) { return -1; }
-    texturePlaces_.push_back(fields.find("file"));
+    texturePlaces_.push_back(isGenerated ? value : fields.find("file"));
     scene_.textures.push_back(std::move(texture));
     return static_cast<int>(scene_.textures.size()) - 1;
 }

@@ -178,7 +178,10 @@ class SceneJsonWriter {
         writeFields(item);
     }
     void writeItem(const Texture& texture) {
-        if (pathOf(texture.image.source).empty()) {
+        if (const auto* board = std::get_if<Checkerboard>(&texture.image.source)) {
+            json_.field("generator", "checkerboard");
+            writeFields(*board);
+        } else if (pathOf(texture.image.source).empty()) {
             fail(fmt::format("the texture \"{}\" is not from a file, so it cannot be saved", texture.name));
         }
         writeFields(texture);

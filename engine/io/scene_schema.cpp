@@ -238,7 +238,16 @@ std::string sceneSchema() {
     schema.defineFields<RenderOptions>("render", "", ~0u, {{"sppm", R"("$ref": "#/definitions/sppm")"}});
     schema.defineFields<SppmOptions>(
         "sppm", "Stochastic progressive photon mapping, for the integrator \"sppm\".", ~0u);
-    schema.defineFields<Texture>("texture", "", ~0u);
+    schema.defineAny("texture", {"textureFile", "checkerboard"});
+    schema.defineFields<Texture>("textureFile", "", FieldsOf<Texture>::kInFile);
+    schema.defineFields<Texture>("checkerboard",
+                                 "Squares of two colours, two along each unit of u and v; the nearest texel "
+                                 "unless filter says otherwise.",
+                                 FieldsOf<Texture>::kGenerated,
+                                 {{"generator", R"("const": "checkerboard")"},
+                                  {"even", R"("$ref": "#/definitions/radiance")"},
+                                  {"odd", R"("$ref": "#/definitions/radiance")"}},
+                                 R"("generator")");
     schema.defineKinds<Material, MaterialKind>("anyMaterial");
     schema.defineAny("anyMesh", {"meshFile", "meshGenerator", "meshInline"});
     schema.defineFields<FileSource>("meshFile", "", ~0u);

@@ -2,9 +2,12 @@
 #include "engine/io/scene_text.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
+#include "engine/io/bump_scale.h"
 #include "engine/io/scene_text_reader.h"
 #include "engine/scene/object_box.h"
 
@@ -206,6 +209,7 @@ void SceneTextReader::finish() {
         scene_.materials.push_back(std::move(white));
     }
     readTextures();
+    scaleMeshBumps();
     const bool anyEmits =
         std::any_of(scene_.objects.begin(), scene_.objects.end(), [&](const Object& object) {
             return scene_.materials[static_cast<size_t>(object.material)].emissive();
@@ -217,6 +221,24 @@ void SceneTextReader::finish() {
     }
     const std::vector<std::string> lines = remarks_.lines();
     scene_.warnings.insert(scene_.warnings.end(), lines.begin(), lines.end());
+}
+
+void SceneTextReader::scaleMeshBumps() {
+    std::map<int, ImageWidth> widths;
+    for (const Object& object : scene_.objects) {
+        if (object.shape != ShapeKind::Mesh ||
+            scene_.materials[static_cast<size_t>(object.material)].bump.texture < 0) {
+            continue;
+        }
+        const Mesh& mesh = scene_.meshes[static_cast<size_t>(object.mesh)];
+        if (mesh.data) {
+            widths[object.material].add(*mesh.data, std::cbrt(std::fabs(object.objectToWorld.determinant())));
+        }
+    }
+    for (const auto& [index, width] : widths) {
+        Material& material = scene_.materials[static_cast<size_t>(index)];
+        material.bumpHeight = width.bumpHeight(scene_.textures[static_cast<size_t>(material.bump.texture)]);
+    }
 }
 
 void SceneTextReader::useLights() {

@@ -30,7 +30,6 @@ void SceneTextReader::readMaterial() {
     TextToken weightsAt = tokens_.peek();
     tokens_.expect("{", "Material");
     while (!tokens_.accept("}") && !tokens_.failed()) {
-        const TextToken at = tokens_.peek();
         if (tokens_.accept("color") || tokens_.accept("diffuseColor")) {
             material.color.value = glm::min(tokens_.color("color"), Vec3(1.0f));
         } else if (tokens_.accept("specularColor")) {
@@ -50,7 +49,9 @@ void SceneTextReader::readMaterial() {
             const TextToken pathAt = tokens_.peek();
             material.color.texture = addTexture(pathAt, tokens_.path("a texture"));
         } else if (tokens_.accept("bump")) {
-            remark(at, "bump maps are not drawn yet", tokens_.path("a bump map"));
+            const TextToken pathAt = tokens_.peek();
+            material.bump.texture = addTexture(pathAt, tokens_.path("a bump map"));
+            material.bumpHeight = 2.0f;  // The original's heights run from -1 to 1.
         } else {
             tokens_.failUnknown("Material", kFields);
         }

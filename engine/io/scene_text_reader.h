@@ -34,6 +34,8 @@ class SceneTextReader {
     void finish();
     /// The textures, once it is known which materials objects have.
     void readTextures();
+    /// Gives bumps of meshes, which the original ignored, heights in proportion to their images.
+    void scaleMeshBumps();
     /// Turns the Lights block's Phong lights into physical ones, when nothing else shines.
     void useLights();
     Vec3 sceneCenter() const;

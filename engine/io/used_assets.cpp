@@ -42,22 +42,6 @@ Status readImage(Result<SceneImage> read, SceneImage* image) {
     return {};
 }
 
-void warnOfTransparency(SceneDescription* scene) {
-    Remarks remarks;
-    for (const Material& material : scene->materials) {
-        const auto texture = static_cast<size_t>(material.color.texture);
-        if (material.color.texture < 0 || texture >= scene->textures.size()) { continue; }
-        const Texture& used = scene->textures[texture];
-        if (used.image.bytes && !used.image.bytes->alpha.empty()) {
-            remarks.add(
-                "images are transparent in places, where nothing is cut out", [&] { return scene->path; },
-                used.name);
-        }
-    }
-    const std::vector<std::string> lines = remarks.lines();
-    scene->warnings.insert(scene->warnings.end(), lines.begin(), lines.end());
-}
-
 }  // namespace
 
 std::vector<Asset> lackingAssets(const SceneDescription& scene) {
@@ -165,7 +149,6 @@ void readUsedAssets(AssetCache* assets, SceneDescription* scene,
     }
     assets->dropUnusedUvs(*scene);
     assets->report(scene);
-    warnOfTransparency(scene);
 }
 
 void remarkUnreadImage(const Asset& asset, const Error& error, SceneDescription* scene, Remarks* remarks) {

@@ -46,9 +46,9 @@ void goWithout(std::span<const Asset> assets, SceneDescription* scene);
 /// colour, and this gives a black one a grey, so that what goes without is seen.
 void remarkUnreadImage(const Asset& asset, const Error& error, SceneDescription* scene, Remarks* remarks);
 
-/// Reads what the scene uses, warns of what its mesh files needed (AssetCache::report) and of transparency
-/// that nothing cuts out, and drops the texture coordinates that it does not. `goesOn` is asked about each
-/// asset that cannot be read: whether to go without it and on.
+/// Reads what the scene uses, warns of what its mesh files needed (AssetCache::report), and drops the texture
+/// coordinates that it does not. `goesOn` is asked about each asset that cannot be read: whether to go
+/// without it and on.
 void readUsedAssets(AssetCache* assets, SceneDescription* scene,
                     const std::function<bool(const Asset&, const Error&)>& goesOn);
 /// The same up to the first error.

@@ -5,6 +5,7 @@
 #include "engine/kernels/bsdf/bsdf.h"
 #include "engine/kernels/camera_path.h"
 #include "engine/kernels/intersect.h"
+#include "engine/kernels/ray_cone.h"
 #include "engine/kernels/surface.h"
 
 namespace glint {
@@ -18,7 +19,9 @@ GLINT_HD AovSample traceAovPixel(const SceneView& view, const PassParams& params
     AovSample result;
     Hit hit;
     if (!intersect<kMask>(view, ray, &hit)) { return result; }
-    const SurfacePoint surface = surfaceAt<kMask>(view, ray, hit);
+    RayCone cone = pixelCone(view.camera, params.height);
+    cone.travel(hit.t);
+    const SurfacePoint surface = surfaceAt<kMask>(view, ray, hit, cone.width);
     const Vec3 wo = -ray.direction;
     result.albedo = displayAlbedo(makeBsdf<kMask>(view, surface, wo));
     result.shadingNormal = surface.ns;

@@ -60,6 +60,9 @@ constexpr float kWallRayHeight = 1.0f / 32.0f;
 /// The disc around a visible point as rays see it.
 template <FeatureMask kMask>
 struct Disc {
+    /// What is half there holds photons for all of it.
+    static constexpr FeatureMask kWhole = kMask & ~kFeatureCutouts;
+
     const SceneView& view;
     const SppmParams& params;
     const GatherSurface& surface;
@@ -80,6 +83,12 @@ struct Disc {
                    0.0f;
     }
 
+    /// Whether nothing is there: a hole that is cut out.
+    GLINT_HD bool isHole(const SurfacePoint& found) const {
+        return hasFeature<kMask>(kFeatureCutouts) &&
+               !(opacityAt<kMask>(view, view.materials[found.material], found.uv) > 0.0f);
+    }
+
     GLINT_HD DiscClip findWalls(float uAngle, int rays) const {
         DiscClip clip;
         const Vec3 lift = kWallRayHeight * radius * frame.n;
@@ -88,9 +97,9 @@ struct Disc {
             const Vec3 direction = std::cos(angle) * frame.s + std::sin(angle) * frame.t;
             const Ray ray{centre + lift, direction, 0.0f, radius};
             Hit hit;
-            if (!intersect<kMask>(view, ray, &hit)) { continue; }
+            if (!intersect<kWhole>(view, ray, &hit)) { continue; }
             const SurfacePoint found = surfaceAt<kMask>(view, ray, hit);
-            if (goesOnAs(found)) { continue; }
+            if (isHole(found) || goesOnAs(found)) { continue; }
             clip.add(glm::dot(found.ng, direction) < 0.0f ? found.ng : -found.ng, lift + hit.t * direction);
         }
         return clip;
@@ -103,8 +112,9 @@ struct Disc {
         const float height = kGreatestHeight * radius;
         Ray ray{centre + fromCentre + height * frame.n, -frame.n, 0.0f, 2.0f * height};
         Hit hit;
-        for (int layer = 0; layer < kMostLayers && intersect<kMask>(view, ray, &hit); ++layer) {
-            if (goesOnAs(surfaceAt<kMask>(view, ray, hit))) { return true; }
+        for (int layer = 0; layer < kMostLayers && intersect<kWhole>(view, ray, &hit); ++layer) {
+            const SurfacePoint found = surfaceAt<kMask>(view, ray, hit);
+            if (!isHole(found) && goesOnAs(found)) { return true; }
             ray.tMin = hit.t;
         }
         return false;

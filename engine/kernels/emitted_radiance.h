@@ -1,10 +1,8 @@
 // Light that surfaces send out themselves.
 #pragma once
 
-#include "engine/kernels/scene_view.h"
-#include "engine/kernels/shapes/shapes.h"
+#include "engine/kernels/cutout.h"
 #include "engine/kernels/surface.h"
-#include "engine/kernels/texture.h"
 
 namespace glint {
 namespace detail {
@@ -37,13 +35,16 @@ GLINT_HD inline Vec3 emissionAt(const SceneView& view, const MaterialData& mater
            glm::max(sampleTexture<kMask>(view.textures[material.emissionTexture], uv), Vec3(0.0f));
 }
 
-/// Radiance of an area emitter at its point p, on a side that emits.
+/// Mean radiance of an area emitter at its point p, on a side that emits: nothing comes from where it is cut
+/// out, which rays that find it by themselves pass.
 template <FeatureMask kMask>
 GLINT_HD inline Vec3 emitterRadiance(const SceneView& view, const EmitterData& e, const Vec3& p) {
-    if (hasFeature<kMask>(kFeatureInputTextures) && view.textures.count > 0) {
-        const MaterialData& material = view.materials[view.geometry.instances[e.instance].material];
-        if (detail::emitsTexture<kMask>(view, material)) {
-            return emissionAt<kMask>(view, material, detail::emitterUv<kMask>(view.geometry, e, p));
+    if constexpr (hasFeature<kMask>(kFeatureInputTextures | kFeatureCutouts)) {
+        const InstanceData& instance = view.geometry.instances[e.instance];
+        if ((materialFlagsOf(view, instance) & (kMaterialInputTextures | kMaterialCutOut)) != 0) {
+            const MaterialData& material = view.materials[instance.material];
+            const Vec2 uv = detail::emitterUv<kMask>(view.geometry, e, p);
+            return emissionAt<kMask>(view, material, uv) * opacityAt<kMask>(view, material, uv);
         }
     }
     return e.radiance;

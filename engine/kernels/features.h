@@ -35,19 +35,27 @@ enum Feature : FeatureMask {
     kFeatureManyLights = 1u << 19,  ///< the light tree is used; otherwise a table of powers is enough
     kFeatureDepthOfField = 1u << 20,
     kFeatureIndependentSampler = 1u << 21,
-    kFeatureInputTextures = 1u << 22,   ///< textures on inputs of materials other than the colour
-    kFeaturePlacedTextures = 1u << 23,  ///< turned, moved, clamped or mirrored textures, nearest texels
-    kFeatureRevolved = 1u << 24,        ///< surface of revolution
-    kFeatureTangents = 1u << 25,        ///< surface points have dpdu and dpdv
+    kFeatureInputTextures = 1u << 22,  ///< textures on inputs of materials other than the colour
+    /// turned, moved, clamped or mirrored textures, nearest texels, changed values, other channels
+    kFeaturePlacedTextures = 1u << 23,
+    kFeatureRevolved = 1u << 24,  ///< surface of revolution
+    kFeatureBumps = 1u << 25,     ///< height and normal maps
+    kFeatureCutouts = 1u << 26,   ///< surfaces that are not there everywhere
+    kFeatureMipmaps = 1u << 27,   ///< textures that are filtered by a pixel's width
+    /// every surface point has dpdu and dpdv, not only those whose material needs them: for tests
+    kFeatureTangents = 1u << 31,
+    /// any of these makes shading normals differ from geometric ones
+    kFeatureShadingNormals = kFeatureMeshNormals | kFeatureBumps,
 };
 
-/// All that a scene can ask for. Tangents cost time, and no scene asks for them.
-constexpr FeatureMask kAllFeatures = (1u << 25) - 1;
+/// All that a scene can ask for.
+constexpr FeatureMask kAllFeatures = (1u << 28) - 1;
 constexpr FeatureMask kMaterialFeatures = kFeatureDiffuse | kFeatureSpecular | kFeatureDielectric |
                                           kFeatureGlossy | kFeaturePlastic | kFeatureMixture;
 
+/// Whether the mask has the feature, or any of several.
 template <FeatureMask kMask>
-GLINT_HD constexpr bool hasFeature(Feature feature) {
+GLINT_HD constexpr bool hasFeature(FeatureMask feature) {
     return (kMask & feature) != 0;
 }
 

@@ -3,26 +3,9 @@
 // Shapes and cases that the feature mask does not name are left out at compile time.
 #pragma once
 
-#include "engine/kernels/scene_view.h"
-#include "engine/kernels/shapes/shapes.h"
+#include "engine/kernels/cutout.h"
 
 namespace glint {
-
-/// Whether the instance is a mesh; known beforehand where a mask has no other shapes, or no meshes.
-template <FeatureMask kMask>
-GLINT_HD inline bool isMesh(const InstanceData& instance) {
-    constexpr FeatureMask kOthers = kFeatureCurved | kFeaturePlane | kFeatureFlat | kFeatureRevolved;
-    if constexpr (!hasFeature<kMask>(kFeatureMesh)) { return false; }
-    if constexpr ((kMask & kOthers) == 0) { return true; }
-    return instance.shape == ShapeKind::Mesh;
-}
-
-/// The curves of the instance's profile; null where it is no surface of revolution.
-template <FeatureMask kMask>
-GLINT_HD inline const ProfileCurve* profileOf(const GeometryView& geometry, const InstanceData& instance) {
-    if constexpr (!hasFeature<kMask>(kFeatureRevolved)) { return nullptr; }
-    return instance.shape == ShapeKind::Revolved ? geometry.curves.data + instance.mesh : nullptr;
-}
 
 namespace detail {
 
@@ -96,17 +79,43 @@ GLINT_HD inline bool intersectScene(const SceneView& view, const Ray& worldRay, 
 
 }  // namespace detail
 
+namespace detail {
+
+/// The nearest hit of what is there, behind what the ray passes. One function for rays of both kinds, since
+/// each traversal takes much of a device's stack.
+template <FeatureMask kMask>
+GLINT_ONE_PIECE_APART GLINT_HD bool intersectCutouts(const SceneView& view, const Ray& ray, Hit* hit) {
+    Ray rest = ray;
+    while (intersectScene<kMask, false>(view, rest, hit)) {
+        if (!isCutOut(view, *hit) || !passesCutout<kMask>(view, ray, *hit)) { return true; }
+        // Where t was rounded to tMin, the same hit would be met for ever.
+        rest.tMin = hit->t > rest.tMin ? hit->t : nextFloat(rest.tMin, true);
+    }
+    return false;
+}
+
+}  // namespace detail
+
 /// The nearest hit with tMin < t < tMax. False, and *hit unspecified, when there is none.
 template <FeatureMask kMask>
 GLINT_HD bool intersect(const SceneView& view, const Ray& ray, Hit* hit) {
-    return detail::intersectScene<kMask, false>(view, ray, hit);
+    if constexpr (hasFeature<kMask>(kFeatureCutouts)) {
+        return detail::intersectCutouts<kMask>(view, ray, hit);
+    } else {
+        return detail::intersectScene<kMask, false>(view, ray, hit);
+    }
 }
 
 /// Whether anything lies at tMin < t < tMax.
 template <FeatureMask kMask>
 GLINT_HD bool occluded(const SceneView& view, const Ray& ray) {
     Hit hit;
-    return detail::intersectScene<kMask, true>(view, ray, &hit);
+    if (!detail::intersectScene<kMask, true>(view, ray, &hit)) { return false; }
+    if constexpr (hasFeature<kMask>(kFeatureCutouts)) {
+        // Any hit of what is whole will do; otherwise there may be others behind it.
+        return !isCutOut(view, hit) || detail::intersectCutouts<kMask>(view, ray, &hit);
+    }
+    return true;
 }
 
 }  // namespace glint

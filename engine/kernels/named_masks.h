@@ -22,8 +22,9 @@ constexpr FeatureMask kMaskSmoothShapes = kMaskDiffuseShapes | kSmoothMaterials 
 constexpr FeatureMask kMaskDiffuseMeshes = kMaskDiffuseShapes | kMeshes | kFeatureTransforms |
                                            kFeatureTextures | kFeatureManyLights | kFeatureDepthOfField;
 /// Everything with one sampler, but for what few scenes have: textures on inputs other than the colour,
-/// placed ones, and surfaces of revolution.
-constexpr FeatureMask kMaskOneSampler = kAllFeatures & ~(kFeatureIndependentSampler | kFeatureInputTextures |
-                                                         kFeaturePlacedTextures | kFeatureRevolved);
+/// placed and mip-mapped ones, surfaces of revolution, bumps and cut-outs.
+constexpr FeatureMask kMaskOneSampler =
+    kAllFeatures & ~(kFeatureIndependentSampler | kFeatureInputTextures | kFeaturePlacedTextures |
+                     kFeatureMipmaps | kFeatureRevolved | kFeatureBumps | kFeatureCutouts);
 
 }  // namespace glint

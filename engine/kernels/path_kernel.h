@@ -12,6 +12,7 @@
 #include "engine/kernels/intersect.h"
 #include "engine/kernels/light_sampling.h"
 #include "engine/kernels/path_log.h"
+#include "engine/kernels/ray_cone.h"
 #include "engine/kernels/surface.h"
 
 namespace glint {
@@ -21,6 +22,7 @@ struct PathState {
     Ray ray;
     Vec3 throughput{1.0f};
     Vec3 radiance{0.0f};
+    RayCone cone;  ///< looked at by masks with mip maps only
     LightContext context;
     float pdfBsdf = 0.0f;
     /// undoes refraction's squared index ratio for the roulette, which it says nothing about
@@ -199,6 +201,7 @@ GLINT_HD inline bool scatterBy(const PassParams& params, const Sampler& sampler,
     path->specularBounce = next.isSpecular;
     path->etaScale *= next.etaScale;
     path->ray = spawnRay(surface, next.wi);
+    if (hasFeature<kMask>(kFeatureMipmaps) && !next.isSpecular) { path->cone.scatter(next.pdfSolidAngle); }
     const bool goesOn = survivesRoulette<kMask>(params, sampler, path, log);
     ++path->depth;
     return goesOn;
@@ -242,6 +245,13 @@ GLINT_HD inline LightContext lightContextAt(const SurfacePoint& surface, const B
     return context;
 }
 
+/// The surface that the path has met.
+template <FeatureMask kMask>
+GLINT_HD inline SurfacePoint surfaceOf(const SceneView& view, const Hit& hit, PathState* path) {
+    if constexpr (hasFeature<kMask>(kFeatureMipmaps)) { path->cone.travel(hit.t); }
+    return surfaceAt<kMask>(view, path->ray, hit, path->cone.width);
+}
+
 /// Follows the path to its end and leaves what it gathered in path->radiance.
 template <FeatureMask kMask, class Log>
 GLINT_HD inline void followPath(const SceneView& view, const PassParams& params, const Sampler& sampler,
@@ -253,7 +263,7 @@ GLINT_HD inline void followPath(const SceneView& view, const PassParams& params,
             addEnvironment<kMask>(view, params, path, log);
             return;
         }
-        const SurfacePoint surface = surfaceAt<kMask>(view, path->ray, hit);
+        const SurfacePoint surface = surfaceOf<kMask>(view, hit, path);
         const Vec3 wo = -path->ray.direction;
         logVertex(*path, surface, log);
         addEmission<kMask>(view, params, surface, wo, path, log);
@@ -298,6 +308,7 @@ GLINT_HD PixelSample tracePathLogged(const SceneView& view, const PassParams& pa
                                      const Ray& cameraRay, Log* log) {
     PathState path;
     path.ray = cameraRay;
+    path.cone = pixelCone(view.camera, params.height);
     if constexpr (Log::kEnabled) {
         PathEvent event;
         event.kind = PathEventKind::Camera;

@@ -14,6 +14,9 @@ enum MaterialFlag : uint8_t {
     kMaterialEmitsBothSides = 1u << 1,
     kMaterialEmissive = 1u << 2,
     kMaterialInputTextures = 1u << 3,  ///< some input other than the colour is a texture; emission included
+    kMaterialBump = 1u << 4,           ///< a height or normal map perturbs the shading normal
+    kMaterialCutOut = 1u << 5,         ///< not there everywhere
+    kMaterialMipmaps = 1u << 6,        ///< some texture is filtered by a pixel's width
 };
 
 /// A GGX alpha below this is treated as perfectly smooth: its lobe is narrower than float directions
@@ -56,15 +59,26 @@ struct MaterialData {
     /// radiance, strength included; with a texture: the strength, which multiplies it
     Vec3 emission{0.0f};
     uint32_t emissionTexture = TextureSlot::kNone;  ///< none in masks without kFeatureInputTextures
+    uint32_t heightTexture = TextureSlot::kNone;    ///< kernels/bump.h, with kMaterialBump
+    float bumpHeight = 0.0f;                        ///< metres per unit of the height texture
+    uint32_t normalTexture = TextureSlot::kNone;
+    Vec3 normalCode{0.5f, 0.5f, 1.0f};  ///< what stands for the texture where there is none
+    float normalStrength = 1.0f;
+    float opacity = 1.0f;  ///< kernels/cutout.h, with kMaterialCutOut
+    uint32_t opacityTexture = TextureSlot::kNone;
+    uint32_t alphaTexture = TextureSlot::kNone;  ///< its alpha is a factor on the opacity
     MaterialKind kind = MaterialKind::Diffuse;
     uint8_t flags = 0;
 };
 
-/// 3 bytes (sRGB or linear) or 3 floats a texel; exactly one of the pointers is set. Row 0 is the image's
-/// top row.
+/// 3 bytes (sRGB or linear) or 3 floats a texel; exactly one of `bytes` and `floats` is set. Row 0 is the
+/// image's top row.
 struct TextureView {
     const uint8_t* bytes = nullptr;
     const float* floats = nullptr;
+    const uint8_t* alpha = nullptr;  ///< a byte a texel; null: 1 everywhere
+    /// TexelFilter::Mipmap: 3 linear floats a texel of each level but the whole image, the larger ones first
+    const float* mips = nullptr;
     int width = 0;
     int height = 0;
     Vec2 scale{1.0f};
@@ -74,6 +88,9 @@ struct TextureView {
     bool flipV = false;
     WrapMode wrapU = WrapMode::Repeat, wrapV = WrapMode::Repeat;
     TexelFilter filter = TexelFilter::Bilinear;
+    TextureChannel channel = TextureChannel::Red;
+    /// (base + gain x)^exponent is shown for what the image holds
+    float base = 0.0f, gain = 1.0f, exponent = 1.0f;
 };
 
 /// A pinhole or thin lens, ready for rays: see camera_ray.h.

@@ -44,7 +44,7 @@ GLINT_HD bool followToVisiblePoint(const SceneView& view, const SppmParams& para
             addEnvironment<kMask>(view, pass, path, &log);
             return rests;
         }
-        const SurfacePoint surface = surfaceAt<kMask>(view, path->ray, hit);
+        const SurfacePoint surface = surfaceOf<kMask>(view, hit, path);
         const Vec3 wo = -path->ray.direction;
         addEmission<kMask>(view, pass, surface, wo, path, &log);
         if (rests || path->depth >= pass.maxDepth) { return rests; }
@@ -79,6 +79,7 @@ GLINT_HD PixelSample traceVisiblePoint(const SceneView& view, const SppmParams& 
                                        const Sampler& sampler, const Ray& cameraRay, VisiblePoint* point) {
     PathState path;
     path.ray = cameraRay;
+    path.cone = pixelCone(view.camera, params.pass.height);
     *point = VisiblePoint{};
     if (!detail::followToVisiblePoint<kMask>(view, params, sampler, &path, point) ||
         !isFinite(point->throughput) || !isFinite(point->p)) {

@@ -37,6 +37,11 @@ GLINT_HD Photon makePhoton(const SceneView& view, const SppmParams& params, cons
     Photon photon;
     photon.p = surface.p;
     photon.flux = flux;
+    if constexpr (hasFeature<kMask>(kFeatureCutouts)) {
+        // Photons pass what is half there, and so do the camera's rays: the flux is that on what is there.
+        const MaterialData& material = view.materials[surface.material];
+        photon.flux *= 1.0f / maxf(opacityAt<kMask>(view, material, surface.uv), 1.0f / 64.0f);
+    }
     PhotonLayout{params.photonsKnowSurface}.pack(wo, surface.ng, static_cast<uint32_t>(depth),
                                                  surfaceNumber<kMask>(view, params, surface.instance),
                                                  &photon);

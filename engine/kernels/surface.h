@@ -8,7 +8,7 @@
 // Texture coordinates are each shape's own (shapes/); v runs upwards.
 #pragma once
 
-#include "engine/kernels/intersect.h"
+#include "engine/kernels/bump.h"
 #include "engine/kernels/scene_view.h"
 
 namespace glint {
@@ -20,10 +20,12 @@ struct SurfacePoint {
     /// unit geometric normal of the surface's FRONT side: outward for spheres, +z of flat shapes, the side a
     /// triangle is counter-clockwise from in object space (also under mirroring transforms)
     Vec3 ng;
-    Vec3 ns;    ///< unit shading normal on ng's side
-    Vec2 uv;    ///< set where the mask has textures
-    Vec3 dpdu;  ///< derivatives of p by uv; set where the mask has tangents
+    Vec3 ns;  ///< unit shading normal on ng's side
+    Vec2 uv;  ///< set where the mask has textures
+    /// derivatives of p by uv; set where the mask has kFeatureTangents or the material needs them
+    Vec3 dpdu;
     Vec3 dpdv;
+    float uvWidth;     ///< what a pixel covers of u and v; 0 where no texture asks for it
     Vec3 vertexColor;  ///< interpolated; 1 without colours
     uint32_t instance;
     uint32_t primitive;
@@ -81,13 +83,6 @@ GLINT_HD inline Vec3 vectorToWorld(const InstanceData& instance, const Vec3& v) 
     return isInWorldSpace<kMask>(instance) ? v : instance.objectToWorld.vector(v);
 }
 
-/// The next float up or down (|x| finite).
-GLINT_HD inline float nextFloat(float x, bool up) {
-    if (x == 0.0f) { return up ? 0x1p-149f : -0x1p-149f; }
-    const uint32_t bits = std::bit_cast<uint32_t>(x);
-    return std::bit_cast<float>((x > 0.0f) == up ? bits + 1 : bits - 1);
-}
-
 /// p moved along the normal `n`, to the side of `direction`, until it is surely beyond the error box
 /// around it.
 GLINT_HD inline Vec3 offsetPoint(const Vec3& p, const Vec3& pError, const Vec3& n, const Vec3& direction) {
@@ -102,44 +97,54 @@ GLINT_HD inline Vec3 offsetPoint(const Vec3& p, const Vec3& pError, const Vec3& 
 
 }  // namespace detail
 
-/// The surface at a hit of `ray`, which must be the ray that intersect() was asked about.
+namespace detail {
+
+/// Derivatives by uv where they are asked for, and what follows from them: what perturbs the shading normal
+/// comes last, here, for all integrators alike.
 template <FeatureMask kMask>
-GLINT_HD SurfacePoint surfaceAt(const SceneView& view, const Ray& ray, const Hit& hit) {
+GLINT_HD inline void addTangents(const SceneView& view, const Ray& ray, const Hit& hit, const Vec3& pObject,
+                                 float pixelWidth, SurfacePoint* point) {
+    const InstanceData& instance = view.geometry.instances[hit.instance];
+    const uint8_t flags = materialFlagsOf(view, instance);
+    if (!hasFeature<kMask>(kFeatureTangents) && (flags & (kMaterialBump | kMaterialMipmaps)) == 0) { return; }
+    const Tangents object = objectTangentsAt<kMask>(view, hit, pObject);
+    const Tangents world{vectorToWorld<kMask>(instance, object.dpdu),
+                         vectorToWorld<kMask>(instance, object.dpdv)};
+    point->dpdu = world.dpdu;
+    point->dpdv = world.dpdv;
+    if (hasFeature<kMask>(kFeatureMipmaps) && pixelWidth > 0.0f) {
+        const float cosine = absDot(point->ng, ray.direction);
+        const float area = glm::length(glm::cross(world.dpdu, world.dpdv)) * cosine;
+        point->uvWidth = area > 0.0f ? minf(pixelWidth / std::sqrt(area), 1e6f) : 0.0f;
+    }
+    if (hasFeature<kMask>(kFeatureBumps) && (flags & kMaterialBump) != 0) {
+        point->ns = perturbedNormal<kMask>(view, view.materials[instance.material], point->uv, world,
+                                           point->ng, point->ns);
+    }
+}
+
+}  // namespace detail
+
+/// The surface at a hit of `ray`, which must be the ray that intersect() was asked about. pixelWidth: world
+/// units that a pixel is wide there (ray_cone.h), for mip maps; 0 to do without.
+template <FeatureMask kMask>
+GLINT_HD SurfacePoint surfaceAt(const SceneView& view, const Ray& ray, const Hit& hit,
+                                float pixelWidth = 0.0f) {
     const InstanceData& instance = view.geometry.instances[hit.instance];
     SurfacePoint point;
     point.vertexColor = Vec3(1.0f);
+    point.uvWidth = 0.0f;
     point.instance = hit.instance;
     point.primitive = hit.primitive;
     point.material = instance.material;
 
-    ObjectPoint local;
-    [[maybe_unused]] Tangents tangents;
-    if (isMesh<kMask>(instance)) {
-        const MeshView& mesh = view.geometry.meshes[instance.mesh];
-        local = MeshShape::surface<kMask>(mesh, hit, instance, ray, &point.vertexColor);
-        if constexpr (hasFeature<kMask>(kFeatureTangents)) {
-            tangents = MeshShape::tangents(mesh, hit.primitive);
-        }
-    } else if (const ProfileCurve* curves = profileOf<kMask>(view.geometry, instance)) {
-        local = RevolvedShape::surface<kMask>(curves, hit, toObjectSpace(instance, ray).at(hit.t));
-        if constexpr (hasFeature<kMask>(kFeatureTangents)) {
-            tangents = RevolvedShape::tangents(curves, hit, local.p);
-        }
-    } else {
-        const Vec3 pRough = toObjectSpace(instance, ray).at(hit.t);
-        visitShape<void, kAnalyticOnly<kMask>>(instance.shape, [&](auto shape) {
-            local = decltype(shape)::template surface<kMask>(pRough);
-            if constexpr (hasFeature<kMask>(kFeatureTangents)) { tangents = shape.tangents(local.p); }
-        });
-    }
+    const ObjectPoint local = objectPointAt<kMask>(view, ray, hit, &point.vertexColor);
     detail::transformToWorld<kMask>(instance, local, &point);
     detail::normalsToWorld<kMask>(instance, local, ray, &point);
     point.uv = local.uv;
-    if constexpr (hasFeature<kMask>(kFeatureTangents)) {
-        point.dpdu = detail::vectorToWorld<kMask>(instance, tangents.dpdu);
-        point.dpdv = detail::vectorToWorld<kMask>(instance, tangents.dpdv);
+    if constexpr (hasFeature<kMask>(kFeatureTangents | kFeatureBumps | kFeatureMipmaps)) {
+        detail::addTangents<kMask>(view, ray, hit, local.p, pixelWidth, &point);
     }
-    // Here the point is complete: what perturbs its shading normal comes last, for all integrators alike.
     return point;
 }
 

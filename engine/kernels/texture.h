@@ -1,12 +1,30 @@
-// Image textures as colours. Host and device. Called when a BSDF is made.
+// Image textures as colours and numbers. Host and device. Called when a BSDF is made, for bumps and cut-outs.
 //
-// Left out: mip maps and other prefiltering (many samples a pixel average a texture, too).
+// Mip maps are isotropic (Williams 1983, "Pyramidal Parametrics"), with linear values and each level the
+// exact mean of the one before, whatever its size. Left out: anisotropic filters, since many samples a pixel
+// average a texture, too; mip maps of alpha.
 #pragma once
 
 #include "engine/kernels/features.h"
 #include "engine/kernels/shading_view.h"
+#include "engine/math/color.h"
 
 namespace glint {
+
+/// Half the texels each way, rounded down: the next level of a mip map.
+GLINT_HD inline int nextMipSize(int size) { return size > 1 ? size / 2 : 1; }
+
+/// Floats in TextureView::mips of an image of this size.
+GLINT_HD inline size_t mipValues(int width, int height) {
+    size_t values = 0;
+    while (width > 1 || height > 1) {
+        width = nextMipSize(width);
+        height = nextMipSize(height);
+        values += 3 * static_cast<size_t>(width) * static_cast<size_t>(height);
+    }
+    return values;
+}
+
 namespace detail {
 
 /// (x + 0.055)/1.055 to the power 2.4 without a library, so that the table below is made by the compiler: by
@@ -92,9 +110,9 @@ GLINT_HD inline TexelPair texelPair(float coordinate, int size, WrapMode wrap, T
     return pair;
 }
 
-/// The texels around uv; v runs upwards from the image's bottom row, unless flipV is set.
+/// Where uv lie in the image but for its wrapping, which wants v of repeated images to run downwards.
 template <FeatureMask kMask>
-GLINT_HD void findTexels(const TextureView& texture, Vec2 uv, TexelPair* x, TexelPair* y) {
+GLINT_HD Vec2 placedUv(const TextureView& texture, Vec2 uv) {
     Vec2 place(uv.x * texture.scale.x, uv.y * texture.scale.y);
     if constexpr (hasFeature<kMask>(kFeaturePlacedTextures)) {
         const Vec2 turn = texture.turn;
@@ -102,6 +120,15 @@ GLINT_HD void findTexels(const TextureView& texture, Vec2 uv, TexelPair* x, Texe
             place = {turn.x * place.x - turn.y * place.y, turn.y * place.x + turn.x * place.y};
         }
         place += texture.offset;
+    }
+    return place;
+}
+
+/// The texels around uv; v runs upwards from the image's bottom row, unless flipV is set.
+template <FeatureMask kMask>
+GLINT_HD void findTexels(const TextureView& texture, Vec2 uv, TexelPair* x, TexelPair* y) {
+    const Vec2 place = placedUv<kMask>(texture, uv);
+    if constexpr (hasFeature<kMask>(kFeaturePlacedTextures)) {
         const float down = texture.wrapV == WrapMode::Repeat ? -place.y : 1.0f - place.y;
         *x = texelPair(place.x, texture.width, texture.wrapU, texture.filter);
         *y = texelPair(texture.flipV ? place.y : down, texture.height, texture.wrapV, texture.filter);
@@ -111,25 +138,117 @@ GLINT_HD void findTexels(const TextureView& texture, Vec2 uv, TexelPair* x, Texe
     }
 }
 
-}  // namespace detail
-
-/// The linear colour at uv.
-template <FeatureMask kMask = kAllFeatures>
-GLINT_HD Vec3 sampleTexture(const TextureView& texture, Vec2 uv) {
-    detail::TexelPair x, y;
-    detail::findTexels<kMask>(texture, uv, &x, &y);
-    const Vec3 top = glm::mix(detail::texel(texture, x.first, y.first),
-                              detail::texel(texture, x.second, y.first), x.weight);
-    const Vec3 bottom = glm::mix(detail::texel(texture, x.first, y.second),
-                                 detail::texel(texture, x.second, y.second), x.weight);
+template <FeatureMask kMask>
+GLINT_HD Vec3 mixTexels(const TextureView& texture, Vec2 uv) {
+    TexelPair x, y;
+    findTexels<kMask>(texture, uv, &x, &y);
+    const Vec3 top = glm::mix(texel(texture, x.first, y.first), texel(texture, x.second, y.first), x.weight);
+    const Vec3 bottom =
+        glm::mix(texel(texture, x.first, y.second), texel(texture, x.second, y.second), x.weight);
     return glm::mix(top, bottom, y.weight);
 }
 
-/// Numbers at uv that are no colours: bytes count as linear, whatever the encoding.
+/// The texture with a level of its mip map for its image; 0 is the image itself.
+GLINT_HD inline TextureView mipLevel(const TextureView& texture, int level) {
+    TextureView view = texture;
+    for (int i = 0; i < level; ++i) {
+        view.bytes = nullptr;
+        view.floats =
+            i == 0 ? texture.mips
+                   : view.floats + 3 * static_cast<size_t>(view.width) * static_cast<size_t>(view.height);
+        view.width = nextMipSize(view.width);
+        view.height = nextMipSize(view.height);
+    }
+    return view;
+}
+
+/// The mean over about `uvWidth` of u and v.
+template <FeatureMask kMask>
+GLINT_HD Vec3 sampleMipmap(const TextureView& texture, Vec2 uv, float uvWidth) {
+    const float texels = std::fabs(texture.scale.x * texture.scale.y) * static_cast<float>(texture.width) *
+                         static_cast<float>(texture.height);
+    const float coarsest =
+        std::log2(static_cast<float>(texture.width > texture.height ? texture.width : texture.height));
+    const float level = minf(std::log2(uvWidth * std::sqrt(texels)), std::floor(coarsest));
+    if (!(level > 0.0f)) { return mixTexels<kMask>(texture, uv); }
+    const float below = std::floor(level);
+    const TextureView fine = mipLevel(texture, static_cast<int>(below));
+    const Vec3 finer = mixTexels<kMask>(fine, uv);
+    if (level == below) { return finer; }
+    return glm::mix(finer, mixTexels<kMask>(mipLevel(texture, static_cast<int>(below) + 1), uv),
+                    level - below);
+}
+
+/// What the texture shows for what its image holds.
+template <FeatureMask kMask, class Value>
+GLINT_HD Value adjusted(const TextureView& texture, Value value) {
+    if constexpr (hasFeature<kMask>(kFeaturePlacedTextures)) {
+        if (texture.base != 0.0f || texture.gain != 1.0f) { value = texture.base + texture.gain * value; }
+        if (texture.exponent != 1.0f) {
+            value = glm::pow(glm::max(value, Value(0.0f)), Value(texture.exponent));
+        }
+    }
+    return value;
+}
+
+}  // namespace detail
+
+/// The linear colour at uv. uvWidth: what a pixel covers of u and v, for textures with a mip map.
 template <FeatureMask kMask = kAllFeatures>
-GLINT_HD Vec3 sampleNumbers(TextureView texture, Vec2 uv) {
+GLINT_HD Vec3 sampleTexture(const TextureView& texture, Vec2 uv, float uvWidth = 0.0f) {
+    if constexpr (hasFeature<kMask>(kFeatureMipmaps)) {
+        if (texture.mips != nullptr && uvWidth > 0.0f) {
+            return detail::adjusted<kMask>(texture, detail::sampleMipmap<kMask>(texture, uv, uvWidth));
+        }
+    }
+    return detail::adjusted<kMask>(texture, detail::mixTexels<kMask>(texture, uv));
+}
+
+/// Numbers at uv that are no colours: bytes count as linear, whatever the encoding. Mip maps of bytes that
+/// are sRGB for others do not hold them.
+template <FeatureMask kMask = kAllFeatures>
+GLINT_HD Vec3 sampleNumbers(TextureView texture, Vec2 uv, float uvWidth = 0.0f) {
+    if (texture.encoding != ColorEncoding::Linear) { texture.mips = nullptr; }
     texture.encoding = ColorEncoding::Linear;
-    return sampleTexture<kMask>(texture, uv);
+    return sampleTexture<kMask>(texture, uv, uvWidth);
+}
+
+/// The image's alpha at uv, as it is.
+template <FeatureMask kMask = kAllFeatures>
+GLINT_HD float sampleAlpha(const TextureView& texture, Vec2 uv) {
+    if (texture.alpha == nullptr) { return 1.0f; }
+    detail::TexelPair x, y;
+    detail::findTexels<kMask>(texture, uv, &x, &y);
+    const auto at = [&](int column, int row) {
+        return static_cast<float>(
+                   texture.alpha[static_cast<size_t>(row) * static_cast<size_t>(texture.width) +
+                                 static_cast<size_t>(column)]) *
+               (1.0f / 255.0f);
+    };
+    return glm::mix(glm::mix(at(x.first, y.first), at(x.second, y.first), x.weight),
+                    glm::mix(at(x.first, y.second), at(x.second, y.second), x.weight), y.weight);
+}
+
+/// The single number that the texture shows at uv: its channel.
+template <FeatureMask kMask = kAllFeatures>
+GLINT_HD float sampleNumber(const TextureView& texture, Vec2 uv, float uvWidth = 0.0f) {
+    if constexpr (hasFeature<kMask>(kFeaturePlacedTextures)) {
+        if (texture.channel == TextureChannel::Alpha) {
+            return detail::adjusted<kMask>(texture, sampleAlpha<kMask>(texture, uv));
+        }
+        const Vec3 numbers = sampleNumbers<kMask>(texture, uv, uvWidth);
+        switch (texture.channel) {
+            case TextureChannel::Green:
+                return numbers.y;
+            case TextureChannel::Blue:
+                return numbers.z;
+            case TextureChannel::Luminance:
+                return luminance(numbers);
+            default:
+                return numbers.x;
+        }
+    }
+    return sampleNumbers<kMask>(texture, uv, uvWidth).x;
 }
 
 }  // namespace glint

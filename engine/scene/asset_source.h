@@ -27,12 +27,12 @@ struct EmbeddedFile {
 
 /// The first alternative stands for data that is the scene's own: triangles written in the scene file, pixels
 /// made in code. It cannot be read again.
-template <class Generator>
-using AssetSource = std::variant<std::monostate, FileSource, EmbeddedFile, Generator>;
+template <class... Generators>
+using AssetSource = std::variant<std::monostate, FileSource, EmbeddedFile, Generators...>;
 
 /// The path of a file as written in the scene; empty for all other sources.
-template <class Generator>
-std::string pathOf(const AssetSource<Generator>& source) {
+template <class... Generators>
+std::string pathOf(const AssetSource<Generators...>& source) {
     const auto* file = std::get_if<FileSource>(&source);
     return file != nullptr ? file->path : std::string();
 }

@@ -35,6 +35,7 @@ struct FieldTraits {
     uint32_t kinds = ~0u;               ///< the kinds of the owner that have the key, see only()
     bool required = false;              ///< a file must give it
     bool onlyOwnKinds = false;          ///< fingerprints of other kinds leave it out
+    bool onlyIfSet = false;             ///< fingerprints leave it out where it is as in a new object
     /// The key names, for other kinds, a member that is in the list already.
     bool alias = false;
     /// Files hold it in a form that has code of its own.

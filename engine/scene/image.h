@@ -9,6 +9,7 @@
 
 #include "engine/base/kinds.h"
 #include "engine/scene/asset_source.h"
+#include "engine/scene/checkerboard.h"
 #include "engine/scene/generated_sky.h"
 
 namespace glint {
@@ -29,7 +30,7 @@ struct ImageF {
     std::vector<float> rgb;
 };
 
-using ImageSource = AssetSource<SkySource>;
+using ImageSource = AssetSource<SkySource, Checkerboard>;
 
 /// An image together with where it comes from. At most one of the two is set; neither while the image has not
 /// been read because nothing uses it (engine/io/used_assets.h).
@@ -39,6 +40,9 @@ struct SceneImage {
     std::shared_ptr<const ImageF> floats = {};
 
     bool isRead() const { return bytes != nullptr || floats != nullptr; }
+    bool isGenerated() const {
+        return std::holds_alternative<SkySource>(source) || std::holds_alternative<Checkerboard>(source);
+    }
 };
 
 }  // namespace glint

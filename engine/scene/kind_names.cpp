@@ -59,7 +59,18 @@ std::span<const KindName<WrapMode>> kindNames<WrapMode>() {
 template <>
 std::span<const KindName<TexelFilter>> kindNames<TexelFilter>() {
     static constexpr KindName<TexelFilter> kNames[] = {{"bilinear", TexelFilter::Bilinear},
-                                                       {"nearest", TexelFilter::Nearest}};
+                                                       {"nearest", TexelFilter::Nearest},
+                                                       {"mipmap", TexelFilter::Mipmap}};
+    return kNames;
+}
+
+template <>
+std::span<const KindName<TextureChannel>> kindNames<TextureChannel>() {
+    static constexpr KindName<TextureChannel> kNames[] = {{"red", TextureChannel::Red},
+                                                          {"green", TextureChannel::Green},
+                                                          {"blue", TextureChannel::Blue},
+                                                          {"alpha", TextureChannel::Alpha},
+                                                          {"luminance", TextureChannel::Luminance}};
     return kNames;
 }
 

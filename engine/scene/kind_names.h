@@ -38,6 +38,8 @@ std::span<const KindName<WrapMode>> kindNames<WrapMode>();
 template <>
 std::span<const KindName<TexelFilter>> kindNames<TexelFilter>();
 template <>
+std::span<const KindName<TextureChannel>> kindNames<TextureChannel>();
+template <>
 std::span<const KindName<IntegratorKind>> kindNames<IntegratorKind>();
 template <>
 std::span<const KindName<FilterKind>> kindNames<FilterKind>();

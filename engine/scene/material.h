@@ -29,6 +29,9 @@ struct NumberInput {
     bool operator==(const NumberInput&) const = default;
 };
 
+/// The coded normal of a surface as it is.
+constexpr Vec3 kNoTilt{0.5f, 0.5f, 1.0f};
+
 struct Material {
     std::string name;
     MaterialKind kind = MaterialKind::Diffuse;
@@ -47,6 +50,15 @@ struct Material {
     bool thin = false;  ///< dielectric only
     /// diffuse, mirror, refractive; not negative, not all zero
     ColorInput mixtureWeights{Vec3(1.0f, 0.0f, 0.0f)};
+
+    NumberInput bump;          ///< height map: a texture; a constant height changes nothing
+    float bumpHeight = 0.01f;  ///< metres that a height of 1 stands for; negative: valleys
+    /// tangent-space normal, coded: x to the image's right, y to its top, z outwards, 0.5 stands for 0
+    ColorInput normalMap{kNoTilt};
+    float normalStrength = 1.0f;  ///< multiplies x and y of the normal map
+
+    NumberInput opacity{1.0f};  ///< share of the surface that is there, [0, 1]: rays pass the rest
+    bool alphaCutsOut = true;   ///< the alpha of the colour's image is a factor on the opacity
 
     ColorInput emission{Vec3(0.0f)};  ///< radiance factor, W/(sr m^2) per channel
     float emissionStrength = 1.0f;    ///< multiplies `emission`

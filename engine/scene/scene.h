@@ -32,7 +32,7 @@ struct Object {
     bool frontOnly = false;     ///< rays meet it only from the side the geometric normal points to
 };
 
-/// An image used as a colour.
+/// An image used as a colour or a number.
 struct Texture {
     std::string name;
     SceneImage image;
@@ -43,11 +43,14 @@ struct Texture {
     Vec2 offset{0.0f};         ///< then moved
     WrapMode wrapU = WrapMode::Repeat, wrapV = WrapMode::Repeat;  ///< beyond [0, 1]
     TexelFilter filter = TexelFilter::Bilinear;
+    TextureChannel channel = TextureChannel::Red;     ///< where a single number is asked for
+    float base = 0.0f, gain = 1.0f, exponent = 1.0f;  ///< (base + gain x)^exponent is shown for x
 
-    /// Whether it needs more than a scale, repetition and bilinear filtering.
+    /// Whether it needs more than a scale, repetition, and mixtures of the texels' own values.
     bool isPlaced() const {
         return rotationDeg != 0.0f || offset != Vec2(0.0f) || wrapU != WrapMode::Repeat ||
-               wrapV != WrapMode::Repeat || filter != TexelFilter::Bilinear;
+               wrapV != WrapMode::Repeat || filter == TexelFilter::Nearest ||
+               channel != TextureChannel::Red || base != 0.0f || gain != 1.0f || exponent != 1.0f;
     }
 };
 

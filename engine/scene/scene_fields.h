@@ -19,6 +19,7 @@ constexpr NumberRange kRadiusRange{
 constexpr NumberRange kFootprintRange{
     .lo = 0.0, .hi = 1e6, .openLo = true, .expected = "a number above 0 and up to 1e6"};
 constexpr NumberRange kReflectance{.lo = 0.0, .hi = 1.0, .expected = "a reflectance from 0 to 1 per channel"};
+constexpr NumberRange kExponent{.lo = 0.01f, .hi = 100.0, .expected = "an exponent from 0.01 to 100"};
 constexpr NumberRange kIor{.lo = 0.01f, .hi = 100.0, .expected = "an index of refraction from 0.01 to 100"};
 constexpr NumberRange kConeAngle{
     .lo = 0.0, .hi = 90.0, .openLo = true, .expected = "a half angle above 0 and up to 90 degrees"};
@@ -160,11 +161,14 @@ struct FieldsOf<SppmOptions> {
 template <>
 struct FieldsOf<Texture> {
     static constexpr EditKind kEdit = EditKind::MaterialKind;
+    static constexpr uint32_t kInFile = 1u << 0, kGenerated = 1u << 1;  ///< kinds
     static constexpr std::tuple kList{
         label("", &Texture::name),
         field("file", &Texture::image,
               {.help = "PNG, JPEG, BMP, TGA, TIFF, WebP, DDS, HDR or EXR; relative to the scene's folder",
-               .required = true}),
+               .kinds = kInFile,
+               .required = true},
+              {.isSaved = [](const Texture& texture) { return !texture.image.isGenerated(); }}),
         field("encoding", &Texture::encoding, {.help = "how 8-bit files hold colour"}),
         field("flipV", &Texture::flipV, {.help = "counts v from the image's top row"}),
         field("scale", &Texture::scale, {.help = "factors on u and v"}),
@@ -173,7 +177,22 @@ struct FieldsOf<Texture> {
         field("offset", &Texture::offset, {.help = "added to u and v, after the turn"}),
         field("wrapU", &Texture::wrapU, {.help = "what is shown left and right of the image"}),
         field("wrapV", &Texture::wrapV, {.help = "what is shown above and below the image"}),
-        field("filter", &Texture::filter, {.help = "between the centres of texels"})};
+        field("filter", &Texture::filter,
+              {.help = "between the centres of texels; mipmap: the mean over what a pixel covers"}),
+        field("channel", &Texture::channel, {.help = "what stands for a single number", .onlyIfSet = true}),
+        field("base", &Texture::base,
+              {.help = "what black becomes: (base + gain x)^exponent stands for x", .onlyIfSet = true}),
+        field("gain", &Texture::gain, {.help = "factor on what the image holds", .onlyIfSet = true}),
+        field("exponent", &Texture::exponent, {.range = kExponent, .onlyIfSet = true})};
+};
+
+template <>
+struct FieldsOf<Checkerboard> {
+    static constexpr EditKind kEdit = EditKind::MaterialKind;
+    static constexpr FieldTraits kSquare{
+        .range = kNotNegative, .form = VectorForm::Color, .inPicture = false};
+    static constexpr std::tuple kList{field("even", &Checkerboard::even, kSquare),
+                                      field("odd", &Checkerboard::odd, kSquare)};
 };
 
 /// Whether `color` is a factor on a reflectance that is there without it.
@@ -221,6 +240,22 @@ struct FieldsOf<Material> {
                .kinds = only(MaterialKind::Mixture)},
               {.holds = [](const Material& material) { return !isZero(material.mixtureWeights.value); },
                .message = "\"weights\" are all 0; expected [diffuse, mirror, refractive]"}),
+        field("bump", &Material::bump,
+              {.help = "a texture of heights, over which shading normals lean", .onlyIfSet = true}),
+        field("bumpHeight", &Material::bumpHeight,
+              {.unit = "m", .help = "what a height of 1 stands for", .onlyIfSet = true}),
+        field("normalMap", &Material::normalMap,
+              {.range = kUnitInterval,
+               .help = "a texture of tangent-space normals: x to the image's right, y to its top, 0.5 is 0",
+               .onlyIfSet = true}),
+        field("normalStrength", &Material::normalStrength,
+              {.help = "factor on x and y of the normal map", .onlyIfSet = true}),
+        field("opacity", &Material::opacity,
+              {.range = kUnitInterval,
+               .help = "share of the surface that is there; of a texture its alpha, or else its channel",
+               .onlyIfSet = true}),
+        field("alphaCutsOut", &Material::alphaCutsOut,
+              {.help = "the alpha of the colour's image is a factor on the opacity", .onlyIfSet = true}),
         field("emission", &Material::emission,
               {.range = kNotNegative, .unit = "W/(sr m^2)", .help = "radiance"}),
         field("emissionStrength", &Material::emissionStrength,

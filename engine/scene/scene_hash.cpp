@@ -37,6 +37,7 @@ void add(ContentHash& hash, const SceneImage& image) {
         hash.add(image.bytes->width);
         hash.add(image.bytes->height);
         add(hash, image.bytes->rgb);
+        add(hash, image.bytes->alpha);
     }
     if (image.floats) {
         hash.add(image.floats->width);
@@ -67,6 +68,12 @@ void add(ContentHash& hash, const Owner& owner) {
     forEachField<Owner>([&]<class Member>(const Field<Owner, Member>& field) {
         if (!field.traits.inPicture || field.traits.alias) { return; }
         if (field.traits.onlyOwnKinds && (field.traits.kinds & kindBit(owner)) == 0) { return; }
+        if constexpr (std::equality_comparable<Member>) {
+            if (field.traits.onlyIfSet) {
+                if (owner.*field.member == Owner{}.*field.member) { return; }
+                hash.add(field.key);
+            }
+        }
         if constexpr (kIsInput<Member>) {
             addInput(hash, field.key, owner.*field.member);
         } else {

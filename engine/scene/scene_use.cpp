@@ -32,6 +32,9 @@ std::vector<int> usedTextures(const Material& material) {
     };
     add(material.color);
     add(material.emission);
+    add(material.bump);
+    add(material.normalMap);
+    add(material.opacity);
     forEachModelInput(
         [&](const InputInfo& info, const auto& input) {
             if (looksAt(material, info)) { add(input); }

@@ -6,6 +6,7 @@
 #include "engine/builders/light_table.h"
 #include "engine/builders/power_distribution.h"
 #include "engine/builders/scene_builder.h"
+#include "engine/kernels/intersect.h"
 #include "engine/kernels/photon_emission.h"
 #include "engine/math/color.h"
 #include "tests/support/render_scene.h"

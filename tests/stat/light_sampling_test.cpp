@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/kernels/intersect.h"
 #include "engine/kernels/surface.h"
 #include "engine/math/color.h"
 #include "tests/support/light_scene.h"

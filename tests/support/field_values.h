@@ -102,6 +102,8 @@ std::vector<Owner*> ownersIn(SceneDescription* scene) {
         addAll(scene->lights);
     } else if constexpr (std::is_same_v<Owner, Environment>) {
         owners.push_back(&scene->environment);
+    } else if constexpr (std::is_same_v<Owner, Checkerboard>) {
+        owners.push_back(&std::get<Checkerboard>(scene->textures[2].image.source));
     } else if constexpr (std::is_same_v<Owner, SkySource>) {
         owners.push_back(&std::get<SkySource>(scene->environmentImages[0].source));
     }
@@ -125,6 +127,7 @@ void forEachOwner(const Visit& visit) {
     visit.template operator()<Light>();
     visit.template operator()<Environment>();
     visit.template operator()<SkySource>();
+    visit.template operator()<Checkerboard>();
 }
 
 }  // namespace glint::test

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/builders/instance_builder.h"
+#include "engine/kernels/intersect.h"
 #include "engine/kernels/surface.h"
 #include "engine/scene/generated_mesh.h"
 

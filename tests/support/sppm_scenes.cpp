@@ -1,6 +1,7 @@
 #include "tests/support/sppm_scenes.h"
 
 #include "engine/scene/scene_building.h"
+#include "tests/support/relief_scenes.h"
 #include "tests/support/test_scenes.h"
 
 namespace glint::test {
@@ -50,6 +51,42 @@ SceneDescription roughGlassInContact() {
     for (const float x : {-0.25f, 0.25f}) {
         addObject(&scene, ShapeKind::Rectangle, placeFlatShape({x, 0.02f, 0.55f}, up, 0.25f, 0.25f), glass);
     }
+    return scene;
+}
+
+SceneDescription bumpyBox() {
+    SceneDescription scene = small(cornellBox());
+    const int heights = addTexture(&scene, waves(32, 4));
+    const int normals =
+        addTexture(&scene, std::make_shared<ImageF>(ImageF{2, 1, {0.8f, 0.5f, 0.9f, 0.3f, 0.6f, 0.9f}}));
+    for (Material& material : scene.materials) {
+        material.bump.texture = heights;
+        material.bumpHeight = 0.05f;
+    }
+    for (Object& object : scene.objects) {
+        if (object.shape != ShapeKind::Sphere) { continue; }
+        Material leaning = scene.materials[static_cast<size_t>(object.material)];
+        leaning.bump.texture = -1;
+        leaning.normalMap.texture = normals;
+        object.material = addMaterial(&scene, leaning);
+    }
+    return scene;
+}
+
+SceneDescription cutoutBox() {
+    SceneDescription scene = small(cornellBox());
+    const int holes = addTexture(
+        &scene, greyImage(8, 8, [](int x, int y) { return (x / 2 + y / 2) % 2 == 0 ? 0.0f : 1.0f; }));
+    for (Object& object : scene.objects) {
+        if (object.shape != ShapeKind::Sphere) { continue; }
+        Material cut = scene.materials[static_cast<size_t>(object.material)];
+        cut.opacity.texture = holes;
+        object.material = addMaterial(&scene, cut);
+    }
+    Material veil = diffuseMaterial(Vec3(0.8f, 0.6f, 0.3f));
+    veil.opacity.value = 0.4f;
+    addObject(&scene, ShapeKind::Rectangle,
+              placeFlatShape({0.0f, 1.2f, 0.0f}, {0.0f, 1.0f, 0.2f}, 0.6f, 0.6f), veil);
     return scene;
 }
 

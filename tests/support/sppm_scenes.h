@@ -16,6 +16,12 @@ SceneDescription roughGlassBox();
 /// small.
 SceneDescription roughGlassInContact();
 
+/// A box whose floor has steep waves by heights and whose ball's normals lean by a map; small.
+SceneDescription bumpyBox();
+
+/// A box with a veil of opacity 0.4 across it and a ball with holes; small.
+SceneDescription cutoutBox();
+
 /// The same scene with the other side of each flat opaque object as its front: to be seen alike.
 SceneDescription otherWinding(SceneDescription scene);
 

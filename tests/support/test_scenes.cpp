@@ -261,7 +261,7 @@ std::vector<NamedScene> allTestScenes() {
             {"texturedInputs", texturedInputs()}, {"meshInstances", meshInstances()},
             {"manyLights", manyLights()},         {"lampShapes", emitterShapes()},
             {"whiteFurnace", whiteFurnace()},     {"darkness", darkness()},
-            {"turnedProfiles", turnedProfiles()}};
+            {"turnedProfiles", turnedProfiles()}, {"reliefs", reliefs()}};
 }
 
 std::shared_ptr<const MeshData> bumpySphere(int rings, int segments, bool withColors) {

@@ -41,6 +41,9 @@ SceneDescription darkness();
 /// Surfaces of revolution of both kinds of curves, and a texture that is placed.
 SceneDescription turnedProfiles();
 
+/// Height and normal maps, cut-outs by number, texture and alpha, and a mip map.
+SceneDescription reliefs();
+
 struct NamedScene {
     std::string name;
     SceneDescription scene;

@@ -54,6 +54,11 @@ TEST_F(Gltf, MaterialsBecomeTheNearestOfGlint) {
         "extensions": {"KHR_materials_unlit": {}})");
     EXPECT_EQ(unlit.emission.value, Vec3(0.2f, 0.4f, 0.6f));
     EXPECT_EQ(unlit.color.value, Vec3(0.0f));
+    EXPECT_FALSE(unlit.alphaCutsOut) << "opaque whatever the image's alpha is";
+    const Material veil =
+        only(R"("alphaMode": "BLEND", "pbrMetallicRoughness": {"baseColorFactor": [1, 1, 1, 0.25]})");
+    EXPECT_TRUE(veil.alphaCutsOut);
+    EXPECT_EQ(veil.opacity.value, 0.25f);
 }
 
 TEST_F(Gltf, TexturesArePlacedAndMultiplied) {
@@ -96,7 +101,6 @@ TEST_F(Gltf, WhatGlintDoesNotDrawIsSaidOnceOfEachKind) {
     const SceneDescription scene = load(gltf(R"("materials": [{"name": "a", "alphaMode": "MASK",
         "pbrMetallicRoughness": {"metallicFactor": 0.7}, "extensions": {"KHR_materials_sheen": {}}}],
         "animations": [{"channels": [], "samplers": []}])"));
-    EXPECT_THAT(scene.warnings, Contains(HasSubstr("nothing is cut out: \"a\"")));
     EXPECT_THAT(scene.warnings, Contains(HasSubstr("between metal, glass and neither")));
     EXPECT_THAT(scene.warnings,
                 Contains(HasSubstr("extensions of materials are left out: \"KHR_materials_sheen\"")));

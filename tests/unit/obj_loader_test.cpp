@@ -147,7 +147,7 @@ TEST(ObjLoader, JoinedPartsFillWhatSomeLack) {
 
 TEST(ObjLoader, WhatIsMissingIsReportedAndReplaced) {
     const TempFolder folder;
-    folder.write("m.mtl", "newmtl wood\nKd 0.1 0.2 0.3\nmap_Kd planks.png\nmap_Bump bumps.png\n");
+    folder.write("m.mtl", "newmtl wood\nKd 0.1 0.2 0.3\nmap_Kd planks.png\nrefl bumps.png\n");
     const MeshFile scene =
         load(folder, std::string("mtllib m.mtl\nmtllib none.mtl\n") + kSquare +
                          "usemtl wood\nf 1 2 3\nusemtl wod\nf 1 3 4\nl 1 2\nl 2 3\nwhatever 1\n");

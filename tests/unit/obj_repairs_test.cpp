@@ -253,9 +253,13 @@ TEST(MtlMaps, EmissionAndTransparency) {
     const TempFolder folder;
     folder.write("clear.png", std::string_view(kClearPng, sizeof kClearPng - 1));
     std::vector<std::string> said;
-    materialOf(folder, "newmtl it\nmap_Kd clear.png\n", &said);
-    EXPECT_THAT(said, testing::ElementsAre(
-                          testing::AllOf(HasSubstr("transparent in places"), HasSubstr("clear.png"))));
+    for (const char* alphaMap : {"", "map_d clear.png\n", "map_d -imfchan m clear.png\nd 0.2\n"}) {
+        const Material cut =
+            materialOf(folder, std::string("newmtl it\nmap_Kd clear.png\n") + alphaMap, &said);
+        EXPECT_TRUE(cut.alphaCutsOut) << alphaMap;
+        EXPECT_EQ(cut.opacity, NumberInput{1.0f}) << "the image's own alpha is enough " << alphaMap;
+    }
+    EXPECT_THAT(said, IsEmpty());
     ASSERT_TRUE(savePng(folder.path("spots.png"), {1, 1, {255, 0, 0}}));
     for (const auto& [ke, strength] :
          {std::pair("Ke 2 1 0\n", 2.0f), std::pair("Ke 0 0 0\n", 1.0f), std::pair("", 1.0f)}) {
@@ -266,6 +270,54 @@ TEST(MtlMaps, EmissionAndTransparency) {
         EXPECT_EQ(material.emissionStrength, strength);
         EXPECT_THAT(warnings, IsEmpty());
     }
+}
+
+TEST(MtlMaps, OfBumpsNormalsOpacityAndRoughness) {
+    const TempFolder folder;
+    for (const char* name : {"h.png", "n.png", "o.png", "r.png"}) {
+        ASSERT_TRUE(savePng(folder.path(name), {1, 1, {128, 128, 255}}));
+    }
+    for (const char* bump :
+         {"map_Bump -bm 2 h.png\n", "bump h.png -bm 2\n", "map_bump -bm 2 -imfchan l h.png\n"}) {
+        folder.write("m.mtl", std::string("newmtl it\nKd 0.5 0.5 0.5\nPr 0.5\nnorm -bm 0.5 n.png\n") + bump +
+                                  "map_d -o 0.25 -clamp on -imfchan g o.png\nmap_Pr -mm 0.1 0.8 r.png\n");
+        // Two metres a width of the image, by the texture coordinates and -s.
+        const auto scene = loadSquare(folder.write(
+            "in.obj",
+            "mtllib m.mtl\nusemtl it\nv 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+            "f 1/1 2/2 3/3 4/4\n"));
+        ASSERT_TRUE(scene) << bump;
+        EXPECT_THAT(scene->warnings, IsEmpty()) << bump;
+        const Material& it = scene->materials[0];
+        const auto texture = [&](int index) -> const Texture& {
+            return scene->textures.at(static_cast<size_t>(index));
+        };
+        EXPECT_EQ(texture(it.bump.texture).name, "h.png");
+        EXPECT_EQ(texture(it.bump.texture).channel, TextureChannel::Luminance);
+        EXPECT_NEAR(it.bumpHeight, 2.0f * 0.02f * 2.0f, 1e-6f) << bump;
+        EXPECT_EQ(texture(it.normalMap.texture).name, "n.png");
+        EXPECT_FLOAT_EQ(it.normalStrength, 0.5f);
+        EXPECT_EQ(it.kind, MaterialKind::Plastic);
+        const Texture& cut = texture(it.opacity.texture);
+        EXPECT_EQ(cut.name, "o.png");
+        EXPECT_EQ(cut.offset, Vec2(0.25f, 0.0f));
+        EXPECT_EQ(cut.wrapU, WrapMode::Clamp);
+        EXPECT_EQ(cut.channel, TextureChannel::Green);
+        const Texture& rough = texture(it.roughness.texture);
+        EXPECT_EQ(rough.name, "r.png");
+        EXPECT_FLOAT_EQ(rough.base, 0.1f);
+        EXPECT_FLOAT_EQ(rough.gain, 0.8f);
+        EXPECT_FLOAT_EQ(rough.exponent, 2.0f) << "GGX alpha is the square";
+    }
+    std::vector<std::string> warnings;
+    EXPECT_EQ(materialOf(folder, "newmtl it\nKd 1 1 1\nd 0.8\n", &warnings).opacity.value, 0.8f);
+    EXPECT_EQ(materialOf(folder, "newmtl it\nKd 1 1 1\nd 1\n", &warnings).opacity.value, 1.0f);
+    EXPECT_THAT(warnings, IsEmpty());
+    materialOf(folder, "newmtl it\nKd 1 1 1\nmap_Bump none.png\nmap_Ks h.png\nmap_Kd -t 1 1 1 h.png\n",
+               &warnings);
+    EXPECT_THAT(warnings,
+                testing::UnorderedElementsAre(HasSubstr("images are missing"), HasSubstr("does not draw"),
+                                              HasSubstr("does not know")));
 }
 
 TEST(ObjRepairs, WarningsAreBounded) {

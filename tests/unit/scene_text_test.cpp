@@ -7,6 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "engine/builders/camera_builder.h"
+#include "engine/io/image_io.h"
+#include "engine/io/scene_loader.h"
+#include "tests/support/temp_folder.h"
 
 namespace glint {
 namespace {
@@ -46,6 +49,24 @@ TEST(SceneText, ACameraMayLookAlongItsUp) {
         EXPECT_THAT(scene.notes, testing::ElementsAre(HasSubstr("scene.txt:1: the camera looks along 'up'")))
             << view;
     }
+}
+
+TEST(SceneText, BumpsAreAsHighAsTheOriginalsButOnMeshes) {
+    const test::TempFolder folder;
+    ASSERT_TRUE(savePng(folder.path("b.png"), {1, 1, {9, 9, 9}}));
+    folder.write("m.obj", "v 0 0 0\nv 3 0 0\nv 0 3 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
+    const auto scene = loadScene(
+        folder.write("s.txt",
+                     "Materials { numMaterials 2 Material { bump b.png } Material { bump b.png } }\n"
+                     "Group { numObjects 2 MaterialIndex 0 Sphere { center 0 0 0 radius 1 }\n"
+                     "MaterialIndex 1 Transform { UniformScale 2 TriangleMesh { obj_file m.obj } } }"));
+    ASSERT_TRUE(scene) << scene.error().format();
+    for (const Material& material : scene->materials) {
+        EXPECT_EQ(material.bump.texture, 0);
+    }
+    EXPECT_FLOAT_EQ(scene->materials[0].bumpHeight, 2.0f);
+    EXPECT_NEAR(scene->materials[1].bumpHeight, 0.02f * 6.0f, 1e-5f) << "6 m a width of the image";
+    EXPECT_EQ(scene->textures[0].encoding, ColorEncoding::Linear);
 }
 
 TEST(SceneText, ApertureIsTheHalfSideOfASquareLens) {

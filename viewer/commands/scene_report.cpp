@@ -24,7 +24,7 @@ struct FeatureName {
     FeatureMask bit;
     const char* name;
 };
-constexpr std::array<FeatureName, 24> kFeatureNames{
+constexpr std::array<FeatureName, 27> kFeatureNames{
     {{kFeatureCurved, "spheres"},
      {kFeaturePlane, "planes"},
      {kFeatureFlat, "rectangles and discs"},
@@ -35,6 +35,9 @@ constexpr std::array<FeatureName, 24> kFeatureNames{
      {kFeatureFrontOnly, "one-sided objects"},
      {kFeatureTextures, "textures"},
      {kFeaturePlacedTextures, "placed textures"},
+     {kFeatureMipmaps, "mip maps"},
+     {kFeatureBumps, "bump and normal maps"},
+     {kFeatureCutouts, "cut-outs"},
      {kFeatureDiffuse, "diffuse"},
      {kFeatureSpecular, "mirrors and smooth metals"},
      {kFeatureDielectric, "dielectrics"},

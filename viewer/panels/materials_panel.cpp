@@ -55,7 +55,8 @@ void drawList(SceneDocument* document) {
     ImGui::EndChild();
 }
 
-void drawTexture(const SceneDescription& scene, AssetReader* assets, Material* material) {
+/// A choice of an image, or none.
+void drawTexture(const SceneDescription& scene, const char* label, const char* tooltip, int* chosen) {
     if (scene.textures.empty()) { return; }
     std::vector<std::string> names{"none"};
     for (size_t i = 0; i < scene.textures.size(); ++i) {
@@ -66,11 +67,8 @@ void drawTexture(const SceneDescription& scene, AssetReader* assets, Material* m
                                               : fmt::format("texture {}", i));
     }
     const std::vector<std::string_view> views(names.begin(), names.end());
-    int index = material->color.texture + 1;
-    if (ui::choice("Texture", &index, views, "An image that replaces the colour")) {
-        material->color.texture = index - 1;
-    }
-    drawAssetState(assets);
+    int index = *chosen + 1;
+    if (ui::choice(label, &index, views, tooltip)) { *chosen = index - 1; }
 }
 
 /// How the image lies on the surface; shared by all materials that have it.
@@ -78,7 +76,13 @@ void drawPlacement(Texture* texture) {
     static constexpr ui::KindLabel<WrapMode> kWraps[]{
         {WrapMode::Repeat, "repeat"}, {WrapMode::Clamp, "clamp"}, {WrapMode::Mirror, "mirror"}};
     static constexpr ui::KindLabel<TexelFilter> kFilters[]{{TexelFilter::Bilinear, "bilinear"},
-                                                           {TexelFilter::Nearest, "nearest"}};
+                                                           {TexelFilter::Nearest, "nearest"},
+                                                           {TexelFilter::Mipmap, "mip map"}};
+    static constexpr ui::KindLabel<TextureChannel> kChannels[]{{TextureChannel::Red, "red"},
+                                                               {TextureChannel::Green, "green"},
+                                                               {TextureChannel::Blue, "blue"},
+                                                               {TextureChannel::Alpha, "alpha"},
+                                                               {TextureChannel::Luminance, "luminance"}};
     static constexpr ui::KindLabel<ColorEncoding> kEncodings[]{{ColorEncoding::Srgb, "sRGB"},
                                                                {ColorEncoding::Linear, "linear"}};
     ui::heading("Texture");
@@ -92,6 +96,46 @@ void drawPlacement(Texture* texture) {
     ui::kindChoice("Wrap v", &texture->wrapV, kWraps, "What is shown above and below the image");
     ui::kindChoice("Filter", &texture->filter, kFilters, "Between the centres of texels");
     ui::kindChoice("Encoding", &texture->encoding, kEncodings, "How 8-bit files hold colour");
+    ui::kindChoice("Channel", &texture->channel, kChannels, "What stands for a single number");
+}
+
+/// The texture whose placement is shown: the first that the material has.
+Texture* placedTexture(const Material& material, std::vector<Texture>* textures) {
+    for (const int index : {material.color.texture, material.bump.texture, material.normalMap.texture,
+                            material.opacity.texture}) {
+        if (index >= 0 && static_cast<size_t>(index) < textures->size()) {
+            return &(*textures)[static_cast<size_t>(index)];
+        }
+    }
+    return nullptr;
+}
+
+void drawRelief(const SceneDescription& scene, Material* material) {
+    ui::heading("Relief and opacity");
+    drawTexture(scene, "Bump map", "An image of heights, over which the shading leans",
+                &material->bump.texture);
+    if (material->bump.texture >= 0) {
+        ui::number("Bump height", &material->bumpHeight,
+                   {.format = "%.4f m",
+                    .speed = std::max(std::abs(material->bumpHeight) * 0.01f, 1e-5f),
+                    .zeroText = "flat",
+                    .tooltip = "What white stands for; negative: valleys"});
+    }
+    drawTexture(scene, "Normal map", "An image of tangent-space normals", &material->normalMap.texture);
+    if (material->normalMap.texture >= 0) {
+        ui::number("Normal strength", &material->normalStrength,
+                   {.format = "× %.2f", .speed = 0.01f, .tooltip = "1 as the image says"});
+    }
+    drawTexture(scene, "Opacity map", "An image that cuts out: its alpha, or else its channel",
+                &material->opacity.texture);
+    if (material->opacity.texture < 0) {
+        ui::number(
+            "Opacity", &material->opacity.value,
+            {.format = "%.3f", .max = 1.0f, .slider = true, .tooltip = "Share of the surface that is there"});
+    }
+    if (material->color.texture >= 0) {
+        ui::toggle("Alpha cuts out", &material->alphaCutsOut, "Where the colour's image is transparent");
+    }
 }
 
 void drawMetal(Material* material) {
@@ -126,7 +170,8 @@ void drawScattering(const SceneDescription& scene, AssetReader* assets, Material
     const bool dielectric = kind == MaterialKind::Dielectric;
     const bool plastic = kind == MaterialKind::Plastic;
     ui::color("Colour", &material->color.value, 1.0f, "Linear Rec.709. Click the patch for a picker");
-    drawTexture(scene, assets, material);
+    drawTexture(scene, "Texture", "An image that replaces the colour", &material->color.texture);
+    drawAssetState(assets);
     if (conductor) { drawMetal(material); }
     if (dielectric || plastic || mixture) {
         ui::number("IOR", &material->ior.value,
@@ -178,11 +223,8 @@ void draw(SceneDocument* document, AssetReader* assets) {
     ImGui::PushID(selected);
     ui::kindChoice("Kind", &material.kind, kKinds);
     drawScattering(document->draft(), assets, &material);
-    std::vector<Texture>& textures = document->draft().textures;
-    if (const auto index = static_cast<size_t>(material.color.texture);
-        material.color.texture >= 0 && index < textures.size()) {
-        drawPlacement(&textures[index]);
-    }
+    if (Texture* texture = placedTexture(material, &document->draft().textures)) { drawPlacement(texture); }
+    drawRelief(document->draft(), &material);
     drawEmission(&material);
     ImGui::PopID();
 }

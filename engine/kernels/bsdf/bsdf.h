@@ -122,7 +122,7 @@ GLINT_HD BsdfSample sampleLocal(const Bsdf<kMask>& bsdf, float uLobe, Vec2 u) {
 }  // namespace detail
 
 /// Scene: a SceneView, or anything with its materials, textures and coats. Surface: surface.h's SurfacePoint,
-/// or anything with its ng, ns, uv, vertexColor and material.
+/// or anything with its ng, ns, uv, vertexColor and material; uvWidth may be missing.
 template <FeatureMask kMask, class Scene, class Surface>
 GLINT_HD Bsdf<kMask> makeBsdf(const Scene& scene, const Surface& surface, const Vec3& woWorld,
                               TransportMode transport = TransportMode::Radiance) {
@@ -131,14 +131,15 @@ GLINT_HD Bsdf<kMask> makeBsdf(const Scene& scene, const Surface& surface, const 
     bsdf.color = detail::surfaceColor<kMask>(*bsdf.material, scene.textures, surface);
     if constexpr (hasFeature<kMask>(kFeatureInputTextures)) {
         if ((bsdf.material->flags & kMaterialInputTextures) != 0) {
-            detail::readInputs<kMask>(scene, *bsdf.material, surface.uv, &bsdf.textured);
+            detail::readInputs<kMask>(scene, *bsdf.material, surface.uv, detail::uvWidthOf(surface),
+                                      &bsdf.textured);
             detail::settle<kMask>(*bsdf.material, scene.coats, &bsdf.textured);
         }
     }
     const bool outside = glm::dot(surface.ng, woWorld) >= 0.0f;
     bsdf.ngWorld = outside ? surface.ng : -surface.ng;
     bsdf.nsWorld = bsdf.ngWorld;
-    if constexpr (hasFeature<kMask>(kFeatureMeshNormals)) {
+    if constexpr (hasFeature<kMask>(kFeatureShadingNormals)) {
         bsdf.nsWorld = detail::usedShadingNormal(bsdf, woWorld, bsdf.ngWorld,
                                                  outside ? surface.ns : -surface.ns, transport);
         bsdf.ngNs = bsdf.nsWorld == bsdf.ngWorld ? 1.0f : glm::dot(bsdf.ngWorld, bsdf.nsWorld);
@@ -163,6 +164,9 @@ GLINT_HD inline FeatureMask materialFeatures(const MaterialData& material) {
     if ((material.flags & kMaterialInputTextures) != 0) {
         textures |= kFeatureTextures | kFeatureInputTextures;
     }
+    if ((material.flags & kMaterialBump) != 0) { textures |= kFeatureTextures | kFeatureBumps; }
+    if ((material.flags & kMaterialCutOut) != 0) { textures |= kFeatureTextures | kFeatureCutouts; }
+    if ((material.flags & kMaterialMipmaps) != 0) { textures |= kFeatureTextures | kFeatureMipmaps; }
     return textures |
            detail::withModel<kAllFeatures>(material, [&](auto model) { return model.featuresOf(material); });
 }

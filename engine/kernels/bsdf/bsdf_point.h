@@ -175,7 +175,7 @@ GLINT_HD Vec3 toLocal(const Bsdf<kMask>& bsdf, const Vec3& wiWorld) {
 /// wi's cosine with the geometric normal; nsWi: its cosine with the shading normal.
 template <FeatureMask kMask>
 GLINT_HD float geometricCosine(const Bsdf<kMask>& bsdf, const Vec3& wiWorld, float nsWi) {
-    if constexpr (hasFeature<kMask>(kFeatureMeshNormals)) {
+    if constexpr (hasFeature<kMask>(kFeatureShadingNormals)) {
         if (bsdf.ngNs < 1.0f) { return glm::dot(bsdf.ngWorld, wiWorld); }
     }
     return nsWi;

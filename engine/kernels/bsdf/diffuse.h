@@ -18,7 +18,7 @@ namespace detail {
 /// How much the shadow terminator leaves of diffuse reflection. Arguments: wi's cosines with both normals.
 template <FeatureMask kMask>
 GLINT_HD float terminator(const Bsdf<kMask>& bsdf, float ngWi, float nsWi) {
-    return hasFeature<kMask>(kFeatureMeshNormals) ? shadowTerminator(ngWi, nsWi, bsdf.ngNs) : 1.0f;
+    return hasFeature<kMask>(kFeatureShadingNormals) ? shadowTerminator(ngWi, nsWi, bsdf.ngNs) : 1.0f;
 }
 
 template <FeatureMask kMask>

@@ -71,7 +71,7 @@ GLINT_HD BsdfSample nonDeltaAdjoint(const SceneView& view, const SurfacePoint& s
 template <FeatureMask kMask>
 GLINT_HD BsdfSample sampleImportance(const SceneView& view, const SurfacePoint& surface,
                                      const Bsdf<kMask>& bsdf, const Vec3& wo, float uLobe, Vec2 u) {
-    if constexpr (hasFeature<kMask>(kFeatureMeshNormals)) {
+    if constexpr (hasFeature<kMask>(kFeatureShadingNormals)) {
         if (surface.ns != surface.ng) {
             Bsdf<kMask> unfolded = bsdf;
             detail::Unfolded from;

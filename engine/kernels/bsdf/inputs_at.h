@@ -8,6 +8,16 @@
 namespace glint {
 namespace detail {
 
+/// What a pixel covers of u and v at the point, where that is known.
+template <class Surface>
+GLINT_HD float uvWidthOf(const Surface& surface) {
+    if constexpr (requires { surface.uvWidth; }) {
+        return surface.uvWidth;
+    } else {
+        return 0.0f;
+    }
+}
+
 /// The texture or else the material's colour, times the vertex colour. Surface: as makeBsdf() says.
 template <FeatureMask kMask, class Surface>
 GLINT_HD Vec3 surfaceColor(const MaterialData& material, const View<TextureView>& textures,
@@ -15,8 +25,9 @@ GLINT_HD Vec3 surfaceColor(const MaterialData& material, const View<TextureView>
     Vec3 color = material.color;
     if constexpr (hasFeature<kMask>(kFeatureTextures)) {
         if (material.colorTexture < textures.count) {
-            color = glm::clamp(sampleTexture<kMask>(textures[material.colorTexture], surface.uv), Vec3(0.0f),
-                               Vec3(1.0f));
+            color = glm::clamp(
+                sampleTexture<kMask>(textures[material.colorTexture], surface.uv, uvWidthOf(surface)),
+                Vec3(0.0f), Vec3(1.0f));
         }
     }
     if constexpr (hasFeature<kMask>(kFeatureMeshColors)) {
@@ -28,23 +39,28 @@ GLINT_HD Vec3 surfaceColor(const MaterialData& material, const View<TextureView>
 GLINT_HD inline float clampInput(float x, const InputInfo& info) {
     return minf(maxf(x, info.least), info.most);  // NaN becomes the least
 }
-GLINT_HD inline void setInput(const Vec3& texel, const InputInfo& info, Vec3* input) {
+template <FeatureMask kMask>
+GLINT_HD void readInput(const TextureView& texture, Vec2 uv, float uvWidth, const InputInfo& info,
+                        Vec3* input) {
+    const Vec3 texel = sampleNumbers<kMask>(texture, uv, uvWidth);
     *input = {clampInput(texel.x, info), clampInput(texel.y, info), clampInput(texel.z, info)};
 }
-/// The first channel.
-GLINT_HD inline void setInput(const Vec3& texel, const InputInfo& info, float* input) {
-    *input = clampInput(texel.x, info);
+template <FeatureMask kMask>
+GLINT_HD void readInput(const TextureView& texture, Vec2 uv, float uvWidth, const InputInfo& info,
+                        float* input) {
+    *input = clampInput(sampleNumber<kMask>(texture, uv, uvWidth), info);
 }
 
 /// Sets all inputs but the coat.
 template <FeatureMask kMask, class Scene>
-GLINT_HD void readInputs(const Scene& scene, const MaterialData& material, Vec2 uv, ShadingInputs* inputs) {
+GLINT_HD void readInputs(const Scene& scene, const MaterialData& material, Vec2 uv, float uvWidth,
+                         ShadingInputs* inputs) {
     MaterialInputs<Vec3, float>& values = *inputs;
     values = material.inputs;
     forEachModelInput(
         [&](const InputInfo& info, auto& value, const TextureSlot& slot) {
             if (slot.index >= scene.textures.count) { return; }
-            setInput(sampleNumbers<kMask>(scene.textures[slot.index], uv), info, &value);
+            readInput<kMask>(scene.textures[slot.index], uv, uvWidth, info, &value);
         },
         values, material.textures);
 }

@@ -1,0 +1,61 @@
+// What an instance is, and its surface in object space at a hit, whichever shape it has.
+#pragma once
+
+#include "engine/kernels/scene_view.h"
+#include "engine/kernels/shapes/shapes.h"
+
+namespace glint {
+
+/// Whether the instance is a mesh; known beforehand where a mask has no other shapes, or no meshes.
+template <FeatureMask kMask>
+GLINT_HD inline bool isMesh(const InstanceData& instance) {
+    constexpr FeatureMask kOthers = kFeatureCurved | kFeaturePlane | kFeatureFlat | kFeatureRevolved;
+    if constexpr (!hasFeature<kMask>(kFeatureMesh)) { return false; }
+    if constexpr ((kMask & kOthers) == 0) { return true; }
+    return instance.shape == ShapeKind::Mesh;
+}
+
+/// The curves of the instance's profile; null where it is no surface of revolution.
+template <FeatureMask kMask>
+GLINT_HD inline const ProfileCurve* profileOf(const GeometryView& geometry, const InstanceData& instance) {
+    if constexpr (!hasFeature<kMask>(kFeatureRevolved)) { return nullptr; }
+    return instance.shape == ShapeKind::Revolved ? geometry.curves.data + instance.mesh : nullptr;
+}
+
+/// The flags of the instance's material; none in views without materials, which only tests make.
+GLINT_HD inline uint8_t materialFlagsOf(const SceneView& view, const InstanceData& instance) {
+    return instance.material < view.materials.count ? view.materials[instance.material].flags : uint8_t{0};
+}
+
+/// The surface at a hit of the world-space `ray`. Sets *vertexColor where it is a mesh with colours.
+template <FeatureMask kMask>
+GLINT_HD inline ObjectPoint objectPointAt(const SceneView& view, const Ray& ray, const Hit& hit,
+                                          Vec3* vertexColor) {
+    const InstanceData& instance = view.geometry.instances[hit.instance];
+    if (isMesh<kMask>(instance)) {
+        return MeshShape::surface<kMask>(view.geometry.meshes[instance.mesh], hit, instance, ray,
+                                         vertexColor);
+    }
+    const Vec3 pRough = toObjectSpace(instance, ray).at(hit.t);
+    if (const ProfileCurve* curves = profileOf<kMask>(view.geometry, instance)) {
+        return RevolvedShape::surface<kMask>(curves, hit, pRough);
+    }
+    return visitShape<ObjectPoint, kAnalyticOnly<kMask>>(
+        instance.shape, [&](auto shape) { return decltype(shape)::template surface<kMask>(pRough); });
+}
+
+/// dp/du and dp/dv in object space at a hit; p: objectPointAt() it.
+template <FeatureMask kMask>
+GLINT_HD inline Tangents objectTangentsAt(const SceneView& view, const Hit& hit, const Vec3& p) {
+    const InstanceData& instance = view.geometry.instances[hit.instance];
+    if (isMesh<kMask>(instance)) {
+        return MeshShape::tangents(view.geometry.meshes[instance.mesh], hit.primitive);
+    }
+    if (const ProfileCurve* curves = profileOf<kMask>(view.geometry, instance)) {
+        return RevolvedShape::tangents(curves, hit, p);
+    }
+    return visitShape<Tangents, kAnalyticOnly<kMask>>(
+        instance.shape, [&](auto shape) { return decltype(shape)::tangents(p); });
+}
+
+}  // namespace glint
