@@ -4,7 +4,7 @@
 include(GNUInstallDirs)
 
 install(TARGETS glint RUNTIME)
-install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/glint FILES_MATCHING PATTERN *.json PATTERN *.png)
+install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/glint FILES_MATCHING PATTERN *.json PATTERN *.obj PATTERN *.png)
 
 # Pages keep their places among each other, so that links between them hold.
 foreach(page IN ITEMS README.md CHANGELOG.md scenes/README.md viewer/commands/README.md viewer/window/README.md)

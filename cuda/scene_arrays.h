@@ -16,7 +16,7 @@ void forEachArray(MeshView& mesh, Visit&& visit) {
     static_assert(sizeof(MeshView) == 120, "list a new array of MeshView below");
     visit(mesh.accelerator.data, mesh.accelerator.bytes);
     visit(mesh.clusters, size_t{mesh.clusterCount});
-    visit(mesh.clusterPrimitives, size_t{mesh.triangleCount});
+    visit(mesh.clusterPrimitives, size_t{mesh.clusterTriangles});
     visit(mesh.positions, size_t{mesh.vertexCount});
     visit(mesh.indices, 3 * size_t{mesh.triangleCount});
     visit(mesh.normals, size_t{mesh.vertexCount});
@@ -56,6 +56,7 @@ void forEachArray(SceneView& view, Visit&& visit) {
     visitView(view.geometry.planes);
     visitView(view.materials);
     visitView(view.coats);
+    visitView(view.spectrum);
     visitView(view.lights.emitters);
     visitView(view.lights.nodes);
     visitView(view.lights.emitterNodes);

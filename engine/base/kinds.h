@@ -55,6 +55,14 @@ enum class FilterKind : uint8_t { Box, Gaussian, BlackmanHarris };
 /// Where random numbers come from.
 enum class SamplerKind : uint8_t { Sobol, Independent };
 
+/// How rays find what they meet. All kinds find the same.
+enum class AcceleratorKind : uint8_t {
+    Bvh,     ///< a hierarchy of boxes, eight to a node, over the objects and over each mesh's triangles
+    KdTree,  ///< space cut in two again and again, over both
+    Aabb,    ///< one box around each object and each mesh
+    None,    ///< no structure: all is tested
+};
+
 /// How gathering finds photons. Both find the same ones, in another order.
 enum class PhotonLookupKind : uint8_t { Grid, Tree };
 

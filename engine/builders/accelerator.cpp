@@ -2,6 +2,8 @@
 
 #include "engine/base/check.h"
 #include "engine/builders/bvh_builder.h"
+#include "engine/builders/kd_builder.h"
+#include "engine/kernels/box_list.h"
 
 namespace glint {
 namespace {
@@ -13,6 +15,27 @@ Accelerator holding(AcceleratorKind kind, HugeVector<Node> nodes) {
             {reinterpret_cast<const std::byte*>(shared->data()), shared->size() * sizeof(Node), kind}};
 }
 
+/// The primitives as they are, each of them or all of them under a box.
+HugeVector<BoxedItems> listPrimitives(const HugeVector<BuildPrimitive>& primitives, bool isOne,
+                                      const PackLeaves& packLeaves) {
+    const auto count = static_cast<uint32_t>(primitives.size());
+    std::vector<LeafRange> leaves;
+    std::vector<Bounds> boxes;
+    for (uint32_t i = 0; i < count; ++i) {
+        if (i == 0 || !isOne) {
+            leaves.push_back({i, isOne ? count : i + 1});
+            boxes.emplace_back();
+        }
+        boxes.back().grow({primitives[i].lo, -primitives[i].negatedHi});
+    }
+    const std::vector<LeafRange> items = packLeaves(leaves);
+    HugeVector<BoxedItems> list;
+    for (size_t i = 0; i < items.size(); ++i) {
+        list.push_back({boxes[i], {items[i].begin, items[i].end - items[i].begin}});
+    }
+    return list;
+}
+
 }  // namespace
 
 Accelerator buildAccelerator(AcceleratorKind kind, HugeVector<BuildPrimitive>* primitives,
@@ -21,6 +44,12 @@ Accelerator buildAccelerator(AcceleratorKind kind, HugeVector<BuildPrimitive>* p
     switch (kind) {
         case AcceleratorKind::Bvh:
             return holding(kind, buildBvh(primitives, options, packLeaves));
+        case AcceleratorKind::KdTree:
+            return holding(kind, buildKdTree(primitives, options, packLeaves));
+        case AcceleratorKind::Aabb:
+            return holding(kind, listPrimitives(*primitives, options.hasOneBox, packLeaves));
+        case AcceleratorKind::None:
+            return holding(kind, listPrimitives(*primitives, true, packLeaves));
     }
     __builtin_unreachable();
 }

@@ -14,7 +14,8 @@ struct Accelerator {
     AcceleratorView view;
 };
 
-/// Reorders `primitives`, of which there must be one at least, and builds a structure over them.
+/// Builds a structure over `primitives`, of which there must be one at least, and puts them in the order of
+/// its leaves. A kd-tree repeats those that lie in several.
 Accelerator buildAccelerator(AcceleratorKind kind, HugeVector<BuildPrimitive>* primitives,
                              const LeafOptions& options, const PackLeaves& packLeaves);
 

@@ -32,9 +32,14 @@ struct LeafRange {
 /// whatever array a walk's visitor reads.
 using PackLeaves = std::function<std::vector<LeafRange>(const std::vector<LeafRange>& leaves)>;
 
+/// The box of the part of a primitive, by its index, that lies in a cell; empty where none does.
+using ClipPrimitive = std::function<Bounds(uint32_t index, const Bounds& cell)>;
+
 struct LeafOptions {
     uint32_t leafPrimitives = 1;  ///< this many are tested at the cost of one, and stay together in a leaf
     int threads = 0;              ///< 0: all
+    bool hasOneBox = false;       ///< AcceleratorKind::Aabb: around all of them, instead of around each
+    ClipPrimitive clip{};         ///< AcceleratorKind::KdTree; empty: what a primitive's box has there
 };
 
 }  // namespace glint

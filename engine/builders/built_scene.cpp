@@ -17,6 +17,7 @@ SceneView BuiltScene::view() const {
     if (materials) {
         scene.materials = viewOf(materials->materials);
         scene.coats = viewOf(materials->coats);
+        scene.spectrum = viewOf(materials->spectrum);
     }
     if (textures) { scene.textures = viewOf(textures->textures); }
     if (lights) { scene.lights = lights->view(); }

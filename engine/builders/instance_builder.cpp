@@ -73,11 +73,12 @@ std::shared_ptr<const InstanceTable> buildInstances(
         boxes.push_back(makeBuildPrimitive(box, i));
         table->bounds.grow(box);
     }
+    table->topLevel.view.kind = scene.options.accelerator;
     if (boxes.empty()) {
         table->bounds = {Vec3(0.0f), Vec3(0.0f)};
         return table;
     }
-    table->topLevel = buildAccelerator(AcceleratorKind::Bvh, &boxes, {},
+    table->topLevel = buildAccelerator(scene.options.accelerator, &boxes, {},
                                        [](const std::vector<LeafRange>& leaves) { return leaves; });
     for (const BuildPrimitive& box : boxes) {
         table->topInstances.push_back(box.index);

@@ -10,6 +10,7 @@
 #include "engine/builders/repeated_triangles.h"
 #include "engine/kernels/shapes/shape_facts.h"
 #include "engine/math/color.h"
+#include "engine/scene/profile.h"
 
 namespace glint {
 namespace {
@@ -97,6 +98,9 @@ class TableBuilder {
         table_->firstEmitter[index] = static_cast<uint32_t>(first);
         if (object.shape == ShapeKind::Mesh) {
             addMesh(object, *scene_.meshes[static_cast<size_t>(object.mesh)].data, material.emitsBothSides);
+        } else if (object.shape == ShapeKind::Revolved) {
+            table_->emitters.push_back(
+                RevolvedShape::makeEmitter(object.objectToWorld, profileBounds(object.profile)));
         } else {
             table_->emitters.push_back(visitShape<EmitterData, kAnalyticOnly<kAllFeatures>>(
                 object.shape,

@@ -9,8 +9,11 @@
 
 #include "engine/base/nearest_name.h"
 #include "engine/builders/coat_albedo.h"
+#include "engine/builders/spectrum_table.h"
 #include "engine/kernels/bsdf/bsdf.h"
+#include "engine/scene/glasses.h"
 #include "engine/scene/metals.h"
+#include "engine/scene/scene_use.h"
 
 namespace glint {
 namespace {
@@ -61,6 +64,44 @@ Status setMetal(const Material& material, MaterialData* data) {
     }
     data->inputs.eta = metal->eta;
     data->inputs.k = metal->k;
+    return {};
+}
+
+/// Cauchy's formula through the indices of the three channels.
+Dispersion dispersionOfChannels(const Vec3& ior) {
+    const glm::dvec3 w = 1e-3 * glm::dvec3(kChannelWavelengthsNm);
+    const glm::dvec3 x = 1.0 / (w * w), n(ior);
+    // Divided differences of n as a polynomial in x.
+    const double first = (n.y - n.x) / (x.y - x.x);
+    const double second = ((n.z - n.y) / (x.z - x.y) - first) / (x.z - x.x);
+    Dispersion glass;
+    glass.formula = DispersionFormula::Cauchy;
+    glass.b[0] = static_cast<float>(first - second * (x.x + x.y));
+    glass.b[1] = static_cast<float>(second);
+    return glass;
+}
+
+/// The index at the d line, and how it changes. A sheet bends nothing.
+Status setGlass(const Material& material, MaterialData* data) {
+    if (!material.glass.empty()) {
+        const std::optional<GlassConstants> glass = findGlass(material.glass);
+        if (!glass) {
+            const std::string hint = didYouMean(material.glass, glassNames());
+            return materialError(material, fmt::format("unknown glass '{}'{}", material.glass, hint));
+        }
+        data->inputs.ior = glass->ior;
+        data->dispersion = glass->dispersion;
+    } else if (!isZero(material.iorRgb)) {
+        if (!isAtLeast(material.iorRgb, 1e-2f)) {
+            return materialError(material, "\"iorRgb\" must be finite and at least 0.01");
+        }
+        data->dispersion = dispersionOfChannels(material.iorRgb);
+        data->inputs.ior = material.iorRgb.y - indexShift(data->dispersion, kChannelWavelengthsNm.y);
+    } else if (material.abbeNumber != 0.0f) {
+        data->dispersion = dispersionOfAbbeNumber(material.ior.value, material.abbeNumber);
+    }
+    if ((data->flags & kMaterialThin) != 0) { data->dispersion = {}; }
+    if (data->dispersion.formula != DispersionFormula::None) { data->flags |= kMaterialDisperses; }
     return {};
 }
 
@@ -156,13 +197,15 @@ Status setOwn(const Material& material, MaterialData* data) {
     switch (material.kind) {
         case MaterialKind::Conductor:
             return setMetal(material, data);
+        case MaterialKind::Dielectric:
+            return setGlass(material, data);
         case MaterialKind::Mixture:
-            return checkMixture(material);
+            if (const Status status = checkMixture(material); !status) { return status; }
+            return setGlass(material, data);
         case MaterialKind::Plastic:
             return checkCoat(material);
         case MaterialKind::Diffuse:
         case MaterialKind::Mirror:
-        case MaterialKind::Dielectric:
             break;
     }
     return {};
@@ -189,11 +232,27 @@ bool sameMaterial(const MaterialData& a, const MaterialData& b) {
                 a.heightTexture == b.heightTexture && a.bumpHeight == b.bumpHeight &&
                 a.normalTexture == b.normalTexture && a.normalCode == b.normalCode &&
                 a.normalStrength == b.normalStrength && a.opacity == b.opacity &&
-                a.opacityTexture == b.opacityTexture && a.alphaTexture == b.alphaTexture;
+                a.opacityTexture == b.opacityTexture && a.alphaTexture == b.alphaTexture &&
+                a.dispersion == b.dispersion;
     forEachModelInput([&](const InputInfo&, const auto& x, const auto& y, const TextureSlot& s,
                           const TextureSlot& t) { same = same && x == y && s.index == t.index; },
                       a.inputs, b.inputs, a.textures, b.textures);
     return same;
+}
+
+/// Three wavelengths where a material in use gives its index at three.
+std::vector<SpectrumStratum> spectrumFor(const SceneDescription& scene,
+                                         const std::vector<MaterialData>& materials) {
+    const std::vector<bool> used = usedMaterials(scene);
+    bool disperses = false, hasChannels = false;
+    for (size_t i = 0; i < materials.size(); ++i) {
+        const bool counts = used[i] && (materials[i].flags & kMaterialDisperses) != 0;
+        disperses = disperses || counts;
+        hasChannels =
+            hasChannels || (counts && scene.materials[i].glass.empty() && !isZero(scene.materials[i].iorRgb));
+    }
+    if (!disperses) { return {}; }
+    return hasChannels ? tabulateThreeChannels() : tabulateSpectrum();
 }
 
 }  // namespace
@@ -213,8 +272,11 @@ Result<std::shared_ptr<const MaterialTable>> buildMaterialTable(
         }
         table->materials.push_back(*data);
     }
-    if (previous && std::equal(table->materials.begin(), table->materials.end(), previous->materials.begin(),
-                               previous->materials.end(), sameMaterial)) {
+    table->spectrum = spectrumFor(scene, table->materials);
+    if (previous &&
+        std::equal(table->materials.begin(), table->materials.end(), previous->materials.begin(),
+                   previous->materials.end(), sameMaterial) &&
+        table->spectrum.size() == previous->spectrum.size()) {
         return previous;
     }
     return std::shared_ptr<const MaterialTable>(std::move(table));

@@ -6,22 +6,10 @@
 
 #include "engine/base/check.h"
 #include "engine/base/parallel.h"
+#include "engine/builders/triangle_bounds.h"
 
 namespace glint {
 namespace {
-
-/// Boxes are widened by this part of their triangle's extent: more than the triangle test's shear can move an
-/// edge, so that a ray never passes between two boxes whose triangles share that edge.
-constexpr float kBoxPadding = 0x1p-21f;
-
-Bounds paddedBounds(const MeshData& mesh, uint32_t triangle) {
-    Bounds b;
-    for (int corner = 0; corner < 3; ++corner) {
-        b.grow(mesh.positions[mesh.indices[3 * size_t{triangle} + corner]]);
-    }
-    const Vec3 pad(maxComponent(b.extent()) * kBoxPadding);
-    return {b.lo - pad, b.hi + pad};
-}
 
 /// Packs triangles into clusters, one after the other.
 class ClusterPacker {
@@ -118,7 +106,7 @@ HugeVector<BuildPrimitive> trianglePrimitives(const MeshData& data, int threads)
     parallelChunks(data.triangleCount(), 1 << 16, threads, [&](int64_t begin, int64_t end) {
         for (int64_t i = begin; i < end; ++i) {
             const uint32_t triangle = static_cast<uint32_t>(i);
-            primitives[triangle] = makeBuildPrimitive(paddedBounds(data, triangle), triangle);
+            primitives[triangle] = makeBuildPrimitive(triangleBounds(data, triangle), triangle);
         }
     });
     return primitives;
@@ -146,6 +134,7 @@ MeshView BuiltMesh::view() const {
     v.triangleCount = data->triangleCount();
     v.vertexCount = static_cast<uint32_t>(data->positions.size());
     v.clusterCount = static_cast<uint32_t>(clusters.size());
+    v.clusterTriangles = static_cast<uint32_t>(clusterPrimitives.size());
     v.bounds = bounds;
     return v;
 }
@@ -155,20 +144,27 @@ size_t BuiltMesh::accelerationBytes() const {
            clusterPrimitives.size() * sizeof(uint32_t);
 }
 
-std::shared_ptr<const BuiltMesh> buildMesh(std::shared_ptr<const MeshData> data, int threads) {
+std::shared_ptr<const BuiltMesh> buildMesh(std::shared_ptr<const MeshData> data, int threads,
+                                           AcceleratorKind kind) {
     auto mesh = std::make_shared<BuiltMesh>();
     mesh->data = std::move(data);
+    mesh->accelerator.view.kind = kind;
     HugeVector<BuildPrimitive> primitives = trianglePrimitives(*mesh->data, threads);
     if (primitives.empty()) { return mesh; }
     for (uint32_t index : mesh->data->indices) {
         mesh->bounds.grow(mesh->data->positions[index]);
     }
 
-    const LeafOptions options{leafTriangles(*mesh->data), threads};
-    mesh->accelerator = buildAccelerator(AcceleratorKind::Bvh, &primitives, options,
-                                         [&](const std::vector<LeafRange>& leaves) {
-                                             return packLeaves(leaves, primitives, threads, mesh.get());
-                                         });
+    const LeafOptions options{.leafPrimitives = leafTriangles(*mesh->data),
+                              .threads = threads,
+                              .hasOneBox = true,
+                              .clip = [&](uint32_t triangle, const Bounds& cell) {
+                                  return triangleBoundsIn(*mesh->data, triangle, cell);
+                              }};
+    mesh->accelerator =
+        buildAccelerator(kind, &primitives, options, [&](const std::vector<LeafRange>& leaves) {
+            return packLeaves(leaves, primitives, threads, mesh.get());
+        });
     mesh->clusterPrimitives.resize(primitives.size());
     for (size_t i = 0; i < primitives.size(); ++i) {
         mesh->clusterPrimitives[i] = primitives[i].index;

@@ -29,7 +29,8 @@ struct BuiltMesh {
 
 /// Deterministic for any number of threads (0: all). Any triangles are accepted: none at all,
 /// degenerate, duplicate.
-std::shared_ptr<const BuiltMesh> buildMesh(std::shared_ptr<const MeshData> data, int threads);
+std::shared_ptr<const BuiltMesh> buildMesh(std::shared_ptr<const MeshData> data, int threads,
+                                           AcceleratorKind kind = AcceleratorKind::Bvh);
 
 /// `built` with other normals, uvs or colours: `data` must have the same triangles.
 std::shared_ptr<const BuiltMesh> withVertexData(const BuiltMesh& built, std::shared_ptr<const MeshData> data);

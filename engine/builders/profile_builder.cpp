@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include <glm/ext/vector_double2.hpp>
 
@@ -44,6 +45,18 @@ std::array<Point, 4> spanPoints(const Vec2* p) {
             knot(1)};
 }
 
+/// Coefficients of powers from those of Bernstein polynomials, by forward differences.
+void toPowers(const double* bernstein, int degree, double* powers) {
+    std::vector<double> differences(bernstein, bernstein + degree + 1);
+    for (int i = 0; i <= degree; ++i) {
+        powers[i] = binomial(degree, i) * differences[0];
+        for (size_t k = 0; k + 1 < differences.size(); ++k) {
+            differences[k] = differences[k + 1] - differences[k];
+        }
+        differences.pop_back();
+    }
+}
+
 ProfileCurve makeCurve(const Point* points, int degree) {
     ProfileCurve curve{};
     curve.degree = degree;
@@ -60,6 +73,10 @@ ProfileCurve makeCurve(const Point* points, int degree) {
     multiply(curve.x, curve.x, degree, curve.xSquared);
     multiply(curve.y, curve.y, degree, curve.ySquared);
     multiply(curve.y, one, degree, curve.yRaised);
+    if (degree < static_cast<int>(std::size(curve.xPowers))) {
+        toPowers(curve.x, degree, curve.xPowers);
+        toPowers(curve.y, degree, curve.yPowers);
+    }
     return curve;
 }
 
@@ -74,6 +91,38 @@ double volumeOf(const ProfileCurve& curve) {
         sum += x * x * evaluateBernstein<kMaxProfileDegree>(curve.y, curve.degree, s).derivative / kSteps;
     }
     return sum;
+}
+
+/// Area of the surface between two parameters of a curve, over 2 pi.
+double ringOf(const ProfileCurve& curve, double begin, double end) {
+    constexpr int kSteps = 32;
+    double sum = 0.0;
+    for (int i = 0; i < kSteps; ++i) {
+        const double s = begin + (end - begin) * (i + 0.5) / kSteps;
+        const PolynomialValue x = evaluateBernstein<kMaxProfileDegree>(curve.x, curve.degree, s);
+        const PolynomialValue y = evaluateBernstein<kMaxProfileDegree>(curve.y, curve.degree, s);
+        sum += std::fabs(x.value) * std::hypot(x.derivative, y.derivative);
+    }
+    return sum * (end - begin) / kSteps;
+}
+
+void tabulateArea(std::vector<ProfileCurve>* curves) {
+    constexpr int kSteps = ProfileCurve::kAreaSteps;
+    std::vector<double> before{0.0};
+    for (const ProfileCurve& curve : *curves) {
+        for (int step = 0; step < kSteps; ++step) {
+            before.push_back(before.back() + ringOf(curve, static_cast<double>(step) / kSteps,
+                                                    static_cast<double>(step + 1) / kSteps));
+        }
+    }
+    const double all = before.back();
+    for (size_t i = 0; i < curves->size(); ++i) {
+        ProfileCurve& curve = (*curves)[i];
+        curve.area = static_cast<float>(2.0 * std::numbers::pi * all);
+        for (size_t step = 0; step <= kSteps; ++step) {
+            curve.areaBefore[step] = static_cast<float>(all > 0.0 ? before[i * kSteps + step] / all : 0.0);
+        }
+    }
 }
 
 }  // namespace
@@ -98,8 +147,10 @@ std::vector<ProfileCurve> buildProfile(const Object& object) {
     for (ProfileCurve& curve : curves) {
         curve.count = static_cast<uint32_t>(shape.count);
         curve.centerY = 0.5 * (static_cast<double>(box.lo.y) + static_cast<double>(box.hi.y));
+        curve.size = glm::length(glm::dvec3(box.hi) - glm::dvec3(box.lo));
         curve.front = volume < 0.0 ? -1.0f : 1.0f;
     }
+    tabulateArea(&curves);
     return curves;
 }
 

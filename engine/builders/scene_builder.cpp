@@ -92,7 +92,8 @@ class SceneBuild {
     }
 
     Status meshes() {
-        if (!concerns(EditKind::Everything)) { return {}; }
+        if (!concerns(EditKind::Accelerator)) { return {}; }
+        const AcceleratorKind kind = scene_->options.accelerator;
         std::unordered_map<const MeshData*, std::shared_ptr<const BuiltMesh>> known;
         for (const auto& mesh : built_->meshes) {
             known[mesh->data.get()] = mesh;
@@ -106,8 +107,9 @@ class SceneBuild {
             if (!built && used[i] && hasTrianglesOf(i, *mesh.data)) {
                 built = withVertexData(*built_->meshes[i], mesh.data);
             }
-            if (used[i] && (!built || !built->isReady)) {
-                built = buildMesh(mesh.data, threads_);
+            const bool isReady = built && built->isReady && built->accelerator.view.kind == kind;
+            if (used[i] && !isReady) {
+                built = buildMesh(mesh.data, threads_, kind);
                 ++report_.meshesBuilt;
             } else if (!built) {
                 built = leaveMeshUnbuilt(mesh.data);
@@ -159,7 +161,7 @@ class SceneBuild {
     }
 
     Status instances() {
-        if (concerns(EditKind::ObjectTransform) || emittersMoved_) {
+        if (concerns(EditKind::ObjectTransform | EditKind::Accelerator) || emittersMoved_) {
             built_->instances = buildInstances(*scene_, built_->meshes, built_->lights->firstEmitter);
             report_.topLevelBuilt = true;
         }
@@ -177,14 +179,16 @@ class SceneBuild {
     }
 
     /// The mask may only grow while a scene is edited: a kernel that was good enough stays so, and a slider
-    /// that passes through zero does not switch kernels back and forth.
+    /// that passes through zero does not switch kernels back and forth. The choice of an acceleration
+    /// structure is no slider.
     Status features() {
-        FeatureMask mask = concerns(EditKind::Everything) ? 0 : built_->features;
+        FeatureMask mask = concerns(EditKind::Everything) ? 0 : built_->features & ~kFeatureAccelerators;
         if (concerns(EditKind::ObjectTransform) || materialFeaturesChanged_) {
             mask |= scanFeatures(*scene_, *built_->materials);
             report_.featuresScanned = true;
         }
         if (built_->camera.lensRadius > 0.0f) { mask |= kFeatureDepthOfField; }
+        if (scene_->options.accelerator != AcceleratorKind::Bvh) { mask |= kFeatureAccelerators; }
         built_->features = mask | built_->lights->features();
         return {};
     }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/scene/glasses.h"
 #include "engine/scene/metals.h"
 #include "engine/scene/profile.h"
 #include "engine/scene/scene_use.h"
@@ -131,6 +132,12 @@ Status checkMaterial(const SceneDescription& scene, size_t index) {
     }
     if (material.kind == MaterialKind::Conductor && !material.metal.empty() && !findMetal(material.metal)) {
         return fault(who, fmt::format("\"{}\" is not a known metal", material.metal));
+    }
+    if (hasGlass(material) && !material.glass.empty() && !findGlass(material.glass)) {
+        return fault(who, fmt::format("\"{}\" is not a known glass", material.glass));
+    }
+    if (!notNegative(material.iorRgb) || !inRange(material.abbeNumber, 0.0f, 1e6f)) {
+        return fault(who, "iorRgb and the Abbe number must not be negative");
     }
     if (!notNegative(material.eta.value) || !notNegative(material.k.value)) {
         return fault(who, "eta and k must not be negative");

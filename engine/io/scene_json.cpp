@@ -81,10 +81,13 @@ void SceneJsonReader::readCamera(const JsonValue& value) {
 
 void SceneJsonReader::readRender(const JsonValue& value) {
     if (!value.present()) { return; }
-    const JsonFields fields = fieldsOf(value, "render", fieldKeys<RenderOptions>(~0u, {"sppm"}));
+    const JsonFields fields = fieldsOf(value, "render", fieldKeys<RenderOptions>(~0u, {"sppm", "raycast"}));
     readFields(fields, ~0u, &scene_.options);
     if (const JsonValue sppm = fields.find("sppm"); sppm.present()) {
         readFields(fieldsOf(sppm, "sppm", fieldKeys<SppmOptions>()), ~0u, &scene_.sppm);
+    }
+    if (const JsonValue rayCast = fields.find("raycast"); rayCast.present()) {
+        readFields(fieldsOf(rayCast, "raycast", fieldKeys<RayCastOptions>()), ~0u, &scene_.rayCast);
     }
 }
 

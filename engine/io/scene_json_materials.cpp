@@ -61,6 +61,7 @@ Material SceneJsonReader::readMaterial(const JsonValue& value, const std::string
     material.kind = *kind;
     const JsonFields fields = fieldsOf(value, nameOf(*kind), fieldKeys<Material>(only(*kind)));
     if (*kind == MaterialKind::Conductor) { checkMetal(fields, &material); }
+    if (hasGlass(material)) { checkGlass(fields); }
     readFields(fields, only(*kind), &material);
     return material;
 }
@@ -75,12 +76,34 @@ void SceneJsonReader::checkMetal(const JsonFields& fields, Material* material) {
         errors_.add(eta.present() ? eta : k, "\"eta\" and \"k\" belong together; expected both");
     } else if (eta.present()) {
         material->metal.clear();
-    } else if (std::string name; metal.present() && readString(errors_, metal, "metal", &name)) {
-        const auto known = metalNames();
-        if (std::ranges::find(known, name) == known.end()) {
-            errors_.add(metal, fmt::format("unknown metal \"{}\"{}; expected {}", name.substr(0, 60),
-                                           didYouMean(name, known), joinNames(known)));
+    } else {
+        checkName(metal, "metal", metalNames());
+    }
+}
+
+void SceneJsonReader::checkGlass(const JsonFields& fields) {
+    const JsonValue glass = fields.find("glass");
+    const JsonValue iorRgb = fields.find("iorRgb");
+    for (const char* key : {"ior", "abbeNumber"}) {
+        const JsonValue value = fields.find(key);
+        if (value.present() && (glass.present() || iorRgb.present())) {
+            errors_.add(value, fmt::format("\"{}\" says already how light is bent; expected one of the two",
+                                           glass.present() ? "glass" : "iorRgb"));
         }
+    }
+    if (glass.present() && iorRgb.present()) {
+        errors_.add(iorRgb, "a material has either \"glass\" or \"iorRgb\", not both");
+    }
+    checkName(glass, "glass", glassNames());
+}
+
+void SceneJsonReader::checkName(const JsonValue& value, std::string_view key,
+                                const std::vector<std::string_view>& known) {
+    std::string name;
+    if (!value.present() || !readString(errors_, value, key, &name)) { return; }
+    if (std::ranges::find(known, name) == known.end()) {
+        errors_.add(value, fmt::format("unknown {} \"{}\"{}; expected {}", key, name.substr(0, 60),
+                                       didYouMean(name, known), joinNames(known)));
     }
 }
 

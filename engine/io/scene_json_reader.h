@@ -48,6 +48,9 @@ class SceneJsonReader {
     Material readMaterial(const JsonValue& value, const std::string& name);
     /// Either a known "metal", or "eta" and "k".
     void checkMetal(const JsonFields& fields, Material* material);
+    /// A known "glass", or "iorRgb", or "ior" and "abbeNumber".
+    void checkGlass(const JsonFields& fields);
+    void checkName(const JsonValue& value, std::string_view key, const std::vector<std::string_view>& known);
     /// A constant, or a texture with the constant as its fallback.
     void readInput(const JsonFields& fields, std::string_view key, const NumberRange& range,
                    ColorInput* color);

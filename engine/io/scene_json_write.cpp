@@ -133,6 +133,7 @@ class SceneJsonWriter {
         writeObject(key, [&] {
             writeFields(options);
             writeObject("sppm", [&] { writeFields(scene_.sppm); });
+            writeObject("raycast", [&] { writeFields(scene_.rayCast); });
         });
     }
     void write(std::string_view key, const FieldTraits&, const std::vector<Texture>& textures) {

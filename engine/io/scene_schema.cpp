@@ -235,9 +235,13 @@ std::string sceneSchema() {
          {"glint", R"("description": "Version of the format.", "const": 1)"}},
         R"("glint")");
     schema.defineFields<Camera>("camera", "", ~0u);
-    schema.defineFields<RenderOptions>("render", "", ~0u, {{"sppm", R"("$ref": "#/definitions/sppm")"}});
+    schema.defineFields<RenderOptions>(
+        "render", "", ~0u,
+        {{"sppm", R"("$ref": "#/definitions/sppm")"}, {"raycast", R"("$ref": "#/definitions/raycast")"}});
     schema.defineFields<SppmOptions>(
         "sppm", "Stochastic progressive photon mapping, for the integrator \"sppm\".", ~0u);
+    schema.defineFields<RayCastOptions>(
+        "raycast", "Phong's model under the scene's lights, for the integrator \"raycast\".", ~0u);
     schema.defineAny("texture", {"textureFile", "checkerboard"});
     schema.defineFields<Texture>("textureFile", "", FieldsOf<Texture>::kInFile);
     schema.defineFields<Texture>("checkerboard",

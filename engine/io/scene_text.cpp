@@ -132,12 +132,14 @@ void SceneTextReader::placeCamera(const TextToken& at, const Vec3& direction, co
 }
 
 void SceneTextReader::readBackground() {
-    constexpr std::string_view kFields[] = {"color"};
+    constexpr std::string_view kFields[] = {"color", "ambientLight"};
     tokens_.take();
     tokens_.expect("{", "Background");
     while (!tokens_.accept("}") && !tokens_.failed()) {
         if (tokens_.accept("color")) {
             scene_.environment.color = tokens_.color("the background's color");
+        } else if (tokens_.accept("ambientLight")) {
+            scene_.rayCast.ambient = tokens_.color("ambientLight");
         } else {
             tokens_.failUnknown("Background", kFields);
         }
@@ -243,6 +245,7 @@ void SceneTextReader::scaleMeshBumps() {
 
 void SceneTextReader::useLights() {
     const Vec3 center = sceneCenter();
+    scene_.rayCast.shadows = scene_.rayCast.falloff = false;  // As the original casts rays.
     for (Light& light : scene_.lights) {
         light.strength = kPi;  // Phong's diffuse term lacks Lambert's 1 / pi.
         if (light.kind == LightKind::Point) { light.strength *= lengthSquared(light.position - center); }

@@ -24,6 +24,7 @@ void SceneTextReader::readMaterial() {
     Material material;
     material.name = fmt::format("material {}", scene_.materials.size());
     material.color.value = Vec3(1.0f);
+    float shininess = 0.0f;
     Vec3 weights(1.0f, 0.0f, 0.0f);
     float ior = 1.0f;
     bool hasIor = false;
@@ -33,7 +34,7 @@ void SceneTextReader::readMaterial() {
         if (tokens_.accept("color") || tokens_.accept("diffuseColor")) {
             material.color.value = glm::min(tokens_.color("color"), Vec3(1.0f));
         } else if (tokens_.accept("specularColor")) {
-            tokens_.vec3("specularColor");  // Phong's, which path tracing does not use.
+            material.phongSpecular = tokens_.color("specularColor");
         } else if (tokens_.accept("emission")) {
             material.emission.value = tokens_.color("emission");
             material.emitsBothSides = true;  // The original adds it whichever side a ray meets.
@@ -41,7 +42,7 @@ void SceneTextReader::readMaterial() {
             weightsAt = tokens_.peek();
             weights = tokens_.color("type");
         } else if (tokens_.accept("shininess")) {
-            tokens_.number("shininess");
+            shininess = tokens_.number("shininess", 0.0f, 1e6f, "an exponent from 0 to 1e6");
         } else if (tokens_.accept("refr")) {
             ior = tokens_.number("refr", 0.01f, 100.0f, "an index of refraction from 0.01 to 100");
             hasIor = true;
@@ -56,6 +57,7 @@ void SceneTextReader::readMaterial() {
             tokens_.failUnknown("Material", kFields);
         }
     }
+    if (!isZero(material.phongSpecular)) { material.phongExponent = shininess; }
     setScattering(weightsAt, weights, hasIor, ior, &material);
     scene_.materials.push_back(std::move(material));
 }

@@ -18,7 +18,11 @@ GLINT_HD AovSample traceAovPixel(const SceneView& view, const PassParams& params
     const Ray ray = pixelRay<kMask>(view.camera, params, sampler, x, y);
     AovSample result;
     Hit hit;
-    if (!intersect<kMask>(view, ray, &hit)) { return result; }
+    TestCounts tests;
+    const bool found = intersect<kMask>(view, ray, &hit, CountTests{&tests});
+    result.boxesTested = static_cast<float>(tests.boxes);
+    result.primitivesTested = static_cast<float>(tests.primitives);
+    if (!found) { return result; }
     RayCone cone = pixelCone(view.camera, params.height);
     cone.travel(hit.t);
     const SurfacePoint surface = surfaceAt<kMask>(view, ray, hit, cone.width);

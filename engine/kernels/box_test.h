@@ -7,6 +7,7 @@
 
 #include "engine/kernels/bvh_nodes.h"
 #include "engine/kernels/simd.h"
+#include "engine/math/bounds.h"
 #include "engine/math/ray.h"
 
 namespace glint {
@@ -52,6 +53,26 @@ GLINT_HD inline uint32_t boxHitsScalar(const WideNode& node, const BoxRay& ray, 
         hits |= (tNear <= tFar ? 1u : 0u) << i;
     }
     return hits;
+}
+
+/// The same for one box, and where the ray leaves it, which is not before any of it that it touches.
+GLINT_HD inline bool boxHit(const Bounds& bounds, const BoxRay& ray, float tMin, float tMax, float* tEnter,
+                            float* tLeave) {
+    float tNear = tMin;
+    float tFar = kInfinity;
+    for (int axis = 0; axis < 3; ++axis) {
+        const bool isBackwards = ray.nearRow[axis] != lowerRow(axis);
+        const float first = isBackwards ? bounds.hi[axis] : bounds.lo[axis];
+        const float last = isBackwards ? bounds.lo[axis] : bounds.hi[axis];
+        const float t0 = (first - ray.origin[axis]) * ray.inverseDirection[axis];
+        const float t1 = (last - ray.origin[axis]) * ray.inverseDirection[axis];
+        tNear = t0 > tNear ? t0 : tNear;
+        tFar = t1 < tFar ? t1 : tFar;
+    }
+    tFar = tFar * kSlabWidening;
+    *tEnter = tNear;
+    *tLeave = tFar < tMax ? tFar : tMax;
+    return tNear <= *tLeave;
 }
 
 #if GLINT_HAS_AVX2

@@ -75,8 +75,8 @@ GLINT_HD inline StackEntry* pushSorted(const WideNode& node, uint32_t mask, cons
 }
 
 /// traverse() (accelerator.h) of wide nodes; nodes[0] is the root.
-template <bool kAnyHit, class VisitLeaf>
-GLINT_HD inline bool traverseBvh(const WideNode* nodes, const Ray& ray, VisitLeaf&& visitLeaf) {
+template <bool kAnyHit, class Tests, class VisitLeaf>
+GLINT_HD inline bool traverseBvh(const WideNode* nodes, const Ray& ray, Tests tests, VisitLeaf&& visitLeaf) {
     const BoxRay box = makeBoxRay(ray);
     float tMax = ray.tMax;
     bool found = false;
@@ -92,6 +92,7 @@ GLINT_HD inline bool traverseBvh(const WideNode* nodes, const Ray& ray, VisitLea
             }
         } else {
             const WideNode& node = nodes[current];
+            tests.countBoxes(kNodeWidth);
             const uint32_t mask = boxHits(node, box, ray.tMin, tMax, distance);
             if (mask != 0 && (mask & (mask - 1)) == 0) {
                 current = node.child[lowestBit(mask)];

@@ -39,6 +39,12 @@ enum class EmissionDimension : uint32_t {
 enum class GatherDimension : uint32_t {
     DiscPoint,  ///< 2-D
     WallAngle,  ///< 1-D
+    Count,
+};
+
+/// Drawn at most once a path or photon (spectrum.h).
+enum class SpectrumDimension : uint32_t {
+    Wavelength = static_cast<uint32_t>(GatherDimension::Count),  ///< 1-D
 };
 
 /// A dimension of a path's sample vector. Draws of one dimension in one and in two dimensions are
@@ -53,6 +59,7 @@ GLINT_HD constexpr Dimension dimension(EmissionDimension name) { return {static_
 
 /// Counted from the other end, which no bounce reaches.
 GLINT_HD constexpr Dimension dimension(GatherDimension name) { return {~static_cast<uint32_t>(name)}; }
+GLINT_HD constexpr Dimension dimension(SpectrumDimension name) { return {~static_cast<uint32_t>(name)}; }
 
 /// `bounce` counts scattering events from 0 at the first hit.
 GLINT_HD constexpr Dimension dimension(BounceDimension name, int bounce) {

@@ -20,6 +20,9 @@ GLINT_HD inline Vec2 emitterUv(const GeometryView& geometry, const EmitterData& 
     if (isMesh<kMask>(instance)) {
         return MeshShape::emitterUv(geometry.meshes[instance.mesh], e, e.original - instance.firstEmitter, p);
     }
+    if (const ProfileCurve* curves = profileOf<kMask>(geometry, instance)) {
+        return RevolvedShape::emitterUv<kMask>(curves, instance.worldToObject.point(p));
+    }
     return visitShape<Vec2, kAnalyticOnly<kMask>>(instance.shape, [&](auto shape) {
         return decltype(shape)::template surface<kMask>(instance.worldToObject.point(p)).uv;
     });

@@ -38,10 +38,12 @@ enum Feature : FeatureMask {
     kFeatureInputTextures = 1u << 22,  ///< textures on inputs of materials other than the colour
     /// turned, moved, clamped or mirrored textures, nearest texels, changed values, other channels
     kFeaturePlacedTextures = 1u << 23,
-    kFeatureRevolved = 1u << 24,  ///< surface of revolution
-    kFeatureBumps = 1u << 25,     ///< height and normal maps
-    kFeatureCutouts = 1u << 26,   ///< surfaces that are not there everywhere
-    kFeatureMipmaps = 1u << 27,   ///< textures that are filtered by a pixel's width
+    kFeatureRevolved = 1u << 24,      ///< surface of revolution
+    kFeatureBumps = 1u << 25,         ///< height and normal maps
+    kFeatureCutouts = 1u << 26,       ///< surfaces that are not there everywhere
+    kFeatureMipmaps = 1u << 27,       ///< textures that are filtered by a pixel's width
+    kFeatureDispersion = 1u << 28,    ///< glass whose index depends on the wavelength
+    kFeatureAccelerators = 1u << 29,  ///< acceleration structures other than bounding volume hierarchies
     /// every surface point has dpdu and dpdv, not only those whose material needs them: for tests
     kFeatureTangents = 1u << 31,
     /// any of these makes shading normals differ from geometric ones
@@ -49,7 +51,7 @@ enum Feature : FeatureMask {
 };
 
 /// All that a scene can ask for.
-constexpr FeatureMask kAllFeatures = (1u << 28) - 1;
+constexpr FeatureMask kAllFeatures = (1u << 30) - 1;
 constexpr FeatureMask kMaterialFeatures = kFeatureDiffuse | kFeatureSpecular | kFeatureDielectric |
                                           kFeatureGlossy | kFeaturePlastic | kFeatureMixture;
 

@@ -17,11 +17,6 @@ struct TriangleCluster;  // triangle_cluster.h
 
 constexpr uint32_t kNone = 0xffffffffu;
 
-/// Acceleration structures that a scene can be built with.
-enum class AcceleratorKind : uint8_t {
-    Bvh,  ///< wide nodes (bvh_nodes.h)
-};
-
 /// An acceleration structure: which kind it is, and its nodes as one piece of memory, aligned to 64 bytes,
 /// that only code for that kind looks into.
 struct AcceleratorView {
@@ -67,6 +62,7 @@ struct MeshView {
     uint32_t triangleCount = 0;
     uint32_t vertexCount = 0;
     uint32_t clusterCount = 0;
+    uint32_t clusterTriangles = 0;  ///< entries of clusterPrimitives: a kd-tree may hold a triangle twice
     Bounds bounds;
 };
 
@@ -80,10 +76,16 @@ struct ProfileCurve {
     double xSquared[2 * kMaxProfileDegree + 1];
     double ySquared[2 * kMaxProfileDegree + 1];
     double yRaised[2 * kMaxProfileDegree + 1];  ///< y with its degree raised
+    double xPowers[4], yPowers[4];              ///< up to degree 3: coefficients of powers
     double radius, lowest, highest;             ///< of a cylinder around it
-    double centerY;                             ///< of the whole profile
+    double centerY, size;                       ///< of the whole profile's box: middle, diagonal
     int degree;
     uint32_t count;  ///< curves of the profile
+    /// Of the whole surface: its area, and the share of it before each of the curve's equal steps of the
+    /// parameter, and at its end.
+    static constexpr int kAreaSteps = 16;
+    float area;
+    float areaBefore[kAreaSteps + 1];
     float front;  ///< 1: the front is where (dy/ds, -dx/ds) points to in the half plane; -1: the other side
 };
 
@@ -91,7 +93,7 @@ struct GeometryView {
     View<InstanceData> instances;  ///< same indices as SceneDescription::objects
     View<MeshView> meshes;
     View<ProfileCurve> curves;    ///< of all profiles
-    AcceleratorView topLevel;     ///< over all finite instances
+    AcceleratorView topLevel;     ///< over all finite instances; its kind is that of all meshes
     View<uint32_t> topInstances;  ///< leaf contents of topLevel: indices into instances
     View<uint32_t> planes;        ///< infinite instances, tested one by one
     Bounds bounds;                ///< of the finite instances; a single point at 0 when there are none

@@ -9,20 +9,29 @@ namespace glint {
 
 namespace detail {
 
+/// What of a mask the traversal of meshes depends on.
+template <FeatureMask kMask>
+constexpr FeatureMask kMeshTraversal = kMask& kFeatureAccelerators;
+
 /// A world-space ray against one instance; stores a hit nearer than ray.tMax.
-template <FeatureMask kMask, bool kAnyHit, bool kFrontOnly>
-GLINT_HD inline bool intersectInstanceSided(const SceneView& view, uint32_t index, const Ray& ray, Hit* hit) {
+template <FeatureMask kMask, bool kAnyHit, bool kFrontOnly, class Tests>
+GLINT_HD inline bool intersectInstanceSided(const SceneView& view, uint32_t index, const Ray& ray, Hit* hit,
+                                            Tests tests) {
     const InstanceData& instance = view.geometry.instances[index];
     if (isMesh<kMask>(instance)) {
         const MeshView& mesh = view.geometry.meshes[instance.mesh];
         const bool transformed =
             hasFeature<kMask>(kFeatureTransforms) && !(instance.flags & kInstanceIdentity);
         const Ray local = transformed ? toObjectSpace(instance, ray) : ray;
-        if (!MeshShape::intersect<kAnyHit, kFrontOnly>(mesh, local, hit)) { return false; }
+        if (!MeshShape::intersect<kMeshTraversal<kMask>, kAnyHit, kFrontOnly>(mesh, local, hit, tests)) {
+            return false;
+        }
     } else if (const ProfileCurve* curves = profileOf<kMask>(view.geometry, instance)) {
+        tests.countPrimitives(1);
         const Ray local = toObjectSpace(instance, ray);
         if (!RevolvedShape::intersect<kAnyHit, kFrontOnly>(curves, local, hit)) { return false; }
     } else {
+        tests.countPrimitives(1);
         const Ray local = toObjectSpace(instance, ray);
         const float t = visitShape<float, kAnalyticOnly<kMask>>(instance.shape, [&](auto shape) {
             return decltype(shape)::template intersect<kFrontOnly>(local);
@@ -36,21 +45,24 @@ GLINT_HD inline bool intersectInstanceSided(const SceneView& view, uint32_t inde
     return true;
 }
 
-template <FeatureMask kMask, bool kAnyHit>
-GLINT_HD inline bool intersectInstance(const SceneView& view, uint32_t index, const Ray& ray, Hit* hit) {
+template <FeatureMask kMask, bool kAnyHit, class Tests>
+GLINT_HD inline bool intersectInstance(const SceneView& view, uint32_t index, const Ray& ray, Hit* hit,
+                                       Tests tests) {
     if (hasFeature<kMask>(kFeatureFrontOnly) && (view.geometry.instances[index].flags & kInstanceFrontOnly)) {
-        return intersectInstanceSided<kMask, kAnyHit, true>(view, index, ray, hit);
+        return intersectInstanceSided<kMask, kAnyHit, true>(view, index, ray, hit, tests);
     }
-    return intersectInstanceSided<kMask, kAnyHit, false>(view, index, ray, hit);
+    return intersectInstanceSided<kMask, kAnyHit, false>(view, index, ray, hit, tests);
 }
 
-template <FeatureMask kMask, bool kAnyHit>
-GLINT_HD inline bool intersectScene(const SceneView& view, const Ray& worldRay, Hit* hit) {
+/// With kFeatureAccelerators in the mask, a scene in other structures than hierarchies of boxes.
+template <FeatureMask kMask, bool kAnyHit, class Tests>
+GLINT_HD inline bool intersectSceneIn(const SceneView& view, const Ray& worldRay, Hit* hit, Tests tests) {
     Ray ray = worldRay;
     bool found = false;
     if (hasFeature<kMask>(kFeaturePlane)) {
         for (uint32_t i = 0; i < view.geometry.planes.count; ++i) {
-            if (!intersectInstance<kMask, kAnyHit>(view, view.geometry.planes[i], ray, hit)) { continue; }
+            const uint32_t plane = view.geometry.planes[i];
+            if (!intersectInstance<kMask, kAnyHit>(view, plane, ray, hit, tests)) { continue; }
             found = true;
             if (kAnyHit) { return true; }
             ray.tMax = hit->t;
@@ -58,14 +70,14 @@ GLINT_HD inline bool intersectScene(const SceneView& view, const Ray& worldRay, 
     }
     if (view.geometry.topLevel.empty()) { return found; }
     if (view.geometry.topInstances.count == 1) {
-        return intersectInstance<kMask, kAnyHit>(view, view.geometry.topInstances[0], ray, hit) || found;
+        const uint32_t only = view.geometry.topInstances[0];
+        return intersectInstance<kMask, kAnyHit>(view, only, ray, hit, tests) || found;
     }
-    traverse<kAnyHit>(view.geometry.topLevel, ray, [&](uint32_t first, uint32_t count, float* tMax) {
+    const auto visit = [&](uint32_t first, uint32_t count, float* tMax) {
         bool foundHere = false;
         for (uint32_t i = first; i < first + count; ++i) {
-            if (!intersectInstance<kMask, kAnyHit>(view, view.geometry.topInstances[i], ray, hit)) {
-                continue;
-            }
+            const uint32_t instance = view.geometry.topInstances[i];
+            if (!intersectInstance<kMask, kAnyHit>(view, instance, ray, hit, tests)) { continue; }
             foundHere = true;
             if (kAnyHit) { break; }
             ray.tMax = hit->t;
@@ -73,20 +85,36 @@ GLINT_HD inline bool intersectScene(const SceneView& view, const Ray& worldRay, 
         found = found || foundHere;
         *tMax = ray.tMax;
         return foundHere;
-    });
+    };
+    traverse<kMask, kAnyHit>(view.geometry.topLevel, ray, tests, visit);
     return found;
 }
 
-}  // namespace detail
+template <FeatureMask kMask, bool kAnyHit, class Tests>
+GLINT_ONE_PIECE_APART GLINT_HD bool intersectSceneApart(const SceneView& view, const Ray& ray, Hit* hit,
+                                                        Tests tests) {
+    return intersectSceneIn<kMask, kAnyHit>(view, ray, hit, tests);
+}
 
-namespace detail {
+/// Both levels have the same kind of structure. Others than hierarchies of boxes are apart, so that these are
+/// met as fast where there is a choice as where there is none.
+template <FeatureMask kMask, bool kAnyHit, class Tests>
+GLINT_HD inline bool intersectScene(const SceneView& view, const Ray& ray, Hit* hit, Tests tests) {
+    if constexpr (hasFeature<kMask>(kFeatureAccelerators)) {
+        if (view.geometry.topLevel.kind != AcceleratorKind::Bvh) {
+            return intersectSceneApart<kMask, kAnyHit>(view, ray, hit, tests);
+        }
+    }
+    return intersectSceneIn<kMask & ~FeatureMask{kFeatureAccelerators}, kAnyHit>(view, ray, hit, tests);
+}
 
 /// The nearest hit of what is there, behind what the ray passes. One function for rays of both kinds, since
 /// each traversal takes much of a device's stack.
-template <FeatureMask kMask>
-GLINT_ONE_PIECE_APART GLINT_HD bool intersectCutouts(const SceneView& view, const Ray& ray, Hit* hit) {
+template <FeatureMask kMask, class Tests>
+GLINT_ONE_PIECE_APART GLINT_HD bool intersectCutouts(const SceneView& view, const Ray& ray, Hit* hit,
+                                                     Tests tests) {
     Ray rest = ray;
-    while (intersectScene<kMask, false>(view, rest, hit)) {
+    while (intersectScene<kMask, false>(view, rest, hit, tests)) {
         if (!isCutOut(view, *hit) || !passesCutout<kMask>(view, ray, *hit)) { return true; }
         // Where t was rounded to tMin, the same hit would be met for ever.
         rest.tMin = hit->t > rest.tMin ? hit->t : nextFloat(rest.tMin, true);
@@ -96,13 +124,14 @@ GLINT_ONE_PIECE_APART GLINT_HD bool intersectCutouts(const SceneView& view, cons
 
 }  // namespace detail
 
-/// The nearest hit with tMin < t < tMax. False, and *hit unspecified, when there is none.
-template <FeatureMask kMask>
-GLINT_HD bool intersect(const SceneView& view, const Ray& ray, Hit* hit) {
+/// The nearest hit with tMin < t < tMax. False, and *hit unspecified, when there is none. Of primitives that
+/// are met at distances within rounding of each other, such as neighbours at their edge, any may be the one.
+template <FeatureMask kMask, class Tests = NoTests>
+GLINT_HD bool intersect(const SceneView& view, const Ray& ray, Hit* hit, Tests tests = {}) {
     if constexpr (hasFeature<kMask>(kFeatureCutouts)) {
-        return detail::intersectCutouts<kMask>(view, ray, hit);
+        return detail::intersectCutouts<kMask>(view, ray, hit, tests);
     } else {
-        return detail::intersectScene<kMask, false>(view, ray, hit);
+        return detail::intersectScene<kMask, false>(view, ray, hit, tests);
     }
 }
 
@@ -110,10 +139,10 @@ GLINT_HD bool intersect(const SceneView& view, const Ray& ray, Hit* hit) {
 template <FeatureMask kMask>
 GLINT_HD bool occluded(const SceneView& view, const Ray& ray) {
     Hit hit;
-    if (!detail::intersectScene<kMask, true>(view, ray, &hit)) { return false; }
+    if (!detail::intersectScene<kMask, true>(view, ray, &hit, NoTests{})) { return false; }
     if constexpr (hasFeature<kMask>(kFeatureCutouts)) {
         // Any hit of what is whole will do; otherwise there may be others behind it.
-        return !isCutOut(view, hit) || detail::intersectCutouts<kMask>(view, ray, &hit);
+        return !isCutOut(view, hit) || detail::intersectCutouts<kMask>(view, ray, &hit, NoTests{});
     }
     return true;
 }

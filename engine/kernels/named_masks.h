@@ -22,9 +22,11 @@ constexpr FeatureMask kMaskSmoothShapes = kMaskDiffuseShapes | kSmoothMaterials 
 constexpr FeatureMask kMaskDiffuseMeshes = kMaskDiffuseShapes | kMeshes | kFeatureTransforms |
                                            kFeatureTextures | kFeatureManyLights | kFeatureDepthOfField;
 /// Everything with one sampler, but for what few scenes have: textures on inputs other than the colour,
-/// placed and mip-mapped ones, surfaces of revolution, bumps and cut-outs.
+/// placed and mip-mapped ones, surfaces of revolution, bumps, cut-outs, dispersion and other
+/// acceleration structures.
 constexpr FeatureMask kMaskOneSampler =
-    kAllFeatures & ~(kFeatureIndependentSampler | kFeatureInputTextures | kFeaturePlacedTextures |
-                     kFeatureMipmaps | kFeatureRevolved | kFeatureBumps | kFeatureCutouts);
+    kAllFeatures &
+    ~(kFeatureIndependentSampler | kFeatureInputTextures | kFeaturePlacedTextures | kFeatureMipmaps |
+      kFeatureRevolved | kFeatureBumps | kFeatureCutouts | kFeatureDispersion | kFeatureAccelerators);
 
 }  // namespace glint

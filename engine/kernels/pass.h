@@ -24,6 +24,8 @@ enum Aov : uint32_t {
     kAovDepth = 1u << 3,       ///< distance along the view axis of the first hit, world units; 0: nothing hit
     kAovObjectId = 1u << 4,    ///< object index + 1; 0: nothing hit
     kAovMaterialId = 1u << 5,  ///< material index + 1; 0: nothing hit
+    kAovBoxesTested = 1u << 6,       ///< by the camera's ray: boxes of the acceleration structures, or planes
+    kAovPrimitivesTested = 1u << 7,  ///< likewise: triangles and other shapes
 };
 
 struct PassParams {
@@ -51,6 +53,8 @@ struct AovSample {
     float depth = 0.0f;
     uint32_t objectId = 0;
     uint32_t materialId = 0;
+    float boxesTested = 0.0f;  ///< counts; their means over passes need not be whole
+    float primitivesTested = 0.0f;
 };
 
 /// One camera path. When fault is not None, radiance is 0 and must not enter the film.

@@ -2,7 +2,7 @@
 // sampling (Veach and Guibas 1995), and Russian roulette. Host and device; called by the backends for each
 // pixel of a pass.
 //
-// Unbiased up to the maximum depth. Left out: volumes, spectral effects. Nothing is clamped unless
+// Unbiased up to the maximum depth. Left out: volumes. Nothing is clamped unless
 // fireflyClamp asks for it.
 #pragma once
 
@@ -13,6 +13,7 @@
 #include "engine/kernels/light_sampling.h"
 #include "engine/kernels/path_log.h"
 #include "engine/kernels/ray_cone.h"
+#include "engine/kernels/spectrum.h"
 #include "engine/kernels/surface.h"
 
 namespace glint {
@@ -24,6 +25,7 @@ struct PathState {
     Vec3 radiance{0.0f};
     RayCone cone;  ///< looked at by masks with mip maps only
     LightContext context;
+    Wavelength wavelength;
     float pdfBsdf = 0.0f;
     /// undoes refraction's squared index ratio for the roulette, which it says nothing about
     float etaScale = 1.0f;
@@ -269,7 +271,9 @@ GLINT_HD inline void followPath(const SceneView& view, const PassParams& params,
         addEmission<kMask>(view, params, surface, wo, path, log);
         if (path->depth >= params.maxDepth) { return; }
 
-        const Bsdf<kMask> bsdf = makeBsdf<kMask>(view, surface, wo);
+        disperse<kMask>(view, sampler, surface.material, &path->wavelength, &path->throughput);
+        const Bsdf<kMask> bsdf =
+            makeBsdf<kMask>(view, surface, wo, TransportMode::Radiance, path->wavelength.nm);
         path->context = lightContextAt(surface, bsdf);
         if (!isSpecularOnly(bsdf)) {
             addSampledLight<kMask>(view, params, sampler, surface, bsdf, path, log);

@@ -11,7 +11,8 @@ struct SceneView {
     GeometryView geometry;
     View<MaterialData> materials;
     View<TextureView> textures;
-    View<CoatRow> coats;  ///< of plastics whose roughness or index is a texture (bsdf/plastic.h)
+    View<CoatRow> coats;             ///< of plastics whose roughness or index is a texture (bsdf/plastic.h)
+    View<SpectrumStratum> spectrum;  ///< empty where nothing disperses light (spectrum.h)
     LightView lights;
     CameraData camera;
     Vec3 sceneCenter{0.0f};

@@ -3,6 +3,7 @@
 
 #include "engine/base/kinds.h"
 #include "engine/base/view.h"
+#include "engine/math/dispersion.h"
 #include "engine/math/frame.h"
 #include "engine/math/material_inputs.h"
 #include "engine/math/vec.h"
@@ -17,6 +18,7 @@ enum MaterialFlag : uint8_t {
     kMaterialBump = 1u << 4,           ///< a height or normal map perturbs the shading normal
     kMaterialCutOut = 1u << 5,         ///< not there everywhere
     kMaterialMipmaps = 1u << 6,        ///< some texture is filtered by a pixel's width
+    kMaterialDisperses = 1u << 7,      ///< its index depends on the wavelength
 };
 
 /// A GGX alpha below this is treated as perfectly smooth: its lobe is narrower than float directions
@@ -55,6 +57,7 @@ struct MaterialData {
     uint32_t colorTexture = TextureSlot::kNone;         ///< index into SceneView::textures, or none
     ShadingInputs inputs;                               ///< constants; what textures replace is not looked at
     MaterialInputs<TextureSlot, TextureSlot> textures;  ///< none in masks without kFeatureInputTextures
+    Dispersion dispersion;
     uint32_t coatTable = TextureSlot::kNone;  ///< plastic with textures: first row in SceneView::coats
     /// radiance, strength included; with a texture: the strength, which multiplies it
     Vec3 emission{0.0f};
@@ -69,6 +72,12 @@ struct MaterialData {
     uint32_t alphaTexture = TextureSlot::kNone;  ///< its alpha is a factor on the opacity
     MaterialKind kind = MaterialKind::Diffuse;
     uint8_t flags = 0;
+};
+
+/// One of equally likely parts of the spectrum.
+struct SpectrumStratum {
+    float beginNm = 0.0f, endNm = 0.0f;
+    Vec3 weight{1.0f};  ///< what its light adds to each channel; over all strata the mean is 1
 };
 
 /// 3 bytes (sRGB or linear) or 3 floats a texel; exactly one of `bytes` and `floats` is set. Row 0 is the

@@ -25,6 +25,7 @@ GLINT_HD inline VisiblePoint makeVisiblePoint(const SurfacePoint& surface, const
     point.nsPacked = packUnitVector<16>(surface.ns);
     point.ngPacked = packUnitVector<16>(surface.ng);
     point.instance = surface.instance;
+    point.hasWavelength = path.wavelength.nm > 0.0f;
     point.depth = static_cast<uint32_t>(path.depth);
     return point;
 }
@@ -50,7 +51,9 @@ GLINT_HD bool followToVisiblePoint(const SceneView& view, const SppmParams& para
         if (rests || path->depth >= pass.maxDepth) { return rests; }
         distance += hit.t;
 
-        const Bsdf<kMask> bsdf = makeBsdf<kMask>(view, surface, wo);
+        disperse<kMask>(view, sampler, surface.material, &path->wavelength, &path->throughput);
+        const Bsdf<kMask> bsdf =
+            makeBsdf<kMask>(view, surface, wo, TransportMode::Radiance, path->wavelength.nm);
         const LobeRange stored = visiblePointLobes(bsdf, params.storeAlpha);
         const bool sampleLight =
             stored.probability() > 0.0f ? params.sampleDirectLight : !isSpecularOnly(bsdf);

@@ -54,7 +54,7 @@ GLINT_HD Gathered gatherPhotons(const SceneView& view, const PhotonMap& photons,
                                 const VisiblePoint& point, float radiusSquared) {
     Gathered gathered;
     Vec3 bias(0.0f);
-    const PhotonLayout layout{params.photonsKnowSurface};
+    const PhotonLayout layout = photonLayout(params);
     const Vec3 ng = unpackUnitVector<16>(point.ngPacked);
     const GatherSurface surface{ng,
                                 unpackUnitVector<16>(point.nsPacked),
@@ -65,7 +65,12 @@ GLINT_HD Gathered gatherPhotons(const SceneView& view, const PhotonMap& photons,
     DiscClip clip;
     gathered.probe = detail::probeDisc<kMask>(view, params, statistics, sampler, point, surface,
                                               std::sqrt(radiusSquared), &clip);
-    const Bsdf<kMask> bsdf = makeBsdf<kMask>(view, surface, point.woWorld);
+    Wavelength wavelength;
+    if constexpr (hasFeature<kMask>(kFeatureDispersion)) {
+        if (point.hasWavelength != 0) { wavelength = wavelengthOf<kMask>(view, sampler); }
+    }
+    const Bsdf<kMask> bsdf =
+        makeBsdf<kMask>(view, surface, point.woWorld, TransportMode::Radiance, wavelength.nm);
     const uint32_t scatteringsLeft = static_cast<uint32_t>(params.pass.maxDepth) - 1u - point.depth;
     photons.visitNear(point.p, std::sqrt(radiusSquared), [&](const Photon& photon) {
         if (!detail::liesOnSurface(view, layout, photon, point.p, surface, radiusSquared)) { return; }
@@ -77,7 +82,11 @@ GLINT_HD Gathered gatherPhotons(const SceneView& view, const PhotonMap& photons,
         const Vec3 reflected =
             evaluate(bsdf, wi) * (1.0f / cosine);  // evaluate() has |cos| to ns, flux is per area of ng
         if (isZero(reflected)) { return; }
-        const Vec3 flux = reflected * photon.flux;
+        Vec3 flux = reflected * photon.flux;
+        if constexpr (hasFeature<kMask>(kFeatureDispersion)) {
+            flux *= spectralOverlap(wavelength, layout.band(photon), spectrumBands(view.spectrum.count));
+            if (isZero(flux)) { return; }
+        }
         gathered.flux += flux;
         bias += flux * detail::biasWeight(lengthSquared(photon.p - point.p) / radiusSquared);
         ++gathered.count;

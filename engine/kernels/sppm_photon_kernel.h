@@ -33,7 +33,7 @@ GLINT_HD inline Sampler makePhotonSampler(const PassParams& pass, uint64_t photo
 
 template <FeatureMask kMask>
 GLINT_HD Photon makePhoton(const SceneView& view, const SppmParams& params, const SurfacePoint& surface,
-                           const Vec3& wo, const Vec3& flux, int depth) {
+                           const Vec3& wo, const Vec3& flux, int depth, uint32_t band) {
     Photon photon;
     photon.p = surface.p;
     photon.flux = flux;
@@ -42,9 +42,8 @@ GLINT_HD Photon makePhoton(const SceneView& view, const SppmParams& params, cons
         const MaterialData& material = view.materials[surface.material];
         photon.flux *= 1.0f / maxf(opacityAt<kMask>(view, material, surface.uv), 1.0f / 64.0f);
     }
-    PhotonLayout{params.photonsKnowSurface}.pack(wo, surface.ng, static_cast<uint32_t>(depth),
-                                                 surfaceNumber<kMask>(view, params, surface.instance),
-                                                 &photon);
+    photonLayout(params).pack(wo, surface.ng, static_cast<uint32_t>(depth),
+                              surfaceNumber<kMask>(view, params, surface.instance), band, &photon);
     return photon;
 }
 
@@ -87,6 +86,7 @@ GLINT_HD PhotonTally tracePhoton(const SceneView& view, const PowerDistributionV
                           get2D<kMask>(sampler, dimension(EmissionDimension::Direction)));
     PhotonTally tally;
     Vec3 flux = emitted.flux;
+    Wavelength wavelength;
     Ray ray = emitted.ray;
     tally.emitted = luminance(flux);
     const int firstStored = params.sampleDirectLight ? 1 : 0;
@@ -106,9 +106,12 @@ GLINT_HD PhotonTally tracePhoton(const SceneView& view, const PowerDistributionV
         const SurfacePoint surface = surfaceAt<kMask>(view, ray, hit);
         const Vec3 wo = -ray.direction;
         if (hitsHiddenBack<kMask>(view, surface, wo)) { return tally; }
-        const Bsdf<kMask> bsdf = makeBsdf<kMask>(view, surface, wo, TransportMode::Importance);
+        const Vec3 arriving = flux;
+        const uint32_t band = wavelength.band;
+        disperse<kMask>(view, sampler, surface.material, &wavelength, &flux);
+        const Bsdf<kMask> bsdf = makeBsdf<kMask>(view, surface, wo, TransportMode::Importance, wavelength.nm);
         if (depth >= firstStored && visiblePointLobes(bsdf, params.storeAlpha).probability() > 0.0f) {
-            store(makePhoton<kMask>(view, params, surface, wo, flux, depth));
+            store(makePhoton<kMask>(view, params, surface, wo, arriving, depth, band));
         }
         if (!scatterPhoton<kMask>(view, sampler, surface, bsdf, wo, depth, &ray, &flux)) { return tally; }
     }

@@ -26,6 +26,7 @@ struct SppmParams {
     bool sampleDirectLight = true;  ///< photons then carry only light that was scattered at least once
     /// set for each pass by the back end (photon_surface.h)
     bool photonsKnowSurface = false;
+    bool photonsKnowBand = false;  ///< likewise: of the spectrum
 };
 
 /// The statistics of one pixel over all passes since they were last cleared (the paper's R, N and tau).
@@ -49,8 +50,9 @@ struct VisiblePoint {
     Vec2 uv{0.0f};
     uint32_t nsPacked = 0;  ///< shading normal (octahedral.h)
     uint32_t ngPacked = 0;  ///< geometric normal of the front side
-    uint32_t instance : 24 = 0;
-    uint32_t depth : 8 = 0;  ///< scattering events before this one
+    uint32_t instance : 23 = 0;
+    uint32_t hasWavelength : 1 = 0;  ///< the path's, which its sampler tells (spectrum.h)
+    uint32_t depth : 8 = 0;          ///< scattering events before this one
     /// about the width of a pixel here, world units: length of the path times the pixel's angle
     float footprint = 0.0f;
 };

@@ -66,45 +66,56 @@ GLINT_HD inline int signChanges(const double* b, int degree) {
     return changes;
 }
 
-/// The root between 0 and 1, where the signs differ. *steps counts Newton's.
-template <int kMaxDegree>
-GLINT_HD inline double bracketedRoot(const double* b, int degree, uint32_t* steps) {
-    double lo = 0.0, hi = 1.0;
-    const bool startsNegative = b[0] < 0.0;
-    double x = b[0] / (b[0] - b[degree]);
+/// Where the control polygon first crosses zero: close to the root where there is one. The signs of the ends
+/// differ.
+GLINT_HD inline double polygonRoot(const double* b, int degree) {
+    int i = 0;
+    while (i + 1 < degree && (b[i] < 0.0) == (b[i + 1] < 0.0)) {
+        ++i;
+    }
+    return (i + b[i] / (b[i] - b[i + 1])) / degree;
+}
+
+}  // namespace detail
+
+/// Newton's method for f(x), a PolynomialValue, from x within a bracket whose ends differ in sign. The root
+/// to within about the square of 1e-6, and to 1e-9 where it is close to another one. *steps counts
+/// evaluations.
+template <class Function>
+GLINT_HD inline double bracketedRoot(const Function& f, double lo, double hi, bool startsNegative, double x,
+                                     uint32_t* steps) {
+    constexpr double kClose = 1e-9;
     for (int i = 0; i < 64; ++i) {
         ++*steps;
-        const PolynomialValue at = evaluateBernstein<kMaxDegree>(b, degree, x);
+        const PolynomialValue at = f(x);
         if ((at.value < 0.0) == startsNegative) {
             lo = x;
         } else {
             hi = x;
         }
         const double newton = x - at.value / at.derivative;
-        const double next = newton > lo && newton < hi ? newton : 0.5 * (lo + hi);
-        if (std::fabs(next - x) <= 1e-15) { return next; }
-        x = next;
+        if (std::fabs(newton - x) <= kClose) { return newton < lo ? lo : newton > hi ? hi : newton; }
+        x = newton > lo && newton < hi ? newton : 0.5 * (lo + hi);
+        if (hi - lo <= kClose) { break; }
     }
     return x;
 }
 
-}  // namespace detail
-
-/// Calls found(x) for the roots in [0, 1], rising. Roots closer together than about 1e-8 count as one, and a
-/// place where the polynomial touches zero to within its rounding may count as a root or not. Returns
-/// Newton's steps.
-template <int kMaxDegree, class Found>
-GLINT_HD inline uint32_t forEachBernsteinRoot(const double* coefficients, int degree, const Found& found) {
+/// Calls found(begin, end, startsNegative, guess) for parts of [0, 1] that have a root each, rising; the
+/// guess is close to it. Roots closer together than about 1e-8 count as one, whose part is given as a point,
+/// and a place where the polynomial touches zero to within its rounding may count as a root or not. kMost:
+/// the largest degree; where it is the degree itself, the code is straight.
+template <int kMost, class Found>
+GLINT_HD inline void forEachBernsteinBracket(const double* coefficients, int degree, const Found& found) {
     constexpr int kDeepest = 26;
-    uint32_t steps = 0;
     int level = 0;
     uint32_t index = 0;  // of 2^level parts
     for (;;) {
-        double b[kMaxDegree + 1];
+        double b[kMost + 1];
         for (int i = 0; i <= degree; ++i) {
             b[i] = coefficients[i];
         }
-        const double width = std::ldexp(1.0, -level);
+        const double width = 1.0 / static_cast<double>(1u << level);
         if (level > 0) { detail::restrictBernstein(b, degree, index * width, (index + 1) * width); }
         const int changes = detail::signChanges(b, degree);
         if (changes > 1 && level < kDeepest) {
@@ -113,17 +124,32 @@ GLINT_HD inline uint32_t forEachBernsteinRoot(const double* coefficients, int de
             continue;
         }
         if (changes > 0) {
-            const bool endsDiffer = (b[0] < 0.0) != (b[degree] < 0.0);
-            const double root = endsDiffer ? detail::bracketedRoot<kMaxDegree>(b, degree, &steps) : 0.5;
-            found((index + root) * width);
+            const double begin = index * width;
+            if ((b[0] < 0.0) != (b[degree] < 0.0)) {
+                found(begin, begin + width, b[0] < 0.0, begin + width * detail::polygonRoot(b, degree));
+            } else {
+                found(begin + 0.5 * width, begin + 0.5 * width, false, begin + 0.5 * width);
+            }
         }
         ++index;
         while (level > 0 && index % 2 == 0) {
             index /= 2;
             --level;
         }
-        if (level == 0) { return steps; }
+        if (level == 0) { return; }
     }
+}
+
+/// Calls found(x) for the roots in [0, 1], rising, as forEachBernsteinBracket() says. Returns Newton's steps.
+template <int kMost, class Found>
+GLINT_HD inline uint32_t forEachBernsteinRoot(const double* coefficients, int degree, const Found& found) {
+    uint32_t steps = 0;
+    const auto valueAt = [&](double x) { return evaluateBernstein<kMost>(coefficients, degree, x); };
+    forEachBernsteinBracket<kMost>(
+        coefficients, degree, [&](double begin, double end, bool startsNegative, double guess) {
+            found(begin < end ? bracketedRoot(valueAt, begin, end, startsNegative, guess, &steps) : guess);
+        });
+    return steps;
 }
 
 }  // namespace glint

@@ -31,6 +31,7 @@ struct InputInfo {
     float least, most;               ///< the numbers are clamped to these, those of textures included
     uint32_t kinds;                  ///< models that look at it: kindBit()
     bool isReplacedByMetal = false;  ///< a conductor's metal says what it is
+    bool isReplacedByGlass = false;  ///< a dielectric's glass does
 };
 
 constexpr uint32_t kindBit(MaterialKind kind) { return 1u << static_cast<uint32_t>(kind); }
@@ -61,7 +62,7 @@ GLINT_HD constexpr auto withModelInputs(const Combine& combine) {
                               [](auto& set) -> decltype(auto) { return (set.eta); }},
                    ModelInput{InputInfo{"k", 0.0f, kMost, kConductor, true},
                               [](auto& set) -> decltype(auto) { return (set.k); }},
-                   ModelInput{InputInfo{"ior", 1e-3f, 1e3f, kDielectric | kPlastic | kMixture},
+                   ModelInput{InputInfo{"ior", 1e-3f, 1e3f, kDielectric | kPlastic | kMixture, false, true},
                               [](auto& set) -> decltype(auto) { return (set.ior); }},
                    ModelInput{InputInfo{"roughness", 0.0f, 1.0f, kConductor | kDielectric | kPlastic},
                               [](auto& set) -> decltype(auto) { return (set.roughness); }},

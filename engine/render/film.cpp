@@ -145,21 +145,23 @@ void AovFilm::commit(const std::vector<AovSample>& samples, int threads) {
     const bool first = passes_ == 0;
     ++passes_;
     const float weight = 1.0f / static_cast<float>(passes_);
-    parallelChunks(static_cast<int64_t>(pixels_.size()), kChunkPixels, threads,
-                   [&](int64_t begin, int64_t end) {
-                       for (int64_t i = begin; i < end; ++i) {
-                           const AovSample& sample = samples[i];
-                           AovSample& mean = pixels_[i];
-                           if (first) {
-                               mean = sample;
-                               continue;
-                           }
-                           mean.albedo += (sample.albedo - mean.albedo) * weight;
-                           mean.shadingNormal += (sample.shadingNormal - mean.shadingNormal) * weight;
-                           mean.geometricNormal += (sample.geometricNormal - mean.geometricNormal) * weight;
-                           mean.depth += (sample.depth - mean.depth) * weight;
-                       }
-                   });
+    parallelChunks(
+        static_cast<int64_t>(pixels_.size()), kChunkPixels, threads, [&](int64_t begin, int64_t end) {
+            for (int64_t i = begin; i < end; ++i) {
+                const AovSample& sample = samples[i];
+                AovSample& mean = pixels_[i];
+                if (first) {
+                    mean = sample;
+                    continue;
+                }
+                mean.albedo += (sample.albedo - mean.albedo) * weight;
+                mean.shadingNormal += (sample.shadingNormal - mean.shadingNormal) * weight;
+                mean.geometricNormal += (sample.geometricNormal - mean.geometricNormal) * weight;
+                mean.depth += (sample.depth - mean.depth) * weight;
+                mean.boxesTested += (sample.boxesTested - mean.boxesTested) * weight;
+                mean.primitivesTested += (sample.primitivesTested - mean.primitivesTested) * weight;
+            }
+        });
 }
 
 }  // namespace glint

@@ -78,6 +78,14 @@ void addAovs(const std::vector<AovSample>& samples, uint32_t aovs, ExrBuilder* o
     if ((aovs & kAovMaterialId) != 0) {
         out->addIds("materialId.id", [&](size_t i) { return samples[i].materialId; });
     }
+    if ((aovs & kAovBoxesTested) != 0) {
+        out->addFloats("boxesTested.Y", ExrPixelType::Float,
+                       [&](size_t i) { return samples[i].boxesTested; });
+    }
+    if ((aovs & kAovPrimitivesTested) != 0) {
+        out->addFloats("trianglesTested.Y", ExrPixelType::Float,
+                       [&](size_t i) { return samples[i].primitivesTested; });
+    }
 }
 
 std::map<std::string, std::string> metadata(const FilmSnapshot& snapshot, const SceneDescription& scene) {

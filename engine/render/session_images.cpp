@@ -48,7 +48,7 @@ std::vector<IntegratorKind> SessionImages::takeScene(std::shared_ptr<const Scene
     const std::shared_ptr<const SceneDescription> before = std::exchange(scene_, std::move(scene));
     use({shownKind()});
     use(compared(request));
-    if (has(kinds, EditKind::Everything)) {
+    if (has(kinds, EditKind::Everything | EditKind::Accelerator)) {
         for (auto& [kind, state] : states_) {
             state.pace.forget();
         }

@@ -36,6 +36,7 @@ struct FieldTraits {
     bool required = false;              ///< a file must give it
     bool onlyOwnKinds = false;          ///< fingerprints of other kinds leave it out
     bool onlyIfSet = false;             ///< fingerprints leave it out where it is as in a new object
+    bool inPictureIfSaved = false;      ///< fingerprints leave it out where FieldHooks::isSaved does not hold
     /// The key names, for other kinds, a member that is in the list already.
     bool alias = false;
     /// Files hold it in a form that has code of its own.

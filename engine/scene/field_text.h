@@ -29,6 +29,8 @@ std::string fieldText(const Field<Owner, Member>& field, const Owner& owner) {
         return std::string(nameOf(value));
     } else if constexpr (std::is_same_v<Member, bool>) {
         return std::string(value ? field.traits.whenTrue : field.traits.whenFalse);
+    } else if constexpr (std::is_same_v<Member, Vec3>) {
+        return fmt::format("{},{},{}", value.x, value.y, value.z);
     } else {
         return fmt::to_string(value);
     }

@@ -17,7 +17,8 @@ namespace glint {
 #define GLINT_INTEGRATORS(X) \
     X(PathTracing, "path", "pt", "Path tracing") \
     X(Sppm, "sppm", "sppm", "SPPM") \
-    X(AmbientOcclusion, "ao", "ao", "Ambient occlusion")
+    X(AmbientOcclusion, "ao", "ao", "Ambient occlusion") \
+    X(RayCast, "raycast", "rc", "Ray casting")
 // clang-format on
 
 enum class IntegratorKind : uint8_t {

@@ -105,6 +105,15 @@ std::span<const KindName<SamplerKind>> kindNames<SamplerKind>() {
 }
 
 template <>
+std::span<const KindName<AcceleratorKind>> kindNames<AcceleratorKind>() {
+    static constexpr KindName<AcceleratorKind> kNames[] = {{"bvh", AcceleratorKind::Bvh},
+                                                           {"kdtree", AcceleratorKind::KdTree},
+                                                           {"aabb", AcceleratorKind::Aabb},
+                                                           {"none", AcceleratorKind::None}};
+    return kNames;
+}
+
+template <>
 std::span<const KindName<PhotonLookupKind>> kindNames<PhotonLookupKind>() {
     static constexpr KindName<PhotonLookupKind> kNames[] = {{"grid", PhotonLookupKind::Grid},
                                                             {"tree", PhotonLookupKind::Tree}};

@@ -46,6 +46,8 @@ std::span<const KindName<FilterKind>> kindNames<FilterKind>();
 template <>
 std::span<const KindName<SamplerKind>> kindNames<SamplerKind>();
 template <>
+std::span<const KindName<AcceleratorKind>> kindNames<AcceleratorKind>();
+template <>
 std::span<const KindName<PhotonLookupKind>> kindNames<PhotonLookupKind>();
 
 template <class Kind>

@@ -32,7 +32,8 @@ struct NumberInput {
 /// The coded normal of a surface as it is.
 constexpr Vec3 kNoTilt{0.5f, 0.5f, 1.0f};
 
-struct Material {
+/// What its model computes with beside the colour is in MaterialInputs.
+struct Material : MaterialInputs<ColorInput, NumberInput> {
     std::string name;
     MaterialKind kind = MaterialKind::Diffuse;
 
@@ -41,15 +42,12 @@ struct Material {
     ColorInput color;
 
     std::string metal = "gold";  ///< conductor: measured constants by name (metals.h); empty: use eta and k
-    ColorInput eta{Vec3(0.2f)};  ///< conductor without a metal name: index of refraction at R, G, B
-    ColorInput k{Vec3(3.9f)};    ///< conductor without a metal name: extinction at R, G, B
-
-    NumberInput ior{1.5f};  ///< dielectric, plastic, mixture: interior over exterior index of refraction, > 0
-    NumberInput
-        roughness;      ///< conductor, dielectric, plastic: GGX alpha in [0, 1]; below kSmoothAlpha: smooth
+    std::string glass;  ///< dielectric, mixture: measured indices by name (glasses.h); empty: those below
+    /// dielectric, mixture: index at red, green and blue, for pictures of three wavelengths; 0: use ior
+    Vec3 iorRgb{0.0f};
+    /// dielectric, mixture: Abbe number of `ior`, by how much colours are bent alike; 0: all are
+    float abbeNumber = 0.0f;
     bool thin = false;  ///< dielectric only
-    /// diffuse, mirror, refractive; not negative, not all zero
-    ColorInput mixtureWeights{Vec3(1.0f, 0.0f, 0.0f)};
 
     NumberInput bump;          ///< height map: a texture; a constant height changes nothing
     float bumpHeight = 0.01f;  ///< metres that a height of 1 stands for; negative: valleys
@@ -64,6 +62,9 @@ struct Material {
     float emissionStrength = 1.0f;    ///< multiplies `emission`
     bool emitsBothSides = false;      ///< otherwise only the side the geometric normal points to
 
+    Vec3 phongSpecular{0.0f};     ///< of the highlight in ray casting, which alone looks at it
+    float phongExponent = 20.0f;  ///< likewise: larger is smaller
+
     bool emissive() const {
         return emissionStrength > 0.0f && (emission.texture >= 0 || maxComponent(emission.value) > 0.0f);
     }
@@ -72,9 +73,21 @@ struct Material {
 template <class Value>
 constexpr bool kIsInput = std::is_same_v<Value, ColorInput> || std::is_same_v<Value, NumberInput>;
 
+/// Whether it has the fields of a glass that colours pass alike or apart.
+inline bool hasGlass(const Material& material) {
+    return material.kind == MaterialKind::Dielectric || material.kind == MaterialKind::Mixture;
+}
+
+/// Whether something else than `ior` says what its index is.
+inline bool replacesIor(const Material& material) {
+    return hasGlass(material) && (!material.glass.empty() || !isZero(material.iorRgb));
+}
+
 /// Whether the material's model looks at an input.
 inline bool looksAt(const Material& material, const InputInfo& info) {
-    return (info.kinds & kindBit(material.kind)) != 0 && !(info.isReplacedByMetal && !material.metal.empty());
+    return (info.kinds & kindBit(material.kind)) != 0 &&
+           !(info.isReplacedByMetal && !material.metal.empty()) &&
+           !(info.isReplacedByGlass && replacesIor(material));
 }
 
 }  // namespace glint

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "engine/base/kinds.h"
+#include "engine/math/vec.h"
 #include "engine/scene/integrator_kind.h"
 
 namespace glint {
@@ -11,8 +12,9 @@ namespace glint {
 /// Half the support in pixels that a filter has unless it is given.
 constexpr float usualRadius(FilterKind filter) { return filter == FilterKind::Box ? 0.5f : 1.5f; }
 
-/// All of these but the integrator change the picture's expectation or its noise: an edit of any restarts the
-/// films. The integrator chooses between the films, which are kept side by side.
+/// All of these but the integrator and the acceleration structure change the picture's expectation or its
+/// noise. An edit of any restarts the films, but for the integrator, which chooses between the films that are
+/// kept side by side.
 struct RenderOptions {
     IntegratorKind integrator = IntegratorKind::PathTracing;
     int maxDepth = 16;           ///< most scattering events along a path; 0: only directly visible emission
@@ -20,6 +22,7 @@ struct RenderOptions {
     FilterKind filter = FilterKind::BlackmanHarris;
     float filterRadius = 1.5f;  ///< pixels, half the support; box: 0.5 is one pixel
     SamplerKind sampler = SamplerKind::Sobol;
+    AcceleratorKind accelerator = AcceleratorKind::Bvh;  ///< changes nothing but the time
     uint32_t seed = 0;
     /// 0: off. Otherwise the most radiance one sample may bring; biased, and reported
     float fireflyClamp = 0.0f;
@@ -43,6 +46,15 @@ struct SppmOptions {
     uint32_t memoryBudgetMiB = 1024;  ///< for statistics and photons; photons per pass are reduced to fit
 
     bool operator==(const SppmOptions&) const = default;
+};
+
+/// Phong's model (Phong 1975) under the scene's lights without a shape. An edit restarts its film only.
+struct RayCastOptions {
+    bool shadows = true;
+    bool falloff = true;  ///< otherwise point and spot lights shine everywhere as at the scene's middle
+    Vec3 ambient{0.0f};   ///< radiance from all around, which nothing shades
+
+    bool operator==(const RayCastOptions&) const = default;
 };
 
 struct Resolution {

@@ -62,6 +62,7 @@ struct SceneDescription {
     Resolution resolution;
     RenderOptions options;
     SppmOptions sppm;
+    RayCastOptions rayCast;
     std::vector<Texture> textures;
     std::vector<SceneImage> environmentImages;
     std::vector<Material> materials;  ///< never empty when there are objects

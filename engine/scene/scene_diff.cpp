@@ -126,7 +126,9 @@ std::vector<SceneDifference> listDifferences(const SceneDescription& before, con
     forEachField<SceneDescription>([&](const auto& field) {
         const EditKind own = editOf(field);
         using Value = std::remove_cvref_t<decltype(before.*field.member)>;
-        const std::string_view part = std::is_same_v<Value, SppmOptions> ? "sppm" : field.key;
+        const std::string_view part = std::is_same_v<Value, SppmOptions>      ? "sppm"
+                                      : std::is_same_v<Value, RayCastOptions> ? "raycast"
+                                                                              : field.key;
         if (own != EditKind::None) { listPart(part, before.*field.member, after.*field.member, own, &out); }
     });
     return out;

@@ -17,9 +17,9 @@ EditKind differences(const SceneDescription& before, const SceneDescription& aft
 
 /// One field in which two versions of a scene differ.
 struct SceneDifference {
-    std::string_view
-        part;       ///< "camera", "materials": keys of scene files, "sppm"; "" for what they do not hold
-    int item = -1;  ///< in a list of as many items in both: which one; else -1
+    std::string_view part;  ///< "camera", "materials": keys of scene files, "sppm", "raycast"; "" for what
+                            ///< they do not hold
+    int item = -1;          ///< in a list of as many items in both: which one; else -1
     std::string_view
         key{};      ///< of the field in the part or the item; "" where the part is no group of fields
     int added = 0;  ///< items that a list has more than before; negative: fewer

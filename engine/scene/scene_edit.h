@@ -21,6 +21,8 @@ enum class EditKind : uint32_t {
     SppmParameters = 1u << 7,      ///< radius, alpha, photons per pass: SPPM statistics only
     Everything = 1u << 8,          ///< another scene
     Integrator = 1u << 9,          ///< which film is shown and goes on; nothing restarts
+    Accelerator = 1u << 10,        ///< acceleration structures of meshes and the top level, film
+    RayCastParameters = 1u << 11,  ///< lights, highlights: the film of ray casting only
 };
 
 constexpr EditKind operator|(EditKind a, EditKind b) {

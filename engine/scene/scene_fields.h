@@ -3,6 +3,7 @@
 
 #include "engine/scene/field.h"
 #include "engine/scene/generated_mesh.h"
+#include "engine/scene/glasses.h"
 #include "engine/scene/metals.h"
 
 namespace glint {
@@ -21,6 +22,9 @@ constexpr NumberRange kFootprintRange{
 constexpr NumberRange kReflectance{.lo = 0.0, .hi = 1.0, .expected = "a reflectance from 0 to 1 per channel"};
 constexpr NumberRange kExponent{.lo = 0.01f, .hi = 100.0, .expected = "an exponent from 0.01 to 100"};
 constexpr NumberRange kIor{.lo = 0.01f, .hi = 100.0, .expected = "an index of refraction from 0.01 to 100"};
+constexpr NumberRange kAbbeNumber{
+    .lo = 0.0, .hi = 1000.0, .expected = "an Abbe number up to 1000, or 0 for none"};
+constexpr NumberRange kShininess{.lo = 0.0, .hi = 1e6, .expected = "an exponent from 0 to 1e6"};
 constexpr NumberRange kConeAngle{
     .lo = 0.0, .hi = 90.0, .openLo = true, .expected = "a half angle above 0 and up to 90 degrees"};
 constexpr NumberRange kConeStart{
@@ -81,10 +85,12 @@ template <>
 struct FieldsOf<RenderOptions> {
     static constexpr EditKind kEdit = EditKind::Options;
     static constexpr std::tuple kList{
-        field("integrator", &RenderOptions::integrator,
-              {.help = "path tracing, progressive photon mapping (sppm), ambient occlusion (ao)",
-               .edit = EditKind::Integrator,
-               .option = "--integrator"}),
+        field(
+            "integrator", &RenderOptions::integrator,
+            {.help = "path tracing, progressive photon mapping (sppm), ambient occlusion (ao), Phong's model "
+                     "(raycast)",
+             .edit = EditKind::Integrator,
+             .option = "--integrator"}),
         field("maxDepth", &RenderOptions::maxDepth,
               {.range = {.lo = 0, .hi = 1 << 20},
                .help = "most scattering events along a path; of photons at most 256",
@@ -106,6 +112,12 @@ struct FieldsOf<RenderOptions> {
               {.help = "points: sobol (low discrepancy) or independent",
                .option = "--sampler",
                .variant = "sampler"}),
+        field("accelerator", &RenderOptions::accelerator,
+              {.help = "what rays find objects and triangles by; changes the time alone",
+               .edit = EditKind::Accelerator,
+               .inPicture = false,
+               .option = "--accelerator",
+               .variant = "accelerator"}),
         field("seed", &RenderOptions::seed,
               {.range = {.lo = 0, .hi = kLargestUint32},
                .help = "seed of the random numbers",
@@ -159,6 +171,29 @@ struct FieldsOf<SppmOptions> {
 };
 
 template <>
+struct FieldsOf<RayCastOptions> {
+    static constexpr EditKind kEdit = EditKind::RayCastParameters;
+    static constexpr std::tuple kList{
+        field("shadows", &RayCastOptions::shadows,
+              {.help = "whether lights cast shadows",
+               .option = "--phong-shadows",
+               .whenTrue = "on",
+               .whenFalse = "off"}),
+        field(
+            "falloff", &RayCastOptions::falloff,
+            {.help = "on: point and spot lights fall off with distance; off: they shine everywhere as at the "
+                     "scene's middle",
+             .option = "--phong-falloff",
+             .whenTrue = "on",
+             .whenFalse = "off"}),
+        field("ambient", &RayCastOptions::ambient,
+              {.range = kNotNegative,
+               .form = VectorForm::Color,
+               .unit = "W/(sr m^2)",
+               .help = "light from all around, which nothing shades"})};
+};
+
+template <>
 struct FieldsOf<Texture> {
     static constexpr EditKind kEdit = EditKind::MaterialKind;
     static constexpr uint32_t kInFile = 1u << 0, kGenerated = 1u << 1;  ///< kinds
@@ -207,6 +242,7 @@ struct FieldsOf<Material> {
     static constexpr uint32_t kConductor = only(MaterialKind::Conductor);
     static constexpr uint32_t kRefractive =
         only(MaterialKind::Dielectric, MaterialKind::Plastic, MaterialKind::Mixture);
+    static constexpr uint32_t kGlass = only(MaterialKind::Dielectric, MaterialKind::Mixture);
     static constexpr uint32_t kRough =
         only(MaterialKind::Conductor, MaterialKind::Dielectric, MaterialKind::Plastic);
     static constexpr std::tuple kList{
@@ -221,25 +257,53 @@ struct FieldsOf<Material> {
         field("metal", &Material::metal,
               {.help = "measured constants", .kinds = kConductor, .words = metalNames},
               {.isSaved = [](const Material& material) { return !material.metal.empty(); }}),
-        field("eta", &Material::eta,
-              {.range = kPositive, .help = "index of refraction, grey or [r, g, b]", .kinds = kConductor},
-              {.isSaved = [](const Material& material) { return material.metal.empty(); }}),
-        field("k", &Material::k,
-              {.range = kNotNegative, .help = "extinction, grey or [r, g, b]", .kinds = kConductor},
-              {.isSaved = [](const Material& material) { return material.metal.empty(); }}),
-        field("ior", &Material::ior,
-              {.range = kIor, .help = "index of refraction inside over outside", .kinds = kRefractive}),
-        field("roughness", &Material::roughness,
-              {.range = kUnitInterval, .help = "GGX alpha; 0: smooth", .kinds = kRough}),
+        field<Material, ColorInput>(
+            "eta", &Material::eta,
+            {.range = kPositive, .help = "index of refraction, grey or [r, g, b]", .kinds = kConductor},
+            {.isSaved = [](const Material& material) { return material.metal.empty(); }}),
+        field<Material, ColorInput>(
+            "k", &Material::k,
+            {.range = kNotNegative, .help = "extinction, grey or [r, g, b]", .kinds = kConductor},
+            {.isSaved = [](const Material& material) { return material.metal.empty(); }}),
+        field("glass", &Material::glass,
+              {.help = "measured indices by wavelength",
+               .kinds = kGlass,
+               .onlyOwnKinds = true,
+               .words = glassNames},
+              {.isSaved = [](const Material& material) { return !material.glass.empty(); }}),
+        field("iorRgb", &Material::iorRgb,
+              {.range = kNotNegative,
+               .form = VectorForm::Color,
+               .help = "indices at red, green and blue; the picture then has three wavelengths; 0: ior",
+               .kinds = kGlass,
+               .onlyOwnKinds = true},
+              {.isSaved =
+                   [](const Material& material) {
+                       return material.glass.empty() && !isZero(material.iorRgb);
+                   }}),
+        field<Material, NumberInput>(
+            "ior", &Material::ior,
+            {.range = kIor, .help = "index of refraction inside over outside", .kinds = kRefractive},
+            {.isSaved = [](const Material& material) { return !replacesIor(material); }}),
+        field("abbeNumber", &Material::abbeNumber,
+              {.range = kAbbeNumber,
+               .help = "dispersion of ior: 20 bends colours far apart, 80 hardly; 0: none",
+               .kinds = kGlass,
+               .onlyOwnKinds = true},
+              {.isSaved = [](const Material& material) { return !replacesIor(material); }}),
+        field<Material, NumberInput>(
+            "roughness", &Material::roughness,
+            {.range = kUnitInterval, .help = "GGX alpha; 0: smooth", .kinds = kRough}),
         field("thin", &Material::thin,
               {.help = "a sheet of no thickness: light passes straight",
                .kinds = only(MaterialKind::Dielectric)}),
-        field("weights", &Material::mixtureWeights,
-              {.range = kNotNegative,
-               .help = "[diffuse, mirror, refractive], in any unit",
-               .kinds = only(MaterialKind::Mixture)},
-              {.holds = [](const Material& material) { return !isZero(material.mixtureWeights.value); },
-               .message = "\"weights\" are all 0; expected [diffuse, mirror, refractive]"}),
+        field<Material, ColorInput>(
+            "weights", &Material::mixtureWeights,
+            {.range = kNotNegative,
+             .help = "[diffuse, mirror, refractive], in any unit",
+             .kinds = only(MaterialKind::Mixture)},
+            {.holds = [](const Material& material) { return !isZero(material.mixtureWeights.value); },
+             .message = "\"weights\" are all 0; expected [diffuse, mirror, refractive]"}),
         field("bump", &Material::bump,
               {.help = "a texture of heights, over which shading normals lean", .onlyIfSet = true}),
         field("bumpHeight", &Material::bumpHeight,
@@ -260,7 +324,20 @@ struct FieldsOf<Material> {
               {.range = kNotNegative, .unit = "W/(sr m^2)", .help = "radiance"}),
         field("emissionStrength", &Material::emissionStrength,
               {.range = kNotNegative, .help = "factor on emission"}),
-        field("emitsBothSides", &Material::emitsBothSides, {.help = "otherwise only the front side shines"})};
+        field("emitsBothSides", &Material::emitsBothSides, {.help = "otherwise only the front side shines"}),
+        field("specularColor", &Material::phongSpecular,
+              {.range = kNotNegative,
+               .form = VectorForm::Color,
+               .help = "of Phong's highlights, in ray casting alone",
+               .edit = EditKind::RayCastParameters,
+               .inPictureIfSaved = true},
+              {.isSaved = [](const Material& material) { return !isZero(material.phongSpecular); }}),
+        field("shininess", &Material::phongExponent,
+              {.range = kShininess,
+               .help = "exponent of Phong's highlights, in ray casting alone: larger is smaller",
+               .edit = EditKind::RayCastParameters,
+               .inPictureIfSaved = true},
+              {.isSaved = [](const Material& material) { return !isZero(material.phongSpecular); }})};
 };
 
 /// Of a mesh. What the picture depends on are the triangles.
@@ -425,6 +502,7 @@ struct FieldsOf<SceneDescription> {
         field("camera", &SceneDescription::camera),
         field("render", &SceneDescription::options),
         field("", &SceneDescription::sppm),
+        field("", &SceneDescription::rayCast),
         field("textures", &SceneDescription::textures),
         field("", &SceneDescription::environmentImages),
         field("materials", &SceneDescription::materials),

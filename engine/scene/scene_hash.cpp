@@ -74,6 +74,7 @@ void add(ContentHash& hash, const Owner& owner) {
                 hash.add(field.key);
             }
         }
+        if (field.traits.inPictureIfSaved && !field.hooks.isSaved(owner)) { return; }
         if constexpr (kIsInput<Member>) {
             addInput(hash, field.key, owner.*field.member);
         } else {
@@ -149,6 +150,7 @@ Hash128 hashPart(const SceneDescription& scene, ScenePart part) {
 template <class Owner>
 void addSettings(const Owner& owner, std::vector<Setting>* settings) {
     forEachField<Owner>([&](const auto& field) {
+        if (!field.traits.inPicture) { return; }
         const std::string_view name = field.traits.setting.empty() ? field.key : field.traits.setting;
         settings->push_back({std::string(name), fieldText(field, owner)});
     });
@@ -185,6 +187,7 @@ std::vector<Setting> renderSettings(const SceneDescription& scene) {
     addSettings(scene.resolution, &settings);
     addSettings(scene.options, &settings);
     if (scene.options.integrator == IntegratorKind::Sppm) { addSettings(scene.sppm, &settings); }
+    if (scene.options.integrator == IntegratorKind::RayCast) { addSettings(scene.rayCast, &settings); }
     return settings;
 }
 

@@ -9,6 +9,7 @@ namespace {
 Camera* targetOf(const SettingTargets& targets, const Camera*) { return targets.camera; }
 RenderOptions* targetOf(const SettingTargets& targets, const RenderOptions*) { return targets.options; }
 SppmOptions* targetOf(const SettingTargets& targets, const SppmOptions*) { return targets.sppm; }
+RayCastOptions* targetOf(const SettingTargets& targets, const RayCastOptions*) { return targets.rayCast; }
 
 /// Metres, "auto", or "auto:K".
 bool setRadius(std::string_view text, const SettingTargets& targets) {
@@ -51,6 +52,7 @@ std::span<const TextSetting> textSettings() {
         addSettings<Camera>({}, &settings);
         addSettings<RenderOptions>({}, &settings);
         addSettings<SppmOptions>(IntegratorKind::Sppm, &settings);
+        addSettings<RayCastOptions>(IntegratorKind::RayCast, &settings);
         settings.push_back(
             {.option = "--radius",
              .variant = "radius",

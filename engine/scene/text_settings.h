@@ -18,6 +18,7 @@ struct SettingTargets {
     Camera* camera = nullptr;
     RenderOptions* options = nullptr;
     SppmOptions* sppm = nullptr;
+    RayCastOptions* rayCast = nullptr;
 };
 
 struct TextSetting {

@@ -84,7 +84,8 @@ bool same(const PixelSample& a, const PixelSample& b) {
 bool same(const AovSample& a, const AovSample& b) {
     return same(a.albedo, b.albedo) && same(a.shadingNormal, b.shadingNormal) &&
            same(a.geometricNormal, b.geometricNormal) && a.depth == b.depth && a.objectId == b.objectId &&
-           a.materialId == b.materialId;
+           a.materialId == b.materialId && a.boxesTested == b.boxesTested &&
+           a.primitivesTested == b.primitivesTested;
 }
 bool same(const SppmPixel& a, const SppmPixel& b) {
     return a.radiusSquared == b.radiusSquared && a.photonCount == b.photonCount &&

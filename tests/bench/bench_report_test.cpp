@@ -107,6 +107,33 @@ TEST_F(BenchReport, Variants) {
     EXPECT_NE(report["rows"][0]["kernel"], "full");
 }
 
+TEST_F(BenchReport, Accel) {
+    const json report = reportOf({"accel", "--triangles", "1000", "--size", "16", "--turns", "1"});
+    expectKeys(report, {"threads", "turns", "scenes"});
+    ASSERT_EQ(report["scenes"].size(), 2u);
+    const char* const names[] = {"none", "aabb", "kdtree", "bvh"};
+    for (const json& scene : report["scenes"]) {
+        ASSERT_EQ(scene["rows"].size(), 4u) << scene["scene"];
+        for (size_t i = 0; i < 4; ++i) {
+            const json& row = scene["rows"][i];
+            expectKeys(row, {"accelerator", "build_seconds", "paths_per_s", "ratio_to_none",
+                             "boxes_per_camera_ray", "triangles_per_camera_ray", "pixels_different"});
+            EXPECT_EQ(row["accelerator"], names[i]);
+            EXPECT_EQ(row["pixels_different"], 0);
+            if (i == 0) { continue; }
+            EXPECT_LT(row["triangles_per_camera_ray"], scene["rows"][0]["triangles_per_camera_ray"]);
+        }
+    }
+}
+
+TEST_F(BenchReport, AccelOfFiles) {
+    const std::string scenes = GLINT_SOURCE_DIR "/scenes/";
+    const json report =
+        reportOf({"accel", scenes + "furnace.json", scenes + "cornell.json", "--size", "16", "--turns", "1"});
+    ASSERT_EQ(report["scenes"].size(), 2u);
+    EXPECT_EQ(report["scenes"][1]["scene"], scenes + "cornell.json");
+}
+
 TEST_F(BenchReport, VariantsOfAFile) {
     const json report = reportOf({"variants", GLINT_SOURCE_DIR "/scenes/furnace.json", "--size", "48",
                                   "--turns", "1", "--integrator", "path"});

@@ -105,12 +105,21 @@ TEST_F(OverwrittenFiles, NoInputOfAnyOtherCommandIsAnOutput) {
     expectRefused({"diff", at("out/flip.png"), wood, "--maps", at("out")}, "is the picture in question");
     fs::rename(at("sky.hdr"), at("out/plot.png"));
     before.erase(at("sky.hdr"));
-    const std::string moved = folder.write("moved.json", R"({ "glint": 1, "resolution": [8, 8],
-        "camera": { "position": [0, 0, 4], "target": [0, 0, 0] },
-        "environment": { "image": { "file": "out/plot.png" } } })");
-    expectRefused({"converge", moved, "--make-reference", "0.1", "--passes", "1", "--out", at("out"),
-                   "--overwrite", "--integrators", "pt"},
-                  "is the scene's environment");
+    const auto refuseConvergeBeside = [&](const std::string& environment, const std::string& message) {
+        const std::string moved = folder.write("moved.json", R"({ "glint": 1, "resolution": [8, 8],
+            "camera": { "position": [0, 0, 4], "target": [0, 0, 0] },
+            "environment": { "image": { "file": ")" + environment +
+                                                                 R"(" } } })");
+        expectRefused({"converge", moved, "--make-reference", "0.1", "--passes", "1", "--out", at("out"),
+                       "--overwrite", "--integrators", "pt"},
+                      message);
+    };
+    refuseConvergeBeside("out/plot.png", "is the scene's environment");
+    fs::create_directories(at("out/pictures/older"));
+    fs::rename(at("out/plot.png"), at("out/pictures/older/sky.png"));
+    refuseConvergeBeside("out/pictures/older/sky.png", "holds the scene's environment");
+    fs::create_symlink("out/pictures/older/sky.png", at("linked.png"));
+    refuseConvergeBeside("linked.png", "holds the scene's environment");
 }
 
 TEST_F(OverwrittenFiles, TwoOutputsAreNeverOneFile) {

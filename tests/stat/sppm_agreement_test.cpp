@@ -102,6 +102,11 @@ TEST_P(SppmAgainstPaths, RoughGlass) { expectAgreementOf(roughGlassBox(), params
 TEST_P(SppmAgainstPaths, RoughGlassInContact) { expectAgreementOf(roughGlassInContact(), params()); }
 TEST_P(SppmAgainstPaths, Bumps) { expectAgreementOf(bumpyBox(), params()); }
 TEST_P(SppmAgainstPaths, Cutouts) { expectAgreementOf(cutoutBox(), params()); }
+TEST_P(SppmAgainstPaths, DispersiveGlass) {
+    SppmParams more = params();
+    more.photonsPerPass = 20000;
+    expectAgreementOf(dispersiveGlass(), more);
+}
 TEST_P(SppmAgainstPaths, EmitterForms) { expectAgreementOf(small(emitterShapes()), params()); }
 TEST_P(SppmAgainstPaths, Furnace) {
     SppmParams more = params();

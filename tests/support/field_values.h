@@ -16,14 +16,21 @@ struct Anything {
     operator T() const;  // NOLINT: implicit, and never defined
 };
 
-/// How many members an aggregate has.
+/// How many values an aggregate takes in braces; a base is one.
 template <class T, class... Counted>
-consteval size_t memberCount() {
+consteval size_t bracedCount() {
     if constexpr (requires { T{Counted{}..., Anything{}}; }) {
-        return memberCount<T, Counted..., Anything>();
+        return bracedCount<T, Counted..., Anything>();
     } else {
         return sizeof...(Counted);
     }
+}
+
+/// How many members an aggregate has, those of a material's base included.
+template <class T>
+consteval size_t memberCount() {
+    using Inputs = MaterialInputs<ColorInput, NumberInput>;
+    return bracedCount<T>() + (std::is_base_of_v<Inputs, T> ? bracedCount<Inputs>() - 1 : 0);
 }
 
 inline float otherNumber(float x) { return x == 0.0f ? 0.25f : 0.75f * x; }
@@ -86,6 +93,8 @@ std::vector<Owner*> ownersIn(SceneDescription* scene) {
         owners.push_back(&scene->options);
     } else if constexpr (std::is_same_v<Owner, SppmOptions>) {
         owners.push_back(&scene->sppm);
+    } else if constexpr (std::is_same_v<Owner, RayCastOptions>) {
+        owners.push_back(&scene->rayCast);
     } else if constexpr (std::is_same_v<Owner, Texture>) {
         addAll(scene->textures);
     } else if constexpr (std::is_same_v<Owner, Material>) {
@@ -118,6 +127,7 @@ void forEachOwner(const Visit& visit) {
     visit.template operator()<Resolution>();
     visit.template operator()<RenderOptions>();
     visit.template operator()<SppmOptions>();
+    visit.template operator()<RayCastOptions>();
     visit.template operator()<Texture>();
     visit.template operator()<Material>();
     visit.template operator()<Mesh>();

@@ -27,13 +27,15 @@ inline Object makeObject(ShapeKind shape, const Affine& objectToWorld, int mesh 
 }
 
 inline GeometryScene makeScene(const std::vector<Object>& objects,
-                               const std::vector<std::shared_ptr<const MeshData>>& meshes = {}) {
+                               const std::vector<std::shared_ptr<const MeshData>>& meshes = {},
+                               AcceleratorKind accelerator = AcceleratorKind::Bvh) {
     GeometryScene scene;
     SceneDescription description;
+    description.options.accelerator = accelerator;
     description.materials.resize(1);
     description.objects = objects;
     for (const auto& mesh : meshes) {
-        scene.meshes.push_back(buildMesh(mesh, 2));
+        scene.meshes.push_back(buildMesh(mesh, 2, accelerator));
     }
     scene.instances = buildInstances(description, scene.meshes, {});
     scene.view.geometry = scene.instances->view();

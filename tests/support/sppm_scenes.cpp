@@ -90,6 +90,26 @@ SceneDescription cutoutBox() {
     return scene;
 }
 
+SceneDescription dispersiveGlass() {
+    SceneDescription scene = small(emptyScene({0.0f, 2.0f, 3.0f}, {0.0f, 0.15f, 0.1f}, 32.0f, 32));
+    const Vec3 up(0.0f, 1.0f, 0.0f);
+    addObject(&scene, ShapeKind::Rectangle, placeFlatShape(Vec3(0.0f), up, 4.0f, 4.0f),
+              diffuseMaterial({0.8f, 0.7f, 0.6f}));
+    addObject(&scene, ShapeKind::Rectangle, placeFlatShape({0.0f, 2.6f, 0.0f}, -up, 0.7f, 0.7f),
+              emissiveMaterial(Vec3(12.0f)));
+    Material glass = roughGlass();
+    glass.abbeNumber = 4.0f;
+    const int rough = addMaterial(&scene, glass);
+    glass.roughness.value = 0.0f;
+    const int smooth = addMaterial(&scene, glass);
+    addObject(&scene, ShapeKind::Sphere, translate({-0.45f, 0.4f, -0.1f}) * scale(Vec3(0.4f)), smooth);
+    addObject(&scene, ShapeKind::Sphere, translate({0.5f, 0.3f, 0.2f}) * scale(Vec3(0.3f)), rough);
+    MeshData cube;
+    addBox(&cube, {-0.15f, 0.02f, 0.5f}, {0.15f, 0.32f, 0.8f}, false);
+    addMeshObject(&scene, addMesh(&scene, std::make_shared<const MeshData>(std::move(cube))), {}, smooth);
+    return scene;
+}
+
 SceneDescription otherWinding(SceneDescription scene) {
     for (Object& object : scene.objects) {
         const bool isFlat = object.shape == ShapeKind::Rectangle || object.shape == ShapeKind::Disc;

@@ -22,6 +22,10 @@ SceneDescription bumpyBox();
 /// A box with a veil of opacity 0.4 across it and a ball with holes; small.
 SceneDescription cutoutBox();
 
+/// A ball and a cube of glass of extreme dispersion on a floor, one seen through the other: what a camera
+/// path and a photon are bent by meets on the floor, and in a second ball of rough glass; small.
+SceneDescription dispersiveGlass();
+
 /// The same scene with the other side of each flat opaque object as its front: to be seen alike.
 SceneDescription otherWinding(SceneDescription scene);
 

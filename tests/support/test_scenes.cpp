@@ -256,12 +256,26 @@ SceneDescription turnedProfiles() {
     return scene;
 }
 
+SceneDescription kdTrees() {
+    SceneDescription scene = darkness();
+    scene.title = "Every shape in kd-trees";
+    scene.options.accelerator = AcceleratorKind::KdTree;
+    scene.environment.color = Vec3(0.3f, 0.4f, 0.5f);
+    return scene;
+}
+
 std::vector<NamedScene> allTestScenes() {
-    return {{"cornellBox", cornellBox()},         {"allMaterials", allMaterials()},
-            {"texturedInputs", texturedInputs()}, {"meshInstances", meshInstances()},
-            {"manyLights", manyLights()},         {"lampShapes", emitterShapes()},
-            {"whiteFurnace", whiteFurnace()},     {"darkness", darkness()},
-            {"turnedProfiles", turnedProfiles()}, {"reliefs", reliefs()}};
+    return {{"cornellBox", cornellBox()},
+            {"allMaterials", allMaterials()},
+            {"texturedInputs", texturedInputs()},
+            {"meshInstances", meshInstances()},
+            {"manyLights", manyLights()},
+            {"lampShapes", emitterShapes()},
+            {"whiteFurnace", whiteFurnace()},
+            {"darkness", darkness()},
+            {"turnedProfiles", turnedProfiles()},
+            {"reliefs", reliefs()},
+            {"kdTrees", kdTrees()}};
 }
 
 std::shared_ptr<const MeshData> bumpySphere(int rings, int segments, bool withColors) {

@@ -40,6 +40,8 @@ SceneDescription darkness();
 
 /// Surfaces of revolution of both kinds of curves, and a texture that is placed.
 SceneDescription turnedProfiles();
+/// All shapes, the meshes under several transforms, in kd-trees.
+SceneDescription kdTrees();
 
 /// Height and normal maps, cut-outs by number, texture and alpha, and a mip map.
 SceneDescription reliefs();

@@ -38,6 +38,11 @@ TEST(ConvergenceVariant, EverySettingCanBeRead) {
     EXPECT_TRUE(parseVariants("path:roulette=2:clamp=10:backend=cuda:kernel=full"));
     EXPECT_TRUE(parseVariants("sppm:radius=0.05:photons=1000:direct=photons:kernel=specialised"));
     EXPECT_TRUE(parseVariants("sppm:radius=auto"));
+    const auto trees = parseVariants("rc:accelerator=kdtree");
+    ASSERT_TRUE(trees);
+    const VariantSettings settings = (*trees)[0].applyTo({});
+    EXPECT_EQ(settings.options.integrator, IntegratorKind::RayCast);
+    EXPECT_EQ(settings.options.accelerator, AcceleratorKind::KdTree);
 }
 
 TEST(ConvergenceVariant, MistakesAreNamed) {

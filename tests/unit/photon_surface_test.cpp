@@ -17,15 +17,21 @@ TEST(PhotonLayout, GivesBackWhatWasPacked) {
     std::mt19937 rng(5);
     std::normal_distribution<float> normal;
     const auto direction = [&] { return glm::normalize(Vec3(normal(rng), normal(rng), normal(rng))); };
-    for (const bool knowsSurface : {false, true}) {
-        const PhotonLayout layout{knowsSurface};
+    for (const PhotonLayout layout : {PhotonLayout{false, false}, PhotonLayout{true, false},
+                                      PhotonLayout{false, true}, PhotonLayout{true, true}}) {
+        const bool knowsSurface = layout.knowsSurface;
         for (uint32_t i = 0; i < 1000; ++i) {
             const Vec3 wi = direction(), ng = direction();
-            const uint32_t depth = i % 256, surface = knowsSurface ? 65535 - i : kOpaqueSurface;
+            const uint32_t depth = i % 256,
+                           surface = knowsSurface ? layout.mostSurfaces() - i : kOpaqueSurface;
+            const uint32_t band = layout.knowsBand ? i % 16 : 0;
             Photon photon;
-            layout.pack(wi, ng, depth, surface, &photon);
+            layout.pack(wi, ng, depth, surface, band, &photon);
             ASSERT_LT(glm::length(layout.wi(photon) - wi), knowsSurface ? 1.1e-3f : 7e-5f);
-            ASSERT_LT(glm::length(layout.ng(photon) - ng), knowsSurface ? 0.018f : 1.1e-3f);
+            ASSERT_LT(glm::length(layout.ng(photon) - ng), knowsSurface       ? 0.018f
+                                                           : layout.knowsBand ? 4.4e-3f
+                                                                              : 1.1e-3f);
+            ASSERT_EQ(layout.band(photon), band);
             ASSERT_EQ(layout.depth(photon), depth);
             ASSERT_EQ(layout.surface(photon), surface);
         }

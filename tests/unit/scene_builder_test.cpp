@@ -54,6 +54,24 @@ class SceneBuilder : public testing::Test {
     Built before;
 };
 
+TEST_F(SceneBuilder, AnotherAcceleratorRebuildsMeshesAndTheTopLevelAndIsNoLongerNeededAfterwards) {
+    description.options.accelerator = AcceleratorKind::KdTree;
+    const Edited after = edit(EditKind::Accelerator, before);
+    EXPECT_EQ(after.report.meshesBuilt, 2);
+    EXPECT_TRUE(after.report.topLevelBuilt);
+    EXPECT_EQ(after.scene->materials, before->materials);
+    EXPECT_EQ(after.scene->lights, before->lights);
+    EXPECT_EQ(after.scene->view().geometry.topLevel.kind, AcceleratorKind::KdTree);
+    EXPECT_EQ(after.scene->view().geometry.meshes[0].accelerator.kind, AcceleratorKind::KdTree);
+    EXPECT_EQ(after.scene->features, before->features | kFeatureAccelerators);
+    EXPECT_EQ(edit(EditKind::Everything, after.scene).report.meshesBuilt, 0) << "they are of that kind";
+
+    description.options.accelerator = AcceleratorKind::Bvh;
+    const Edited back = edit(EditKind::Accelerator, after.scene);
+    EXPECT_EQ(back.report.meshesBuilt, 2);
+    EXPECT_EQ(back.scene->features, before->features) << "the smaller kernels run again";
+}
+
 TEST_F(SceneBuilder, CameraAndSizeRebuildNothing) {
     description.camera.position.x += 1.0f;
     description.resolution.width *= 2;

@@ -66,6 +66,7 @@ SceneDescription fullScene() {
         material.name = kind.name;
         material.kind = kind.kind;
         material.roughness.value = 0.3f;
+        material.phongSpecular = Vec3(0.1f);
         scene.materials.push_back(material);
     }
     scene.materials.push_back(scene.materials[static_cast<size_t>(MaterialKind::Conductor)]);
@@ -162,10 +163,12 @@ TEST(SceneFields, EditsAreSeenAsWhatTheyAre) {
 }
 
 TEST(SceneFields, FingerprintsHaveWhatThePictureDependsOn) {
-    const SceneDescription scene = fullScene();
-    const Hash128 before = sceneHash(scene);
-    ASSERT_EQ(sceneHash(fullScene()), before);
+    SceneDescription scene = fullScene();
+    ASSERT_EQ(sceneHash(fullScene()), sceneHash(scene));
     forEachOwner([&]<class Owner>() {
+        const bool isOfRayCast = std::is_same_v<Owner, RayCastOptions>;
+        scene.options.integrator = isOfRayCast ? IntegratorKind::RayCast : IntegratorKind::Sppm;
+        const Hash128 before = sceneHash(scene);
         forEachChange<Owner>(scene, [&](const SceneDescription& changed, size_t i, const auto& field, bool) {
             SceneDescription copy = changed;
             const bool isOwn = (field.traits.kinds & kindBit(*ownersIn<Owner>(&copy)[i])) != 0;
@@ -174,6 +177,16 @@ TEST(SceneFields, FingerprintsHaveWhatThePictureDependsOn) {
                 << titleOf<Owner>(field.key, i);
         });
     });
+}
+
+TEST(SceneFields, FingerprintsOfMaterialsWithoutHighlightsAreAsBeforeThereWereAny) {
+    SceneDescription scene = fullScene();
+    for (Material& material : scene.materials) {
+        material.phongSpecular = Vec3(0.0f);
+    }
+    const Hash128 before = sceneHash(scene);
+    scene.materials[0].phongExponent *= 2.0f;
+    EXPECT_EQ(sceneHash(scene), before);
 }
 
 /// A scene that can be read without its mesh's file; its textures' files are written into the working folder.

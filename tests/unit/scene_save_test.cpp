@@ -159,6 +159,7 @@ SceneDescription sceneWithEverything() {
                      .filter = FilterKind::Gaussian,
                      .filterRadius = 1.7f,
                      .sampler = SamplerKind::Independent,
+                     .accelerator = AcceleratorKind::Aabb,
                      .seed = 0xFFFFFFFFu,
                      .fireflyClamp = 1e-30f};
     scene.sppm = {.photonsPerPass = 1u << 30,
@@ -169,6 +170,7 @@ SceneDescription sceneWithEverything() {
                   .sampleDirectLight = false,
                   .lookup = PhotonLookupKind::Tree,
                   .memoryBudgetMiB = 77};
+    scene.rayCast = {.shadows = false, .falloff = false, .ambient = {0.1f, 0.2f, 1.0f / 3.0f}};
     for (int kind = 0; kind < 6; ++kind) {
         Material material;
         material.name = kind % 2 == 0 ? "twice" : "";
@@ -181,6 +183,8 @@ SceneDescription sceneWithEverything() {
     scene.materials[2].metal.clear();
     scene.materials[2].eta.value = {1.1f, 1.2f, 1.3f};
     scene.materials[3].thin = true;
+    scene.materials[3].phongSpecular = {0.1f, 0.2f, 3.0f};
+    scene.materials[3].phongExponent = 1.0f / 7.0f;
     scene.materials[4].roughness.value = 0.3f;
     scene.materials[5].mixtureWeights.value = {0.2f, 0.3f, 0.5f};
     auto mesh = std::make_shared<MeshData>();

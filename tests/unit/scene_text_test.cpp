@@ -87,6 +87,22 @@ TEST(SceneText, EmissionLeavesBothSides) {
     EXPECT_TRUE(scene.materials[1].emitsBothSides);
 }
 
+TEST(SceneText, RayCastingGetsHighlightsAmbientLightAndLightsAsTheOriginalHasThem) {
+    const SceneDescription scene = mustRead(
+        "Background { color 0 0 1 ambientLight 0.1 0.2 0.3 }"
+        "Lights { numLights 1 PointLight { position 0 3 0 color 1 1 1 } }"
+        "Materials { numMaterials 3 Material { specularColor 1 2 3 shininess 20} Material { }"
+        "  Material { specularColor 1 1 1 } }"
+        "Group { numObjects 1 Sphere { center 0 0 0 radius 1 } }");
+    EXPECT_EQ(scene.materials[0].phongSpecular, Vec3(1, 2, 3));
+    EXPECT_EQ(scene.materials[0].phongExponent, 20.0f);
+    EXPECT_EQ(scene.materials[1].phongSpecular, Vec3(0));
+    EXPECT_EQ(scene.materials[2].phongExponent, 0.0f);
+    EXPECT_EQ(scene.rayCast.ambient, Vec3(0.1f, 0.2f, 0.3f));
+    EXPECT_FALSE(scene.rayCast.shadows);
+    EXPECT_FALSE(scene.rayCast.falloff);
+}
+
 TEST(SceneText, MaterialIndexStaysInForceAcrossGroups) {
     const SceneDescription scene =
         mustRead(std::string(kTwoMaterials) +

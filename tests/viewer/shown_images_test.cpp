@@ -15,10 +15,10 @@ TEST(ShownImages, TheTableIsComplete) {
     for (const ShownImageInfo& info : shownImages()) {
         names.emplace_back(info.name);
         EXPECT_EQ(&infoOf(info.image), &info);
-        const bool hasNumbers = info.values || info.isAgainstReference;
+        const bool hasNumbers = info.values || info.hitNumber != nullptr || info.isAgainstReference;
         const int sources = info.isRadiance() + hasNumbers + (info.hitColor != nullptr);
         EXPECT_EQ(sources, 1) << info.name;
-        EXPECT_EQ(info.ask != nullptr, bool(info.values) || info.hitColor != nullptr) << info.name;
+        EXPECT_EQ(info.ask != nullptr, bool(info.values) || info.isOfHit()) << info.name;
         EXPECT_EQ(bool(info.readout), hasNumbers) << info.name;
         EXPECT_EQ(bool(info.scaleText), hasNumbers && info.colors != MapColors::PresentOrNot) << info.name;
         EXPECT_EQ(info.hitText != nullptr, info.hitColor != nullptr) << info.name;

@@ -89,6 +89,20 @@ Status RunFiles::checkIsNoInput(const std::string& path) const {
     return {};
 }
 
+Status RunFiles::checkHoldsNoInput(const std::string& folder) const {
+    std::error_code ignored;
+    for (const Input& input : inputs_) {
+        fs::path parent = fs::weakly_canonical(input.path, ignored).parent_path();
+        for (; parent.has_relative_path(); parent = parent.parent_path()) {
+            if (!fs::equivalent(parent, folder, ignored)) { continue; }
+            return Error{
+                fmt::format("holds {}, which is read; expected another folder to write to", input.what),
+                {.file = folder}};
+        }
+    }
+    return {};
+}
+
 Status checkReplaces(const std::string& path, bool (*mayReplace)(std::string_view head),
                      std::string_view kind) {
     std::error_code ignored;

@@ -31,6 +31,8 @@ class RunFiles {
     Status check() const;
     /// Error: `path` is a file that is read.
     Status checkIsNoInput(const std::string& path) const;
+    /// Error: `folder`, or a folder in it, has a file that is read.
+    Status checkHoldsNoInput(const std::string& folder) const;
 
   private:
     struct Input {

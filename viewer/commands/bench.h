@@ -20,12 +20,13 @@ namespace glint {
 
 /// What a benchmark can be asked for; each takes some of it.
 struct BenchOptions {
-    std::string scene = {};       ///< a file; "": the benchmark's own scene
-    std::string mesh = {};        ///< name of a generator (generated_mesh.h)
-    std::string integrator = {};  ///< "": all of them
-    std::string lookup = {};      ///< how photons are found; "": as the scene says
-    int size = 0;                 ///< of the picture, pixels; 0: the scene's own
-    int threads = 0;              ///< on the command line 0 stands for all; measure() gets their number
+    std::string scene = {};                ///< a file; "": the benchmark's own scene
+    std::vector<std::string> scenes = {};  ///< likewise, where there may be several
+    std::string mesh = {};                 ///< name of a generator (generated_mesh.h)
+    std::string integrator = {};           ///< "": all of them
+    std::string lookup = {};               ///< how photons are found; "": as the scene says
+    int size = 0;                          ///< of the picture, pixels; 0: the scene's own
+    int threads = 0;  ///< on the command line 0 stands for all; measure() gets their number
     int passes = 0;
     int turns = 0;
     int edits = 0;
@@ -36,7 +37,9 @@ struct BenchOptions {
 /// How one of them is written. The help shows defaults that are not 0 or "".
 struct BenchOption {
     const char* name;  ///< "--passes"; "scene" stands without a name
-    std::variant<int BenchOptions::*, uint32_t BenchOptions::*, std::string BenchOptions::*> member;
+    std::variant<int BenchOptions::*, uint32_t BenchOptions::*, std::string BenchOptions::*,
+                 std::vector<std::string> BenchOptions::*>
+        member;
     const char* help;
     int least = 0;
     int most = 0;  ///< as least: any number
@@ -68,11 +71,13 @@ struct Benchmark {
     ExitCode onError = kExitFailed;  ///< of measure()
 };
 
+Benchmark accelBenchmark();
 Benchmark latencyBenchmark();
 Benchmark loadBenchmark();
 Benchmark passesBenchmark();
 Benchmark pathsBenchmark();
 Benchmark raysBenchmark();
+Benchmark revolveBenchmark();
 Benchmark threadsBenchmark();
 Benchmark variantsBenchmark();
 

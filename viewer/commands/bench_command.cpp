@@ -12,8 +12,8 @@ namespace glint {
 namespace {
 
 constexpr Benchmark (*kBenchmarks[])() = {
-    raysBenchmark, pathsBenchmark,   passesBenchmark,   latencyBenchmark,
-    loadBenchmark, threadsBenchmark, variantsBenchmark,
+    raysBenchmark, revolveBenchmark, pathsBenchmark,    passesBenchmark, latencyBenchmark,
+    loadBenchmark, threadsBenchmark, variantsBenchmark, accelBenchmark,
 };
 
 /// The options of a run, and where its report goes.
@@ -89,8 +89,10 @@ BenchOption trianglesOption() {
 }
 
 void addBenchCommand(const Command& program) {
-    const Command bench = program.subcommand(
-        "bench", "Measures speed: rays, paths, photon passes, latency, loading, threads, kernels");
+    const Command bench =
+        program.subcommand("bench",
+                           "Measures speed: rays, paths, photon passes, latency, loading, threads, kernels, "
+                           "acceleration structures");
     bench.needsSubcommand();
     bench.footer("Figures are only worth something on a machine that does nothing else.");
     for (const auto& benchmark : kBenchmarks) {

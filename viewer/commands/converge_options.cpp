@@ -13,7 +13,7 @@ namespace glint {
 namespace {
 
 constexpr const char* kFooter =
-    R"(A variant is path, sppm or ao, then settings that differ from the scene's own, each after a colon:
+    R"(A variant is path, sppm, ao or raycast, then settings that differ from the scene's own, each after a colon:
 {}
 Examples:
   glint converge scenes/cornell.json --make-reference 60 --time 10 --out cornell

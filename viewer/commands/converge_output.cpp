@@ -18,9 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kPictures = "pictures";
+
 /// All that a run replaces, but not the reference, which is kept to be used again.
 constexpr std::array<const char*, 7> kOwnNames{"index.html", "summary.json", "curve.csv", "summary.csv",
-                                               "plot.svg",   "plot.png",     "pictures"};
+                                               "plot.svg",   "plot.png",     kPictures};
 
 Error cannotWrite(const std::string& path, const std::string& why) {
     return {fmt::format("--out {}: {}", path, why), {}};
@@ -57,6 +59,7 @@ Status ConvergeFolder::check(bool overwrite, const RunFiles& files) const {
         }
         if (const Status free = files.checkIsNoInput(file(name)); !free) { return free; }
     }
+    if (const Status free = files.checkHoldsNoInput(file(kPictures)); !free) { return free; }
     return files.checkIsNoInput(reference());
 }
 

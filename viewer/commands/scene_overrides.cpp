@@ -13,7 +13,13 @@ namespace glint {
 namespace {
 
 constexpr const char* kSettingsGroup = "Instead of the scene's own settings";
-constexpr const char* kPhotonGroup = "Photon mapping, instead of the scene's own settings";
+
+/// Of the settings of one integrator.
+std::string groupOf(const TextSetting& setting) {
+    return setting.only ? fmt::format("{}, instead of the scene's own settings",
+                                      integratorInfo(*setting.only).displayName)
+                        : kSettingsGroup;
+}
 
 std::string capitalised(std::string text) {
     text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
@@ -22,7 +28,7 @@ std::string capitalised(std::string text) {
 
 void addOption(const Command& command, SceneOverrides::Given* given) {
     const TextSetting& setting = *given->setting;
-    const std::string name(setting.option), group = setting.only ? kPhotonGroup : kSettingsGroup;
+    const std::string name(setting.option), group = groupOf(setting);
     const std::string help = capitalised(setting.help);
     if (setting.isVector) {
         command.option(name, &given->numbers, help).typeName("X,Y,Z").commaSeparated(3, 3).group(group);
@@ -42,11 +48,11 @@ Status applySize(const std::string& text, SceneDescription* scene) {
     return {};
 }
 
-/// "--photons, --alpha": the options of photon mapping.
-std::string photonOptions() {
+/// "--photons, --alpha": the options of one integrator.
+std::string optionsOf(IntegratorKind integrator) {
     std::vector<std::string_view> names;
     for (const TextSetting& setting : textSettings()) {
-        if (setting.only && !setting.option.empty()) { names.push_back(setting.option); }
+        if (setting.only == integrator && !setting.option.empty()) { names.push_back(setting.option); }
     }
     return fmt::format("{}", fmt::join(names, ", "));
 }
@@ -64,9 +70,12 @@ Status applySetting(const SceneOverrides::Given& given, SceneDescription* scene)
     const TextSetting& setting = *given.setting;
     const std::string text = setting.isVector ? fmt::format("{}", fmt::join(given.numbers, ",")) : given.text;
     if (setting.only && scene->options.integrator != *setting.only) {
-        return Error{fmt::format("{} are for photon mapping; add --integrator sppm", photonOptions()), {}};
+        const IntegratorInfo& owner = integratorInfo(*setting.only);
+        return Error{fmt::format("{} are settings of {}; add --integrator {}", optionsOf(owner.kind),
+                                 owner.displayName, owner.key),
+                     {}};
     }
-    if (!setting.set(text, {&scene->camera, &scene->options, &scene->sppm})) {
+    if (!setting.set(text, {&scene->camera, &scene->options, &scene->sppm, &scene->rayCast})) {
         return Error{fmt::format("{} is '{}'; expected {}", setting.option, text, setting.expected), {}};
     }
     if (setting.option == "--filter") { scene->options.filterRadius = usualRadius(scene->options.filter); }

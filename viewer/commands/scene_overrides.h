@@ -31,10 +31,10 @@ struct SceneOverrides {
 void addSceneOverrides(const Command& command, SceneOverrides* overrides,
                        const std::function<bool(std::string_view option)>& wanted = {});
 
-/// Those of them that the user gave, but for the photons': " --size 64x64 --fov 30".
+/// Those of them that the user gave, but for one integrator's: " --size 64x64 --fov 30".
 std::string sceneOptionsAsWritten(const Command& command);
 
-/// Error: a value that makes no sense, or photon settings without photons.
+/// Error: a value that makes no sense, or settings of another integrator.
 Status applyTo(const SceneOverrides& overrides, SceneDescription* scene);
 
 }  // namespace glint

@@ -24,7 +24,7 @@ struct FeatureName {
     FeatureMask bit;
     const char* name;
 };
-constexpr std::array<FeatureName, 27> kFeatureNames{
+constexpr std::array<FeatureName, 29> kFeatureNames{
     {{kFeatureCurved, "spheres"},
      {kFeaturePlane, "planes"},
      {kFeatureFlat, "rectangles and discs"},
@@ -41,6 +41,7 @@ constexpr std::array<FeatureName, 27> kFeatureNames{
      {kFeatureDiffuse, "diffuse"},
      {kFeatureSpecular, "mirrors and smooth metals"},
      {kFeatureDielectric, "dielectrics"},
+     {kFeatureDispersion, "dispersion"},
      {kFeatureGlossy, "rough reflection"},
      {kFeaturePlastic, "plastic"},
      {kFeatureMixture, "mixtures"},
@@ -51,6 +52,7 @@ constexpr std::array<FeatureName, 27> kFeatureNames{
      {kFeatureManyLights, "light tree"},
      {kFeatureDepthOfField, "depth of field"},
      {kFeatureRevolved, "surfaces of revolution"},
+     {kFeatureAccelerators, "kd-trees, boxes, no acceleration structure"},
      {kFeatureIndependentSampler, "independent sampler"}}};
 
 /// Of the kinds that occur.

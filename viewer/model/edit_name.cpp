@@ -17,9 +17,9 @@ struct PartName {
 };
 
 constexpr PartName kParts[] = {
-    {"resolution", "Picture"}, {"camera", "Camera"},          {"render", "Render"}, {"sppm", "SPPM"},
-    {"textures", "Texture"},   {"materials", "Material"},     {"meshes", "Mesh"},   {"objects", "Object"},
-    {"lights", "Light"},       {"environment", "Environment"}};
+    {"resolution", "Picture"},  {"camera", "Camera"},    {"render", "Render"},          {"sppm", "SPPM"},
+    {"raycast", "Ray casting"}, {"textures", "Texture"}, {"materials", "Material"},     {"meshes", "Mesh"},
+    {"objects", "Object"},      {"lights", "Light"},     {"environment", "Environment"}};
 
 const char* nameOfPart(std::string_view key) {
     for (const PartName& part : kParts) {

@@ -129,9 +129,17 @@ std::vector<uint8_t> falseColors(const FilmSnapshot& snapshot, ShownImage shown,
     if (info.isAgainstReference) {
         return mapColors(errorsAgainst(*reference, snapshot), info.colors, scale);
     }
-    *scale = {};
-    if (info.hitColor == nullptr || !snapshot.aovs || snapshot.aovs->passes() == 0) { return {}; }
+    if (!info.isOfHit() || !snapshot.aovs || snapshot.aovs->passes() == 0) {
+        *scale = {};
+        return {};
+    }
     const std::vector<AovSample>& samples = snapshot.aovs->pixels();
+    if (info.hitNumber != nullptr) {
+        std::vector<float> numbers(samples.size());
+        std::ranges::transform(samples, numbers.begin(), info.hitNumber);
+        return mapColors(numbers, info.colors, scale);
+    }
+    *scale = {};
     const DepthRange range = info.isOfRange ? rangeOf(samples) : DepthRange{};
     ColorWriter colors(samples.size());
     for (const AovSample& sample : samples) {

@@ -82,6 +82,8 @@ class SceneDocument {
     int selectedObject = -1;  ///< -1: none
     int selectedMaterial = 0;
     int selectedLight = 0;
+    int selectedProfile = 0;  ///< among the surfaces of revolution
+    int selectedProfilePoint = 0;
 
   private:
     void frame(const Bounds& bounds, const std::string& name);

@@ -83,6 +83,22 @@ const std::vector<ShownImageInfo> kFixedImages = {
          [](const AovSample& hit) {
              return hit.materialId > 0 ? fmt::format("material {}", hit.materialId) : "nothing hit";
          }},
+    {.image = ShownImage::BoxesTested,
+     .name = "Boxes tested",
+     .ask = askAovs<kAovBoxesTested>,
+     .colors = MapColors::HeatOfAll,
+     .unit = "boxes",
+     .scaleText = countText,
+     .readout = [](float x) { return fmt::format("{} boxes tested", countText(x)); },
+     .hitNumber = [](const AovSample& hit) { return hit.boxesTested; }},
+    {.image = ShownImage::PrimitivesTested,
+     .name = "Triangles tested",
+     .ask = askAovs<kAovPrimitivesTested>,
+     .colors = MapColors::HeatOfAll,
+     .unit = "triangles",
+     .scaleText = countText,
+     .readout = [](float x) { return fmt::format("{} triangles or other shapes tested", countText(x)); },
+     .hitNumber = [](const AovSample& hit) { return hit.primitivesTested; }},
     {.image = ShownImage::StandardError,
      .name = "Standard error",
      .ask = askStandardError,
@@ -207,7 +223,7 @@ bool carries(const FilmSnapshot& snapshot, ShownImage wanted) {
     const ShownImageInfo& info = infoOf(wanted);
     if (!info.isOf(snapshot.integrator)) { return true; }
     if (info.values) { return !info.values(snapshot).empty(); }
-    return info.hitColor == nullptr || (snapshot.aovs && snapshot.aovs->passes() > 0);
+    return !info.isOfHit() || (snapshot.aovs && snapshot.aovs->passes() > 0);
 }
 
 std::string pixelReadout(const FilmSnapshot& snapshot, ShownImage wanted, const LoadedReference* reference,
@@ -225,7 +241,8 @@ std::string pixelReadout(const FilmSnapshot& snapshot, ShownImage wanted, const 
         return index < values.size() ? info.readout(values[index]) : "";
     }
     if (!snapshot.aovs || snapshot.aovs->passes() == 0) { return ""; }
-    return info.hitText(snapshot.aovs->pixels()[index]);
+    const AovSample& hit = snapshot.aovs->pixels()[index];
+    return info.hitNumber != nullptr ? info.readout(info.hitNumber(hit)) : info.hitText(hit);
 }
 
 }  // namespace glint

@@ -26,10 +26,12 @@ enum class ShownImage : uint8_t {
     Depth,
     ObjectId,
     MaterialId,
-    StandardError,   ///< noise: of the mean luminance
-    Bias,            ///< estimate of the luminance's bias, signed
-    ErrorBound,      ///< with 90 %, the true luminance is within so much
-    ReferenceError,  ///< against the loaded reference
+    BoxesTested,       ///< by the camera's ray: boxes and planes of acceleration structures
+    PrimitivesTested,  ///< likewise: triangles and other shapes
+    StandardError,     ///< noise: of the mean luminance
+    Bias,              ///< estimate of the luminance's bias, signed
+    ErrorBound,        ///< with 90 %, the true luminance is within so much
+    ReferenceError,    ///< against the loaded reference
 };
 
 /// How numbers become colours.
@@ -60,12 +62,16 @@ struct ShownImageInfo {
     std::function<std::string(float)> scaleText{};  ///< at the scale's ends
     std::function<std::string(float)> readout{};    ///< of one pixel
 
-    // Of images of the camera's first hit. Display values.
+    /// Of images of a number of the camera's first hit, which have the four above, too.
+    float (*hitNumber)(const AovSample& hit) = nullptr;
+
+    // Of other images of the camera's first hit. Display values.
     Vec3 (*hitColor)(const AovSample& hit, const DepthRange& range) = nullptr;
     std::string (*hitText)(const AovSample& hit) = nullptr;
     bool isOfRange = false;  ///< hitColor() looks at the range of all depths; else that is {}
 
-    bool isRadiance() const { return values == nullptr && hitColor == nullptr && !isAgainstReference; }
+    bool isOfHit() const { return hitColor != nullptr || hitNumber != nullptr; }
+    bool isRadiance() const { return values == nullptr && !isOfHit() && !isAgainstReference; }
     bool isOf(IntegratorKind integrator) const { return !has || has(integrator); }
 };
 

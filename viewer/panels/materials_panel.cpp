@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "engine/scene/glasses.h"
 #include "engine/scene/metals.h"
 #include "viewer/model/scene_document.h"
 #include "viewer/panels/asset_state.h"
@@ -20,6 +21,7 @@ constexpr ui::KindLabel<MaterialKind> kKinds[]{
     {MaterialKind::Conductor, "Conductor"}, {MaterialKind::Dielectric, "Dielectric"},
     {MaterialKind::Plastic, "Plastic"},     {MaterialKind::Mixture, "Mixture"}};
 constexpr const char* kOwnMetal = "own constants";
+constexpr const char* kOwnGlass = "own index";
 
 std::string nameOf(const Material& material, size_t index) {
     return material.name.empty() ? fmt::format("material {}", index) : material.name;
@@ -138,21 +140,28 @@ void drawRelief(const SceneDescription& scene, Material* material) {
     }
 }
 
-void drawMetal(Material* material) {
-    std::vector<std::string_view> names{kOwnMetal};
-    const std::vector<std::string_view> metals = metalNames();
-    names.insert(names.end(), metals.begin(), metals.end());
-    const auto found = std::find(names.begin() + 1, names.end(), material->metal);
+/// A choice among measured constants and one's own, whose name is empty. True: another one was chosen.
+bool drawMeasured(const char* label, const char* own, const std::vector<std::string_view>& measured,
+                  std::string* name, const char* tooltip) {
+    std::vector<std::string_view> names{own};
+    names.insert(names.end(), measured.begin(), measured.end());
+    const auto found = std::find(names.begin() + 1, names.end(), *name);
     int index = found == names.end() ? 0 : static_cast<int>(found - names.begin());
-    if (ui::choice("Metal", &index, names, "Measured constants, or eta and k of one's own")) {
+    if (!ui::choice(label, &index, names, tooltip)) { return false; }
+    *name = index == 0 ? "" : std::string(names[static_cast<size_t>(index)]);
+    return true;
+}
+
+void drawMetal(Material* material) {
+    const auto shown = findMetal(material->metal);
+    if (drawMeasured("Metal", kOwnMetal, metalNames(), &material->metal,
+                     "Measured constants, or eta and k of one's own") &&
+        shown) {
         // One's own constants begin with those of the metal that was shown.
-        if (const auto constants = findMetal(material->metal)) {
-            material->eta.value = constants->eta;
-            material->k.value = constants->k;
-        }
-        material->metal = index == 0 ? "" : std::string(names[static_cast<size_t>(index)]);
+        material->eta.value = shown->eta;
+        material->k.value = shown->k;
     }
-    if (index != 0) { return; }
+    if (!material->metal.empty()) { return; }
     ui::vector3("Eta", &material->eta.value,
                 {.format = "%.3f",
                  .speed = 0.005f,
@@ -161,6 +170,42 @@ void drawMetal(Material* material) {
                  .tooltip = "Index of refraction at R, G, B"});
     ui::vector3("k", &material->k.value,
                 {.format = "%.3f", .speed = 0.005f, .max = 20.0f, .tooltip = "Extinction at R, G, B"});
+}
+
+void drawIor(Material* material) {
+    ui::number("IOR", &material->ior.value,
+               {.format = "%.3f",
+                .speed = 0.003f,
+                .min = 0.1f,
+                .max = 5.0f,
+                .tooltip = "Index of refraction, inside over outside"});
+}
+
+void drawGlass(Material* material) {
+    const auto shown = findGlass(material->glass);
+    if (drawMeasured("Glass", kOwnGlass, glassNames(), &material->glass,
+                     "Measured indices, which bend colours apart, or one's own") &&
+        shown) {
+        material->ior.value = shown->ior;
+        material->abbeNumber = abbeNumber(shown->dispersion, shown->ior);
+    }
+    if (!material->glass.empty()) { return; }
+    if (!isZero(material->iorRgb)) {
+        ui::vector3("IOR RGB", &material->iorRgb,
+                    {.format = "%.4f",
+                     .speed = 0.001f,
+                     .min = 0.1f,
+                     .max = 5.0f,
+                     .tooltip = "Indices at red, green and blue: the picture has three wavelengths"});
+        return;
+    }
+    drawIor(material);
+    ui::number("Abbe number", &material->abbeNumber,
+               {.format = "%.1f",
+                .max = 100.0f,
+                .zeroText = "no dispersion",
+                .slider = true,
+                .tooltip = "The lower, the further colours are bent apart: flint glass 25, crown glass 64"});
 }
 
 void drawScattering(const SceneDescription& scene, AssetReader* assets, Material* material) {
@@ -173,14 +218,8 @@ void drawScattering(const SceneDescription& scene, AssetReader* assets, Material
     drawTexture(scene, "Texture", "An image that replaces the colour", &material->color.texture);
     drawAssetState(assets);
     if (conductor) { drawMetal(material); }
-    if (dielectric || plastic || mixture) {
-        ui::number("IOR", &material->ior.value,
-                   {.format = "%.3f",
-                    .speed = 0.003f,
-                    .min = 0.1f,
-                    .max = 5.0f,
-                    .tooltip = "Index of refraction, inside over outside"});
-    }
+    if (dielectric || mixture) { drawGlass(material); }
+    if (plastic) { drawIor(material); }
     if (conductor || dielectric || plastic) {
         ui::number(
             "Roughness", &material->roughness.value,
@@ -210,6 +249,14 @@ void drawEmission(Material* material) {
     ui::toggle("Both sides", &material->emitsBothSides, "Otherwise only the front shines");
 }
 
+/// Ray casting alone looks at it.
+void drawHighlight(Material* material) {
+    ui::heading("Highlight");
+    ui::color("Specular", &material->phongSpecular, 1e6f, "Of Phong's highlights in ray casting");
+    ui::number("Shininess", &material->phongExponent,
+               {.format = "%.1f", .speed = 0.2f, .max = 1e6f, .tooltip = "Larger: smaller highlights"});
+}
+
 void draw(SceneDocument* document, AssetReader* assets) {
     std::vector<Material>& materials = document->draft().materials;
     if (materials.empty()) {
@@ -226,6 +273,7 @@ void draw(SceneDocument* document, AssetReader* assets) {
     if (Texture* texture = placedTexture(material, &document->draft().textures)) { drawPlacement(texture); }
     drawRelief(document->draft(), &material);
     drawEmission(&material);
+    if (document->draft().options.integrator == IntegratorKind::RayCast) { drawHighlight(&material); }
     ImGui::PopID();
 }
 

@@ -14,10 +14,12 @@
     X(render)           \
     X(convergence)      \
     X(sppm)             \
+    X(raycast)          \
     X(camera)           \
     X(lens)             \
     X(outliner)         \
     X(materials)        \
+    X(profile)          \
     X(lights)           \
     X(display)          \
     X(inspector)        \

@@ -77,6 +77,17 @@ void drawIntegrator(RenderOptions* options) {
     }
 }
 
+void drawAccelerator(RenderOptions* options) {
+    static constexpr ui::KindLabel<AcceleratorKind> kKinds[]{{AcceleratorKind::Bvh, "Box hierarchy"},
+                                                             {AcceleratorKind::KdTree, "kd-tree"},
+                                                             {AcceleratorKind::Aabb, "One box each"},
+                                                             {AcceleratorKind::None, "None"}};
+    ui::kindChoice(
+        "Accelerator", &options->accelerator, kKinds,
+        "What rays find objects and triangles by: the picture stays, the speed changes. Shown: Boxes "
+        "tested, Triangles tested");
+}
+
 void drawNumbers(const RenderControl& render) {
     const SessionStatus& status = render.status();
     ui::value("State", stateText(render), "Space pauses and goes on");
@@ -154,6 +165,7 @@ void drawFaults(const SessionStatus& status, FaultFinder* faults) {
 void draw(RenderControl* render, SceneDocument* document, FaultFinder* faults) {
     drawActions(render);
     drawIntegrator(&document->draft().options);
+    drawAccelerator(&document->draft().options);
     drawNumbers(*render);
     drawFaults(render->status(), faults);
     drawLimits(render);

@@ -109,6 +109,19 @@ GLINT_HD void settle(const MaterialData& material, const View<CoatRow>& coats, S
     });
 }
 
+/// Inside over outside, for the light's wavelength.
+template <FeatureMask kMask>
+GLINT_HD float indexOfRefraction(const Bsdf<kMask>& bsdf) {
+    const float ior = bsdf.inputs().ior;
+    if constexpr (hasFeature<kMask>(kFeatureDispersion)) {
+        constexpr float kLeast = 1e-3f;
+        if (bsdf.wavelengthNm > 0.0f && (bsdf.material->flags & kMaterialDisperses) != 0) {
+            return maxf(ior + indexShift(bsdf.material->dispersion, bsdf.wavelengthNm), kLeast);
+        }
+    }
+    return ior;
+}
+
 template <FeatureMask kMask>
 GLINT_HD BsdfValue evaluateLocal(const Bsdf<kMask>& bsdf, const Vec3& wi, float ngWi) {
     return withModel<kMask>(*bsdf.material, [&](auto model) { return model.evaluate(bsdf, wi, ngWi); });
@@ -123,9 +136,10 @@ GLINT_HD BsdfSample sampleLocal(const Bsdf<kMask>& bsdf, float uLobe, Vec2 u) {
 
 /// Scene: a SceneView, or anything with its materials, textures and coats. Surface: surface.h's SurfacePoint,
 /// or anything with its ng, ns, uv, vertexColor and material; uvWidth may be missing.
+/// `wavelengthNm`: 0, all of the spectrum.
 template <FeatureMask kMask, class Scene, class Surface>
 GLINT_HD Bsdf<kMask> makeBsdf(const Scene& scene, const Surface& surface, const Vec3& woWorld,
-                              TransportMode transport = TransportMode::Radiance) {
+                              TransportMode transport = TransportMode::Radiance, float wavelengthNm = 0.0f) {
     Bsdf<kMask> bsdf;
     bsdf.material = &scene.materials[surface.material];
     bsdf.color = detail::surfaceColor<kMask>(*bsdf.material, scene.textures, surface);
@@ -152,7 +166,9 @@ GLINT_HD Bsdf<kMask> makeBsdf(const Scene& scene, const Surface& surface, const 
         } else {
             bsdf.woLocal.z = maxf(bsdf.woLocal.z, 0.0f);
         }
-        bsdf.eta = outside ? bsdf.inputs().ior : 1.0f / bsdf.inputs().ior;
+        if constexpr (hasFeature<kMask>(kFeatureDispersion)) { bsdf.wavelengthNm = wavelengthNm; }
+        const float ior = detail::indexOfRefraction(bsdf);
+        bsdf.eta = outside ? ior : 1.0f / ior;
         bsdf.transport = transport;
     }
     return bsdf;
@@ -167,7 +183,8 @@ GLINT_HD inline FeatureMask materialFeatures(const MaterialData& material) {
     if ((material.flags & kMaterialBump) != 0) { textures |= kFeatureTextures | kFeatureBumps; }
     if ((material.flags & kMaterialCutOut) != 0) { textures |= kFeatureTextures | kFeatureCutouts; }
     if ((material.flags & kMaterialMipmaps) != 0) { textures |= kFeatureTextures | kFeatureMipmaps; }
-    return textures |
+    const FeatureMask dispersion = (material.flags & kMaterialDisperses) != 0 ? kFeatureDispersion : 0u;
+    return textures | dispersion |
            detail::withModel<kAllFeatures>(material, [&](auto model) { return model.featuresOf(material); });
 }
 

@@ -80,10 +80,21 @@ struct BsdfTexturedInputs {
 template <>
 struct BsdfTexturedInputs<false> {};
 
+/// The light's wavelength; nothing where none matters.
+template <bool kNeeded>
+struct BsdfWavelength {
+    float wavelengthNm = 0.0f;  ///< 0: all of the spectrum
+};
+template <>
+struct BsdfWavelength<false> {
+    static constexpr float wavelengthNm = 0.0f;
+};
+
 /// A material at one point, seen from one direction.
 template <FeatureMask kMask>
 struct Bsdf : BsdfLocalFrame<!isDiffuseOnly<kMask>()>,
-              BsdfTexturedInputs<hasFeature<kMask>(kFeatureInputTextures)> {
+              BsdfTexturedInputs<hasFeature<kMask>(kFeatureInputTextures)>,
+              BsdfWavelength<hasFeature<kMask>(kFeatureDispersion)> {
     const MaterialData* material = nullptr;
     Vec3 color{0.0f};    ///< texture and vertex colour included
     Vec3 ngWorld{0.0f};  ///< geometric normal on wo's side

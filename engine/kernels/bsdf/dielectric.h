@@ -1,7 +1,7 @@
 // Glass: a boundary between two dielectrics, smooth or GGX, and a thin sheet. Host and device.
 //
 // eta is the index on the far side over the one on wo's side. The colour tints what passes and what
-// reflects. Left out: absorption along the way inside, dispersion, light that bounces more than once between
+// reflects. Left out: absorption along the way inside, light that bounces more than once between
 // facets; roughness of sheets.
 #pragma once
 

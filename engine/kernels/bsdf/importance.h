@@ -56,7 +56,8 @@ GLINT_HD BsdfSample nonDeltaAdjoint(const SceneView& view, const SurfacePoint& s
     if (!(geometricCosine(bsdf, result.wi, lobe.wi.z) * lobe.wi.z > 0.0f)) { return {}; }
     const float below = absDot(surface.ng, wo) * lobe.pdfSolidAngle;
     if (!(below > 0.0f)) { return {}; }
-    const Bsdf<kMask> seen = makeBsdf<kMask>(view, surface, result.wi);
+    const Bsdf<kMask> seen =
+        makeBsdf<kMask>(view, surface, result.wi, TransportMode::Radiance, bsdf.wavelengthNm);
     result.weight = evaluate(seen, wo) * (absDot(surface.ng, result.wi) / below);
     result.pdfSolidAngle = lobe.pdfSolidAngle;
     result.isTransmission = lobe.isTransmission;

@@ -22,20 +22,23 @@ struct MeshShape {
 
     /// A ray against one mesh in object space. On a hit nearer than ray.tMax stores it; its primitive is the
     /// triangle number.
-    template <bool kAnyHit, bool kFrontOnly>
-    GLINT_ONE_PIECE GLINT_HD static bool intersect(const MeshView& mesh, const Ray& ray, Hit* hit) {
+    template <FeatureMask kMask, bool kAnyHit, bool kFrontOnly, class Tests>
+    GLINT_ONE_PIECE GLINT_HD static bool intersect(const MeshView& mesh, const Ray& ray, Hit* hit,
+                                                   Tests tests) {
         if (mesh.accelerator.empty()) { return false; }
         const ShearRay shear = makeShearRay(ray);
         TriangleHit nearest{ray.tMax, 0.0f, 0.0f, kNone};
-        traverse<kAnyHit>(mesh.accelerator, ray, [&](uint32_t first, uint32_t count, float* tMax) {
+        const auto visit = [&](uint32_t first, uint32_t count, float* tMax) {
             bool found = false;
             for (uint32_t i = first; i < first + count; ++i) {
+                tests.countPrimitives(mesh.clusters[i].count);
                 found = intersectCluster<kAnyHit, kFrontOnly>(mesh.clusters[i], shear, ray.tMin, &nearest) ||
                         found;
             }
             *tMax = nearest.t;
             return found;
-        });
+        };
+        traverse<kMask, kAnyHit>(mesh.accelerator, ray, tests, visit);
         if (nearest.primitive == kNone) { return false; }
         hit->t = nearest.t;
         hit->primitive = mesh.clusterPrimitives[nearest.primitive];
