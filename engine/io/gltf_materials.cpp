@@ -251,7 +251,7 @@ Result<GltfMaterial> GltfMaterials::take(int index) {
     const Result<Map> normal = takeTexture(from.normalTexture, ColorEncoding::Linear);
     if (!normal) { return normal.error(); }
     out.normalMap.texture = normal->texture;
-    out.normalStrength = static_cast<float>(from.normalTexture.scale);
+    out.normalStrength = number(from.normalTexture.scale, 0.0, 1e3);
     out.alphaCutsOut = from.alphaMode == "MASK" || from.alphaMode == "BLEND";
     if (out.alphaCutsOut) {
         out.opacity = {number(pbr.baseColorFactor[3], 0.0, 1.0), out.color.texture < 0 ? color->texture : -1};
