@@ -1,6 +1,8 @@
 // Indices of refraction by wavelength against the manufacturers' catalogues, and the spectrum's strata.
 #include "engine/math/dispersion.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "engine/builders/material_table.h"
