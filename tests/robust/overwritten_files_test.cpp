@@ -185,7 +185,8 @@ TEST_F(OverwrittenFiles, TheWindowSavesOverNoInput) {
         "read\"\n"
         "set \"PNG file\" {1}\nclick \"Save PNG\"\nwait jobs\nexpect message \"is a texture of the scene\"\n"
         "set \"Checkpoint file\" {0}\nclick \"Checkpoint/Save\"\nwait jobs\nexpect message \"is the scene\"\n"
-        "set \"Checkpoint file\" {2}\nclick \"Checkpoint/Save\"\nwait jobs\nexpect message \"is not a Glint "
+        "set \"Checkpoint file\" {2}\nclick \"Checkpoint/Save\"\nwait frames 3\nclick \"Replace\"\nwait "
+        "jobs\nexpect message \"is not a Glint "
         "checkpoint\"\n",
         scene, wood, folder.write("notes.txt", "text"));
     const ProgramRun run =

@@ -264,6 +264,22 @@ SceneDescription kdTrees() {
     return scene;
 }
 
+SceneDescription dispersiveBalls() {
+    SceneDescription scene = cornellBox();
+    Material glass;
+    glass.kind = MaterialKind::Dielectric;
+    glass.color.value = Vec3(1.0f);
+    glass.glass = "SF11";
+    for (Object& object : scene.objects) {
+        if (object.shape != ShapeKind::Sphere) { continue; }
+        object.material = addMaterial(&scene, glass);
+        glass.glass.clear();
+        glass.abbeNumber = 20.0f;
+        glass.roughness.value = 0.3f;
+    }
+    return scene;
+}
+
 std::vector<NamedScene> allTestScenes() {
     return {{"cornellBox", cornellBox()},
             {"allMaterials", allMaterials()},
@@ -275,7 +291,8 @@ std::vector<NamedScene> allTestScenes() {
             {"darkness", darkness()},
             {"turnedProfiles", turnedProfiles()},
             {"reliefs", reliefs()},
-            {"kdTrees", kdTrees()}};
+            {"kdTrees", kdTrees()},
+            {"dispersiveBalls", dispersiveBalls()}};
 }
 
 std::shared_ptr<const MeshData> bumpySphere(int rings, int segments, bool withColors) {

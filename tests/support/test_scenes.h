@@ -46,6 +46,9 @@ SceneDescription kdTrees();
 /// Height and normal maps, cut-outs by number, texture and alpha, and a mip map.
 SceneDescription reliefs();
 
+/// A smooth and a rough ball of glass that bends colours apart, in a box.
+SceneDescription dispersiveBalls();
+
 struct NamedScene {
     std::string name;
     SceneDescription scene;

@@ -47,7 +47,7 @@ TEST(Winding, NormalsDecideInAllFormats) {
         "property list uchar int vertex_indices\nend_header\n0 0 0 0 0 -1\n1 0 0 0 0 -1\n0 1 0 0 0 -1\n3 0 1 "
         "2\n");
     const std::string scene =
-        R"({"glint": 1, "objects": [{"type": "mesh", "material": {"type": "diffuse"}, "mesh": )";
+        R"({"glint": 1, "objects": [{"type": "mesh", "material": {"type": "diffuse", "emission": 1}, "mesh": )";
     for (const std::string& mesh :
          {std::string(R"({"file": "a.obj"})"), std::string(R"({"file": "a.ply"})"),
           std::string(R"({"positions": [[0,0,0],[1,0,0],[0,1,0]], "normals": [[0,0,-1],[0,0,-1],[0,0,-1]],
@@ -55,8 +55,7 @@ TEST(Winding, NormalsDecideInAllFormats) {
         const auto loaded = loadScene(folder.write("a.json", scene + mesh + "}]}"));
         ASSERT_TRUE(loaded) << loaded.error().format();
         EXPECT_EQ(faceNormal(*loaded->meshes[0].data, 0), Vec3(0, 0, -1)) << mesh;
-        EXPECT_THAT(loaded->warnings, ElementsAre(HasSubstr("1 triangles are wound against their normals")))
-            << mesh;
+        EXPECT_THAT(loaded->warnings, ElementsAre(HasSubstr("wound against their normals"))) << mesh;
     }
     const MeshFile agreeing = read(obj + "f 1//2 2//2 3//2\n");
     EXPECT_EQ(faceNormal(*agreeing.parts[0].mesh, 0), Vec3(0, 0, 1));

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -72,26 +73,30 @@ screenshot "curves.png"
     EXPECT_THAT(ran.output, HasSubstr("90 %: "));
 }
 
+/// Statements that move the mouse over the curve's plot, for how long passes take decides where its curves
+/// are.
+std::string lookAround() {
+    std::string script;
+    for (int i = 0; i < 63; ++i) {
+        script +=
+            fmt::format("move \"Convergence/Curve\" {} {}\nwait frames 2\nprint \"Convergence/Curve\"\n",
+                        0.1 * (1 + i % 9), 0.1 * (2 + i / 9));
+    }
+    return script;
+}
+
 TEST(ConvergenceViewer, TheCurveBeforeARestartStaysForComparison) {
-    const Ran ran = play(R"(
-wait passes 24
-key r
-wait picture
-wait passes 24
-wait frames 3
-move "Convergence/Curve" 0.7 0.6
-wait frames 3
-print "Convergence/Curve"
+    const Ran ran =
+        play("wait passes 24\nkey r\nwait picture\nwait passes 24\nwait frames 3\n" + lookAround() +
+                 R"(
 set "CSV file" "/proc/no/curves.csv"
 click "Export CSV"
 wait jobs
 wait frames 3
 print "Convergence/CSV message"
 )",
-                         "--passes 24");  // so that both curves end at one place
+             "--passes 24");  // so that both curves end at one place
     expectPlayed(ran);
-    const auto said = printed(ran, "Convergence/Curve");
-    ASSERT_EQ(said.size(), 1u) << ran.output;
     EXPECT_THAT(ran.output, HasSubstr("Path tracing before the last restart: "));
     EXPECT_THAT(printed(ran, "Convergence/CSV message"),
                 testing::ElementsAre(HasSubstr("/proc/no/curves.csv")));
