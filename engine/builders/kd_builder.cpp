@@ -219,10 +219,10 @@ HugeVector<std::byte> memoryOf(const Bounds& bounds, Tree* tree, const std::vect
         GLINT_CHECK_OP(range.end - range.begin, <, 1u << 30);
         node = {range.begin, KdNode::kLeaf | (range.end - range.begin) << 2};
     }
-    const KdHeader header{bounds};
-    HugeVector<std::byte> memory(sizeof(header) + tree->nodes.size() * sizeof(KdNode));
-    std::memcpy(memory.data(), &header, sizeof(header));
-    std::memcpy(memory.data() + sizeof(header), tree->nodes.data(), tree->nodes.size() * sizeof(KdNode));
+    HugeVector<std::byte> memory(sizeof(KdHeader) + tree->nodes.size() * sizeof(KdNode));
+    std::fill_n(memory.begin(), sizeof(KdHeader), std::byte{0});  // what follows the bounds is padding
+    std::memcpy(memory.data(), &bounds, sizeof(bounds));
+    std::memcpy(memory.data() + sizeof(KdHeader), tree->nodes.data(), tree->nodes.size() * sizeof(KdNode));
     return memory;
 }
 
