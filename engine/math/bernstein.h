@@ -78,9 +78,8 @@ GLINT_HD inline double polygonRoot(const double* b, int degree) {
 
 }  // namespace detail
 
-/// Newton's method for f(x), a PolynomialValue, from x within a bracket whose ends differ in sign. The root
-/// to within about the square of 1e-6, and to 1e-9 where it is close to another one. *steps counts
-/// evaluations.
+/// Newton's method for f(x), a PolynomialValue, from x within a bracket whose ends differ in sign. Ends with
+/// a step, or a bracket, of at most 1e-9. *steps counts evaluations.
 template <class Function>
 GLINT_HD inline double bracketedRoot(const Function& f, double lo, double hi, bool startsNegative, double x,
                                      uint32_t* steps) {

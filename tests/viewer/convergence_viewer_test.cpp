@@ -19,18 +19,6 @@ using testing::AnyOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// What `print "LABEL"` said, in order.
-std::vector<std::string> printed(const Ran& ran, const std::string& label) {
-    std::vector<std::string> values;
-    const std::string begin = "\"" + label + "\" ";
-    size_t at = 0;
-    while ((at = ran.output.find(begin, at)) != std::string::npos) {
-        at += begin.size();
-        values.push_back(ran.output.substr(at, ran.output.find('\n', at) - at));
-    }
-    return values;
-}
-
 struct PointCounts {
     int path = -1;
     int sppm = -1;

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -48,6 +49,18 @@ inline Ran play(const std::string& script, const std::string& more = "") {
     write("scene.json", kScene);
     write("script.txt", script);
     return run("view scene.json --headless --threads 1 --script script.txt " + more);
+}
+
+/// What `print "LABEL"` said, in order.
+inline std::vector<std::string> printed(const Ran& ran, const std::string& label) {
+    std::vector<std::string> values;
+    const std::string begin = "\"" + label + "\" ";
+    size_t at = 0;
+    while ((at = ran.output.find(begin, at)) != std::string::npos) {
+        at += begin.size();
+        values.push_back(ran.output.substr(at, ran.output.find('\n', at) - at));
+    }
+    return values;
 }
 
 inline void expectPlayed(const Ran& ran) { EXPECT_EQ(ran.exitCode, 0) << ran.output; }

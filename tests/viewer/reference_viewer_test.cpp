@@ -17,18 +17,6 @@ namespace {
 using namespace test;
 using testing::HasSubstr;
 
-/// What `print "LABEL"` said, in order.
-std::vector<std::string> printed(const Ran& ran, const std::string& label) {
-    std::vector<std::string> values;
-    const std::string begin = "\"" + label + "\" ";
-    size_t at = 0;
-    while ((at = ran.output.find(begin, at)) != std::string::npos) {
-        at += begin.size();
-        values.push_back(ran.output.substr(at, ran.output.find('\n', at) - at));
-    }
-    return values;
-}
-
 /// A picture of the small scene after so many passes, with its full precision.
 void makeReference(const std::string& file, int passes) {
     expectPlayed(play("wait finished\nopen \"Checkpoint\"\nwait frames 2\nset \"EXR file\" " + file +
