@@ -145,8 +145,8 @@ Result<ExrImage> loadExr(const std::string& path) {
     return decodeExr(*bytes, path);
 }
 
-Status saveExr(const std::string& path, const ExrImage& image) {
-    if (Status whole = checkToSave(image, path); !whole) { return whole; }
+Result<std::string> encodeExr(const ExrImage& image, const std::string& path) {
+    if (Status whole = checkToSave(image, path); !whole) { return whole.error(); }
     try {
         Imf::Header header(image.width, image.height);
         header.compression() = Imf::ZIP_COMPRESSION;
@@ -164,10 +164,15 @@ Status saveExr(const std::string& path, const ExrImage& image) {
             file.setFrameBuffer(buffers.frame);
             file.writePixels(image.height);
         }
-        return writeFileAtomically(path, stream.bytes());
+        return stream.bytes();
     } catch (const std::exception& problem) {
         return exrError(path, fmt::format("cannot make the OpenEXR file: {}", problem.what()));
     }
+}
+
+Status saveExr(const std::string& path, const ExrImage& image) {
+    const Result<std::string> bytes = encodeExr(image, path);
+    return bytes ? writeFileAtomically(path, *bytes) : Status(bytes.error());
 }
 
 }  // namespace glint

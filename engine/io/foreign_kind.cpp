@@ -35,7 +35,6 @@ bool isVrml(std::string_view head) { return head.starts_with("#VRML"); }
 bool isX3d(std::string_view head) { return has(head, "<X3D"); }
 bool isDirectX(std::string_view head) { return head.starts_with("xof 0"); }
 bool isPbrt(std::string_view head) { return has(head, "WorldBegin"); }
-bool isMitsuba(std::string_view head) { return has(head, "<scene version"); }
 
 constexpr ForeignKind kKinds[] = {{"FBX", ".fbx", isFbx},
                                   {"COLLADA", ".dae", isCollada},
@@ -46,8 +45,7 @@ constexpr ForeignKind kKinds[] = {{"FBX", ".fbx", isFbx},
                                   {"VRML", ".wrl", isVrml},
                                   {"X3D", ".x3d", isX3d},
                                   {"DirectX", ".x", isDirectX},
-                                  {"pbrt", ".pbrt", isPbrt},
-                                  {"Mitsuba", "", isMitsuba}};
+                                  {"pbrt", ".pbrt", isPbrt}};
 
 }  // namespace
 

@@ -9,11 +9,12 @@
 
 namespace glint {
 
-extern const Importer kImportJson, kImportText, kImportObj, kImportPly, kImportStl, kImportGltf;
+extern const Importer kImportJson, kImportText, kImportObj, kImportPly, kImportStl, kImportGltf,
+    kImportMitsuba;
 
 std::span<const Importer> importers() {
-    static const Importer kAll[] = {kImportJson, kImportText, kImportObj,
-                                    kImportPly,  kImportStl,  kImportGltf};
+    static const Importer kAll[] = {kImportJson, kImportText, kImportObj,    kImportPly,
+                                    kImportStl,  kImportGltf, kImportMitsuba};
     return kAll;
 }
 

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace glint {
 
@@ -18,13 +21,17 @@ struct LoadCounts {
     bool operator==(const LoadCounts&) const = default;
 };
 
+/// Names and values that replace `$name` in scenes with parameters.
+using SceneParameters = std::vector<std::pair<std::string, std::string>>;
+
 struct LoadOptions {
     /// Missing textures and meshes, and what Glint cannot draw, become warnings: the rest of the scene
     /// is loaded.
     bool allowMissing = false;
-    bool strict = false;           ///< what is repaired, guessed or left out with a warning is an error
-    bool noStudio = false;         ///< models without light get a plain white environment and no ground
-    LoadCounts* counts = nullptr;  ///< added to, where it is not null
+    bool strict = false;              ///< what is repaired, guessed or left out with a warning is an error
+    bool noStudio = false;            ///< models without light get a plain white environment and no ground
+    LoadCounts* counts = nullptr;     ///< added to, where it is not null
+    SceneParameters parameters = {};  ///< before those that the scene sets itself
 };
 
 }  // namespace glint

@@ -150,6 +150,13 @@ class Search {
         return known ? scene_.meshes[mesh].data->triangleCount() : 0;
     }
 
+    /// Each is seen from a side of its own.
+    static bool areFrontAndBack(const Object& a, const Object& b) {
+        const bool isTurned =
+            a.mesh != b.mesh || glm::dot(a.objectToWorld.linear[2], b.objectToWorld.linear[2]) < 0.0f;
+        return a.frontOnly && b.frontOnly && isTurned;
+    }
+
     /// Objects that an exporter wrote twice: with one material nobody sees it.
     void checkSamePlace() {
         std::vector<size_t> order;
@@ -163,7 +170,10 @@ class Search {
             const size_t b = std::max(order[k - 1], order[k]);
             const Object &first = scene_.objects[a], &second = scene_.objects[b];
             const bool alike = first.shape == second.shape && triangleCount(a) == triangleCount(b);
-            if (!alike || first.material == second.material || !samePlace(boxes_[a], boxes_[b])) { continue; }
+            if (!alike || first.material == second.material || !samePlace(boxes_[a], boxes_[b]) ||
+                areFrontAndBack(first, second)) {
+                continue;
+            }
             warnings_.push_back(fmt::format(
                 "{} and {} lie in one place with different materials; which of the two is seen is open",
                 nameOf(scene_, a), nameOf(scene_, b)));

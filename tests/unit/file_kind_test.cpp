@@ -79,9 +79,9 @@ TEST(FileKind, FirstBytesDecideBetweenImages) {
 }
 
 TEST(FileKind, ListsNameEveryImporterAndFormat) {
-    EXPECT_EQ(
-        listImporters(),
-        "Glint JSON (.json), 6.837 text (.txt), OBJ (.obj), PLY (.ply), STL (.stl) or glTF (.gltf .glb)");
+    EXPECT_EQ(listImporters(),
+              "Glint JSON (.json), 6.837 text (.txt), OBJ (.obj), PLY (.ply), STL (.stl), glTF (.gltf "
+              ".glb) or Mitsuba (.xml)");
     EXPECT_EQ(listImporters(true), "OBJ (.obj), PLY (.ply) or STL (.stl)");
     EXPECT_EQ(listReadableImages(), "PNG, JPEG, BMP, TGA, TIFF, WebP, DDS, HDR or EXR");
     EXPECT_EQ(listSavedExtensions(), ".png, .hdr or .exr");

@@ -65,6 +65,19 @@ TEST(StabilityWarnings, NamesObjectsInOnePlaceWithDifferentMaterials) {
     EXPECT_TRUE(stabilityWarnings(scene).empty());
 }
 
+/// Front and back of a surface with two materials.
+TEST(StabilityWarnings, ObjectsInOnePlaceMayFaceOppositeSides) {
+    SceneDescription scene = stressRoom();
+    addObject(&scene, ShapeKind::Rectangle, translate(Vec3(0.1f)), diffuseMaterial(0.5f));
+    addObject(&scene, ShapeKind::Rectangle, translate(Vec3(0.1f)) * rotate(Vec3(1, 0, 0), kPi),
+              diffuseMaterial(0.2f));
+    EXPECT_TRUE(warnsOf(scene, "lie in one place"));
+    for (Object& object : scene.objects) {
+        object.frontOnly = true;
+    }
+    EXPECT_FALSE(warnsOf(scene, "lie in one place"));
+}
+
 TEST(StabilityWarnings, NamesBodiesOfGlassThatTouch) {
     const auto withGap = [](float gap) {
         SceneDescription scene;

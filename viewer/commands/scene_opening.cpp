@@ -13,6 +13,20 @@ void addLoadOptions(const Command& command, LoadOptions* options) {
                  "Refuse what is otherwise repaired or left out with a warning");
     command.flag("--no-studio", &options->noStudio,
                  "Models without light: a plain white environment instead of key light, fill and ground");
+    command
+        .optionEach(
+            "-D,--define",
+            [options](const std::string& text) -> Status {
+                const size_t at = text.find('=');
+                if (at == 0 || at == std::string::npos) {
+                    return Error{"\"" + text + "\" is no parameter; expected NAME=VALUE", {}};
+                }
+                options->parameters.emplace_back(text.substr(0, at), text.substr(at + 1));
+                return {};
+            },
+            "A value for a Mitsuba scene's $NAME, before its own default")
+        .oneValueEach()
+        .typeName("NAME=VALUE");
 }
 
 Result<SceneDescription> openScene(const std::string& path, const LoadOptions& options) {

@@ -11,7 +11,7 @@ namespace glint {
 
 class Command;
 
-/// Adds `--allow-missing`, `--strict` and `--no-studio`. `options` must outlive the parsing.
+/// Adds `--allow-missing`, `--strict`, `--no-studio` and `-D`. `options` must outlive the parsing.
 void addLoadOptions(const Command& command, LoadOptions* options);
 
 /// loadScene(), with what it had to guess and decided in the log.

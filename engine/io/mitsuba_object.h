@@ -1,0 +1,96 @@
+// What a Mitsuba element with a type holds, asked for by name. Internal to the Mitsuba importer.
+//
+// The first error is kept in the context, and what is asked for afterwards has usable values: readers ask for
+// it once at the end. What nobody has asked for is remarked on: nothing is dropped silently.
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/io/mitsuba_xml.h"
+#include "engine/io/remarks.h"
+#include "engine/scene/scene.h"
+
+namespace glint {
+
+/// What all parts of the importer share.
+struct MitsubaContext {
+    const MitsubaXml& xml;
+    const LoadOptions& options;
+    SceneDescription scene = {};
+    Remarks remarks = {};
+    Remarks notes = {};
+    std::optional<Error> error = {};
+    std::set<std::string, std::less<>> sentences = {};
+    int nesting = 0;  ///< objects within each other, references followed
+
+    bool failed() const { return error.has_value(); }
+    void fail(const MitsubaElement& at, std::string message);
+    /// `kind` is a sentence that lives as long as the program; one that is made here is kept by sentence().
+    void remark(const MitsubaElement& at, std::string_view kind, std::string_view detail = {});
+    void note(const MitsubaElement& at, std::string_view kind, std::string_view detail = {});
+    /// An error, or with LoadOptions::allowMissing a remark.
+    void refuse(const MitsubaElement& at, std::string message);
+    std::string_view sentence(std::string text);
+    /// A file that the element names by its value, as seen from the scene's folder.
+    std::string fileOf(const MitsubaElement& at, std::string_view name) const;
+};
+
+/// The words of a list that blanks and commas part.
+std::vector<std::string_view> mitsubaWords(std::string_view list);
+/// Fails, and gives 0, where the word is no finite number.
+double mitsubaNumber(MitsubaContext* context, const MitsubaElement& at, std::string_view word);
+/// All words as numbers. Fails unless there are as many as one of `counts`; an empty list of them: any.
+std::vector<double> mitsubaNumbers(MitsubaContext* context, const MitsubaElement& at, std::string_view list,
+                                   std::initializer_list<size_t> counts);
+/// The attribute "value" of one or three numbers, or "x", "y" and "z", each `otherwise` where it is missing.
+Vec3 mitsubaVector(MitsubaContext* context, const MitsubaElement& at, float otherwise);
+/// A <transform>: what stands first is applied first. Fails unless it is affine and finite.
+Affine mitsubaTransform(MitsubaContext* context, const MitsubaElement& transform);
+
+class MitsubaObject {
+  public:
+    /// `element`: no reference. Fails where objects refer to each other more than 64 deep.
+    MitsubaObject(MitsubaContext* context, const MitsubaElement& element);
+    ~MitsubaObject() { --context_->nesting; }
+    MitsubaObject(const MitsubaObject&) = delete;
+    MitsubaObject& operator=(const MitsubaObject&) = delete;
+
+    const MitsubaElement& element() const { return element_; }
+    MitsubaContext& context() const { return *context_; }
+    std::string_view type() const { return element_.attribute("type"); }
+
+    /// The property or nested object of that name; null: none.
+    const MitsubaElement* property(std::string_view name);
+    /// The next nested object with one of these tags that nobody has asked for; null: no more.
+    const MitsubaElement* next(std::initializer_list<std::string_view> tags);
+
+    /// Values of properties; `otherwise` where there is none. Numbers are clamped to [least, most].
+    float number(std::string_view name, float otherwise, float least = -1e18f, float most = 1e18f);
+    int integer(std::string_view name, int otherwise, int least, int most);
+    bool flag(std::string_view name, bool otherwise);
+    std::string_view text(std::string_view name, std::string_view otherwise = {});
+    Vec3 vector(std::string_view name, const Vec3& otherwise);
+    Affine transform(std::string_view name = "to_world");
+
+    /// Properties that change no picture, or nothing here.
+    void passOver(std::initializer_list<std::string_view> names);
+    /// A warning that is told once: "approximated: …".
+    void approximated(std::string_view sentence) { context_->remark(element_, sentence, nameForMessages()); }
+    /// Remarks on what nobody has asked for.
+    void finish();
+
+  private:
+    const MitsubaElement* resolved(size_t child);
+    std::string_view nameForMessages() const;
+
+    MitsubaContext* context_;
+    const MitsubaElement& element_;
+    std::vector<bool> used_;
+};
+
+}  // namespace glint

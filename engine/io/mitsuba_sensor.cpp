@@ -1,0 +1,173 @@
+#include "engine/io/mitsuba_sensor.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "engine/io/mitsuba_spectrum.h"
+
+namespace glint {
+namespace {
+
+constexpr int kUnlimitedDepth = 1024;  ///< a path of more events than that brings nothing that is seen
+constexpr float kDegrees = 180.0f / kPi;
+
+void readFilter(MitsubaContext* context, const MitsubaElement* filter) {
+    RenderOptions& options = context->scene.options;
+    if (filter == nullptr) {  // Mitsuba's default
+        options.filter = FilterKind::Gaussian;
+        options.filterRadius = 1.5f;
+        return;
+    }
+    MitsubaObject object(context, *filter);
+    if (object.type() == "box") {
+        options.filter = FilterKind::Box;
+        options.filterRadius = std::clamp(object.number("radius", 0.5f), 0.01f, 16.0f);
+        if (std::fabs(options.filterRadius - 0.5f) < 1e-3f) { options.filterRadius = 0.5f; }
+    } else {
+        if (object.type() != "gaussian") {
+            object.approximated("approximated: the reconstruction filter is a Gaussian");
+        }
+        options.filter = FilterKind::Gaussian;  // ends at three standard deviations, Mitsuba's at four
+        options.filterRadius = std::clamp(3.0f * object.number("stddev", 0.5f), 0.01f, 16.0f);
+        object.passOver({"b", "c", "lobes", "radius"});
+    }
+    object.finish();
+}
+
+void readFilm(MitsubaContext* context, const MitsubaElement* film) {
+    Resolution& size = context->scene.resolution;
+    size = {768, 576};
+    if (film == nullptr) {
+        readFilter(context, nullptr);
+        return;
+    }
+    MitsubaObject object(context, *film);
+    size.width = object.integer("width", 768, 1, 32768);
+    size.height = object.integer("height", 576, 1, 32768);
+    const bool isCropped = object.property("crop_width") != nullptr ||
+                           object.property("crop_height") != nullptr ||
+                           object.property("crop_offset_x") != nullptr;
+    if (isCropped) { object.approximated("approximated: the whole picture is shown, not the crop window"); }
+    object.passOver({"crop_offset_y", "pixel_format", "component_format", "file_format", "banner", "gamma",
+                     "exposure", "key", "burn", "tonemap_method", "attach_log", "high_quality_edges",
+                     "sample_border", "compensate", "channel_format", "variable", "digits"});
+    readFilter(context, object.next({"rfilter"}));
+    object.finish();
+}
+
+/// The angle of view across the picture's height.
+float verticalFovDeg(MitsubaObject* object, float aspect) {
+    constexpr float kDiagonalMm = 43.2666153f;  // of 36 x 24 mm
+    std::string_view axis = object->text("fov_axis", "x");
+    float fov = 0.0f;
+    if (object->property("fov") != nullptr) {
+        fov = object->number("fov", 40.0f, 0.01f, 179.9f);
+    } else {
+        std::string_view length = object->text("focal_length", "50mm");
+        if (length.ends_with("mm")) { length.remove_suffix(2); }
+        const double mm = mitsubaNumber(&object->context(), object->element(), length);
+        fov = 2.0f * std::atan(0.5f * kDiagonalMm / std::max(static_cast<float>(mm), 1e-3f)) * kDegrees;
+        axis = "diagonal";
+    }
+    const float tangent = std::tan(0.5f * fov / kDegrees);
+    const bool isVertical =
+        axis == "y" || (axis == "smaller" && aspect > 1.0f) || (axis == "larger" && aspect < 1.0f);
+    const float vertical = isVertical           ? tangent
+                           : axis == "diagonal" ? tangent / std::sqrt(1.0f + aspect * aspect)
+                                                : tangent / aspect;
+    return std::clamp(2.0f * std::atan(vertical) * kDegrees, 1e-3f, 179.99f);
+}
+
+/// Parallel rays as those of a camera a thousand widths away.
+void moveAway(MitsubaObject* object, float halfWidth, float aspect, Camera* camera) {
+    constexpr float kWidthsAway = 1000.0f;
+    object->approximated("approximated: parallel rays are those of a camera a thousand widths away");
+    const Vec3 forward = camera->target - camera->position;
+    const float distance = 2.0f * kWidthsAway * halfWidth;
+    camera->position = camera->target - distance * forward;
+    camera->focalDistance = distance;
+    camera->verticalFovDeg = 2.0f * std::atan(halfWidth / (aspect * distance)) * kDegrees;
+}
+
+}  // namespace
+
+void readMitsubaSensor(MitsubaContext* context, const MitsubaElement& sensor) {
+    MitsubaObject object(context, sensor);
+    readFilm(context, object.next({"film"}));
+    const std::string_view type = object.type();
+    const bool isOrthographic = type == "orthographic", hasLens = type == "thinlens";
+    if (!isOrthographic && !hasLens && type != "perspective") {
+        context->refuse(sensor, fmt::format("Glint has no sensor \"{}\"", type));
+        return;
+    }
+    object.next({"sampler"});
+    const Affine toWorld = object.transform();
+    const Vec3 x = toWorld.linear[0], up = toWorld.linear[1], forward = toWorld.linear[2];
+    if (context->failed() || !isInvertible(toWorld)) {
+        context->fail(sensor, "the camera's transform is flattened");
+        return;
+    }
+    if (toWorld.determinant() < 0.0f) {
+        context->remark(sensor, "approximated: the camera mirrors, its picture is shown unmirrored");
+    }
+    const Resolution& size = context->scene.resolution;
+    const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
+    const float scale = glm::length(forward);
+    Camera& camera = context->scene.camera;
+    camera.position = toWorld.translation;
+    camera.up = glm::normalize(up);
+    camera.focalDistance = scale * object.number("focus_distance", 1.0f, 1e-6f);
+    camera.target = camera.position + forward / scale;
+    if (isOrthographic) {
+        moveAway(&object, glm::length(x), aspect, &camera);
+    } else {
+        camera.verticalFovDeg = verticalFovDeg(&object, aspect);
+        camera.apertureDiameter =
+            hasLens ? 2.0f * scale * object.number("aperture_radius", 0.0f, 0.0f) : 0.0f;
+        camera.target = camera.position + (camera.focalDistance / scale) * forward;
+    }
+    if (object.number("principal_point_offset_x", 0.0f) != 0.0f ||
+        object.number("principal_point_offset_y", 0.0f) != 0.0f) {
+        object.approximated("approximated: the principal point is the picture's middle");
+    }
+    if (object.property("near_clip") != nullptr || object.property("far_clip") != nullptr) {
+        object.passOver({"near_clip", "far_clip"});
+        context->note(sensor, "near and far planes do not cut");
+    }
+    object.passOver({"shutter_open", "shutter_close", "fov", "srf"});
+    object.finish();
+}
+
+void readMitsubaIntegrator(MitsubaContext* context, const MitsubaElement& integrator) {
+    MitsubaObject object(context, integrator);
+    if (context->failed()) { return; }
+    if (const MitsubaElement* inner = object.next({"integrator"})) {  // moment, aov, adaptive, irrcache
+        readMitsubaIntegrator(context, *inner);
+        return;
+    }
+    RenderOptions& options = context->scene.options;
+    const std::string_view type = object.type();
+    const bool isPhotons = type == "sppm" || type == "ppm" || type == "photonmapper";
+    options.integrator = isPhotons      ? IntegratorKind::Sppm
+                         : type == "ao" ? IntegratorKind::AmbientOcclusion
+                                        : IntegratorKind::PathTracing;
+    const bool isDirect = type == "direct";
+    const int depth = object.integer("max_depth", isDirect ? 2 : -1, -1, 1 << 20);
+    options.maxDepth = depth < 0 ? kUnlimitedDepth : std::max(depth - 1, 0);
+    options.rouletteStartDepth = object.integer("rr_depth", 5, 1, 1 << 20);
+    if (object.flag("hide_emitters", false)) {
+        object.approximated("approximated: lights and the environment are seen");
+    }
+    if (type != "path" && !isDirect && !isPhotons && type != "ao") {
+        context->note(integrator, "the integrator is path tracing", type);
+    }
+    options.integrator == IntegratorKind::Sppm
+        ? object.passOver({"initial_radius", "alpha", "photon_count", "max_passes", "photons_per_pass"})
+        : void();
+    object.passOver({"strict_normals", "emitter_samples", "bsdf_samples", "shading_samples", "samples",
+                     "light_samples", "ray_length", "aovs", "granularity", "auto_cancel_threshold"});
+}
+
+}  // namespace glint

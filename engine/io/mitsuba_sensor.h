@@ -1,0 +1,13 @@
+// Mitsuba's sensors, films and integrators as Glint's camera and options. Internal to the Mitsuba importer.
+#pragma once
+
+#include "engine/io/mitsuba_object.h"
+
+namespace glint {
+
+/// Sets the camera, the picture's size and its filter.
+void readMitsubaSensor(MitsubaContext* context, const MitsubaElement& sensor);
+/// Sets the integrator and its depth: Mitsuba's maximum counts edges, Glint's scattering events, one less.
+void readMitsubaIntegrator(MitsubaContext* context, const MitsubaElement& integrator);
+
+}  // namespace glint

@@ -1,0 +1,48 @@
+// Mitsuba's shapes as objects. Internal to the Mitsuba importer.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "engine/io/mitsuba_materials.h"
+#include "engine/io/mitsuba_meshes.h"
+
+namespace glint {
+
+class MitsubaShapes {
+  public:
+    MitsubaShapes(MitsubaContext* context, MitsubaMaterials* materials, MitsubaMeshes* meshes)
+        : context_(*context), materials_(*materials), meshes_(*meshes) {}
+
+    /// Appends the objects of a shape; none of a shapegroup, which instances place.
+    void place(const MitsubaElement& shape);
+
+  private:
+    /// A shape in the making.
+    struct Shape {
+        MitsubaObject* object;
+        const MitsubaElement* bsdf;
+        const MitsubaElement* emitter;
+        Affine toWorld;
+        bool isFlipped;
+    };
+
+    std::vector<Object> objectsOf(const MitsubaElement& shape);
+    std::vector<Object> instancesOf(MitsubaObject* object);
+    std::vector<Object> groupOf(MitsubaObject* object);
+    std::vector<Object> finish(const Shape& shape, Object object, UvOrigin origin, int meshBack);
+    std::vector<Object> meshOf(Shape* shape);
+    std::vector<Object> cubeOf(const Shape& shape);
+    std::vector<Object> sphereOf(const Shape& shape);
+    std::vector<Object> flatOf(const Shape& shape, ShapeKind kind);
+    std::vector<Object> cylinderOf(const Shape& shape);
+    bool isTextured(const MitsubaElement* bsdf);
+    int materialOf(const Shape& shape, UvOrigin origin);
+
+    MitsubaContext& context_;
+    MitsubaMaterials& materials_;
+    MitsubaMeshes& meshes_;
+    std::map<const MitsubaElement*, std::vector<Object>> groups_;
+};
+
+}  // namespace glint

@@ -1,0 +1,259 @@
+// Mitsuba's spectra, textures and bsdfs as Glint's colours, textures and materials.
+#include <cmath>
+
+#include "engine/io/image_io.h"
+#include "engine/io/mitsuba_spectrum.h"
+#include "tests/support/mitsuba_test.h"
+
+namespace glint::test {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class MitsubaMaterialsTest : public MitsubaTest {
+  protected:
+    Vec3 radiance(const std::string& element) {
+        return load("<emitter type='constant'>" + element + "</emitter>").environment.color;
+    }
+    Vec3 reflectance(const std::string& element) {
+        return materialOf("<bsdf type='diffuse'>" + element + "</bsdf>").color.value;
+    }
+};
+
+/// x and y of linear Rec.709.
+Vec2 chromaticity(const Vec3& rgb) {
+    const float x = 0.4124564f * rgb.x + 0.3575761f * rgb.y + 0.1804375f * rgb.z;
+    const float y = 0.2126729f * rgb.x + 0.7151522f * rgb.y + 0.0721750f * rgb.z;
+    const float z = 0.0193339f * rgb.x + 0.1191920f * rgb.y + 0.9503041f * rgb.z;
+    return Vec2(x, y) / (x + y + z);
+}
+
+TEST(MitsubaSpectrum, KnownLightsHaveTheirColours) {
+    const SpectrumSample flat[] = {{300.0, 0.5}, {900.0, 0.5}};
+    const Vec3 grey = rgbOfSpectrum(flat, SpectrumRole::Reflectance);
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(grey[c], 0.5f, 5e-4f);
+    }
+    const Vec2 equal = chromaticity(rgbOfSpectrum(flat, SpectrumRole::Emission));
+    EXPECT_NEAR(equal.x, 1.0f / 3.0f, 2e-4f);
+    EXPECT_NEAR(equal.y, 1.0f / 3.0f, 2e-4f);
+    // CIE illuminant A.
+    const Vec2 tungsten = chromaticity(rgbOfBlackbody(2855.5));
+    EXPECT_NEAR(tungsten.x, 0.44757f, 3e-4f);
+    EXPECT_NEAR(tungsten.y, 0.40745f, 3e-4f);
+    // At 6500 K about 95 lm/W (Murphy 2012, "Maximum spectral luminous efficacy of white light").
+    const Vec3 hot = rgbOfBlackbody(6500.0);
+    const double luminance = 0.2126729 * static_cast<double>(hot.x) + 0.7151522 * static_cast<double>(hot.y) +
+                             0.0721750 * static_cast<double>(hot.z);
+    const double radiance = 5.670374e-8 * std::pow(6500.0, 4.0) / 3.14159265;
+    EXPECT_NEAR(luminance * 106.857 * 683.002 / radiance, 95.0, 0.6);
+    // What lies between two samples, and nothing beyond them.
+    const SpectrumSample green[] = {{500.0, 0.0}, {550.0, 1.0}, {600.0, 0.0}};
+    const Vec3 color = rgbOfSpectrum(green, SpectrumRole::Emission);
+    EXPECT_GT(color.y, 3.0f * std::fabs(color.x));
+}
+
+/// Of Palik's measurements of amorphous carbon.
+TEST(MitsubaSpectrum, NamedMetalsAreTheirSpectra) {
+    const SpectrumSample eta[] = {{364.647, 2.0},  {387.438, 2.06}, {413.267, 2.11}, {442.786, 2.17},
+                                  {476.846, 2.24}, {516.583, 2.30}, {563.545, 2.38}, {619.9, 2.43},
+                                  {688.778, 2.43}, {774.875, 2.33}, {885.571, 2.24}};
+    const Vec3 expected = rgbOfSpectrum(eta, SpectrumRole::Index), stored = mitsubaMetal("a-C")->eta;
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(stored[c], expected[c], 0.01f) << c;
+    }
+    EXPECT_FALSE(mitsubaMetal("unobtainium"));
+    EXPECT_FLOAT_EQ(*mitsubaIndex("BK7"), 1.5046f);
+    EXPECT_FALSE(mitsubaIndex("unobtainium"));
+}
+
+TEST_F(MitsubaMaterialsTest, ColoursAreLinear) {
+    EXPECT_EQ(radiance("<rgb name='radiance' value='1, 2 3'/>"), Vec3(1, 2, 3));
+    EXPECT_EQ(radiance("<rgb name='radiance' value='4'/>"), Vec3(4.0f));
+    EXPECT_EQ(radiance("<spectrum name='radiance' value='4'/>"), Vec3(4.0f));
+    EXPECT_EQ(radiance("<float name='radiance' value='4'/>"), Vec3(4.0f));
+    EXPECT_EQ(radiance(""), Vec3(1.0f));
+    expectNear(radiance("<srgb name='radiance' value='0.5 1 0'/>"), Vec3(0.21404f, 1, 0), 1e-4f);
+    expectNear(reflectance("<rgb name='reflectance' value='#8000ff'/>"), Vec3(0.21586f, 0, 1), 1e-4f);
+    EXPECT_EQ(reflectance("<rgb name='reflectance' value='2 0.5 0'/>"), Vec3(1, 0.5f, 0));
+    EXPECT_THAT(warnings, Contains(HasSubstr("reflectances beyond 0 to 1 are clamped")));
+    expectNear(reflectance("<spectrum name='reflectance' value='350:0.3, 800:0.3'/>"), Vec3(0.3f), 1e-3f);
+    folder.write("flat.spd", "# a comment 1 2\n350 0.3\n800 0.3\n");
+    expectNear(reflectance("<spectrum name='reflectance' filename='flat.spd'/>"), Vec3(0.3f), 1e-3f);
+    expectNear(radiance("<blackbody name='radiance' temperature='2855.5K' scale='2'/>"),
+               2.0f * rgbOfBlackbody(2855.5), 1.0f);
+}
+
+TEST_F(MitsubaMaterialsTest, DielectricsHaveTheRatioOfIndices) {
+    Material glass = materialOf("<bsdf type='dielectric'/>");
+    EXPECT_EQ(glass.kind, MaterialKind::Dielectric);
+    EXPECT_FLOAT_EQ(glass.ior.value, 1.5046f / 1.000277f);
+    EXPECT_EQ(glass.color.value, Vec3(1.0f));
+    EXPECT_THAT(warnings, IsEmpty());
+    glass = materialOf(
+        "<bsdf type='thindielectric'><string name='int_ior' value='diamond'/><float "
+        "name='ext_ior' value='2'/></bsdf>");
+    EXPECT_TRUE(glass.thin);
+    EXPECT_FLOAT_EQ(glass.ior.value, 2.419f / 2.0f);
+    glass = materialOf(
+        "<bsdf type='roughdielectric'><string name='distribution' value='ggx'/><float "
+        "name='alpha' value='0.3'/></bsdf>");
+    EXPECT_FLOAT_EQ(glass.roughness.value, 0.3f);
+    EXPECT_THAT(warnings, IsEmpty());
+    materialOf("<bsdf type='roughdielectric'/>");
+    EXPECT_THAT(warnings, Contains(HasSubstr("approximated: Beckmann")));
+}
+
+TEST_F(MitsubaMaterialsTest, ConductorsHaveNamesSpectraOrNothing) {
+    Material metal = materialOf("<bsdf type='conductor'><string name='material' value='Au'/></bsdf>");
+    EXPECT_EQ(metal.kind, MaterialKind::Conductor);
+    EXPECT_TRUE(metal.metal.empty());
+    EXPECT_EQ(metal.eta.value, mitsubaMetal("Au")->eta);
+    metal = materialOf(
+        "<bsdf type='conductor'><spectrum name='eta' value='0.8'/><spectrum name='k' "
+        "value='6'/></bsdf>");
+    EXPECT_EQ(metal.eta.value, Vec3(0.8f));
+    EXPECT_EQ(metal.k.value, Vec3(6.0f));
+    metal = materialOf(
+        "<bsdf type='roughconductor'><float name='alpha_u' value='0.1'/><float name='alpha_v' "
+        "value='0.4'/></bsdf>");
+    EXPECT_NEAR(metal.roughness.value, 0.2f, 1e-6f);
+    EXPECT_GT(metal.k.value.x, 1e3f);
+    EXPECT_THAT(warnings, Contains(HasSubstr("approximated: roughness along u and v is one")));
+}
+
+/// What Mitsuba's plastic reflects of diffuse light: c / (1 - c Fi) or, linear, c / (1 - Fi), times the rest.
+TEST_F(MitsubaMaterialsTest, LinearPlasticIsAnotherColour) {
+    const std::string color = "<rgb name='diffuse_reflectance' value='0.2 0.5 0.9'/>";
+    const Material nonlinear =
+        materialOf("<bsdf type='plastic'><boolean name='nonlinear' value='true'/>" + color + "</bsdf>");
+    EXPECT_EQ(nonlinear.color.value, Vec3(0.2f, 0.5f, 0.9f));
+    EXPECT_EQ(nonlinear.kind, MaterialKind::Plastic);
+    const Material linear = materialOf("<bsdf type='plastic'>" + color + "</bsdf>");
+    const float internal = 0.592f;  // of an index of 1.49 (d'Eon and Irving 2011, fit to 1e-3)
+    for (int c = 0; c < 3; ++c) {
+        const float base = linear.color.value[c];
+        EXPECT_NEAR(base / (1.0f - base * internal), nonlinear.color.value[c] / (1.0f - internal), 0.01f)
+            << c;
+    }
+    EXPECT_THAT(warnings, IsEmpty());
+}
+
+TEST_F(MitsubaMaterialsTest, WrappersChangeWhatTheyHold) {
+    const std::string red = "<bsdf type='diffuse'><rgb name='reflectance' value='1 0 0'/></bsdf>";
+    const std::string blue = "<bsdf type='diffuse'><rgb name='reflectance' value='0 0 1'/></bsdf>";
+    EXPECT_EQ(materialOf("<bsdf type='twosided'>" + red + "</bsdf>").color.value, Vec3(1, 0, 0));
+    EXPECT_FLOAT_EQ(
+        materialOf("<bsdf type='mask'><float name='opacity' value='0.25'/>" + red + "</bsdf>").opacity.value,
+        0.25f);
+    const std::string blend = "<bsdf type='blendbsdf'><float name='weight' value='0.25'/>";
+    EXPECT_EQ(materialOf(blend + red + blue + "</bsdf>").color.value, Vec3(0.75f, 0, 0.25f));
+    EXPECT_THAT(warnings, IsEmpty());
+    materialOf(blend + red + "<bsdf type='conductor'/></bsdf>");
+    EXPECT_THAT(warnings, Contains(HasSubstr("approximated: of blended materials")));
+    EXPECT_TRUE(load("<shape type='sphere'><bsdf type='null'/></shape>").objects.empty());
+    EXPECT_EQ(materialOf("<bsdf type='coating'>" + red + "</bsdf>").kind, MaterialKind::Plastic);
+    EXPECT_THAT(warnings, Contains(HasSubstr("approximated: coats over diffuse surfaces")));
+}
+
+TEST_F(MitsubaMaterialsTest, EachFurtherModelIsApproximatedAndSaid) {
+    for (const char* type : {"phong", "ward", "principled", "principledthin", "difftrans"}) {
+        materialOf("<bsdf type='" + std::string(type) + "'/>");
+        EXPECT_THAT(warnings, Contains(HasSubstr("approximated: "))) << type;
+    }
+    EXPECT_EQ(materialOf("<bsdf type='principled'><float name='metallic' value='1'/></bsdf>").kind,
+              MaterialKind::Conductor);
+    EXPECT_EQ(materialOf("<bsdf type='principled'><float name='spec_trans' value='1'/></bsdf>").kind,
+              MaterialKind::Dielectric);
+    EXPECT_FLOAT_EQ(
+        materialOf("<bsdf type='principled'><float name='roughness' value='0.5'/></bsdf>").roughness.value,
+        0.25f);
+    EXPECT_THAT(errorOf("<shape type='sphere'><bsdf type='hk'/></shape>"), HasSubstr("no bsdf \"hk\""));
+    const SceneDescription scene =
+        load("<shape type='sphere'><bsdf type='hk'/></shape>", {.allowMissing = true});
+    EXPECT_EQ(scene.objects.size(), 1u);
+    EXPECT_THAT(scene.warnings, Contains(HasSubstr("no bsdf \"hk\"")));
+}
+
+/// A picture of 2 x 2 pixels: black, red / green, blue.
+class MitsubaTexturesTest : public MitsubaMaterialsTest {
+  protected:
+    void SetUp() override {
+        ASSERT_TRUE(
+            savePng(folder.path("four.png"), Image8{2, 2, {0, 0, 0, 255, 0, 0, 0, 255, 0, 0, 0, 255}}));
+    }
+    static std::string bitmap(const std::string& content, const std::string& name = "reflectance") {
+        return "<texture type='bitmap' name='" + name + "'><string name='filename' value='four.png'/>" +
+               content + "</texture>";
+    }
+    /// On a rectangle, whose texture coordinates are Mitsuba's.
+    SceneDescription textured(const std::string& texture) {
+        return load("<shape type='rectangle'><bsdf type='twosided'><bsdf type='diffuse'>" + texture +
+                    "</bsdf></bsdf></shape>");
+    }
+};
+
+TEST_F(MitsubaTexturesTest, ArePlacedAsTheirTransformSays) {
+    const Texture plain = textured(bitmap("")).textures.at(0);
+    EXPECT_TRUE(plain.flipV);
+    EXPECT_EQ(plain.scale, Vec2(1.0f));
+    EXPECT_EQ(plain.encoding, ColorEncoding::Srgb);
+    const Texture placed =
+        textured(bitmap("<transform name='to_uv'><scale x='2' y='3'/><rotate z='1' angle='90'/>"
+                        "<translate x='5'/></transform><boolean name='raw' value='true'/>"
+                        "<string name='wrap_mode' value='mirror'/><string "
+                        "name='filter_type' value='nearest'/>"))
+            .textures.at(0);
+    EXPECT_NEAR(placed.scale.x, 2.0f, 1e-6f);
+    EXPECT_NEAR(placed.scale.y, 3.0f, 1e-6f);
+    EXPECT_NEAR(placed.rotationDeg, 90.0f, 1e-4f);
+    EXPECT_EQ(placed.offset, Vec2(5, 0));
+    EXPECT_EQ(placed.wrapU, WrapMode::Mirror);
+    EXPECT_EQ(placed.filter, TexelFilter::Nearest);
+    EXPECT_EQ(placed.encoding, ColorEncoding::Linear);
+    const Texture old =
+        textured(bitmap("<float name='uscale' value='4'/><float name='voffset' value='1'/>")).textures.at(0);
+    EXPECT_EQ(old.scale, Vec2(4, 1));
+    EXPECT_EQ(old.offset, Vec2(0, 1));
+}
+
+TEST_F(MitsubaTexturesTest, ObjFilesCountVFromTheBottom) {
+    folder.write("square.obj", kSquareObj);
+    const auto texture = [this](const std::string& content) {
+        return load("<shape type='obj'><string name='filename' value='square.obj'/><bsdf type='diffuse'>" +
+                    bitmap(content) + "</bsdf></shape>")
+            .textures.at(0);
+    };
+    EXPECT_FALSE(texture("").flipV);
+    const Texture moved = texture("<transform name='to_uv'><scale y='2'/><translate y='0.25'/></transform>");
+    EXPECT_TRUE(moved.flipV);  // row = 2 (1 - v) + 0.25
+    EXPECT_EQ(moved.scale, Vec2(1, -2));
+    EXPECT_EQ(moved.offset, Vec2(0, 2.25f));
+}
+
+TEST_F(MitsubaTexturesTest, NumbersAreTheLuminanceOfLinearValues) {
+    const SceneDescription scene = load("<shape type='sphere'><bsdf type='mask'>" + bitmap("", "opacity") +
+                                        "<bsdf type='diffuse'/></bsdf></shape>");
+    const Material& material = scene.materials.at(0);
+    ASSERT_GE(material.opacity.texture, 0);
+    const SceneImage& image = scene.textures[static_cast<size_t>(material.opacity.texture)].image;
+    ASSERT_TRUE(image.floats);
+    EXPECT_NEAR(image.floats->rgb[3], 0.2126f, 1e-3f);
+    EXPECT_NEAR(image.floats->rgb[6], 0.7152f, 1e-3f);
+}
+
+TEST_F(MitsubaTexturesTest, CheckerboardsAndUnknownOnes) {
+    const SceneDescription scene = textured(
+        "<texture type='checkerboard' name='reflectance'><rgb name='color0' value='1 0 0'/></texture>");
+    const auto& board = std::get<Checkerboard>(scene.textures.at(0).image.source);
+    EXPECT_EQ(board.even, Vec3(1, 0, 0));
+    EXPECT_EQ(board.odd, Vec3(0.2f));
+    EXPECT_EQ(scene.textures[0].filter, TexelFilter::Nearest);
+    EXPECT_THAT(textured("<texture type='wavy' name='reflectance'/>").warnings,
+                Contains(HasSubstr("approximated: textures of a kind")));
+}
+
+}  // namespace
+}  // namespace glint::test
