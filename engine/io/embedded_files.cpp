@@ -34,35 +34,42 @@ class EmbeddedWriter {
         const auto* embedded = std::get_if<EmbeddedFile>(source);
         if (embedded == nullptr || !status) { return; }
         std::string& path = written_[embedded->bytes.get()];
-        if (path.empty()) { path = writeOne(*embedded); }
+        if (path.empty()) {
+            const Result<std::string> name = writeBeside(*embedded, scenePath_);
+            if (!name) {
+                status = name.error();
+                return;
+            }
+            path = *name;
+        }
         *source = FileSource{rebasePath(path, scenePath_, pathsCountFrom_)};
     }
 
     Status status;
 
   private:
-    std::string writeOne(const EmbeddedFile& file) {
-        const fs::path wanted(harmlessName(file.name));
-        for (int number = 1;; ++number) {
-            const std::string name = number == 1 ? wanted.string()
-                                                 : fmt::format("{}-{}{}", wanted.stem().string(), number,
-                                                               wanted.extension().string());
-            const std::string path = resolvePath(name, scenePath_);
-            if (!fileExists(path)) {
-                status = writeFileAtomically(path, *file.bytes);
-                return name;
-            }
-            const Result<std::string> there = readFile(path);
-            if (there && *there == *file.bytes) { return name; }
-        }
-    }
-
     std::string scenePath_;
     std::string pathsCountFrom_;
     std::map<const std::string*, std::string> written_;
 };
 
 }  // namespace
+
+Result<std::string> writeBeside(const EmbeddedFile& file, const std::string& scenePath) {
+    const fs::path wanted(harmlessName(file.name));
+    for (int number = 1;; ++number) {
+        const std::string name =
+            number == 1 ? wanted.string()
+                        : fmt::format("{}-{}{}", wanted.stem().string(), number, wanted.extension().string());
+        const std::string path = resolvePath(name, scenePath);
+        if (!fileExists(path)) {
+            if (Status written = writeFileAtomically(path, *file.bytes); !written) { return written.error(); }
+            return name;
+        }
+        const Result<std::string> there = readFile(path);
+        if (there && *there == *file.bytes) { return name; }
+    }
+}
 
 Status writeEmbeddedFiles(SceneDescription* scene, const std::string& scenePath) {
     EmbeddedWriter writer(scenePath, scene->path);

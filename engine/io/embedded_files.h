@@ -9,9 +9,12 @@
 
 namespace glint {
 
-/// Each embedded file of `scene` is written to the folder of `scenePath` under its own name, and becomes a
-/// FileSource. A file of that name that holds the same bytes is used as it is, one that holds others is kept,
-/// and the new one gets a number: "wood.png", "wood-2.png". Error: a file cannot be written.
+/// Writes the file to the folder of `scenePath` under its own name, and says under which: a file of that name
+/// that holds the same bytes is used as it is, one that holds others is kept, and the new one gets a number.
+/// Error: it cannot be written.
+Result<std::string> writeBeside(const EmbeddedFile& file, const std::string& scenePath);
+
+/// Each embedded file of `scene` is written so, and becomes a FileSource. Error: a file cannot be written.
 Status writeEmbeddedFiles(SceneDescription* scene, const std::string& scenePath);
 
 }  // namespace glint

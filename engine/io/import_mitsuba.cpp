@@ -38,6 +38,9 @@ class MitsubaReader {
         const Status read = readAssets();
         if (!read) { return read.error(); }
         if (sensor_ == nullptr) { applyDefaultView(&scene, options().noStudio); }
+        for (const Asset& asset : lackingAssets(scene)) {  // the studio's light
+            if (Status lit = readAsset(asset, &assets_, &scene); !lit) { return lit.error(); }
+        }
         for (const std::string& name : context_.xml.unusedParameters()) {
             scene.warnings.push_back(fmt::format("{}: the scene has no parameter \"{}\"", scene.path, name));
         }

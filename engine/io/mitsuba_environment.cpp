@@ -57,6 +57,14 @@ ImageF withCentredRows(const ImageF& map) {
     });
 }
 
+ImageF withRowsAtPoles(const ImageF& map) {
+    const int height = 2 * map.height + 1;
+    return filled(map.width, height, [&](int x, int y) {
+        const float v = static_cast<float>(y) / static_cast<float>(height - 1);
+        return lookUp(map, static_cast<float>(x), v * static_cast<float>(map.height) - 0.5f);
+    });
+}
+
 ImageF turnedMap(const ImageF& map, const Affine& toWorld, bool hasRowsAtPoles) {
     const Affine toMap = isInvertible(toWorld) ? inverse(toWorld) : Affine();
     const int width = 2 * map.width, height = 2 * map.height;

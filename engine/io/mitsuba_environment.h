@@ -15,6 +15,8 @@ namespace glint {
 std::optional<float> turnAboutY(const Affine& map);
 /// The map with rows as Glint has them, twice as many.
 ImageF withCentredRows(const ImageF& map);
+/// The other way: Glint's rows as Mitsuba has them, twice as many and one.
+ImageF withRowsAtPoles(const ImageF& map);
 /// The map turned by any affine map, of twice the resolution.
 ImageF turnedMap(const ImageF& map, const Affine& toWorld, bool hasRowsAtPoles);
 

@@ -7,6 +7,7 @@
 
 #include "engine/io/image_io.h"
 #include "engine/io/mitsuba_environment.h"
+#include "engine/io/mitsuba_sky.h"
 #include "engine/io/mitsuba_spectrum.h"
 #include "engine/math/color.h"
 
@@ -154,24 +155,44 @@ SceneImage MitsubaLights::imageOf(MitsubaObject* object, const std::string& path
 }
 
 void MitsubaLights::placeSky(MitsubaObject* object) {
-    object->approximated("approximated: the sky is Glint's own, with the sun where it is");
+    object->approximated("approximated: skies are Preetham's");
+    const bool isZUp = context_.xml.majorVersion() >= 2;
     const Affine toWorld = object->transform();
-    Vec3 sun = object->vector("sun_direction", Vec3(0.0f, 0.4f, 1.0f));
-    sun = toWorld.vector(sun);
-    const float scale = object->number("scale", 1.0f, 0.0f) * object->number("sky_scale", 1.0f, 0.0f);
-    object->passOver({"turbidity", "albedo", "sun_scale", "stretch", "resolution", "sun_radius_scale",
-                      "sun_aperture", "complex_sun", "extend", "year", "month", "day", "hour", "minute",
-                      "second", "latitude", "longitude", "timezone"});
+    SunTime time;
+    time.year = object->integer("year", time.year, 0, 9999);
+    time.month = object->integer("month", time.month, 1, 12);
+    time.day = object->integer("day", time.day, 1, 31);
+    time.hour = static_cast<double>(object->number("hour", 15.0f, 0.0f, 24.0f) +
+                                    object->number("minute", 0.0f, 0.0f, 60.0f) / 60.0f);
+    time.latitudeDeg = static_cast<double>(object->number("latitude", 35.6894f, -90.0f, 90.0f));
+    time.longitudeDeg = static_cast<double>(object->number("longitude", 139.6917f, -180.0f, 180.0f));
+    time.timezone = static_cast<double>(object->number("timezone", 9.0f, -14.0f, 14.0f));
+    // To directions with y up.
+    const Mat3 upright = isZUp ? Mat3(1, 0, 0, 0, 0, -1, 0, 1, 0) : Mat3(1.0f);
+    const bool isGiven = object->property("sun_direction") != nullptr;
+    const Vec3 given = object->vector("sun_direction", Vec3(0, 1, 0));
+    const Vec3 sun = isGiven && !isZero(given) ? upright * given : sunDirection(time);
+    const PreethamSky sky(sun, object->number("turbidity", 3.0f));
+    const float scale = object->number("scale", 1.0f, 0.0f, 1e9f);
+    const float skyScale = scale * object->number("sky_scale", 1.0f, 0.0f, 1e9f);
+    const float sunScale = scale * object->number("sun_scale", 1.0f, 0.0f, 1e9f);
+    const float radiusDeg = 0.2679f * object->number("sun_radius_scale", 1.0f, 0.0f, 100.0f);
+    object->passOver({"albedo", "stretch", "resolution", "sun_aperture", "complex_sun", "extend", "second"});
+    if (context_.failed() || !isInvertible(toWorld)) { return; }
+    if (object->type() == "sun") {
+        Light* light = add(object, LightKind::Directional, {});
+        light->color = sunScale * sky.sunIrradiance();
+        light->direction = toWorld.vector(glm::transpose(upright) * -sky.sun());
+        return;
+    }
     if (!takesEnvironment(object)) { return; }
-    SkySource sky;
-    const float level = std::sqrt(sun.x * sun.x + sun.z * sun.z);
-    sky.sunElevationDeg = std::atan2(sun.y, level) * kDegrees;
-    sky.sunAzimuthDeg = std::atan2(-sun.z, sun.x) * kDegrees;
-    if (object->type() == "sky") { sky.sun = Vec3(0.0f); }
-    if (object->type() == "sun") { sky.zenith = sky.horizon = sky.ground = Vec3(0.0f); }
-    context_.scene.environment = {.color = Vec3(1.0f), .strength = scale, .image = 0};
+    constexpr int kWidth = 1024;
+    const Vec3 sunlight = object->type() == "sky" ? Vec3(0.0f) : sunScale * sky.sunIrradiance();
+    const ImageF map = skyMap(sky, upright * inverse(toWorld).linear, skyScale, sunlight, radiusDeg, kWidth);
+    context_.scene.environment = {.color = Vec3(1.0f)};
     context_.scene.environment.image = static_cast<int>(context_.scene.environmentImages.size());
-    context_.scene.environmentImages.push_back({.source = sky});
+    context_.scene.environmentImages.push_back(
+        {.source = bakedImage(map, "sky", context_.scene.environmentImages.size())});
 }
 
 }  // namespace glint

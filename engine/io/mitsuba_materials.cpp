@@ -232,7 +232,11 @@ void MitsubaMaterials::readConductor(MitsubaObject* object, UvOrigin origin, Mit
     if (const auto tint = mitsubaInput(object, {"specular_reflectance"}, SpectrumRole::Reflectance)) {
         material.color = colorOf(*tint, origin);
     }
-    if (object->type() == "roughconductor") { readRoughness(object, origin, &material); }
+    if (object->type() == "roughconductor") {
+        readRoughness(object, origin, &material);
+    } else if (name == "none" && !eta && !k) {
+        material.kind = MaterialKind::Mirror;
+    }
 }
 
 void MitsubaMaterials::readMask(MitsubaObject* object, UvOrigin origin, MitsubaSurface* out) {

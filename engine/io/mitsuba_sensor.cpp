@@ -71,9 +71,9 @@ float verticalFovDeg(MitsubaObject* object, float aspect) {
         fov = 2.0f * std::atan(0.5f * kDiagonalMm / std::max(static_cast<float>(mm), 1e-3f)) * kDegrees;
         axis = "diagonal";
     }
+    if (axis == "y") { return fov; }
     const float tangent = std::tan(0.5f * fov / kDegrees);
-    const bool isVertical =
-        axis == "y" || (axis == "smaller" && aspect > 1.0f) || (axis == "larger" && aspect < 1.0f);
+    const bool isVertical = (axis == "smaller" && aspect > 1.0f) || (axis == "larger" && aspect < 1.0f);
     const float vertical = isVertical           ? tangent
                            : axis == "diagonal" ? tangent / std::sqrt(1.0f + aspect * aspect)
                                                 : tangent / aspect;
@@ -89,6 +89,22 @@ void moveAway(MitsubaObject* object, float halfWidth, float aspect, Camera* came
     camera->position = camera->target - distance * forward;
     camera->focalDistance = distance;
     camera->verticalFovDeg = 2.0f * std::atan(halfWidth / (aspect * distance)) * kDegrees;
+}
+
+/// A single <lookat> says the camera's points themselves, which no rounding then changes.
+void lookAsWritten(MitsubaContext* context, const MitsubaElement* transform, Camera* camera) {
+    if (transform == nullptr || transform->children.size() != 1 || transform->children[0].tag != "lookat") {
+        return;
+    }
+    const MitsubaElement& look = transform->children[0];
+    const auto point = [&](std::string_view name, Vec3* out) {
+        if (!look.has(name)) { return; }
+        const auto v = mitsubaNumbers(context, look, look.attribute(name), {3});
+        if (v.size() == 3) { *out = Vec3(glm::dvec3(v[0], v[1], v[2])); }
+    };
+    point("origin", &camera->position);
+    point("target", &camera->target);
+    if (look.has("up")) { point("up", &camera->up); }
 }
 
 }  // namespace
@@ -118,15 +134,17 @@ void readMitsubaSensor(MitsubaContext* context, const MitsubaElement& sensor) {
     Camera& camera = context->scene.camera;
     camera.position = toWorld.translation;
     camera.up = glm::normalize(up);
-    camera.focalDistance = scale * object.number("focus_distance", 1.0f, 1e-6f);
+    // What rounding leaves of a unit length is 1.
+    const float unit = std::fabs(scale - 1.0f) < 1e-6f ? 1.0f : scale;
+    camera.focalDistance = unit * object.number("focus_distance", 1.0f, 1e-6f);
     camera.target = camera.position + forward / scale;
     if (isOrthographic) {
         moveAway(&object, glm::length(x), aspect, &camera);
     } else {
         camera.verticalFovDeg = verticalFovDeg(&object, aspect);
-        camera.apertureDiameter =
-            hasLens ? 2.0f * scale * object.number("aperture_radius", 0.0f, 0.0f) : 0.0f;
+        camera.apertureDiameter = hasLens ? 2.0f * unit * object.number("aperture_radius", 0.0f, 0.0f) : 0.0f;
         camera.target = camera.position + (camera.focalDistance / scale) * forward;
+        lookAsWritten(context, object.property("to_world"), &camera);
     }
     if (object.number("principal_point_offset_x", 0.0f) != 0.0f ||
         object.number("principal_point_offset_y", 0.0f) != 0.0f) {

@@ -139,10 +139,7 @@ Vec3 integrated(const Spectrum& spectrum, SpectrumRole role) {
         xyz += spectrum(nm) * observer;
         white += observer.y;
     }
-    xyz = xyz / white;
-    return {static_cast<float>(3.2404542 * xyz.x - 1.5371385 * xyz.y - 0.4985314 * xyz.z),
-            static_cast<float>(-0.9692660 * xyz.x + 1.8760108 * xyz.y + 0.0415560 * xyz.z),
-            static_cast<float>(0.0556434 * xyz.x - 0.2040259 * xyz.y + 1.0572252 * xyz.z)};
+    return rgbOfXyz(xyz / white);
 }
 
 }  // namespace
@@ -162,16 +159,23 @@ Vec3 rgbOfSpectrum(std::span<const SpectrumSample> samples, SpectrumRole role) {
         role);
 }
 
-Vec3 rgbOfBlackbody(double kelvin) {
+double blackbodyRadiance(double nm, double kelvin) {
     constexpr double kPlanck = 6.62607015e-34, kLight = 299792458.0, kBoltzmann = 1.380649e-23;
-    const Vec3 rgb = integrated(
-        [&](double nm) {
-            const double metres = 1e-9 * nm;
-            return 1e-9 * 2.0 * kPlanck * kLight * kLight /
-                   (std::pow(metres, 5.0) * std::expm1(kPlanck * kLight / (metres * kBoltzmann * kelvin)));
-        },
-        SpectrumRole::Emission);
+    const double metres = 1e-9 * nm;
+    return 1e-9 * 2.0 * kPlanck * kLight * kLight /
+           (std::pow(metres, 5.0) * std::expm1(kPlanck * kLight / (metres * kBoltzmann * kelvin)));
+}
+
+Vec3 rgbOfBlackbody(double kelvin) {
+    const Vec3 rgb =
+        integrated([&](double nm) { return blackbodyRadiance(nm, kelvin); }, SpectrumRole::Emission);
     return glm::max(rgb, Vec3(0.0f));
+}
+
+Vec3 rgbOfXyz(const glm::dvec3& xyz) {
+    return {static_cast<float>(3.2404542 * xyz.x - 1.5371385 * xyz.y - 0.4985314 * xyz.z),
+            static_cast<float>(-0.9692660 * xyz.x + 1.8760108 * xyz.y + 0.0415560 * xyz.z),
+            static_cast<float>(0.0556434 * xyz.x - 0.2040259 * xyz.y + 1.0572252 * xyz.z)};
 }
 
 }  // namespace glint

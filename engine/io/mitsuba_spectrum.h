@@ -23,8 +23,10 @@ enum class SpectrumRole : uint8_t {
 /// Linear Rec.709 of samples in rising order, linear between them and 0 beyond, by the CIE 1931 observer of 2
 /// degrees from 360 to 780 nm; may be negative.
 Vec3 rgbOfSpectrum(std::span<const SpectrumSample> samples, SpectrumRole role);
-/// Of a black body's radiance in W/(m^2 sr nm) (Planck 1901).
+/// A black body's radiance in W/(m^2 sr nm) (Planck 1901), at a wavelength and as a colour.
+double blackbodyRadiance(double nm, double kelvin);
 Vec3 rgbOfBlackbody(double kelvin);
+Vec3 rgbOfXyz(const glm::dvec3& xyz);
 
 /// A colour: rgb, srgb, spectrum, blackbody or a single number. Not negative; reflectances up to 1.
 Vec3 mitsubaColor(MitsubaContext* context, const MitsubaElement& at, SpectrumRole role);

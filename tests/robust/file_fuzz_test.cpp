@@ -9,10 +9,12 @@
 #include "engine/io/exr_io.h"
 #include "engine/io/image_io.h"
 #include "engine/io/mesh_normals.h"
+#include "engine/io/mitsuba_serialized.h"
 #include "engine/io/obj_loader.h"
 #include "engine/io/ply_loader.h"
 #include "engine/render/checkpoint.h"
 #include "tests/support/capture.h"
+#include "tests/support/mitsuba_files.h"
 #include "tests/support/temp_folder.h"
 
 namespace glint {
@@ -154,6 +156,19 @@ TEST(Fuzz, PlyBinary) {
         }
         EXPECT_GT(fuzz("a.ply", good, 4, loadSoundPly), kRounds / 40);
     }
+}
+
+TEST(Fuzz, Serialized) {
+    const std::string good =
+        test::serializedFile(4, {test::serializedTriangle<float>(0x1003, std::string("a\0", 2), 1.0f),
+                                 test::serializedTriangle<double>(0x2003, std::string("b\0", 2), 2.0f)});
+    const int loaded = fuzz("a.serialized", good, 9, [](const std::string& path) -> std::optional<Error> {
+        const auto mesh = parseSerialized(TempFolder::read(path), path, 1);
+        if (!mesh) { return mesh.error(); }
+        expectSoundMesh(*mesh->mesh);
+        return std::nullopt;
+    });
+    EXPECT_GT(loaded, kRounds / 40);
 }
 
 std::optional<Error> loadSoundImage(const std::string& path) {

@@ -1,12 +1,10 @@
 // Mitsuba's shapes and emitters as Glint's objects and lights.
 #include <cmath>
 
-#include <zlib.h>
-
 #include "engine/io/mitsuba_environment.h"
 #include "engine/io/mitsuba_normals.h"
 #include "engine/io/mitsuba_serialized.h"
-#include "tests/support/gltf_files.h"
+#include "tests/support/mitsuba_files.h"
 #include "tests/support/mitsuba_test.h"
 
 namespace glint::test {
@@ -168,38 +166,11 @@ TEST_F(MitsubaShapesTest, AttributesOfMeshesAreColours) {
     EXPECT_EQ(faces[0], Vec3(0.75f, 0.25f, 0));
 }
 
-/// A file of serialized meshes as Mitsuba's manual describes it.
-std::string serialized(uint16_t version, const std::vector<std::string>& meshes) {
-    std::string out;
-    std::vector<uint64_t> begins;
-    for (const std::string& mesh : meshes) {
-        begins.push_back(out.size());
-        out += packed<uint16_t>({0x041c, version});
-        std::string packedMesh(compressBound(mesh.size()), '\0');
-        uLongf size = packedMesh.size();
-        EXPECT_EQ(compress(reinterpret_cast<Bytef*>(packedMesh.data()), &size,
-                           reinterpret_cast<const Bytef*>(mesh.data()), mesh.size()),
-                  Z_OK);
-        out += packedMesh.substr(0, size);
-    }
-    for (const uint64_t begin : begins) {
-        out += version == 4 ? packed<uint64_t>({begin}) : packed<uint32_t>({static_cast<uint32_t>(begin)});
-    }
-    return out + packed<uint32_t>({static_cast<uint32_t>(meshes.size())});
-}
-
-template <class Number>
-std::string triangle(uint32_t flags, const std::string& name, float size) {
-    const auto s = static_cast<Number>(size);
-    return packed<uint32_t>({flags}) + name + packed<uint64_t>({3, 1}) +
-           packed<Number>({0, 0, 0, s, 0, 0, 0, s, 0}) + packed<Number>({0, 0, 1, 0, 0, 1, 0, 0, 1}) +
-           packed<Number>({0, 0, 1, 0, 0, 1}) + packed<uint32_t>({0, 1, 2});
-}
-
 TEST_F(MitsubaShapesTest, SerializedMeshesOfBothVersionsAreRead) {
-    folder.write("three.serialized", serialized(3, {triangle<float>(0x1003, "", 1.0f)}));
-    folder.write("four.serialized", serialized(4, {triangle<float>(0x1003, std::string("one\0", 4), 1.0f),
-                                                   triangle<double>(0x2003, std::string("two\0", 4), 2.0f)}));
+    folder.write("three.serialized", serializedFile(3, {serializedTriangle<float>(0x1003, "", 1.0f)}));
+    folder.write("four.serialized",
+                 serializedFile(4, {serializedTriangle<float>(0x1003, std::string("one\0", 4), 1.0f),
+                                    serializedTriangle<double>(0x2003, std::string("two\0", 4), 2.0f)}));
     const auto three = meshOf("serialized", "three.serialized");
     ASSERT_EQ(three->triangleCount(), 1u);
     EXPECT_EQ(three->positions[1], Vec3(1, 0, 0));
@@ -210,7 +181,8 @@ TEST_F(MitsubaShapesTest, SerializedMeshesOfBothVersionsAreRead) {
 }
 
 TEST_F(MitsubaShapesTest, BrokenSerializedMeshesAreRefused) {
-    const std::string good = serialized(4, {triangle<float>(0x1003, std::string("\0", 1), 1.0f)});
+    const std::string good =
+        serializedFile(4, {serializedTriangle<float>(0x1003, std::string("\0", 1), 1.0f)});
     const auto messageOf = [](const std::string& bytes, int number = 0) {
         const auto mesh = parseSerialized(bytes, "a.serialized", number);
         return mesh ? std::string("none") : mesh.error().format();
@@ -220,13 +192,15 @@ TEST_F(MitsubaShapesTest, BrokenSerializedMeshesAreRefused) {
     EXPECT_THAT(messageOf("abcdefghijk"), HasSubstr("no serialized Mitsuba mesh"));
     EXPECT_THAT(messageOf(std::string(good).replace(2, 1, "\x09")), HasSubstr("version 9"));
     EXPECT_THAT(messageOf(good.substr(0, 20) + good.substr(good.size() - 12)), HasSubstr("cut off"));
-    const std::string index = triangle<float>(0x1003, std::string("\0", 1), 1.0f);
-    EXPECT_THAT(messageOf(serialized(4, {std::string(index).replace(index.size() - 4, 1, "\x07")})),
+    const std::string index = serializedTriangle<float>(0x1003, std::string("\0", 1), 1.0f);
+    EXPECT_THAT(messageOf(serializedFile(4, {std::string(index).replace(index.size() - 4, 1, "\x07")})),
                 HasSubstr("there is no vertex 7"));
-    EXPECT_THAT(messageOf(serialized(4, {std::string(index).replace(5, 8, packed<uint64_t>({1ull << 40}))})),
-                HasSubstr("there cannot be"));
-    EXPECT_THAT(messageOf(serialized(4, {std::string(index).replace(5, 8, packed<uint64_t>({1ull << 25}))})),
-                HasSubstr("cut off"));
+    EXPECT_THAT(
+        messageOf(serializedFile(4, {std::string(index).replace(5, 8, packed<uint64_t>({1ull << 40}))})),
+        HasSubstr("there cannot be"));
+    EXPECT_THAT(
+        messageOf(serializedFile(4, {std::string(index).replace(5, 8, packed<uint64_t>({1ull << 25}))})),
+        HasSubstr("cut off"));
 }
 
 TEST_F(MitsubaShapesTest, LightsHaveTheirPlaces) {

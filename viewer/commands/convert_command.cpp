@@ -1,9 +1,8 @@
-// `glint convert IN OUT.json`: any readable scene as Glint's own JSON.
+// `glint convert IN OUT`: any readable scene as Glint's own JSON, or as another kind that Glint writes.
 #include <fmt/format.h>
 
 #include "engine/base/log.h"
-#include "engine/io/file_path.h"
-#include "engine/io/scene_json.h"
+#include "engine/io/exporter.h"
 #include "viewer/base/run_files.h"
 #include "viewer/commands/command_line.h"
 #include "viewer/commands/commands.h"
@@ -18,8 +17,9 @@ struct ConvertOptions {
 };
 
 int runConvert(const ConvertOptions& options) {
-    if (!hasExtension(options.out, ".json")) {
-        return reportError({fmt::format("'{}': expected a name that ends in .json", options.out), {}},
+    const Exporter* exporter = exporterOf(options.out);
+    if (exporter == nullptr) {
+        return reportError({fmt::format("'{}': expected the name of {}", options.out, listExporters()), {}},
                            kExitBadInput);
     }
     RunFiles files;
@@ -31,8 +31,12 @@ int runConvert(const ConvertOptions& options) {
     if (!scene) { return reportError(scene.error(), kExitBadInput); }
     files.readsScene(*scene);
     if (Status checked = files.check(); !checked) { return reportError(checked.error(), kExitBadInput); }
-    if (Status saved = saveSceneJson(*scene, options.out); !saved) {
+    std::vector<std::string> warnings;
+    if (Status saved = exporter->save(*scene, options.out, &warnings); !saved) {
         return reportError(saved.error(), kExitFailed);
+    }
+    for (const std::string& warning : warnings) {
+        logWarning("{}: {}", options.out, warning);
     }
     return kExitDone;
 }
@@ -40,10 +44,11 @@ int runConvert(const ConvertOptions& options) {
 }  // namespace
 
 void addConvertCommand(const Command& program) {
-    const Command command = program.subcommand("convert", "Writes any readable scene as Glint's own JSON");
+    const Command command =
+        program.subcommand("convert", "Writes any readable scene as Glint's own JSON or as Mitsuba XML");
     const auto options = std::make_shared<ConvertOptions>();
     command.option("in", &options->in, "The scene to read").required().typeName("IN");
-    command.option("out", &options->out, "The file to write, OUT.json").required().typeName("OUT");
+    command.option("out", &options->out, "The file to write, OUT.json or OUT.xml").required().typeName("OUT");
     addLoadOptions(command, &options->load);
     command.onRun([options] { return runConvert(*options); });
 }

@@ -1,0 +1,279 @@
+// Mitsuba 3 XML, so that a scene can be checked against that program. What import_mitsuba.cpp reads as the
+// same again; engine/io/README.md says what is approximated.
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "engine/io/atomic_file.h"
+#include "engine/io/embedded_files.h"
+#include "engine/io/exporter.h"
+#include "engine/io/file_path.h"
+#include "engine/io/mitsuba_environment.h"
+#include "engine/io/mitsuba_writer.h"
+#include "engine/scene/scene_use.h"
+
+namespace glint {
+namespace {
+
+/// Half the side of what stands for an endless plane.
+constexpr float kPlaneSize = 1e4f;
+
+class MitsubaExporter {
+  public:
+    MitsubaExporter(SceneDescription scene, const std::string& path, std::vector<std::string>* warnings)
+        : scene_(std::move(scene)), path_(path), warnings_(*warnings) {}
+
+    Status run() {
+        if (Status written = writeEmbeddedFiles(&scene_, path_); !written) { return written; }
+        for (Texture& texture : scene_.textures) {
+            if (auto* file = std::get_if<FileSource>(&texture.image.source)) {
+                file->path = rebasePath(file->path, scene_.path, path_);
+            }
+        }
+        out_.open("scene", "version=\"3.0.0\"");
+        writeMitsubaView(scene_, &out_, &warnings_);
+        writeLights();
+        for (const MitsubaUse& use : uses()) {
+            writeMitsubaMaterial(scene_, use, &out_, &warnings_);
+        }
+        for (size_t i = 0; i < scene_.objects.size() && status_; ++i) {
+            if (isBack(i)) { continue; }
+            const bool hasBack = i + 1 < scene_.objects.size() && isBack(i + 1);
+            if (scene_.objects[i].frontOnly && !hasBack) {
+                warn("approximated: what is seen from its front alone is black from behind");
+            }
+            writeObject(scene_.objects[i]);
+        }
+        out_.close();
+        return status_ ? writeFileAtomically(path_, out_.text()) : status_;
+    }
+
+  private:
+    void warn(std::string_view sentence) { warnOnce(sentence, &warnings_); }
+    const Material& materialOf(const Object& object) const {
+        return scene_.materials[static_cast<size_t>(object.material)];
+    }
+
+    void writeLights() {
+        for (const Light& light : scene_.lights) {
+            const char* kTypes[] = {"point", "spot", "directional"};
+            out_.open("emitter", fmt::format("type=\"{}\"", kTypes[static_cast<size_t>(light.kind)]));
+            const Vec3 color = light.strength * light.color;
+            if (light.kind == LightKind::Directional) {
+                out_.element("vector",
+                             fmt::format("name=\"direction\" value=\"{}\"", xmlNumbers(light.direction)));
+                out_.color("irradiance", color);
+            } else {
+                out_.color("intensity", color);
+            }
+            if (light.kind == LightKind::Point) {
+                out_.element("point",
+                             fmt::format("name=\"position\" value=\"{}\"", xmlNumbers(light.position)));
+            }
+            if (light.kind == LightKind::Spot) { writeSpot(light); }
+            out_.close();
+        }
+        if (scene_.environment.emissive()) { writeEnvironment(); }
+    }
+
+    void writeSpot(const Light& light) {
+        out_.open("transform", "name=\"to_world\"");
+        out_.element("lookat", fmt::format("origin=\"{}\" target=\"{}\"", xmlNumbers(light.position),
+                                           xmlNumbers(light.position + light.direction)));
+        out_.close();
+        out_.number("cutoff_angle", light.coneAngleDeg);
+        out_.number("beam_width", light.coneFalloffStartDeg);
+        if (light.coneFalloffStartDeg < light.coneAngleDeg) { warn("approximated: spots fall off linearly"); }
+    }
+
+    void writeEnvironment() {
+        const Environment& environment = scene_.environment;
+        const Vec3 color = environment.strength * environment.color;
+        if (environment.image < 0) {
+            out_.open("emitter", "type=\"constant\"");
+            out_.color("radiance", color);
+            out_.close();
+            return;
+        }
+        warn("approximated: the environment's rows are laid out anew");
+        const SceneImage& image = scene_.environmentImages[static_cast<size_t>(environment.image)];
+        if (!image.floats) {
+            status_ = Error{"the environment has not been read", {.file = path_}};
+            return;
+        }
+        ImageF map = withRowsAtPoles(*image.floats);
+        for (size_t i = 0; i < map.rgb.size(); ++i) {
+            map.rgb[i] *= color[static_cast<int>(i % 3)];
+        }
+        const std::string name =
+            save("-environment.exr", std::get<EmbeddedFile>(bakedImage(map, path_, 0)).bytes);
+        out_.open("emitter", "type=\"envmap\"");
+        out_.string("filename", name);
+        out_.matrix("to_world", rotate(Vec3(0, 1, 0), (environment.rotationDeg - 180.0f) * (kPi / 180.0f)));
+        out_.close();
+    }
+
+    /// Says under which name the file was written.
+    std::string save(std::string_view ending, std::shared_ptr<const std::string> bytes) {
+        const std::string wanted = std::filesystem::path(path_).stem().string() + std::string(ending);
+        if (!status_) { return wanted; }
+        const Result<std::string> name = writeBeside({wanted, std::move(bytes)}, path_);
+        if (!name) { status_ = name.error(); }
+        return name ? *name : wanted;
+    }
+
+    bool hasColors(const Object& object) const {
+        if (object.shape != ShapeKind::Mesh) { return false; }
+        const auto& data = scene_.meshes[static_cast<size_t>(object.mesh)].data;
+        return data && !data->colors.empty();
+    }
+    MitsubaUse useOf(const Object& object) const {
+        const bool isFlat = object.shape == ShapeKind::Rectangle || object.shape == ShapeKind::Disc ||
+                            object.shape == ShapeKind::Plane;
+        return {object.material, isFlat ? UvOrigin::Top : UvOrigin::Bottom, object.frontOnly,
+                hasColors(object)};
+    }
+    std::set<MitsubaUse> uses() const {
+        std::set<MitsubaUse> uses;
+        for (size_t i = 0; i < scene_.objects.size(); ++i) {
+            if (!isBack(i)) { uses.insert(useOf(scene_.objects[i])); }
+        }
+        return uses;
+    }
+
+    /// Whether an object is the black back of the one before it, which Mitsuba's one-sided surfaces have.
+    bool isBack(size_t i) const {
+        const Object& back = scene_.objects[i];
+        if (i == 0 || !back.frontOnly || !scene_.objects[i - 1].frontOnly) { return false; }
+        const Material& material = materialOf(back);
+        return material.kind == MaterialKind::Diffuse && isZero(material.color.value) &&
+               material.color.texture < 0 && !material.emissive() &&
+               back.objectToWorld.translation == scene_.objects[i - 1].objectToWorld.translation;
+    }
+
+    void writeObject(const Object& object) {
+        switch (object.shape) {
+            case ShapeKind::Mesh:
+                writeMesh(object);
+                return;
+            case ShapeKind::Sphere:
+                writeSphere(object);
+                return;
+            case ShapeKind::Plane:
+                warn("approximated: endless planes end");
+                writeShape("rectangle", object,
+                           object.objectToWorld * scale(Vec3(kPlaneSize, kPlaneSize, 1.0f)));
+                return;
+            case ShapeKind::Rectangle:
+                writeShape("rectangle", object, object.objectToWorld);
+                return;
+            case ShapeKind::Disc:
+                writeShape("disk", object, object.objectToWorld);
+                return;
+            case ShapeKind::Revolved:
+                writeRevolved(object);
+                return;
+        }
+    }
+
+    /// Glint's north is +y, Mitsuba's +z; it matters to textures alone.
+    void writeSphere(const Object& object) {
+        const bool isTextured = !usedTextures(materialOf(object)).empty();
+        const Affine toGlint{Mat3(0, 0, -1, -1, 0, 0, 0, 1, 0), Vec3(0.0f)};
+        writeShape("sphere", object, isTextured ? object.objectToWorld * toGlint : object.objectToWorld);
+    }
+
+    void writeRevolved(const Object& object) {
+        const std::vector<Vec2>& p = object.profile;
+        const bool isCylinder = p.size() == 2 && p[0].x == p[1].x && p[0].y < p[1].y;
+        if (!isCylinder) {
+            warn("approximated: profiles that are turned are triangles");
+            const std::string name = newPly(turnedMesh(object), Vec3(1.0f));
+            writeShape("ply", object, object.objectToWorld, [&] { writePlyFile(name, true); });
+            return;
+        }
+        // Mitsuba's axis is z, Glint's y.
+        const Affine fromZ{Mat3(1, 0, 0, 0, 0, -1, 0, 1, 0), Vec3(0.0f, p[0].y, 0.0f)};
+        writeShape("cylinder", object, object.objectToWorld * fromZ, [&] {
+            out_.number("radius", p[0].x);
+            out_.element("point", fmt::format("name=\"p1\" x=\"0\" y=\"0\" z=\"{}\"", p[1].y - p[0].y));
+        });
+    }
+
+    void writeMesh(const Object& object) {
+        const Mesh& mesh = scene_.meshes[static_cast<size_t>(object.mesh)];
+        if (!mesh.data) {
+            status_ = Error{fmt::format("the mesh \"{}\" has not been read", mesh.name), {.file = path_}};
+            return;
+        }
+        const Vec3 factor = hasColors(object) ? materialOf(object).color.value : Vec3(1.0f);
+        std::string& name = plys_[{object.mesh, {factor.x, factor.y, factor.z}}];
+        if (name.empty()) { name = newPly(*mesh.data, factor); }
+        const bool isSmooth = !mesh.data->normals.empty();
+        if (isSmooth && std::ranges::any_of(mesh.data->normals, isZero)) {
+            warn("approximated: meshes are smooth everywhere or nowhere");
+        }
+        writeShape("ply", object, object.objectToWorld, [&] { writePlyFile(name, isSmooth); });
+    }
+
+    std::string newPly(const MeshData& mesh, const Vec3& colorFactor) {
+        return save(fmt::format("-{}.ply", plyCount_++),
+                    std::make_shared<const std::string>(mitsubaPly(mesh, colorFactor)));
+    }
+    void writePlyFile(const std::string& name, bool isSmooth) {
+        out_.string("filename", name);
+        out_.flag("flip_tex_coords", true);
+        if (!isSmooth) { out_.flag("face_normals", true); }
+    }
+
+    template <class More = void (*)()>
+    void writeShape(
+        std::string_view type, const Object& object, const Affine& toWorld, const More& more = [] {}) {
+        out_.open("shape", fmt::format("type=\"{}\"", type));
+        more();
+        if (!(toWorld == Affine())) { out_.matrix("to_world", toWorld); }
+        const MitsubaUse use = useOf(object);
+        out_.element("ref", fmt::format("id=\"{}\"", use.id(scene_)));
+        const Material& material = materialOf(object);
+        if (material.emissive()) {
+            if (material.emitsBothSides) {
+                warn("approximated: what shines on both sides shines on its front");
+            }
+            out_.open("emitter", "type=\"area\"");
+            if (material.emission.texture >= 0) {
+                if (material.emissionStrength != 1.0f) {
+                    warn("approximated: images shine with a strength of 1");
+                }
+                writeMitsubaTexture(scene_.textures[static_cast<size_t>(material.emission.texture)],
+                                    use.origin, false, "radiance", &out_, &warnings_);
+            } else {
+                out_.color("radiance", material.emissionStrength * material.emission.value);
+            }
+            out_.close();
+        }
+        out_.close();
+    }
+
+    SceneDescription scene_;
+    std::string path_;
+    std::vector<std::string>& warnings_;
+    MitsubaWriter out_;
+    std::map<std::pair<int, std::array<float, 3>>, std::string> plys_;
+    int plyCount_ = 0;
+    Status status_;
+};
+
+Status save(const SceneDescription& scene, const std::string& path, std::vector<std::string>* warnings) {
+    return MitsubaExporter(scene, path, warnings).run();
+}
+
+}  // namespace
+
+extern const Exporter kExportMitsuba;
+const Exporter kExportMitsuba{"Mitsuba 3", ".xml", save};
+
+}  // namespace glint

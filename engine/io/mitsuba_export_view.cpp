@@ -1,0 +1,64 @@
+// Camera, film and integrator as Mitsuba 3 has them.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "engine/io/mitsuba_writer.h"
+
+namespace glint {
+namespace {
+
+void writeIntegrator(const RenderOptions& options, MitsubaWriter* out, std::vector<std::string>* warnings) {
+    if (options.integrator != IntegratorKind::PathTracing) {
+        warnOnce("approximated: the integrator is path tracing", warnings);
+    }
+    if (options.fireflyClamp > 0.0f) { warnOnce("approximated: samples are not clamped", warnings); }
+    out->open("integrator", "type=\"path\"");
+    out->integer("max_depth", options.maxDepth + 1);
+    out->integer("rr_depth", std::max(options.rouletteStartDepth, 1));
+    out->close();
+}
+
+void writeFilm(const SceneDescription& scene, MitsubaWriter* out, std::vector<std::string>* warnings) {
+    const RenderOptions& options = scene.options;
+    out->open("film", "type=\"hdrfilm\"");
+    out->integer("width", scene.resolution.width);
+    out->integer("height", scene.resolution.height);
+    if (options.filter == FilterKind::Box) {
+        out->open("rfilter", "type=\"box\"");
+        if (options.filterRadius != 0.5f) { out->number("radius", options.filterRadius); }
+    } else {
+        if (options.filter != FilterKind::Gaussian) {
+            warnOnce("approximated: the filter is a Gaussian", warnings);
+        }
+        out->open("rfilter", "type=\"gaussian\"");
+        out->number("stddev", options.filterRadius / 3.0f);
+    }
+    out->close();
+    out->close();
+}
+
+}  // namespace
+
+void writeMitsubaView(const SceneDescription& scene, MitsubaWriter* out, std::vector<std::string>* warnings) {
+    writeIntegrator(scene.options, out, warnings);
+    const Camera& camera = scene.camera;
+    const bool hasLens = camera.apertureDiameter > 0.0f;
+    out->open("sensor", fmt::format("type=\"{}\"", hasLens ? "thinlens" : "perspective"));
+    out->open("transform", "name=\"to_world\"");
+    out->element("lookat", fmt::format("origin=\"{}\" target=\"{}\" up=\"{}\"", xmlNumbers(camera.position),
+                                       xmlNumbers(camera.target), xmlNumbers(camera.up)));
+    out->close();
+    out->string("fov_axis", "y");
+    out->number("fov", camera.verticalFovDeg);
+    if (hasLens) {
+        out->number("aperture_radius", 0.5f * camera.apertureDiameter);
+        out->number("focus_distance", camera.focalDistance);
+        if (camera.apertureBlades > 0) { warnOnce("approximated: the aperture is round", warnings); }
+    }
+    if (camera.horizontalScale != 1.0f) { warnOnce("approximated: pixels are square", warnings); }
+    writeFilm(scene, out, warnings);
+    out->close();
+}
+
+}  // namespace glint

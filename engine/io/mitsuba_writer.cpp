@@ -1,0 +1,138 @@
+#include "engine/io/mitsuba_writer.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "engine/io/byte_stream.h"
+
+namespace glint {
+
+std::string xmlText(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        switch (c) {
+            case '&':
+                out += "&amp;";
+                break;
+            case '<':
+                out += "&lt;";
+                break;
+            case '>':
+                out += "&gt;";
+                break;
+            case '"':
+                out += "&quot;";
+                break;
+            case '$':
+                out += "\\$";  // no parameter
+                break;
+            default:
+                out += c;
+        }
+    }
+    return out;
+}
+
+std::string xmlNumbers(const Vec3& v) { return fmt::format("{}, {}, {}", v.x, v.y, v.z); }
+
+void MitsubaWriter::open(std::string_view tag, std::string_view attributes) {
+    text_ += fmt::format("{:{}}<{} {}>\n", "", 2 * open_.size(), tag, attributes);
+    open_.emplace_back(tag);
+}
+
+void MitsubaWriter::close() {
+    const std::string tag = open_.back();
+    open_.pop_back();
+    text_ += fmt::format("{:{}}</{}>\n", "", 2 * open_.size(), tag);
+}
+
+void MitsubaWriter::element(std::string_view tag, std::string_view attributes) {
+    text_ += fmt::format("{:{}}<{} {}/>\n", "", 2 * open_.size(), tag, attributes);
+}
+
+void MitsubaWriter::number(std::string_view name, float value) {
+    element("float", fmt::format("name=\"{}\" value=\"{}\"", name, value));
+}
+
+void MitsubaWriter::integer(std::string_view name, int value) {
+    element("integer", fmt::format("name=\"{}\" value=\"{}\"", name, value));
+}
+
+void MitsubaWriter::flag(std::string_view name, bool value) {
+    element("boolean", fmt::format("name=\"{}\" value=\"{}\"", name, value));
+}
+
+void MitsubaWriter::string(std::string_view name, std::string_view value) {
+    element("string", fmt::format("name=\"{}\" value=\"{}\"", name, xmlText(value)));
+}
+
+void MitsubaWriter::color(std::string_view name, const Vec3& value) {
+    element("rgb", fmt::format("name=\"{}\" value=\"{}\"", name, xmlNumbers(value)));
+}
+
+void MitsubaWriter::matrix(std::string_view name, const Affine& value) {
+    std::string rows;
+    for (int row = 0; row < 3; ++row) {
+        const Mat3& m = value.linear;
+        rows += fmt::format("{} {} {} {} ", m[0][row], m[1][row], m[2][row], value.translation[row]);
+    }
+    open("transform", fmt::format("name=\"{}\"", name));
+    element("matrix", fmt::format("value=\"{}0 0 0 1\"", rows));
+    close();
+}
+
+void warnOnce(std::string_view warning, std::vector<std::string>* warnings) {
+    if (std::ranges::find(*warnings, warning) == warnings->end()) { warnings->emplace_back(warning); }
+}
+
+std::string MitsubaUse::id(const SceneDescription& scene) const {
+    std::string id = fmt::format("m{}{}{}{}_", material, origin == UvOrigin::Top ? "t" : "",
+                                 isOneSided ? "f" : "", hasColors ? "c" : "");
+    for (const char c : scene.materials[static_cast<size_t>(material)].name) {
+        const bool isPlain = (c >= '0' && c <= '9') || ((c | 32) >= 'a' && (c | 32) <= 'z');
+        id += isPlain ? c : '_';
+    }
+    return id;
+}
+
+std::string mitsubaPly(const MeshData& mesh, const Vec3& colorFactor) {
+    std::string header =
+        fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\n", mesh.positions.size());
+    const auto properties = [&header](bool has, std::initializer_list<const char*> names) {
+        for (const char* name : names) {
+            if (has) { header += fmt::format("property float {}\n", name); }
+        }
+    };
+    properties(true, {"x", "y", "z"});
+    properties(!mesh.normals.empty(), {"nx", "ny", "nz"});
+    properties(!mesh.uvs.empty(), {"u", "v"});
+    properties(!mesh.colors.empty(), {"color_0", "color_1", "color_2"});
+    header += fmt::format("element face {}\nproperty list uchar uint vertex_indices\nend_header\n",
+                          mesh.triangleCount());
+    ByteWriter out;
+    out.writeRaw(header);
+    const auto write = [&out](const Vec3& v) {
+        for (int c = 0; c < 3; ++c) {
+            out.write(v[c]);
+        }
+    };
+    for (size_t i = 0; i < mesh.positions.size(); ++i) {
+        write(mesh.positions[i]);
+        if (!mesh.normals.empty()) { write(mesh.normals[i]); }
+        if (!mesh.uvs.empty()) {
+            out.write(mesh.uvs[i].x);
+            out.write(mesh.uvs[i].y);
+        }
+        if (!mesh.colors.empty()) { write(colorFactor * mesh.colors[i]); }
+    }
+    for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        out.write(uint8_t{3});
+        for (size_t c = 0; c < 3; ++c) {
+            out.write(mesh.indices[i + c]);
+        }
+    }
+    return out.bytes();
+}
+
+}  // namespace glint

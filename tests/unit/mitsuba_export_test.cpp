@@ -1,0 +1,132 @@
+// Scenes written as Mitsuba XML: opened again they show the same picture, bit for bit where nothing is
+// approximated.
+#include "engine/io/exporter.h"
+#include "tests/support/film_bits.h"
+#include "tests/support/mitsuba_test.h"
+
+namespace glint::test {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class MitsubaExport : public MitsubaTest {
+  protected:
+    /// The scene as it is opened from its export.
+    SceneDescription exported(const SceneDescription& scene) {
+        const std::string path = folder.path("out.xml");
+        const Exporter* exporter = exporterOf(path);
+        EXPECT_NE(exporter, nullptr);
+        warnings.clear();
+        const Status saved = exporter->save(scene, path, &warnings);
+        EXPECT_TRUE(saved) << saved.error().format();
+        const auto opened = loadScene(path);
+        EXPECT_TRUE(opened) << opened.error().format();
+        return opened ? *opened : SceneDescription();
+    }
+    void expectSamePicture(SceneDescription scene) {
+        scene.resolution = {40, 30};
+        scene.options.filter = FilterKind::Box;
+        scene.options.filterRadius = 0.5f;
+        const SceneDescription opened = exported(scene);
+        EXPECT_THAT(warnings, IsEmpty());
+        expectSameBits(renderPasses(scene, 3, 2), renderPasses(opened, 3, 2));
+    }
+    SceneDescription repositoryScene(const std::string& name) {
+        const auto scene = loadScene(std::string(GLINT_SOURCE_DIR) + "/scenes/" + name);
+        EXPECT_TRUE(scene) << scene.error().format();
+        return scene ? *scene : SceneDescription();
+    }
+};
+
+TEST_F(MitsubaExport, GlintScenesKeepTheirBits) {
+    expectSamePicture(repositoryScene("cornell.json"));
+    expectSamePicture(repositoryScene("cornell_glass_mirror.json"));
+    SceneDescription glass = repositoryScene("sppm_glass_mesh.json");
+    glass.options.integrator = IntegratorKind::PathTracing;
+    expectSamePicture(std::move(glass));
+}
+
+TEST_F(MitsubaExport, MitsubaScenesKeepTheirBits) {
+    folder.write("square.obj", kSquareObj);
+    expectSamePicture(
+        load(R"(<sensor type="thinlens"><float name="fov" value="50"/><float name="aperture_radius"
+value="0.05"/><float name="focus_distance" value="4"/><transform name="to_world"><lookat origin="0,1,5" target="0,0,0"
+up="0,1,0"/></transform></sensor>
+<bsdf type="twosided" id="board"><bsdf type="diffuse"><texture type="checkerboard" name="reflectance"><rgb name="color0"
+value="0.9 0.2 0.1"/><transform name="to_uv"><scale x="4" y="2"/></transform></texture></bsdf></bsdf>
+<shape type="rectangle"><transform name="to_world"><rotate x="1" angle="-90"/><scale value="3"/><translate y="-1"/>
+</transform><ref id="board"/></shape>
+<shape type="sphere"><ref id="board"/></shape><shape type="cube"><transform name="to_world"><rotate y="1" angle="30"/>
+<scale value="0.4"/><translate x="1.5"/></transform><bsdf type="plastic"/></shape>
+<shape type="obj"><string name="filename" value="square.obj"/><transform name="to_world"><translate x="-1.5"/></transform>
+<bsdf type="conductor"><string name="material" value="Cu"/></bsdf></shape>
+<shape type="cylinder"><point name="p0" x="-2" y="-1" z="1"/><point name="p1" x="-2" y="0.5" z="1"/><float name="radius"
+value="0.2"/><bsdf type="dielectric"/></shape>
+<shape type="disk"><transform name="to_world"><rotate x="1" angle="90"/><translate y="3"/></transform>
+<emitter type="area"><rgb name="radiance" value="5 4 3"/></emitter></shape>
+<emitter type="point"><point name="position" x="2" y="3" z="2"/><rgb name="intensity" value="3"/></emitter>
+<emitter type="constant"><rgb name="radiance" value="0.2 0.3 0.4"/></emitter>)"));
+}
+
+TEST_F(MitsubaExport, WhatMitsubaDoesNotHaveIsSaid) {
+    SceneDescription scene = repositoryScene("cornell.json");
+    scene.options.filter = FilterKind::BlackmanHarris;
+    scene.camera.apertureDiameter = 0.1f;
+    scene.camera.apertureBlades = 6;
+    scene.materials[0].kind = MaterialKind::Mixture;
+    exported(scene);
+    EXPECT_THAT(warnings, Contains("approximated: the filter is a Gaussian"));
+    EXPECT_THAT(warnings, Contains("approximated: the aperture is round"));
+    EXPECT_THAT(warnings, Contains("approximated: mixtures are their heaviest part"));
+}
+
+TEST_F(MitsubaExport, NamesAndColoursOfVerticesPass) {
+    SceneDescription scene = load("<shape type='cube'/>");
+    auto mesh = std::make_shared<MeshData>(*scene.meshes[0].data);
+    for (size_t i = 0; i < mesh->positions.size(); ++i) {
+        mesh->colors.push_back(Vec3(0.25f, 0.03125f * static_cast<float>(i), 1.0f));
+    }
+    scene.meshes[0].data = mesh;
+    scene.materials[0].color.value = Vec3(1.0f);
+    scene.materials[0].name = "<red & \"$blue\">";
+    const SceneDescription opened = exported(scene);
+    ASSERT_EQ(opened.meshes.size(), 1u);
+    EXPECT_EQ(opened.meshes[0].data->colors, mesh->colors);
+    EXPECT_EQ(opened.meshes[0].data->positions, mesh->positions);
+}
+
+TEST_F(MitsubaExport, TurnedProfilesBecomeTriangles) {
+    for (const CurveKind curve : {CurveKind::Bezier, CurveKind::Bspline}) {
+        SceneDescription scene = load("<shape type='sphere'/>");
+        Object& object = scene.objects[0];
+        object.shape = ShapeKind::Revolved;
+        object.curve = curve;
+        object.profile = {{1.0f, -2.0f}, {1.0f, -1.0f}, {1.0f, 1.0f}, {1.0f, 2.0f}};
+        const SceneDescription opened = exported(scene);
+        EXPECT_THAT(warnings, Contains("approximated: profiles that are turned are triangles"));
+        ASSERT_EQ(opened.meshes.size(), 1u);
+        const MeshData& mesh = *opened.meshes[0].data;
+        EXPECT_GT(mesh.triangleCount(), 8000u);
+        for (size_t i = 0; i < mesh.positions.size(); ++i) {
+            const Vec3 outwards(mesh.positions[i].x, 0.0f, mesh.positions[i].z);
+            expectNear(mesh.normals[i], outwards, 1e-4f);
+        }
+        for (size_t i = 0; i < mesh.indices.size(); i += 3) {
+            const Vec3 &a = mesh.positions[mesh.indices[i]], &b = mesh.positions[mesh.indices[i + 1]],
+                       &c = mesh.positions[mesh.indices[i + 2]];
+            EXPECT_GT(glm::dot(glm::cross(b - a, c - a), mesh.normals[mesh.indices[i]]), 0.0f);
+        }
+    }
+}
+
+TEST(Exporters, AreToldByTheirEndings) {
+    EXPECT_EQ(exporterOf("a.json")->name, "Glint JSON");
+    EXPECT_EQ(exporterOf("a.XML")->name, "Mitsuba 3");
+    EXPECT_EQ(exporterOf("a.obj"), nullptr);
+    EXPECT_EQ(listExporters(), "Glint JSON (.json) or Mitsuba 3 (.xml)");
+}
+
+}  // namespace
+}  // namespace glint::test
