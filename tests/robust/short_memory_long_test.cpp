@@ -47,9 +47,10 @@ void* operator new[](size_t bytes, std::align_val_t alignment) {
 }
 void* operator new(size_t bytes, const std::nothrow_t&) noexcept { return allocate(bytes, 1); }
 void* operator new[](size_t bytes, const std::nothrow_t&) noexcept { return allocate(bytes, 1); }
-void operator delete(void* place) noexcept { std::free(place); }
+// Where one of a pair is inlined, GCC takes the other for its mismatch.
+[[gnu::noinline]] void operator delete(void* place) noexcept { std::free(place); }
 void operator delete[](void* place) noexcept { std::free(place); }
-void operator delete(void* place, size_t) noexcept { std::free(place); }
+[[gnu::noinline]] void operator delete(void* place, size_t) noexcept { std::free(place); }
 void operator delete[](void* place, size_t) noexcept { std::free(place); }
 void operator delete(void* place, std::align_val_t) noexcept { std::free(place); }
 void operator delete[](void* place, std::align_val_t) noexcept { std::free(place); }
