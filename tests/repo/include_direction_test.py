@@ -14,6 +14,7 @@ SEES = {
     "engine/kernels": "base math",
     "engine/scene": "base math kernels",
     "engine/io": "base math scene",
+    "engine/examples": "base math scene io",
     "engine/builders": "base math scene io kernels",
     "engine/render": "base math scene io kernels builders",
     "engine/report": "base math scene io kernels builders render",

@@ -34,5 +34,6 @@ void addDiffCommand(const Command& program);
 void addBesideCommand(const Command& program);
 void addStressCommand(const Command& program);
 void addBenchCommand(const Command& program);
+void addExampleCommand(const Command& program);
 
 }  // namespace glint

@@ -33,6 +33,7 @@ void addCommands(const Command& program) {
     addConvergeCommand(program);
     addConvertCommand(program);
     addSchemaCommand(program);
+    addExampleCommand(program);
     addDiffCommand(program);
     addBesideCommand(program);
     addStressCommand(program);
