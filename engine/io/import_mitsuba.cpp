@@ -29,8 +29,11 @@ class MitsubaReader {
     }
 
     Result<SceneDescription> read() {
-        for (const MitsubaElement& element : context_.xml.root().children) {
-            place(element);
+        // The camera first, which says how the scene is placed.
+        for (const bool isSensor : {true, false}) {
+            for (const MitsubaElement& element : context_.xml.root().children) {
+                if ((element.tag == "sensor") == isSensor) { place(element); }
+            }
         }
         if (context_.failed()) { return *context_.error; }
         SceneDescription& scene = context_.scene;

@@ -16,6 +16,8 @@ namespace {
 
 constexpr float kDegrees = 180.0f / kPi;
 
+Affine toWorldOf(MitsubaObject* object) { return object->context().world * object->transform(); }
+
 }  // namespace
 
 void MitsubaLights::place(const MitsubaElement& emitter) {
@@ -60,12 +62,12 @@ Light* MitsubaLights::add(MitsubaObject* object, LightKind kind,
 
 void MitsubaLights::placePoint(MitsubaObject* object) {
     Light* light = add(object, LightKind::Point, {"intensity"});
-    light->position = object->transform().point(object->vector("position", Vec3(0.0f)));
+    light->position = toWorldOf(object).point(object->vector("position", Vec3(0.0f)));
 }
 
 void MitsubaLights::placeSpot(MitsubaObject* object) {
     Light* light = add(object, LightKind::Spot, {"intensity"});
-    const Affine toWorld = object->transform();
+    const Affine toWorld = toWorldOf(object);
     light->position = toWorld.translation;
     light->direction = toWorld.vector(Vec3(0, 0, 1));
     light->coneAngleDeg = object->number("cutoff_angle", 20.0f, 0.01f, 90.0f);
@@ -81,7 +83,7 @@ void MitsubaLights::placeSpot(MitsubaObject* object) {
 void MitsubaLights::placeProjector(MitsubaObject* object) {
     object->approximated("approximated: projectors are spots of the same power, without a picture");
     Light* light = add(object, LightKind::Spot, {"irradiance"});
-    const Affine toWorld = object->transform();
+    const Affine toWorld = toWorldOf(object);
     light->position = toWorld.translation;
     light->direction = toWorld.vector(Vec3(0, 0, 1));
     const float side = 2.0f * std::tan(0.5f * object->number("fov", 40.0f, 0.1f, 179.0f) / kDegrees);
@@ -93,7 +95,7 @@ void MitsubaLights::placeProjector(MitsubaObject* object) {
 
 void MitsubaLights::placeDirectional(MitsubaObject* object) {
     Light* light = add(object, LightKind::Directional, {"irradiance"});
-    light->direction = object->transform().vector(object->vector("direction", Vec3(0, 0, 1)));
+    light->direction = toWorldOf(object).vector(object->vector("direction", Vec3(0, 0, 1)));
     if (isZero(light->direction)) { context_.fail(object->element(), "the light has no direction"); }
 }
 
@@ -112,7 +114,7 @@ void MitsubaLights::placeConstant(MitsubaObject* object) {
 
 void MitsubaLights::placeMap(MitsubaObject* object) {
     const float scale = object->number("scale", 1.0f, 0.0f);
-    const Affine toWorld = object->transform();
+    const Affine toWorld = toWorldOf(object);
     object->passOver({"mis_compensation", "cache"});
     const MitsubaElement* file = object->property("filename");
     if (file == nullptr) {
@@ -157,7 +159,7 @@ SceneImage MitsubaLights::imageOf(MitsubaObject* object, const std::string& path
 void MitsubaLights::placeSky(MitsubaObject* object) {
     object->approximated("approximated: skies are Preetham's");
     const bool isZUp = context_.xml.majorVersion() >= 2;
-    const Affine toWorld = object->transform();
+    const Affine toWorld = toWorldOf(object);
     SunTime time;
     time.year = object->integer("year", time.year, 0, 9999);
     time.month = object->integer("month", time.month, 1, 12);

@@ -22,6 +22,7 @@ struct MitsubaContext {
     const MitsubaXml& xml;
     const LoadOptions& options;
     SceneDescription scene = {};
+    Affine world = {};  ///< where the whole scene is placed: it is mirrored where its camera mirrors
     Remarks remarks = {};
     Remarks notes = {};
     std::optional<Error> error = {};

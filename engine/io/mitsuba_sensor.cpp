@@ -119,31 +119,34 @@ void readMitsubaSensor(MitsubaContext* context, const MitsubaElement& sensor) {
         return;
     }
     object.next({"sampler"});
-    const Affine toWorld = object.transform();
-    const Vec3 x = toWorld.linear[0], up = toWorld.linear[1], forward = toWorld.linear[2];
+    Affine toWorld = object.transform();
     if (context->failed() || !isInvertible(toWorld)) {
         context->fail(sensor, "the camera's transform is flattened");
         return;
     }
     if (toWorld.determinant() < 0.0f) {
-        context->remark(sensor, "approximated: the camera mirrors, its picture is shown unmirrored");
+        const Affine mirror = scale(Vec3(-1, 1, 1));
+        context->world = toWorld * mirror * inverse(toWorld);
+        toWorld = toWorld * mirror;
+        context->note(sensor, "the camera mirrors: the scene is mirrored in its place");
     }
+    const Vec3 x = toWorld.linear[0], up = toWorld.linear[1], forward = toWorld.linear[2];
     const Resolution& size = context->scene.resolution;
     const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
-    const float scale = glm::length(forward);
+    const float length = glm::length(forward);
     Camera& camera = context->scene.camera;
     camera.position = toWorld.translation;
     camera.up = glm::normalize(up);
     // What rounding leaves of a unit length is 1.
-    const float unit = std::fabs(scale - 1.0f) < 1e-6f ? 1.0f : scale;
+    const float unit = std::fabs(length - 1.0f) < 1e-6f ? 1.0f : length;
     camera.focalDistance = unit * object.number("focus_distance", 1.0f, 1e-6f);
-    camera.target = camera.position + forward / scale;
+    camera.target = camera.position + forward / length;
     if (isOrthographic) {
         moveAway(&object, glm::length(x), aspect, &camera);
     } else {
         camera.verticalFovDeg = verticalFovDeg(&object, aspect);
         camera.apertureDiameter = hasLens ? 2.0f * unit * object.number("aperture_radius", 0.0f, 0.0f) : 0.0f;
-        camera.target = camera.position + (camera.focalDistance / scale) * forward;
+        camera.target = camera.position + (camera.focalDistance / length) * forward;
         lookAsWritten(context, object.property("to_world"), &camera);
     }
     if (object.number("principal_point_offset_x", 0.0f) != 0.0f ||

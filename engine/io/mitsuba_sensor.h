@@ -5,7 +5,7 @@
 
 namespace glint {
 
-/// Sets the camera, the picture's size and its filter.
+/// Sets the camera, the picture's size and its filter, and how the scene is placed (MitsubaContext::world).
 void readMitsubaSensor(MitsubaContext* context, const MitsubaElement& sensor);
 /// Sets the integrator and its depth: Mitsuba's maximum counts edges, Glint's scattering events, one less.
 void readMitsubaIntegrator(MitsubaContext* context, const MitsubaElement& integrator);

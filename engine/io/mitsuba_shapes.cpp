@@ -36,6 +36,11 @@ void MitsubaShapes::place(const MitsubaElement& shape) {
         context_.fail(shape, fmt::format("its shapes place more than {} objects", kMaxObjects));
         return;
     }
+    if (!(context_.world == Affine())) {
+        for (Object& object : objects) {
+            object.objectToWorld = context_.world * object.objectToWorld;
+        }
+    }
     context_.scene.objects.insert(context_.scene.objects.end(), std::make_move_iterator(objects.begin()),
                                   std::make_move_iterator(objects.end()));
 }

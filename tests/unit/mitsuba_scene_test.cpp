@@ -150,6 +150,21 @@ TEST_F(MitsubaScene, CamerasLookAlongZ) {
     EXPECT_FLOAT_EQ(camera.focalDistance, 3.0f);
 }
 
+/// As old exporters write them.
+TEST_F(MitsubaScene, ACameraThatMirrorsMirrorsTheScene) {
+    const SceneDescription scene = load(
+        "<shape type='sphere'><point name='center' x='1' y='2' z='3'/></shape>"
+        "<emitter type='point'><point name='position' x='4'/></emitter>"
+        "<emitter type='directional'><vector name='direction' x='1'/></emitter>"
+        "<sensor type='perspective'><transform name='to_world'><scale x='-1'/><lookat origin='0,0,9' "
+        "target='0,0,0' up='0,1,0'/></transform></sensor>");
+    expectNear(scene.objects.at(0).objectToWorld.translation, Vec3(-1, 2, 3), 1e-5f);
+    expectNear(scene.lights.at(0).position, Vec3(-4, 0, 0), 1e-5f);
+    expectNear(scene.lights.at(1).direction, Vec3(-1, 0, 0), 1e-5f);
+    expectNear(scene.camera.position, Vec3(0, 0, 9), 1e-6f);
+    expectNear(glm::normalize(scene.camera.target - scene.camera.position), Vec3(0, 0, -1), 1e-5f);
+}
+
 TEST_F(MitsubaScene, FilmsHaveSizesAndFilters) {
     SceneDescription scene = load(sensor("", "<rfilter type='box'/>"));
     EXPECT_EQ(scene.resolution, (Resolution{200, 100}));
