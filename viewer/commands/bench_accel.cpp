@@ -139,7 +139,7 @@ Status measureScene(const std::string& name, const SceneDescription& scene, cons
     return {};
 }
 
-Result<BenchReport> measure(const BenchSubject& subject) {
+Result<BenchReport> measureAcceleration(const BenchSubject& subject) {
     const BenchOptions& options = subject.options;
     BenchReport report;
     report.json = {
@@ -179,7 +179,7 @@ Benchmark accelBenchmark() {
                         turnsOption("Passes of each"),
                         sizeOption("The pictures' largest width and height")},
             .scene = nullptr,
-            .measure = measure,
+            .measure = measureAcceleration,
             .onError = kExitBadInput};
 }
 

@@ -40,7 +40,7 @@ struct PassesResult {
     }
 };
 
-Result<std::shared_ptr<SceneDescription>> sceneOf(const BenchOptions& options) {
+Result<std::shared_ptr<SceneDescription>> passesScene(const BenchOptions& options) {
     auto scene =
         options.scene.empty() ? benchGlassAndMirror(options.size, options.size) : benchFile(options.scene);
     if (!scene) { return scene.error(); }
@@ -89,7 +89,7 @@ Result<PassesResult> renderPasses(const BuiltScene& built, SppmParams params, co
     return result;
 }
 
-Result<BenchReport> measure(const BenchSubject& subject) {
+Result<BenchReport> measurePasses(const BenchSubject& subject) {
     const BenchOptions& options = subject.options;
     const SppmParams params = sppmParamsOf(*subject.scene);
     const auto result = renderPasses(*subject.built, params, options);
@@ -146,8 +146,8 @@ Benchmark passesBenchmark() {
                          .member = &BenchOptions::lookup,
                          .help = "How photons are found",
                          .choices = {"grid", "tree"}}},
-            .scene = sceneOf,
-            .measure = measure};
+            .scene = passesScene,
+            .measure = measurePasses};
 }
 
 }  // namespace glint

@@ -14,12 +14,12 @@
 namespace glint {
 namespace {
 
-Result<std::shared_ptr<SceneDescription>> sceneOf(const BenchOptions& options) {
+Result<std::shared_ptr<SceneDescription>> pathsScene(const BenchOptions& options) {
     if (!options.scene.empty()) { return benchFile(options.scene); }
     return benchCornell(options.size, options.size);
 }
 
-Result<BenchReport> measure(const BenchSubject& subject) {
+Result<BenchReport> measurePaths(const BenchSubject& subject) {
     const BenchOptions& options = subject.options;
     PathPasses passes(subject, options.threads);
     if (!passes.status()) { return passes.status().error(); }
@@ -70,8 +70,8 @@ Benchmark pathsBenchmark() {
                     threadsOption(),
                     passesOption(),
                     sizeOption("The Cornell box's width and height")},
-        .scene = sceneOf,
-        .measure = measure};
+        .scene = pathsScene,
+        .measure = measurePaths};
 }
 
 }  // namespace glint

@@ -5,7 +5,7 @@
 namespace glint {
 namespace {
 
-Result<BenchReport> measure(const BenchSubject& subject) {
+Result<BenchReport> measureRaySpeeds(const BenchSubject& subject) {
     const BenchOptions& options = subject.options;
     const auto report = measureRays({.generator = options.mesh,
                                      .triangles = options.triangles,
@@ -32,7 +32,7 @@ Benchmark raysBenchmark() {
                         turnsOption("Measurements of each; the median counts"),
                         threadsOption()},
             .scene = nullptr,
-            .measure = measure,
+            .measure = measureRaySpeeds,
             .onError = kExitBadInput};
 }
 

@@ -13,7 +13,7 @@ struct KindText {
     const char* key;
     const char* meaning;
 };
-constexpr KindText kKinds[kRayDisagreementCount] = {
+constexpr KindText kRayKinds[kRayDisagreementCount] = {
     {"edge_tie", "neighbouring triangles at the same distance within rounding"},
     {"edge_rounding", "a triangle's edge passed within rounding, met by one only"},
     {"end_rounding", "a hit within rounding of the ray's end"},
@@ -49,7 +49,7 @@ std::string benchRaysText(const BenchRaysReport& r) {
     out += fmt::format("\n{} of {} answers differ from Embree's\n", r.disagreementCount(), r.raysCompared);
     for (size_t i = 0; i < kRayDisagreementCount; ++i) {
         if (r.disagreements[i] > 0) {
-            out += fmt::format("{:>10}  {}\n", r.disagreements[i], kKinds[i].meaning);
+            out += fmt::format("{:>10}  {}\n", r.disagreements[i], kRayKinds[i].meaning);
         }
     }
     return out;
@@ -79,7 +79,7 @@ nlohmann::ordered_json benchRaysJson(const BenchRaysReport& r) {
     out["rays"] = r.raysCompared;
     out["disagreements"] = r.hasEmbree ? json(r.disagreementCount()) : json(nullptr);
     for (size_t i = 0; r.hasEmbree && i < kRayDisagreementCount; ++i) {
-        out["disagreements_by_kind"][kKinds[i].key] = r.disagreements[i];
+        out["disagreements_by_kind"][kRayKinds[i].key] = r.disagreements[i];
     }
     return out;
 }

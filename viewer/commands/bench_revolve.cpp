@@ -216,7 +216,7 @@ Result<Row> measureProfile(const Profile& profile, const BenchOptions& options) 
     return row;
 }
 
-Result<BenchReport> measure(const BenchSubject& subject) {
+Result<BenchReport> measureRevolved(const BenchSubject& subject) {
     BenchReport report;
     report.text =
         "profile            Newton steps a root   roots a ray   Mrays/s   triangles   Mrays/s   ratio\n";
@@ -253,7 +253,7 @@ Benchmark revolveBenchmark() {
             .defaults = {.turns = 9},
             .options = {turnsOption("Measurements of each"), threadsOption()},
             .scene = nullptr,
-            .measure = measure};
+            .measure = measureRevolved};
 }
 
 }  // namespace glint

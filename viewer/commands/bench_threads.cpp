@@ -11,11 +11,11 @@
 namespace glint {
 namespace {
 
-Result<std::shared_ptr<SceneDescription>> sceneOf(const BenchOptions& options) {
+Result<std::shared_ptr<SceneDescription>> threadsScene(const BenchOptions& options) {
     return benchCornell(options.size, options.size);
 }
 
-Result<BenchReport> measure(const BenchSubject& subject) {
+Result<BenchReport> measureThreads(const BenchSubject& subject) {
     const BenchOptions& options = subject.options;
     PathPasses one(subject, 1), many(subject, options.threads);
     for (const PathPasses* passes : {&one, &many}) {
@@ -53,8 +53,8 @@ Benchmark threadsBenchmark() {
             .defaults = {.size = 512, .turns = 9},
             .options = {threadsOption("Beside one; all by default", 2), turnsOption("Passes of each"),
                         sizeOption("Picture width and height")},
-            .scene = sceneOf,
-            .measure = measure};
+            .scene = threadsScene,
+            .measure = measureThreads};
 }
 
 }  // namespace glint

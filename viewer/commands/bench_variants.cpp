@@ -89,7 +89,7 @@ struct VariantsRow {
 };
 
 /// The scene at the asked-for width, in its own shape.
-Result<std::shared_ptr<SceneDescription>> sceneOf(const BenchOptions& options) {
+Result<std::shared_ptr<SceneDescription>> variantsScene(const BenchOptions& options) {
     if (options.scene.empty()) {
         const int size = options.size > 0 ? options.size : kDefaultSize;
         return benchMesh(kMeshTriangles, size, size);
@@ -145,7 +145,7 @@ nlohmann::ordered_json jsonOf(const VariantsRow& row) {
             {"identical", row.difference.identical()}};
 }
 
-Result<BenchReport> measure(const BenchSubject& subject) {
+Result<BenchReport> measureVariants(const BenchSubject& subject) {
     const BenchOptions& options = subject.options;
     BenchReport report;
     report.text = fmt::format("{:<6}{:<24}{:>12}{:>12}   {:<24}{}\n", "", "kernel", "passes/s", "full",
@@ -183,8 +183,8 @@ Benchmark variantsBenchmark() {
                         threadsOption(),
                         turnsOption("Passes of each"),
                         sizeOption("Width of the picture; the scene's own by default")},
-            .scene = sceneOf,
-            .measure = measure};
+            .scene = variantsScene,
+            .measure = measureVariants};
 }
 
 }  // namespace glint

@@ -22,7 +22,7 @@
 namespace glint {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kBesideFooter =
     R"(The scene is rendered at the picture's size with --as-original, which other options change. Where a channel of the
 picture is full, Glint's counts as full, too, so that noise darkens it: --reduce, and more passes, help. What is
 printed: the mean of each channel and the stops between the two.
@@ -187,7 +187,7 @@ void addBesideCommand(const Command& program) {
     command.option("--threads", &o->threads, "Render threads; all by default").range(1, 1024);
     addSceneOverrides(command, &o->overrides);
     addLoadOptions(command, &o->load);
-    command.footer(kFooter);
+    command.footer(kBesideFooter);
     command.onRun([o] { return runBeside(o.get()); });
 }
 

@@ -12,7 +12,7 @@
 namespace glint {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kConvergeFooter =
     R"(A variant is path, sppm, ao or raycast, then settings that differ from the scene's own, each after a colon:
 {}
 Examples:
@@ -117,7 +117,7 @@ void addConvergeOptions(const Command& command, ConvergeOptions* o) {
     command.flag("--overwrite", &o->overwrite, "Replace an earlier run's files in DIR");
     addLoadOptions(command, &o->load);
     addJsonOption(command, &o->json);
-    command.footer(fmt::format(fmt::runtime(kFooter), variantHelp()));
+    command.footer(fmt::format(fmt::runtime(kConvergeFooter), variantHelp()));
 }
 
 std::string commandAsWritten(const Command& command) {

@@ -22,7 +22,7 @@
 namespace glint {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kDiffFooter =
     R"(Both are compared as linear Rec.709 colours: EXR, HDR and floats in TIFF as stored, all others decoded from sRGB.
 An 8-bit picture holds nothing above 1, so beside an EXR that does, its lamps and highlights count as errors.
 With t the picture, r the reference, and means over all pixels and channels:
@@ -268,7 +268,7 @@ void addDiffCommand(const Command& program) {
                  "Also HDR-FLIP, over a range of exposures; takes several times as long");
     command.option("--threads", &metrics.threads, "Default: all").typeName("N").range(1, 1024);
     addLimitOptions(command, options.get());
-    command.footer(kFooter);
+    command.footer(kDiffFooter);
     command.onRun([options] { return runDiff(*options); });
 }
 

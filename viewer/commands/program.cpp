@@ -2,11 +2,15 @@
 #include "viewer/commands/program.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <new>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "engine/base/console.h"
 #include "engine/base/log.h"
@@ -18,7 +22,7 @@
 namespace glint {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kProgramFooter =
     R"(A SCENE is Glint JSON, a 6.837-style text scene, OBJ (with its MTL), PLY, STL, glTF 2.0 or Mitsuba XML.
 Without a command, `glint [SCENE]` opens the window, as `glint view` does.
 
@@ -127,7 +131,7 @@ int parseAndRun(std::vector<std::string> arguments) {
     int exitCode = kExitDone;
     CLI::App app("Glint: a path tracer that shows a scene converging.", "glint");
     app.set_version_flag("--version", std::string("glint ") + GLINT_VERSION);
-    app.footer(kFooter);
+    app.footer(kProgramFooter);
     app.require_subcommand(1);
     app.fallthrough();
     app.add_flag_callback(
@@ -145,11 +149,25 @@ int parseAndRun(std::vector<std::string> arguments) {
     return exitCode;
 }
 
+/// Libraries allocate in functions that may not throw. Where memory runs short in them, this says so.
+[[noreturn]] void endWithReason() {
+    try {
+        if (std::current_exception()) { std::rethrow_exception(std::current_exception()); }
+    } catch (const std::bad_alloc&) {
+        constexpr std::string_view kReason = "error: not enough memory\n";
+        [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, kReason.data(), kReason.size());
+        std::_Exit(kExitFailed);
+    } catch (...) {}
+    __gnu_cxx::__verbose_terminate_handler();
+    std::abort();
+}
+
 }  // namespace
 
 int runProgram(std::vector<std::string> arguments) {
     prepareStandardStreams();
     takeSignals();
+    std::set_terminate(endWithReason);
     try {
         return flushOutput(parseAndRun(std::move(arguments)));
     } catch (const std::bad_alloc&) {

@@ -15,7 +15,7 @@
 namespace glint {
 namespace {
 
-constexpr const char* kFooter = R"(Examples:
+constexpr const char* kRenderFooter = R"(Examples:
   glint render scenes/cornell.json -o cornell.png --passes 256
   glint render scene.obj -o out.exr --time 60 --aov albedo,normal --checkpoint out.glintfilm
   glint render scene.obj -o out.exr --passes 4096 --resume out.glintfilm
@@ -92,7 +92,7 @@ void addRenderCommand(const Command& program) {
     const Command command = program.subcommand("render", "Renders a scene to a picture, without a window");
     const auto options = std::make_shared<RenderCommandOptions>();
     addRenderOptions(command, options.get());
-    command.footer(kFooter);
+    command.footer(kRenderFooter);
     command.onRun([command, options] {
         options->sceneOptions = sceneOptionsAsWritten(command);
         return runCommand(*options);
