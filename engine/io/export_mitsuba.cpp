@@ -14,6 +14,7 @@
 #include "engine/io/file_path.h"
 #include "engine/io/mitsuba_environment.h"
 #include "engine/io/mitsuba_writer.h"
+#include "engine/io/ply_writer.h"
 #include "engine/scene/scene_use.h"
 
 namespace glint {
@@ -192,7 +193,7 @@ class MitsubaExporter {
         const bool isCylinder = p.size() == 2 && p[0].x == p[1].x && p[0].y < p[1].y;
         if (!isCylinder) {
             warn("approximated: profiles that are turned are triangles");
-            const std::string name = newPly(turnedMesh(object), Vec3(1.0f));
+            const std::string name = newPly(turnedMesh(object));
             writeShape("ply", object, object.objectToWorld, [&] { writePlyFile(name, true); });
             return;
         }
@@ -212,7 +213,11 @@ class MitsubaExporter {
         }
         const Vec3 factor = hasColors(object) ? materialOf(object).color.value : Vec3(1.0f);
         std::string& name = plys_[{object.mesh, {factor.x, factor.y, factor.z}}];
-        if (name.empty()) { name = newPly(*mesh.data, factor); }
+        if (name.empty()) {
+            MeshData shown = *mesh.data;
+            std::ranges::for_each(shown.colors, [&](Vec3& color) { color *= factor; });
+            name = newPly(shown);
+        }
         const bool isSmooth = !mesh.data->normals.empty();
         if (isSmooth && std::ranges::any_of(mesh.data->normals, isZero)) {
             warn("approximated: meshes are smooth everywhere or nowhere");
@@ -220,9 +225,9 @@ class MitsubaExporter {
         writeShape("ply", object, object.objectToWorld, [&] { writePlyFile(name, isSmooth); });
     }
 
-    std::string newPly(const MeshData& mesh, const Vec3& colorFactor) {
+    std::string newPly(const MeshData& mesh) {
         return save(fmt::format("-{}.ply", plyCount_++),
-                    std::make_shared<const std::string>(mitsubaPly(mesh, colorFactor)));
+                    std::make_shared<const std::string>(encodePly(mesh)));
     }
     void writePlyFile(const std::string& name, bool isSmooth) {
         out_.string("filename", name);

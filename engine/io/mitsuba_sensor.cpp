@@ -184,11 +184,16 @@ void readMitsubaIntegrator(MitsubaContext* context, const MitsubaElement& integr
     if (type != "path" && !isDirect && !isPhotons && type != "ao") {
         context->note(integrator, "the integrator is path tracing", type);
     }
-    options.integrator == IntegratorKind::Sppm
-        ? object.passOver({"initial_radius", "alpha", "photon_count", "max_passes", "photons_per_pass"})
-        : void();
+    if (isPhotons) {
+        SppmOptions& sppm = context->scene.sppm;
+        sppm.alpha = object.number("alpha", sppm.alpha, 0.01f, 0.99f);
+        sppm.radiusWorld = object.number("initial_radius", 0.0f, 0.0f);
+        sppm.photonsPerPass = static_cast<uint32_t>(object.integer("photon_count", 262144, 1, 1 << 30));
+        object.passOver({"max_passes", "global_photons", "caustic_photons", "volume_photons"});
+    }
     object.passOver({"strict_normals", "emitter_samples", "bsdf_samples", "shading_samples", "samples",
                      "light_samples", "ray_length", "aovs", "granularity", "auto_cancel_threshold"});
+    object.finish();
 }
 
 }  // namespace glint

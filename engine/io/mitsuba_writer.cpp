@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "engine/io/byte_stream.h"
-
 namespace glint {
 
 std::string xmlText(std::string_view text) {
@@ -94,45 +92,6 @@ std::string MitsubaUse::id(const SceneDescription& scene) const {
         id += isPlain ? c : '_';
     }
     return id;
-}
-
-std::string mitsubaPly(const MeshData& mesh, const Vec3& colorFactor) {
-    std::string header =
-        fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\n", mesh.positions.size());
-    const auto properties = [&header](bool has, std::initializer_list<const char*> names) {
-        for (const char* name : names) {
-            if (has) { header += fmt::format("property float {}\n", name); }
-        }
-    };
-    properties(true, {"x", "y", "z"});
-    properties(!mesh.normals.empty(), {"nx", "ny", "nz"});
-    properties(!mesh.uvs.empty(), {"u", "v"});
-    properties(!mesh.colors.empty(), {"color_0", "color_1", "color_2"});
-    header += fmt::format("element face {}\nproperty list uchar uint vertex_indices\nend_header\n",
-                          mesh.triangleCount());
-    ByteWriter out;
-    out.writeRaw(header);
-    const auto write = [&out](const Vec3& v) {
-        for (int c = 0; c < 3; ++c) {
-            out.write(v[c]);
-        }
-    };
-    for (size_t i = 0; i < mesh.positions.size(); ++i) {
-        write(mesh.positions[i]);
-        if (!mesh.normals.empty()) { write(mesh.normals[i]); }
-        if (!mesh.uvs.empty()) {
-            out.write(mesh.uvs[i].x);
-            out.write(mesh.uvs[i].y);
-        }
-        if (!mesh.colors.empty()) { write(colorFactor * mesh.colors[i]); }
-    }
-    for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        out.write(uint8_t{3});
-        for (size_t c = 0; c < 3; ++c) {
-            out.write(mesh.indices[i + c]);
-        }
-    }
-    return out.bytes();
 }
 
 }  // namespace glint

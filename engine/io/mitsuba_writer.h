@@ -58,10 +58,6 @@ void writeMitsubaTexture(const Texture& texture, UvOrigin origin, bool isNumber,
 
 /// A revolved object's surface as triangles, in object space, with normals and texture coordinates.
 MeshData turnedMesh(const Object& object);
-/// A binary PLY file with normals, texture coordinates and the attribute "color", as far as the mesh has
-/// them.
-std::string mitsubaPly(const MeshData& mesh, const Vec3& colorFactor);
-
 /// Appends a warning unless it is there.
 void warnOnce(std::string_view warning, std::vector<std::string>* warnings);
 

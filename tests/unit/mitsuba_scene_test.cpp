@@ -195,7 +195,12 @@ TEST_F(MitsubaScene, DepthsCountScatteringEvents) {
         "<integrator type='moment'><integrator type='path'><integer "
         "name='max_depth' value='3'/></integrator></integrator>");
     EXPECT_EQ(inner.maxDepth, 2);
-    EXPECT_EQ(optionsOf("<integrator type='sppm'/>").integrator, IntegratorKind::Sppm);
+    const SceneDescription photons = load(
+        "<integrator type='sppm'><float name='initial_radius' value='0.5'/><integer name='photon_count' "
+        "value='1000'/></integrator>");
+    EXPECT_EQ(photons.options.integrator, IntegratorKind::Sppm);
+    EXPECT_EQ(photons.sppm.radiusWorld, 0.5f);
+    EXPECT_EQ(photons.sppm.photonsPerPass, 1000u);
 }
 
 TEST_F(MitsubaScene, PartsOfScenesAreLitAndSeen) {
