@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "engine/builders/built_scene.h"
 #include "engine/kernels/pass.h"
 #include "engine/render/film.h"
+#include "engine/render/film_region.h"
 #include "engine/render/integrator.h"
 #include "engine/render/memory_use.h"
 
@@ -34,6 +36,10 @@ class Backend {
 
     /// Made at the first call, and the back end's own from then on. Error: it has no kernels for it.
     virtual Result<Integrator*> integrator(IntegratorKind kind) = 0;
+
+    /// Passes that follow need no samples outside. Those that render the whole picture nevertheless are
+    /// right, too, but slow.
+    virtual void setRegion(const std::optional<FilmRegion>& /*region*/) {}
 
     /// Renders the first-hit pictures into `out`, an entry a pixel, which is resized as needed; with the
     /// camera rays of params.pass. Checks `stop` at least once a tile; returns false when it stopped early,

@@ -53,7 +53,8 @@ void CommandQueue::request(const RenderRequest& request) {
     const std::lock_guard lock(mutex_);
     if (request == request_) { return; }
     const RenderRequest before = std::exchange(request_, request);
-    if (pass_ && pass_->mayWait && (request_.paused || asksForMore(before, request_))) {
+    if (pass_ && pass_->mayWait &&
+        (request_.paused || asksForMore(before, request_) || before.region != request_.region)) {
         stop_ = true;
         stopRaised_ = SessionClock::now();
     }

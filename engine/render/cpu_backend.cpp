@@ -49,6 +49,8 @@ class CpuBackend final : public Backend {
         return found->second.get();
     }
 
+    void setRegion(const std::optional<FilmRegion>& region) override { cpu_.region = region; }
+
     Result<bool> renderAovPass(const PassParams& params, const std::atomic<bool>& stop,
                                std::vector<AovSample>* out) override {
         if (!cpu_.scene) { return noScene(); }

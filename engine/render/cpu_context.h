@@ -6,6 +6,7 @@
 #include <atomic>
 #include <memory>
 #include <new>
+#include <optional>
 #include <vector>
 
 #include <fmt/core.h>
@@ -21,6 +22,7 @@ struct CpuContext {
     int threads = 1;
     KernelChoice choice = KernelChoice::Specialised;
     std::shared_ptr<const BuiltScene> scene{};  ///< null before the first
+    std::optional<FilmRegion> region{};         ///< outside, no samples are needed
 
     /// What the scene asks of the kernels.
     FeatureMask features() const { return choice == KernelChoice::Full ? kAllFeatures : scene->features; }
@@ -30,8 +32,8 @@ struct CpuContext {
     }
 };
 
-/// Calls tile(PixelRect) for every tile of the pass, on all threads, until `stop` is raised. Returns false
-/// when it was. `image` gets an entry a pixel. Error: there is no memory for it.
+/// Calls tile(PixelRect) for every tile of the pass and of cpu.region, on all threads, until `stop` is
+/// raised. Returns false when it was. `image` gets an entry a pixel. Error: there is no memory for it.
 template <class Sample, class Tile>
 Result<bool> renderTiles(const CpuContext& cpu, const PassParams& params, const std::atomic<bool>& stop,
                          std::vector<Sample>* image, const Tile& tile) {
@@ -43,13 +45,16 @@ Result<bool> renderTiles(const CpuContext& cpu, const PassParams& params, const 
     }
     // Small enough that even paths of 100 microseconds let a stop through within a few milliseconds.
     constexpr int kTileSize = 8;
-    const int columns = (params.width + kTileSize - 1) / kTileSize;
-    const int rows = (params.height + kTileSize - 1) / kTileSize;
+    const FilmRegion part = cpu.region.value_or(FilmRegion{0, 0, params.width, params.height});
+    const int firstColumn = part.x0 / kTileSize;
+    const int firstRow = part.y0 / kTileSize;
+    const int columns = (part.x1 + kTileSize - 1) / kTileSize - firstColumn;
+    const int rows = (part.y1 + kTileSize - 1) / kTileSize - firstRow;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(cpu.threads)
     for (int index = 0; index < columns * rows; ++index) {
         if (stop.load(std::memory_order_relaxed)) { continue; }
-        const int x = index % columns * kTileSize;
-        const int y = index / columns * kTileSize;
+        const int x = (firstColumn + index % columns) * kTileSize;
+        const int y = (firstRow + index / columns) * kTileSize;
         tile(PixelRect{x, y, std::min(x + kTileSize, params.width), std::min(y + kTileSize, params.height)});
     }
     return !stop.load();

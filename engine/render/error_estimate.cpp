@@ -26,13 +26,18 @@ constexpr double kBiasSpread = 0.5;
 
 double square(double x) { return x * x; }
 
-ErrorSums sumPixels(const Film& film, const ImageStatistics* statistics, int threads) {
+ErrorSums sumPixels(const Film& film, const ImageStatistics* statistics, int threads,
+                    const FilmRegion& region) {
     const auto pixels = static_cast<int64_t>(film.pixels().size());
     std::vector<ErrorSums> partial(static_cast<size_t>((pixels + kChunkPixels - 1) / kChunkPixels));
     parallelChunks(pixels, kChunkPixels, threads, [&](int64_t begin, int64_t end) {
         ErrorSums& sums = partial[static_cast<size_t>(begin / kChunkPixels)];
         for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
-            sums.add(pixelError(film, statistics, i), pixelLuminance(film, statistics, i));
+            const int x = static_cast<int>(i) % film.width();
+            const int y = static_cast<int>(i) / film.width();
+            if (region.contains(x, y)) {
+                sums.add(pixelError(film, statistics, i), pixelLuminance(film, statistics, i));
+            }
         }
     });
     for (size_t i = 1; i < partial.size(); ++i) {
@@ -98,14 +103,16 @@ std::vector<float> blurred(const std::vector<float>& values, int width, int heig
 
 }  // namespace
 
-ErrorEstimate estimateError(const Film& film, const ImageStatistics* statistics, int threads) {
+ErrorEstimate estimateError(const Film& film, const ImageStatistics* statistics, int threads,
+                            const FilmRegion* region) {
     statistics = statistics && statistics->passCount() > 0 ? statistics : nullptr;
     ErrorEstimate estimate;
     if (film.passes() < 2 || film.pixels().empty() || (statistics && statistics->passCount() < 2)) {
         return estimate;
     }
-    const ErrorSums sums = sumPixels(film, statistics, threads);
-    const auto pixels = static_cast<double>(film.pixels().size());
+    const FilmRegion part = region != nullptr ? *region : FilmRegion{0, 0, film.width(), film.height()};
+    const ErrorSums sums = sumPixels(film, statistics, threads, part);
+    const auto pixels = static_cast<double>(part.pixels());
     const TrimmedErrors total = withoutWorst(sums, kTrimmedShare * pixels);
     if (!(total.noise > 0.0)) { return {.relative = 0.0, .low = 0.0, .high = 0.0}; }
     const double kept = (1.0 - kTrimmedShare) * pixels;
@@ -132,7 +139,8 @@ PixelError pixelError(const Film& film, const ImageStatistics* statistics, size_
         error.variance += error.photonVariance;
         error.bias = statistics->biasOf(index);
     }
-    error.variance *= film.calibration().factorOf(error.variance * film.passes());
+    const uint32_t samples = statistics ? film.passes() : pixel.count;
+    error.variance *= film.calibration().factorOf(error.variance * samples);
     return error;
 }
 

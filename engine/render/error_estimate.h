@@ -12,6 +12,7 @@
 namespace glint {
 
 class Film;
+struct FilmRegion;
 class ImageStatistics;
 
 /// Of the whole picture: root of the mean squared error of the pixels' luminances over the picture's mean
@@ -29,8 +30,9 @@ struct ErrorEstimate {
 constexpr double kTrimmedShare = 0.001;
 
 /// `statistics` are null, or empty, where the integrator has none. The same bits for any number of threads
-/// (0: all).
-ErrorEstimate estimateError(const Film& film, const ImageStatistics* statistics, int threads = 0);
+/// (0: all). Of the pixels of `region` alone, which must lie in the film, unless that is null.
+ErrorEstimate estimateError(const Film& film, const ImageStatistics* statistics, int threads = 0,
+                            const FilmRegion* region = nullptr);
 
 /// What is known of one pixel's luminance.
 struct PixelError {

@@ -51,13 +51,21 @@ void Film::clear() {
     std::fill(pixels_.begin(), pixels_.end(), FilmPixel{});
 }
 
-void Film::commit(const std::vector<PixelSample>& samples, uint32_t passIndex, int threads) {
+bool Film::isOutside(const FilmRegion* region, size_t index) const {
+    if (region == nullptr) { return false; }
+    const auto width = static_cast<size_t>(width_);
+    return !region->contains(static_cast<int>(index % width), static_cast<int>(index / width));
+}
+
+void Film::commit(const std::vector<PixelSample>& samples, uint32_t passIndex, int threads,
+                  const FilmRegion* region) {
     GLINT_CHECK_OP(samples.size(), ==, pixels_.size());
     std::vector<ChunkTally> tallies(chunkCount(pixels_.size()));
     parallelChunks(static_cast<int64_t>(pixels_.size()), kChunkPixels, threads,
                    [&](int64_t begin, int64_t end) {
                        ChunkTally& tally = tallies[begin / kChunkPixels];
                        for (int64_t i = begin; i < end; ++i) {
+                           if (isOutside(region, static_cast<size_t>(i))) { continue; }
                            const PixelSample& sample = samples[i];
                            tally.rays += sample.rays;
                            if (sample.fault == SampleFault::None) {
@@ -75,14 +83,15 @@ void Film::commit(const std::vector<PixelSample>& samples, uint32_t passIndex, i
             faultCounts_[fault] += tallies[chunk].faults[fault];
             faultsHere += tallies[chunk].faults[fault];
         }
-        if (faultsHere > 0) { recordFaults(samples, chunk * kChunkPixels, passIndex); }
+        if (faultsHere > 0) { recordFaults(samples, chunk * kChunkPixels, passIndex, region); }
     }
 }
 
-void Film::recordFaults(const std::vector<PixelSample>& samples, size_t begin, uint32_t passIndex) {
+void Film::recordFaults(const std::vector<PixelSample>& samples, size_t begin, uint32_t passIndex,
+                        const FilmRegion* region) {
     const size_t end = std::min(samples.size(), begin + kChunkPixels);
     for (size_t i = begin; i < end && faults_.size() < kMaxFaultRecords; ++i) {
-        if (samples[i].fault != SampleFault::None) {
+        if (samples[i].fault != SampleFault::None && !isOutside(region, i)) {
             const int index = static_cast<int>(i);
             faults_.push_back({samples[i].fault, index % width_, index / width_, passIndex});
         }

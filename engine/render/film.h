@@ -10,6 +10,7 @@
 
 #include "engine/kernels/pass.h"
 #include "engine/math/vec.h"
+#include "engine/render/film_region.h"
 #include "engine/render/noise_calibration.h"
 
 namespace glint {
@@ -18,8 +19,8 @@ namespace glint {
 struct FilmPixel {
     std::array<double, 3> mean{};  ///< linear Rec.709 radiance
     double luminanceM2 = 0.0;      ///< sum of squared deviations of the luminance from its mean
-    uint32_t count = 0;            ///< samples that entered; passes minus dropped ones
-    float halfSampleMean = 0.0f;   ///< the picture's luminance here at calibration().passes
+    uint32_t count = 0;  ///< samples that entered; passes less dropped ones and those of other regions
+    float halfSampleMean = 0.0f;  ///< the picture's luminance here at calibration().passes
 };
 
 /// A sample that was dropped, for the log and for replay.
@@ -38,8 +39,10 @@ class Film {
     void clear();
 
     /// Adds a whole pass. Samples with a fault are counted, and the first kMaxFaultRecords of them kept, but
-    /// not added. `samples` has one entry a pixel, row 0 at the top.
-    void commit(const std::vector<PixelSample>& samples, uint32_t passIndex, int threads);
+    /// not added. `samples` has one entry a pixel, row 0 at the top; those outside `region` (null: there are
+    /// none) are not looked at.
+    void commit(const std::vector<PixelSample>& samples, uint32_t passIndex, int threads,
+                const FilmRegion* region = nullptr);
 
     int width() const { return width_; }
     int height() const { return height_; }
@@ -65,7 +68,9 @@ class Film {
     static constexpr size_t kMaxFaultRecords = 1000;
 
   private:
-    void recordFaults(const std::vector<PixelSample>& samples, size_t begin, uint32_t passIndex);
+    bool isOutside(const FilmRegion* region, size_t index) const;
+    void recordFaults(const std::vector<PixelSample>& samples, size_t begin, uint32_t passIndex,
+                      const FilmRegion* region);
 
     friend struct FilmCheckpoint;  // reads and writes all members exactly
     friend class NoiseCalibrator;  // noise_calibration.cpp compares the picture with half of its passes

@@ -54,30 +54,37 @@ ImageStatistics* IntegratorState::statisticsForPass(int width, int height) {
     return film_.image.statistics.get();
 }
 
+void IntegratorState::setRegion(const std::optional<FilmRegion>& region, const Resolution& size) {
+    const bool canBePart = region && !integratorType(kind_).makeStatistics();
+    region_ = canBePart ? clipped(*region, size.width, size.height) : std::nullopt;
+}
+
 bool IntegratorState::commit(const std::vector<PixelSample>& samples, const Resolution& size, double seconds,
                              double decay, int threads) {
+    const FilmRegion* region = regionOfPass();
     isPreviewing_ = false;
     const bool isAllocated = isStale_ && film_.image.clearFilm(size.width, size.height);
     isStale_ = false;
     Film& film = film_.image.film;
     const uint64_t raysBefore = film.rays();
-    film.commit(samples, film.passes(), threads);
+    film.commit(samples, film.passes(), threads, region);
     calibrateNoise(film_.image.statistics.get(), decay, threads, &film);
     film_.renderSeconds += seconds;
     double& secondsPerPass = film_.secondsPerPass;
     secondsPerPass = secondsPerPass == 0.0 ? seconds : 0.8 * secondsPerPass + 0.2 * seconds;
     film_.raysOfPass = film.rays() - raysBefore;
-    pace.measured(film_.image.pixels(), seconds);
+    pace.measured(region != nullptr ? region->pixels() : film_.image.pixels(), seconds);
     return isAllocated;
 }
 
 void IntegratorState::estimateErrorAnew(int threads) {
-    film_.error = estimateError(film_.image.film, film_.image.statistics.get(), threads);
+    film_.error =
+        estimateError(film_.image.film, film_.image.statistics.get(), threads, region_ ? &*region_ : nullptr);
 }
 
 bool IntegratorState::recordError(int threads) {
     const uint32_t passes = film_.image.film.passes();
-    if (!film_.curve.isDue(passes)) { return false; }
+    if (region_ || !film_.curve.isDue(passes)) { return false; }
     estimateErrorAnew(threads);
     const ErrorEstimate& error = film_.error;
     film_.curve.add({.passes = passes,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "engine/render/convergence_curve.h"
@@ -45,6 +46,7 @@ struct RenderedFilm {
 struct ShownImage {
     EditTicket ticket = 0;
     bool isPreview = false;
+    std::optional<FilmRegion> region{};
     uint64_t restarts = 0;
     int previewScale = 1;
     uint32_t passes = 0;
@@ -72,11 +74,18 @@ class IntegratorState {
     void goOnFrom(RenderedFilm film);
     /// Where the next film pass of this size puts its statistics; null: it has none.
     ImageStatistics* statisticsForPass(int width, int height);
-    /// Adds a pass that took so long. Returns whether the film had to be allocated. `decay` is
-    /// IntegratorType::statisticsDecay().
+    /// The part that alone is rendered on, once the film has a pass, and that error() is of; nothing: all.
+    const std::optional<FilmRegion>& region() const { return region_; }
+    /// Integrators with statistics render whole pictures.
+    void setRegion(const std::optional<FilmRegion>& region, const Resolution& size);
+    /// Of the next film pass.
+    const FilmRegion* regionOfPass() const { return region_ && passes() > 0 ? &*region_ : nullptr; }
+    /// Adds a pass, of regionOfPass(), that took so long. Returns whether the film had to be allocated.
+    /// `decay` is IntegratorType::statisticsDecay().
     bool commit(const std::vector<PixelSample>& samples, const Resolution& size, double seconds, double decay,
                 int threads);
-    /// Makes a point of the convergence curve where one is due. Returns whether there is a new one.
+    /// Makes a point of the convergence curve where one is due: none is while there is a region. Returns
+    /// whether there is a new one.
     bool recordError(int threads);
     void estimateErrorAnew(int threads);
 
@@ -110,6 +119,7 @@ class IntegratorState {
   private:
     IntegratorKind kind_;
     RenderedFilm film_;
+    std::optional<FilmRegion> region_;
     bool isStale_ = true;
     uint64_t restarts_ = 0;
 

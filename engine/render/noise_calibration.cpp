@@ -120,6 +120,8 @@ class NoiseCalibrator {
         parallelChunks(pixels(), kChunkPixels, threads_, [&](int64_t begin, int64_t end) {
             AllClasses& sums = partial[static_cast<size_t>(begin / kChunkPixels)];
             for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
+                // What regions left out has not doubled its samples.
+                if (film_.pixels_[i].count != film_.passes_) { continue; }
                 const auto [variance, photons] = independentVariance(i);
                 // As the radius shrinks, the photons' variance falls like passes^-alpha only.
                 const double expected = variance - photons + photonShare_ * photons;

@@ -27,6 +27,9 @@ PassInFlight PassRunner::inFlight(const NextPass& pass, bool mustBeShown, const 
 
 Result<bool> PassRunner::render(const NextPass& pass, SessionImages* images) {
     const PassParams params = passParams(*images, pass);
+    const FilmRegion* region =
+        pass.kind == NextPass::Kind::Film ? images->of(pass.integrator).regionOfPass() : nullptr;
+    backend_->setRegion(region != nullptr ? std::optional(*region) : std::nullopt);
     if (pass.isAov()) { return backend_->renderAovPass(params, queue_->stopFlag(), &aovSamples_); }
     const Result<Integrator*> integrator = backend_->integrator(pass.integrator);
     if (!integrator) { return integrator.error(); }

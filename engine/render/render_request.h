@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "engine/render/film_region.h"
 #include "engine/scene/integrator_kind.h"
 
 namespace glint {
@@ -37,6 +39,10 @@ struct RenderRequest {
     /// These render in turn with the scene's own integrator (which may be among them), so that each had the
     /// same time.
     std::vector<IntegratorKind> compare{};
+
+    /// Passes after a film's first one are of these pixels alone, by integrators without statistics of their
+    /// own; the others go on with the whole picture. Errors are of the region, and curves wait.
+    std::optional<FilmRegion> region{};
 
     bool operator==(const RenderRequest&) const = default;
 };

@@ -126,6 +126,7 @@ void SessionImages::takeRequest(const RenderRequest& request) {
         if (isNew && !of(kind).isPreviewing()) { startPreviewBeside(kind, request); }
     }
     for (auto& [kind, state] : states_) {
+        state.setRegion(request.region, size());
         const bool isSeen = kind == shownKind() || std::ranges::find(kinds, kind) != kinds.end();
         if (!isSeen) { state.snapshot.reset(); }
     }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "engine/kernels/pass.h"
@@ -48,6 +49,7 @@ struct SessionStatus {
     double relativeError = 0.0;     ///< of the newest snapshot or point of the convergence curve
     double relativeErrorLow = 0.0;  ///< 90 % band of relativeError
     double relativeErrorHigh = 0.0;
+    std::optional<FilmRegion> region{};  ///< that alone is rendered on, and that the errors are of
     std::array<uint64_t, kSampleFaultCount> faultCounts{};
     std::string backend;
     /// Why the last edit was refused (the scene before it goes on), or why the state is Failed.

@@ -198,7 +198,9 @@ void SessionWorker::setStatus() {
     status_.renderSeconds = shown.renderSeconds();
     const double passesPerSecond = shown.secondsPerPass() > 0.0 ? 1.0 / shown.secondsPerPass() : 0.0;
     status_.passesPerSecond = passesPerSecond;
-    status_.pathsPerSecond = passesPerSecond * static_cast<double>(film.pixels().size());
+    status_.region = shown.region();
+    const int64_t pathsOfPass = shown.region() ? shown.region()->pixels() : shown.image().pixels();
+    status_.pathsPerSecond = passesPerSecond * static_cast<double>(pathsOfPass);
     status_.raysPerSecond = passesPerSecond * static_cast<double>(shown.raysOfPass());
     status_.relativeError = shown.error().relative;
     status_.relativeErrorLow = shown.error().low;

@@ -8,10 +8,15 @@ namespace {
 constexpr double kSnapshotInterval = 1.0 / 60.0;
 
 ShownImage describe(const IntegratorState& state, const SessionImages& images, const RenderRequest& request) {
-    return {images.ticket(),       state.isPreviewing(),
-            state.restarts(),      state.isPreviewing() ? state.previewScale() : 1,
-            state.visiblePasses(), images.visibleAovs().passes(),
-            request.standardError, request.integratorMaps,
+    return {images.ticket(),
+            state.isPreviewing(),
+            state.region(),
+            state.restarts(),
+            state.isPreviewing() ? state.previewScale() : 1,
+            state.visiblePasses(),
+            images.visibleAovs().passes(),
+            request.standardError,
+            request.integratorMaps,
             request.errorMaps};
 }
 
@@ -41,7 +46,8 @@ bool SnapshotPublisher::isDue(const IntegratorState& state, const ShownImage& no
     const bool isSharper = before.isPreview && !now.isPreview;
     if (before.ticket != now.ticket || isSharper || lacksRequest(before, now)) { return true; }
     const bool isNewer = now.isPreview != before.isPreview || now.passes != before.passes ||
-                         now.previewScale != before.previewScale || now.aovPasses != before.aovPasses;
+                         now.previewScale != before.previewScale || now.aovPasses != before.aovPasses ||
+                         now.region != before.region;
     return isNewer && (rests || secondsSince(state.shownAt) >= kSnapshotInterval);
 }
 
