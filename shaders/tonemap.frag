@@ -10,6 +10,10 @@ out vec4 displayColor;
 
 const float kMaxToneInput = 1e6;
 const float kReinhardWhite = 4.0;
+const float kSoftContrast = 1.2;
+const float kSoftMixedIn = 0.2;
+const float kSoftTakenOut = 0.1;
+const float kSoftShoulder = 0.58193;
 
 float filmicCurve(float x) {
     float v = 0.6 * x;
@@ -19,6 +23,22 @@ float filmicCurve(float x) {
 vec3 reinhard(vec3 rgb) {
     float l = dot(rgb, vec3(0.2126, 0.7152, 0.0722));
     return rgb * ((1.0 + l / (kReinhardWhite * kReinhardWhite)) / (1.0 + l));
+}
+
+float softCurve(float x) {
+    float raised = pow(max(x, 0.0), kSoftContrast);
+    return raised / (raised + kSoftShoulder);
+}
+
+vec3 softHighlights(vec3 rgb) {
+    vec3 weights = vec3(0.2126, 0.7152, 0.0722);
+    vec3 mixed = rgb + kSoftMixedIn * (vec3(dot(rgb, weights)) - rgb);
+    float high = max(mixed.r, max(mixed.g, mixed.b));
+    float low = min(mixed.r, min(mixed.g, mixed.b));
+    float lowest = softCurve(low);
+    float slope = high > low ? (softCurve(high) - lowest) / (high - low) : 0.0;
+    vec3 curved = vec3(lowest) + (mixed - vec3(low)) * slope;
+    return (curved - kSoftTakenOut * dot(curved, weights)) / (1.0 - kSoftTakenOut);
 }
 
 float linearToSrgb(float linear) {
@@ -45,8 +65,10 @@ void main() {
         rgb = encoded(rgb);
     } else if (toneMap == 2) {
         rgb = encoded(vec3(filmicCurve(rgb.r), filmicCurve(rgb.g), filmicCurve(rgb.b)));
-    } else {
+    } else if (toneMap == 3) {
         rgb = encoded(reinhard(rgb));
+    } else {
+        rgb = encoded(softHighlights(rgb));
     }
     displayColor = vec4(rgb, 1.0);
 }

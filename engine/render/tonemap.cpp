@@ -10,7 +10,7 @@
 namespace glint {
 namespace {
 
-constexpr std::array<std::string_view, kToneMapCount> kNames{"clamp", "srgb", "filmic", "reinhard"};
+constexpr std::array<std::string_view, kToneMapCount> kNames{"clamp", "srgb", "filmic", "reinhard", "soft"};
 
 /// NaN compares false with everything and so becomes 0.
 float toneInput(float x) { return x > 0.0f ? std::fmin(x, kMaxToneInput) : 0.0f; }
@@ -38,6 +38,10 @@ Vec3 toneMapped(Vec3 radiance, float exposureStops, ToneMap map) {
             return {encoded(filmicCurve(x.x)), encoded(filmicCurve(x.y)), encoded(filmicCurve(x.z))};
         case ToneMap::Reinhard: {
             const Vec3 y = reinhard(x);
+            return {encoded(y.x), encoded(y.y), encoded(y.z)};
+        }
+        case ToneMap::Soft: {
+            const Vec3 y = softHighlights(x);
             return {encoded(y.x), encoded(y.y), encoded(y.z)};
         }
     }

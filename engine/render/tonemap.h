@@ -23,11 +23,12 @@ enum class ToneMap : uint8_t {
     Srgb,      ///< cut to [0, 1], then the sRGB curve
     Filmic,    ///< filmicCurve(), then the sRGB curve
     Reinhard,  ///< reinhard(), then the sRGB curve
+    Soft,      ///< softHighlights(), then the sRGB curve
 };
 
-constexpr int kToneMapCount = 4;
+constexpr int kToneMapCount = 5;
 
-/// "clamp", "srgb", "filmic", "reinhard".
+/// "clamp", "srgb", "filmic", "reinhard", "soft".
 std::string_view toneMapName(ToneMap map);
 std::optional<ToneMap> toneMapFromName(std::string_view name);
 
@@ -46,6 +47,34 @@ constexpr float kReinhardWhite = 4.0f;
 inline Vec3 reinhard(const Vec3& rgb) {
     const float l = luminance(rgb);
     return rgb * ((1.0f + l / (kReinhardWhite * kReinhardWhite)) / (1.0f + l));
+}
+
+/// Of softHighlights(): the curve's steepness, and how much of the luminance is mixed in before and taken out
+/// after it.
+constexpr float kSoftContrast = 1.2f;
+constexpr float kSoftMixedIn = 0.2f;
+constexpr float kSoftTakenOut = 0.1f;
+/// 0.18^kSoftContrast * 0.82 / 0.18: middle grey keeps its brightness.
+constexpr float kSoftShoulder = 0.58193f;
+
+/// x^c / (x^c + shoulder), for x >= 0 in [0, 1).
+inline float softCurve(float x) {
+    const float raised = std::pow(std::max(x, 0.0f), kSoftContrast);
+    return raised / (raised + kSoftShoulder);
+}
+
+/// For colours that outshine the screen: they fade to white by their own hue, where a curve for each channel
+/// alone turns orange to yellow and blue to cyan. The colour is mixed with its luminance (after Sobotka's
+/// AgX); the curve moves its largest and smallest channel, and the third keeps its share between them; half
+/// of the mixture is taken back. Values >= 0; results may lie beyond [0, 1] a little and are cut afterwards.
+inline Vec3 softHighlights(const Vec3& rgb) {
+    const Vec3 mixed = rgb + kSoftMixedIn * (Vec3(luminance(rgb)) - rgb);
+    const float high = std::max({mixed.x, mixed.y, mixed.z});
+    const float low = std::min({mixed.x, mixed.y, mixed.z});
+    const float lowest = softCurve(low);
+    const float slope = high > low ? (softCurve(high) - lowest) / (high - low) : 0.0f;
+    const Vec3 curved = Vec3(lowest) + (mixed - Vec3(low)) * slope;
+    return (curved - Vec3(kSoftTakenOut * luminance(curved))) / (1.0f - kSoftTakenOut);
 }
 
 /// Largest value that enters a curve: keeps every step finite in float for infinite input.

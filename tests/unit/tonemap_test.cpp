@@ -9,7 +9,7 @@
 namespace glint {
 namespace {
 
-constexpr ToneMap kAll[] = {ToneMap::Clamp, ToneMap::Srgb, ToneMap::Filmic, ToneMap::Reinhard};
+constexpr ToneMap kAll[] = {ToneMap::Clamp, ToneMap::Srgb, ToneMap::Filmic, ToneMap::Reinhard, ToneMap::Soft};
 
 TEST(ToneMap, NamesRoundTrip) {
     for (const ToneMap map : kAll) {
@@ -28,6 +28,28 @@ TEST(ToneMap, KnownValues) {
     // Narkowicz 2015 with x = 0.6: 0.6 (2.51 * 0.6 + 0.03) / (0.6 (2.43 * 0.6 + 0.59) + 0.14) = 0.9216
     // / 1.3688.
     EXPECT_NEAR(filmicCurve(1.0f), 0.9216f / 1.3688f, 1e-6f);
+}
+
+/// Of a linear colour, degrees.
+float hueOf(const Vec3& c) {
+    return std::atan2(std::sqrt(3.0f) * (c.y - c.z), 2.0f * c.x - c.y - c.z) * 180.0f / kPi;
+}
+
+TEST(ToneMap, SoftHighlightsKeepTheirHueOnTheWayToWhite) {
+    for (const Vec3 color : {Vec3(1, 0.3f, 0.02f), Vec3(0.02f, 0.08f, 1), Vec3(0.05f, 1, 0.1f)}) {
+        float largestOfFilmic = 0.0f;
+        for (float stops = -4.0f; stops < 7.0f; stops += 0.5f) {
+            const Vec3 bright = color * std::exp2(stops);
+            const Vec3 soft = glm::clamp(softHighlights(bright), Vec3(0.0f), Vec3(1.0f));
+            EXPECT_NEAR(hueOf(soft), hueOf(color), 1.0f) << stops << " stops";
+            const Vec3 filmic(filmicCurve(bright.x), filmicCurve(bright.y), filmicCurve(bright.z));
+            largestOfFilmic = std::max(largestOfFilmic, std::fabs(hueOf(filmic) - hueOf(color)));
+        }
+        EXPECT_GT(largestOfFilmic, 20.0f) << "a curve for each channel does not";
+        const Vec3 white = softHighlights(color * 4096.0f);
+        EXPECT_GT(std::min({white.x, white.y, white.z}), 0.95f);
+    }
+    EXPECT_NEAR(softHighlights(Vec3(0.18f)).x, 0.18f, 1e-4f);
 }
 
 TEST(ToneMap, IsMonotonicAndStaysInRange) {

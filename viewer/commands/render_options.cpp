@@ -63,7 +63,7 @@ void addImageOptions(const Command& command, RenderCommandOptions* o) {
         .flag("--no-auto-exposure", &o->noAutoExposure, "PNG: exposure 0 also where that is black or white")
         .group(group);
     command.option("--tone", &o->tone, "PNG: tone map, srgb by default")
-        .oneOf({"clamp", "srgb", "filmic", "reinhard"})
+        .oneOf({"clamp", "srgb", "filmic", "reinhard", "soft"})
         .group(group);
     command
         .option("--aov", &o->aovs,
