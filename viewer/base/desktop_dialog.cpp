@@ -32,16 +32,17 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
-std::string desktopDialog(const std::string& title, const std::string& path) {
+std::string desktopDialog(const std::string& title, const std::string& path, bool isForSaving) {
     std::error_code problem;
-    const std::string folder = std::filesystem::absolute(path, problem).parent_path().string() + "/";
+    const std::filesystem::path absolute = std::filesystem::absolute(path, problem);
+    const std::string begin = isForSaving ? absolute.string() : absolute.parent_path().string() + "/";
     if (isInstalled("zenity")) {
-        return fmt::format("zenity --file-selection --title={} --filename={} 2> /dev/null", quoted(title),
-                           quoted(folder));
+        return fmt::format("zenity --file-selection{} --title={} --filename={} 2> /dev/null",
+                           isForSaving ? " --save" : "", quoted(title), quoted(begin));
     }
     if (isInstalled("kdialog")) {
-        return fmt::format("kdialog --title {} --getopenfilename {} 2> /dev/null", quoted(title),
-                           quoted(folder));
+        return fmt::format("kdialog --title {} {} {} 2> /dev/null", quoted(title),
+                           isForSaving ? "--getsavefilename" : "--getopenfilename", quoted(begin));
     }
     return "";
 }

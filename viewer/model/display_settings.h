@@ -1,10 +1,12 @@
 // How the image is shown. Nothing here restarts a render.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "engine/render/tonemap.h"
 #include "engine/scene/integrator_kind.h"
+#include "viewer/model/image_framing.h"
 #include "viewer/model/shown_image.h"
 
 namespace glint {
@@ -15,15 +17,30 @@ struct ComparedPair {
     IntegratorKind right = IntegratorKind::Sppm;
 };
 
+/// How two pictures are seen together.
+enum class CompareView : uint8_t {
+    Wipe,              ///< left and right of a divider
+    Flip,              ///< one after the other
+    SideBySide,        ///< zoomed and moved together
+    SignedDifference,  ///< left less right, in luminance
+    FlipMap,           ///< what the eye sees of the difference (engine/report/flip.h)
+};
+inline constexpr int kCompareViews = 5;
+inline bool isDifference(CompareView view) {
+    return view == CompareView::SignedDifference || view == CompareView::FlipMap;
+}
+
 struct DisplaySettings {
     float exposureStops = 0.0f;
     bool autoExposure = true;  ///< a scene that is opened gets the exposure that its first picture needs
     float chosenExposureStops = 0.0f;  ///< for the scene that is open
     ToneMap toneMap = ToneMap::Srgb;
     ShownImage shown = ShownImage::Radiance;
-    bool pixelScale = false;  ///< one screen pixel an image pixel, instead of fitting the window
-    bool split = false;       ///< two integrators beside each other, at equal render time
-    float splitAt = 0.5f;     ///< the divider, as a share of the image's width
+    ImageFraming framing;
+    bool split = false;    ///< two integrators beside each other, at equal render time
+    float splitAt = 0.5f;  ///< the divider, as a share of the width of what is seen of the image
+    CompareView compareView = CompareView::Wipe;
+    bool flipsToRight = false;  ///< which of both CompareView::Flip shows
     /// What the scene's own integrator is compared with. Nothing, or that integrator itself: the first other
     /// one of the table.
     std::optional<IntegratorKind> comparedWith{};

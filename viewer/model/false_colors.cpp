@@ -108,6 +108,8 @@ std::vector<uint8_t> presenceColors(const std::vector<float>& values) {
     return colors.take();
 }
 
+}  // namespace
+
 std::vector<uint8_t> mapColors(const std::vector<float>& values, MapColors how, MapScale* scale) {
     if (how == MapColors::PresentOrNot) {
         *scale = {};
@@ -119,8 +121,6 @@ std::vector<uint8_t> mapColors(const std::vector<float>& values, MapColors how, 
     }
     return scale->isSigned ? signedColors(values, scale->heat.largest) : heatColors(values, scale->heat);
 }
-
-}  // namespace
 
 std::vector<uint8_t> falseColors(const FilmSnapshot& snapshot, ShownImage shown,
                                  const LoadedReference* reference, MapScale* scale) {

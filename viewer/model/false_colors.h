@@ -24,6 +24,9 @@ struct MapScale {
 std::vector<uint8_t> falseColors(const FilmSnapshot& snapshot, ShownImage shown,
                                  const LoadedReference* reference, MapScale* scale);
 
+/// Of a value a pixel; `scale` as above.
+std::vector<uint8_t> mapColors(const std::vector<float>& values, MapColors how, MapScale* scale);
+
 /// The radiance as the shader shows it, 4 bytes a pixel.
 std::vector<uint8_t> toneMappedColors(const FilmSnapshot& snapshot, float exposureStops, ToneMap map);
 

@@ -17,9 +17,10 @@ void SceneDocument::adopt(SceneDescription scene, bool isSaved) {
     posted_ = std::make_shared<const SceneDescription>(draft_);
     opened_ =
         std::make_shared<Opened>(Opened{draft_.camera, sceneBounds(draft_), isSaved ? posted_ : nullptr});
-    selectedObject = -1;
+    selectedObject = focusObject = selectedTexture = -1;
     selectedMaterial = 0;
     selectedLight = 0;
+    setHidden({});
     // An orbit must not change the focus of a scene whose author focused elsewhere.
     const float distance = targetDistance(draft_.camera);
     focusFollowsTarget = draft_.camera.apertureDiameter <= 0.0f ||
@@ -33,6 +34,8 @@ EditKind SceneDocument::show(const Version& version) {
     draft_ = *version.scene;
     posted_ = version.scene;
     opened_ = version.opened;
+    hidden_ = version.hidden;
+    if (static_cast<size_t>(focusObject + 1) > draft_.objects.size()) { focusObject = -1; }
     if (static_cast<size_t>(selectedObject + 1) > draft_.objects.size()) { selectedObject = -1; }
     return kinds;
 }
@@ -45,7 +48,7 @@ SceneDocument::Unsaved SceneDocument::unsaved() const {
     if (posted_ == comparedWith_) { return unsaved_; }
     if (!comparedWith_) { return unsaved_ = Unsaved::Edits; }
     for (const SceneDifference& each : listDifferences(*comparedWith_, *posted_)) {
-        const bool follows = focusFollowsTarget && each.key == "focalDistance";
+        const bool follows = (focusFollowsTarget || focusObject >= 0) && each.key == "focalDistance";
         const bool isView =
             each.part == "camera" && (each.key == "position" || each.key == "target" || follows);
         unsaved_ = std::max(unsaved_, isView ? Unsaved::View : Unsaved::Edits);
@@ -79,17 +82,39 @@ void SceneDocument::frameSelection() {
 void SceneDocument::focusAt(float distance, const std::string& what) {
     draft_.camera.focalDistance = distance;
     focusFollowsTarget = false;
+    focusObject = -1;
     nameEdit("Focus on " + what);
 }
 
-void SceneDocument::focusOnTarget() {
+void SceneDocument::focusOnSelection() {
+    const auto index = static_cast<size_t>(selectedObject);
+    if (selectedObject < 0 || index >= draft_.objects.size()) { return; }
+    focusObject = selectedObject;
+    focusFollowsTarget = false;
+    const Object& object = draft_.objects[index];
+    const auto mesh = static_cast<size_t>(object.mesh);
+    const bool hasMesh = object.mesh >= 0 && mesh < draft_.meshes.size() && draft_.meshes[mesh].data;
+    focusPoint_ = hasMesh ? Vec3(meshBox(*draft_.meshes[mesh].data).center()) : Vec3(0.0f);
+    nameEdit("Focus on " + (object.name.empty() ? std::string("an object") : object.name));
+}
+
+void SceneDocument::followFocus() {
+    const auto index = static_cast<size_t>(focusObject);
+    if (focusObject >= 0 && index < draft_.objects.size()) {
+        const Camera& camera = draft_.camera;
+        const Vec3 middle = draft_.objects[index].objectToWorld.point(focusPoint_);
+        const Vec3 view = camera.target - camera.position;
+        const float depth = isZero(view) ? 0.0f : glm::dot(middle - camera.position, glm::normalize(view));
+        if (depth > 0.0f) { draft_.camera.focalDistance = depth; }
+        return;
+    }
     const bool hasMoved =
         draft_.camera.position != posted_->camera.position || draft_.camera.target != posted_->camera.target;
     if (focusFollowsTarget && hasMoved) { draft_.camera.focalDistance = targetDistance(draft_.camera); }
 }
 
 SceneDocument::Edits SceneDocument::takeEdits() {
-    focusOnTarget();
+    followFocus();
     const EditKind kinds = differences(*posted_, draft_);
     if (kinds == EditKind::None) { return {}; }
     if (lackingAssets(draft_).empty()) {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "engine/math/bounds.h"
 #include "engine/scene/scene_edit.h"
@@ -34,8 +35,9 @@ class SceneDocument {
     struct Version {
         std::shared_ptr<const SceneDescription> scene;
         std::shared_ptr<Opened> opened;
+        std::shared_ptr<const std::vector<Object>> hidden;
     };
-    Version version() const { return {posted_, opened_}; }
+    Version version() const { return {posted_, opened_, hidden_}; }
 
     /// Takes another scene, or the same one anew, as draft and as posted version. `isSaved`: it is as its
     /// file says.
@@ -55,6 +57,12 @@ class SceneDocument {
     /// How often that happened: the name of a scene for what takes long.
     uint64_t adoptions() const { return adoptions_; }
 
+    /// The scene that was just adopted is seen as the one before was.
+    void keepCamera(const Camera& camera) {
+        draft_.camera = camera;
+        takeEdits();
+    }
+
     // Edits of the draft.
     /// The camera as the file has it.
     void resetCamera();
@@ -64,6 +72,13 @@ class SceneDocument {
     void frameSelection();
     /// `distance` metres along the view axis; the focus no longer follows the target.
     void focusAt(float distance, const std::string& what);
+    /// Keeps the selected object's middle in focus, whatever moves, until something else is focused on.
+    void focusOnSelection();
+    /// What is out of the scene for a while: neither rendered nor saved.
+    const std::vector<Object>& hidden() const { return *hidden_; }
+    void setHidden(std::vector<Object> objects) {
+        hidden_ = std::make_shared<const std::vector<Object>>(std::move(objects));
+    }
 
     struct Edits {
         EditKind kinds = EditKind::None;
@@ -79,19 +94,23 @@ class SceneDocument {
 
     /// Keeps the focal distance on the target when the camera moves.
     bool focusFollowsTarget = true;
+    int focusObject = -1;     ///< whose middle stays in focus; -1: none
     int selectedObject = -1;  ///< -1: none
     int selectedMaterial = 0;
     int selectedLight = 0;
-    int selectedProfile = 0;  ///< among the surfaces of revolution
+    int selectedTexture = -1;  ///< -1: none
+    int selectedProfile = 0;   ///< among the surfaces of revolution
     int selectedProfilePoint = 0;
 
   private:
     void frame(const Bounds& bounds, const std::string& name);
-    void focusOnTarget();
+    void followFocus();
 
     SceneDescription draft_;
     std::shared_ptr<const SceneDescription> posted_;
     std::shared_ptr<Opened> opened_ = std::make_shared<Opened>();
+    std::shared_ptr<const std::vector<Object>> hidden_ = std::make_shared<const std::vector<Object>>();
+    Vec3 focusPoint_{0.0f};  ///< of focusObject, in its own space
     uint64_t adoptions_ = 0;
     std::string editName_;
     /// The answer of unsaved() is of these.

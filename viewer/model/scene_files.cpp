@@ -1,5 +1,6 @@
 #include "viewer/model/scene_files.h"
 
+#include <filesystem>
 #include <utility>
 
 #include <fmt/format.h>
@@ -7,7 +8,6 @@
 #include "engine/base/log.h"
 #include "engine/io/scene_json.h"
 #include "engine/io/scene_loader.h"
-#include "viewer/base/desktop_dialog.h"
 
 namespace glint {
 
@@ -37,15 +37,27 @@ void SceneFiles::open(const std::string& path) {
         false);
 }
 
-void SceneFiles::browse() {
-    const std::string command = usesDesktop ? desktopDialog("Open a scene", opened) : "";
-    if (command.empty()) { return browser.open(opened); }
+void SceneFiles::add(const std::string& path) {
     jobs_->start(
-        [this, command]() -> JobQueue::Completion {
-            const std::string path = outputOf(command);
-            return [this, path] { open(path); };
+        [this, path]() -> JobQueue::Completion {
+            auto loaded = std::make_shared<Result<SceneDescription>>(loadScene(path));
+            return [this, loaded] {
+                if (!*loaded) { return notice_->show(loaded->error().format(), true); }
+                add_(std::move(loaded->value()));
+            };
         },
         false);
+}
+
+void SceneFiles::browse() {
+    dialog.ask({"Open a scene", opened, false, [this](const std::string& path) { open(path); }});
+}
+
+void SceneFiles::saveAs(const std::shared_ptr<const SceneDescription>& scene) {
+    dialog.ask({"Save the scene as", saved, true, [this, scene](const std::string& path) {
+                    saved = std::filesystem::path(path).has_extension() ? path : path + ".json";
+                    save(scene);
+                }});
 }
 
 void SceneFiles::save(const std::shared_ptr<const SceneDescription>& scene) {

@@ -9,7 +9,7 @@
 #include "engine/scene/scene.h"
 #include "viewer/base/job_queue.h"
 #include "viewer/base/run_files.h"
-#include "viewer/model/file_browser.h"
+#include "viewer/model/file_dialog.h"
 #include "viewer/model/notice.h"
 #include "viewer/model/overwrite_guard.h"
 #include "viewer/model/recent_files.h"
@@ -20,14 +20,17 @@ class SceneFiles {
   public:
     using Adopt = std::function<void(SceneDescription)>;
     using NoteSaved = std::function<void(const std::shared_ptr<const SceneDescription>&)>;
-    /// `adopt` takes a scene that was loaded, `noteSaved` hears of one that was saved.
+    /// `adopt` takes a scene that was loaded, `add` one whose objects are to be added, `noteSaved` hears of
+    /// one that was saved.
     SceneFiles(JobQueue* jobs, Notice* notice, const RunFiles* inputs, OverwriteGuard* guard, Adopt adopt,
-               NoteSaved noteSaved)
-        : jobs_(jobs),
+               Adopt add, NoteSaved noteSaved)
+        : dialog(jobs),
+          jobs_(jobs),
           notice_(notice),
           inputs_(inputs),
           guard_(guard),
           adopt_(std::move(adopt)),
+          add_(std::move(add)),
           noteSaved_(std::move(noteSaved)) {}
 
     std::string opened;                ///< the file that is shown, or will be asked for next
@@ -37,18 +40,21 @@ class SceneFiles {
     /// last counts.
     void open(const std::string& path);
     bool opening() const { return opening_; }
+    /// Hands the scene in that file to who adds its objects to the one that is open.
+    void add(const std::string& path);
     const std::optional<Error>& error() const { return error_; }
     void dismissError() { error_.reset(); }
 
-    /// Lets the user look for a scene: by the desktop's own dialog where `usesDesktop` and one is installed
-    /// (zenity, kdialog), else by the browser.
+    /// Lets the user look for a scene.
     void browse();
-    FileBrowser browser;
     RecentFiles recent;
-    bool usesDesktop = false;
 
     /// As Glint JSON. `scene` may be null, which is an error. Asks before it replaces a file.
     void save(const std::shared_ptr<const SceneDescription>& scene);
+    /// The same after the user has said where.
+    void saveAs(const std::shared_ptr<const SceneDescription>& scene);
+
+    FileDialog dialog;
 
   private:
     void startSave(const std::string& path, const std::shared_ptr<const SceneDescription>& scene);
@@ -58,6 +64,7 @@ class SceneFiles {
     const RunFiles* inputs_;
     OverwriteGuard* guard_;
     Adopt adopt_;
+    Adopt add_;
     NoteSaved noteSaved_;
     bool opening_ = false;
     std::string next_;  ///< asked for while another scene was being opened

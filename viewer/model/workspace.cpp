@@ -1,8 +1,8 @@
 #include "viewer/model/workspace.h"
 
+#include <chrono>
 #include <filesystem>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,9 +11,11 @@
 #include "engine/io/file_kind.h"
 #include "engine/io/image_formats.h"
 #include "engine/io/importer.h"
+#include "engine/io/studio.h"
 #include "engine/render/auto_exposure.h"
+#include "viewer/model/camera_controller.h"
 #include "viewer/model/edit_name.h"
-#include "viewer/model/workspace_part.h"
+#include "viewer/model/object_edits.h"
 
 namespace glint {
 namespace {
@@ -33,6 +35,7 @@ Workspace::Workspace(std::unique_ptr<Backend> backend)
       render(std::move(backend)),
       sceneFiles(
           &jobs, &notice, &inputs, &overwrite, [this](SceneDescription scene) { adopt(std::move(scene)); },
+          [this](SceneDescription scene) { addObjectsOf(std::move(scene)); },
           [this](const auto& scene) { document.noteSaved(scene); }),
       filmFiles(&jobs, &document, &render, &notice, &inputs, &overwrite,
                 [this](std::optional<SceneDescription> scene, ResumePoint point, const std::string& name) {
@@ -44,6 +47,8 @@ Workspace::Workspace(std::unique_ptr<Backend> backend)
       faults(&jobs, &render) {}
 
 void Workspace::adopt(SceneDescription scene, bool isSaved) {
+    const bool isReload = std::exchange(isReloading_, false) && scene.path == document.draft().path;
+    const Camera camera = document.draft().camera;
     for (const std::string& warning : scene.warnings) {
         logWarning("{}: {}", scene.path, warning);
     }
@@ -56,17 +61,33 @@ void Workspace::adopt(SceneDescription scene, bool isSaved) {
     if (scene.path != document.draft().path) { convergence.forget(); }
     sceneFiles.dismissError();
     document.adopt(std::move(scene), isSaved);
+    if (isReload) { document.keepCamera(camera); }
+    watch.watch(filesOf(document.draft()));
     forgetScene();
-    expectExposure();
+    if (!isReload) { expectExposure(); }
     const FilmTake take = history.nextTake();
     const std::string file = std::filesystem::path(document.draft().path).filename().string();
-    history.record({fmt::format("Open {}", file), document.version(), take}, 0);
+    history.record({fmt::format("{} {}", isReload ? "Reload" : "Open", file), document.version(), take}, 0);
     if (!inputs.checkIsNoInput(sceneFiles.saved)) {
         sceneFiles.saved = std::filesystem::path(document.draft().path).stem().string() + "-edited.json";
     }
     sceneFiles.recent.add(document.draft().path);
     sendRequest();  // first, so that not a pass too many is made
     render.post({document.posted(), EditKind::Everything}, take);
+}
+
+void Workspace::addObjectsOf(SceneDescription scene) {
+    if (hasStudio(scene)) { removeStudio(&scene); }
+    inputs.readsScene(scene);
+    const Camera& camera = document.draft().camera;
+    constexpr float kSizeShare = 0.3f;  // of the target's distance
+    const size_t count =
+        addScene(scene, camera.target, kSizeShare * targetDistance(camera), &document.draft());
+    const std::string file = std::filesystem::path(scene.path).filename().string();
+    document.selectedObject = count > 0 ? static_cast<int>(document.draft().objects.size()) - 1 : -1;
+    document.nameEdit("Add " + file);
+    notice.show(
+        fmt::format("Added {} of {}", count == 1 ? "1 object" : fmt::format("{} objects", count), file));
 }
 
 void Workspace::forgetScene() {
@@ -86,7 +107,10 @@ void Workspace::goTo(size_t index) {
     const SceneDocument::Version before = document.version();
     const EditHistory::State& state = history.goTo(index);
     const EditKind kinds = document.show(state.version);
-    if (document.draft().path != before.scene->path) { convergence.forget(); }
+    if (document.draft().path != before.scene->path) {
+        convergence.forget();
+        watch.watch(filesOf(document.draft()));
+    }
     if (state.version.opened != before.opened) { expectExposure(); }
     forgetScene();
     render.post({document.posted(), kinds}, state.take);
@@ -145,6 +169,14 @@ void Workspace::focusAt(Vec2i pixel) {
 void Workspace::refresh() {
     jobs.runCompletions();
     if (assets.takeArrival()) { commitEdits(false); }
+    if (!sceneFiles.opening()) { isReloading_ = false; }
+    const double now =
+        std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    if (document.isOpen() && !sceneFiles.opening() && watch.hasChanged(now)) {
+        isReloading_ = true;
+        logInfo("{} has changed on the disk", document.draft().path);
+        sceneFiles.open(document.draft().path);
+    }
     const IntegratorKind own = document.draft().options.integrator;
     render.refresh(display.split ? std::optional(display.otherOf(own)) : std::nullopt);
     chooseExposure();
@@ -154,6 +186,10 @@ void Workspace::refresh() {
     }
     filmFiles.refresh(busy());
     backup.refresh();
+    if (snapshots.takeKeep() && !snapshots.keep(render.snapshot(), document.posted(), display)) {
+        notice.show("There is no picture at full resolution yet");
+    }
+    refreshDifference();
     focusOverlay.refresh({.kind = lens.overlay,
                           .sharpPixels = lens.sharpPixels,
                           .camera = document.draft().camera,
@@ -165,6 +201,7 @@ void Workspace::refresh() {
 bool Workspace::commitEdits(bool held) {
     if (!document.isOpen()) { return false; }
     if (!held) { ++gesture_; }
+    if (const KeptPicture* kept = snapshots.takeAsked()) { openSceneOf(*kept); }
     bool isPosted = commitDraft(held);
     if (const auto asked = history.takeAsked()) {
         goTo(*asked);
@@ -213,6 +250,7 @@ void Workspace::sendRequest() {
     request.standardError = request.errorMaps = request.integratorMaps = false;
     if (const auto ask = infoOf(display.shown).ask) { ask(&request); }
     if (std::exchange(inspector.isOpen, false)) { request.standardError = request.integratorMaps = true; }
+    request.region = region.wanted();
     request.compare.clear();
     if (display.split) {
         const auto [left, right] = comparedPair();
@@ -225,34 +263,5 @@ bool Workspace::busy() const {
     return jobs.running() > 0 || filmFiles.isExrPending() || convergence.reference.loading() ||
            convergence.reference.measuring();
 }
-
-bool Workspace::carriesShownImage() const {
-    const auto& own = render.snapshot();
-    const auto& other = render.otherSnapshot();
-    if (!own || !carries(*own, display.shown)) { return false; }
-    return !display.split || (other && other->previewScale == 1 && carries(*other, display.shown));
-}
-
-template <class Part>
-Part* partOf(Workspace* w) {
-    return &std::get<Part&>(std::tie(w->notice, w->document, w->history, w->render, w->display, w->lens,
-                                     w->inspector, w->outliner, w->sceneFiles, w->filmFiles, w->assets,
-                                     w->convergence, w->curveExport, w->faults));
-}
-
-template Notice* partOf(Workspace*);
-template SceneDocument* partOf(Workspace*);
-template EditHistory* partOf(Workspace*);
-template RenderControl* partOf(Workspace*);
-template DisplaySettings* partOf(Workspace*);
-template LensSettings* partOf(Workspace*);
-template Inspector* partOf(Workspace*);
-template Outliner* partOf(Workspace*);
-template SceneFiles* partOf(Workspace*);
-template FilmFiles* partOf(Workspace*);
-template AssetReader* partOf(Workspace*);
-template ConvergenceWatch* partOf(Workspace*);
-template CurveExport* partOf(Workspace*);
-template FaultFinder* partOf(Workspace*);
 
 }  // namespace glint

@@ -17,15 +17,22 @@
 #include "viewer/model/display_settings.h"
 #include "viewer/model/edit_history.h"
 #include "viewer/model/fault_finder.h"
+#include "viewer/model/file_watch.h"
 #include "viewer/model/film_files.h"
+#include "viewer/model/gizmo.h"
 #include "viewer/model/inspector.h"
 #include "viewer/model/lens_settings.h"
+#include "viewer/model/material_presets.h"
 #include "viewer/model/notice.h"
 #include "viewer/model/outliner.h"
+#include "viewer/model/picture_difference.h"
+#include "viewer/model/region_tool.h"
 #include "viewer/model/render_control.h"
 #include "viewer/model/scene_document.h"
 #include "viewer/model/scene_files.h"
 #include "viewer/model/session_backup.h"
+#include "viewer/model/snapshots.h"
+#include "viewer/model/window_layout.h"
 
 namespace glint {
 
@@ -47,13 +54,20 @@ class Workspace {
     LensSettings lens;
     FocusOverlay focusOverlay;
     Inspector inspector;
+    RegionTool region;
+    GizmoSettings gizmo;
     Outliner outliner;
+    MaterialLibrary library;
     SceneFiles sceneFiles;
     FilmFiles filmFiles;
     AssetReader assets;
     ConvergenceWatch convergence;
     CurveExport curveExport;
+    FileWatch watch;  ///< of the scene that is open
     FaultFinder faults;
+    Snapshots snapshots;
+    PictureDifference difference;
+    WindowLayout layout;
     /// Set by who draws: what is on the screen is not of the newest snapshots yet.
     bool displayIsBehind = false;
 
@@ -84,10 +98,20 @@ class Workspace {
     bool carriesShownImage() const;
     /// Whose image is left of the divider, and whose is right of it.
     ComparedPair comparedPair() const { return display.pairOf(document.draft().options.integrator); }
+    /// Two pictures are on the screen, or their difference.
+    bool isComparing() const { return display.split || snapshots.isComparing(); }
+    /// The picture that the own pane shows, and the one of the other pane, which matters while isComparing().
+    const std::shared_ptr<const FilmSnapshot>& ownPicture() const;
+    const std::shared_ptr<const FilmSnapshot>& otherPicture() const;
+    /// Of a comparison of snapshots always; else as the table of integrators has it.
+    bool ownIsRight() const;
 
   private:
     void sendRequest();
+    void addObjectsOf(SceneDescription scene);
     FirstHit hitAt(Vec2i pixel) const;
+    void refreshDifference();
+    void openSceneOf(const KeptPicture& kept);
     void chooseExposure();
     void expectExposure();
     bool commitDraft(bool held);
@@ -97,6 +121,7 @@ class Workspace {
     /// What was known of the scene before.
     void forgetScene();
 
+    bool isReloading_ = false;     ///< the next scene of this file is the one that is open, as it is now
     bool awaitsExposure_ = false;  ///< the scene was opened, and no picture of it has come
     uint64_t gesture_ = 1;         ///< counts what the user does at one go
 };

@@ -14,9 +14,17 @@ namespace glint {
 
 namespace {
 
-void drawImages(FilmFiles* files, const DisplaySettings& display) {
+void drawImages(FilmFiles* files, FileDialog* dialog, const DisplaySettings& display) {
     ui::text("PNG file", &files->png, "render.png", "As shown: with exposure and tone map");
-    if (ui::button("Save PNG", ui::buttonWidth(1), "Ctrl+S")) { files->savePng(display); }
+    const float half = ui::buttonWidth(2);
+    if (ui::button("Save PNG", half, "Ctrl+S")) { files->savePng(display); }
+    ImGui::SameLine();
+    if (ui::button("Save PNG as…", half, "Into another folder or under another name")) {
+        dialog->ask({"Save the picture as", files->png, true, [files, display](const std::string& path) {
+                         files->png = path;
+                         files->savePng(display);
+                     }});
+    }
 
     ui::gap();
     ui::text("EXR file", &files->exr, "render.exr", "Linear radiance");
@@ -54,13 +62,16 @@ void drawNotice(const Notice& notice) {
 
 void draw(FilmFiles* files, SceneFiles* scenes, const SceneDocument* document, const DisplaySettings* display,
           const Notice* notice) {
-    drawImages(files, *display);
+    drawImages(files, &scenes->dialog, *display);
     drawCheckpoint(files);
     ui::gap();
     ui::text("Scene file", &scenes->saved, "scene.json", "The scene as edited, as Glint JSON");
-    if (ui::button("Save scene", ui::buttonWidth(1), "With every edit that was made here")) {
+    const float half = ui::buttonWidth(2);
+    if (ui::button("Save scene", half, "With every edit that was made here")) {
         scenes->save(document->posted());
     }
+    ImGui::SameLine();
+    if (ui::button("Save scene as…", half, "Ctrl+Shift+S")) { scenes->saveAs(document->posted()); }
     drawNotice(*notice);
 }
 

@@ -11,14 +11,15 @@
 #include "viewer/model/convergence_watch.h"
 #include "viewer/model/display_settings.h"
 #include "viewer/model/scene_document.h"
+#include "viewer/panels/compare_view.h"
 #include "viewer/panels/panel.h"
 #include "viewer/ui/widgets.h"
 
 namespace glint {
 namespace {
 
-constexpr std::array<std::string_view, 4> kToneMaps{"Clamp (linear)", "sRGB", "Filmic", "Reinhard"};
-constexpr std::array<std::string_view, 2> kSizes{"Fit the window", "1:1 pixels"};
+constexpr std::array<std::string_view, kToneMapCount> kToneMaps{"Clamp (linear)", "sRGB", "Filmic",
+                                                                "Reinhard", "Soft highlights"};
 
 void drawShown(DisplaySettings* display) {
     std::vector<std::string_view> names;
@@ -53,7 +54,9 @@ void drawComparison(DisplaySettings* display, IntegratorKind own) {
         fmt::format("{} left of the divider, {} right of it, at equal render time (C)",
                     integratorInfo(left).displayName, integratorInfo(right).displayName);
     ui::toggle("Compare", &display->split, tooltip.c_str());
-    if (!display->split || kIntegratorTable.size() < 3) { return; }
+    if (!display->split) { return; }
+    drawCompareView(display);
+    if (kIntegratorTable.size() < 3) { return; }
     std::vector<std::string_view> names;
     std::vector<IntegratorKind> kinds;
     int index = 0;
@@ -86,9 +89,12 @@ void draw(DisplaySettings* display, const SceneDocument* document, const Converg
     drawShown(display);
     if (const std::string why = missing(*display, own, *convergence); !why.empty()) { ui::hint(why.c_str()); }
     drawComparison(display, own);
-    int size = display->pixelScale ? 1 : 0;
-    if (ui::choice("Size", &size, kSizes, "How large the picture is drawn; never restarts")) {
-        display->pixelScale = size == 1;
+    int size = display->framing.choice();
+    const std::vector<std::string> sizes = ImageFraming::choices();
+    if (ui::choice("Size", &size, std::vector<std::string_view>(sizes.begin(), sizes.end()),
+                   "Screen pixels per picture pixel (Ctrl + wheel); automatic: as many as there is room for. "
+                   "Never restarts")) {
+        display->framing.choose(size);
     }
 }
 

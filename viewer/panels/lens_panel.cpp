@@ -18,6 +18,8 @@ namespace glint {
 namespace {
 
 constexpr float kLargestFStop = 1000.0f;
+constexpr float kShapeUnits = 26.0f;  // radius
+constexpr int kRoundCorners = 48;
 
 void drawFocalLength(Camera* camera, LensSettings* lens) {
     std::vector<std::string_view> names;
@@ -86,10 +88,12 @@ void drawFocus(SceneDocument* document, LensSettings* lens) {
                     .max = 1e9f,
                     .tooltip = "Along the view axis, to the plane that is sharp"})) {
         document->focusFollowsTarget = false;
+        document->focusObject = -1;
     }
     if (ui::toggle("Focus on target", &document->focusFollowsTarget,
                    "Keeps the target sharp while the camera orbits, flies or comes closer") &&
         document->focusFollowsTarget) {
+        document->focusObject = -1;
         camera->focalDistance = targetDistance(*camera);
     }
     const char* label = lens->picksFocus ? "Click on the picture…" : "Click to focus";
@@ -125,6 +129,25 @@ void drawSharpness(const SceneDescription& scene, LensSettings* lens) {
                 .tooltip = "The largest circle of confusion that counts as sharp, in pixels of the picture"});
 }
 
+/// As seen through the lens from behind: what a highlight far out of focus looks like.
+void drawApertureShape(const Camera& camera) {
+    const float radius = kShapeUnits * ui::scale();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::Dummy({width, 2.4f * radius});
+    const ImVec2 middle{corner.x + width * 0.5f, corner.y + 1.2f * radius};
+    const int blades = camera.apertureBlades;
+    const int corners = blades >= 3 ? blades : kRoundCorners;
+    const float turned = camera.bladeRotationDeg * kPi / 180.0f;
+    std::vector<ImVec2> points;
+    for (int i = 0; i < corners; ++i) {
+        const float phi = turned + 2.0f * kPi * static_cast<float>(i) / static_cast<float>(corners);
+        points.emplace_back(middle.x + radius * std::cos(phi), middle.y - radius * std::sin(phi));
+    }
+    ImGui::GetWindowDrawList()->AddConvexPolyFilled(points.data(), corners, IM_COL32(225, 215, 190, 255));
+    ui::itemArea("Aperture shape", blades >= 3 ? fmt::format("{} corners", blades) : "round");
+}
+
 void drawBlades(Camera* camera) {
     int blades = camera->apertureBlades;
     if (ui::integer("Blades", &blades,
@@ -142,6 +165,7 @@ void drawBlades(Camera* camera) {
                 .min = -360.0f,
                 .max = 360.0f,
                 .tooltip = "Turns the corners of the opening"});
+    if (camera->apertureDiameter > 0.0f) { drawApertureShape(*camera); }
 }
 
 void draw(SceneDocument* document, LensSettings* lens) {

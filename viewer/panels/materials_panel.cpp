@@ -10,6 +10,7 @@
 #include "engine/scene/metals.h"
 #include "viewer/model/scene_document.h"
 #include "viewer/panels/asset_state.h"
+#include "viewer/panels/material_patch.h"
 #include "viewer/panels/panel.h"
 #include "viewer/ui/widgets.h"
 
@@ -25,19 +26,6 @@ constexpr const char* kOwnGlass = "own index";
 
 std::string nameOf(const Material& material, size_t index) {
     return material.name.empty() ? fmt::format("material {}", index) : material.name;
-}
-
-/// What the list's patch shows: a lamp's light, a metal's reflectance head on, or the colour.
-Vec3 patchColor(const Material& material) {
-    if (material.emissive()) { return material.emission.value; }
-    if (material.kind != MaterialKind::Conductor) { return material.color.value; }
-    const auto named = findMetal(material.metal);
-    const Vec3 eta = named ? named->eta : material.eta.value;
-    const Vec3 k = named ? named->k : material.k.value;
-    const Vec3 k2 = k * k;
-    const Vec3 less = eta - Vec3(1.0f);
-    const Vec3 more = eta + Vec3(1.0f);
-    return material.color.value * ((less * less + k2) / (more * more + k2));
 }
 
 void drawList(SceneDocument* document) {

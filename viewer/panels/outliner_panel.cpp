@@ -1,4 +1,4 @@
-// Everything in the scene by name: objects, lights, materials; to be searched, selected and framed.
+// Everything in the scene by name: objects, lights, materials, textures; to be searched, selected and framed.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "engine/scene/scene_use.h"
 #include "viewer/model/outliner.h"
 #include "viewer/model/scene_document.h"
 #include "viewer/panels/panel.h"
@@ -24,6 +25,8 @@ int* selectionOf(SceneDocument* document, OutlinerEntry::Kind kind) {
             return &document->selectedLight;
         case OutlinerEntry::Kind::Material:
             return &document->selectedMaterial;
+        case OutlinerEntry::Kind::Texture:
+            return &document->selectedTexture;
     }
     return &document->selectedObject;
 }
@@ -33,6 +36,13 @@ void select(SceneDocument* document, const OutlinerEntry& entry) {
     if (entry.kind == OutlinerEntry::Kind::Object) {
         document->selectedMaterial = document->draft().objects[static_cast<size_t>(entry.index)].material;
     }
+    if (entry.kind != OutlinerEntry::Kind::Texture) { return; }
+    // Where it is edited: at the first material that has it.
+    const std::vector<Material>& materials = document->draft().materials;
+    const auto user = std::ranges::find_if(materials, [&](const Material& material) {
+        return std::ranges::count(inputTextures(material), entry.index) > 0;
+    });
+    if (user != materials.end()) { document->selectedMaterial = static_cast<int>(user - materials.begin()); }
 }
 
 /// Only the rows that are seen are made.
@@ -53,7 +63,8 @@ void drawEntries(SceneDocument* document, const std::vector<OutlinerEntry>& entr
 }
 
 void draw(SceneDocument* document, Outliner* outliner) {
-    ui::text("Search", &outliner->search, "name", "Part of a name, in any case; or object, light, material");
+    ui::text("Search", &outliner->search, "name",
+             "Part of a name, in any case; or object, light, material, texture");
     const std::vector<OutlinerEntry>& entries = outliner->entries(*document);
     drawEntries(document, entries);
     ui::hint(fmt::format("{} of {}", entries.size(), outliner->count()).c_str());

@@ -1,6 +1,10 @@
 #include "viewer/panels/panels.h"
 
 #include <iterator>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include <imgui.h>
 
@@ -17,11 +21,14 @@
     X(raycast)          \
     X(camera)           \
     X(lens)             \
+    X(object)           \
     X(outliner)         \
     X(materials)        \
+    X(library)          \
     X(profile)          \
     X(lights)           \
     X(display)          \
+    X(snapshots)        \
     X(inspector)        \
     X(image)            \
     X(history)          \
@@ -57,16 +64,39 @@ void drawPanel(const Panel& panel, Workspace* workspace) {
     ImGui::PopID();
 }
 
+/// A button for each panel, lit where it is open: none is farther away than a click.
+void drawStrip(Workspace* workspace) {
+    std::vector<std::string_view> titles;
+    std::vector<char> isOpen;
+    for (const auto& makePanel : kPanels) {
+        const Panel panel = makePanel();
+        if (!isShown(panel, workspace)) { continue; }
+        titles.emplace_back(panel.title);
+        const auto known = workspace->layout.open.find(panel.title);
+        isOpen.push_back(known != workspace->layout.open.end() ? known->second : panel.isOpenAtFirst);
+    }
+    const int pressed = ui::strip("Go to ", titles, isOpen);
+    if (pressed >= 0) { workspace->layout.goTo = titles[static_cast<size_t>(pressed)]; }
+}
+
 }  // namespace
 
 void drawPanels(Workspace* workspace) {
+    drawStrip(workspace);
+    WindowLayout& layout = workspace->layout;
+    const std::string goTo = std::exchange(layout.goTo, {});
+    ImGui::BeginChild("##sections", {0.0f, 0.0f}, false, ImGuiWindowFlags_AlwaysVerticalScrollbar);
     for (size_t i = 0; i < std::size(kPanels); ++i) {
         const Panel panel = kPanels[i]();
         if (!isShown(panel, workspace)) { continue; }
-        if (!ui::section(panel.title, panel.isOpenAtFirst, panel.tooltip)) { continue; }
+        const auto [known, isNew] = layout.open.try_emplace(panel.title, panel.isOpenAtFirst);
+        const bool isOpen = ui::section(panel.title, known->second, panel.tooltip, goTo == panel.title);
+        known->second = isOpen;
+        if (!isOpen) { continue; }
         drawPanel(panel, workspace);
         if (i + 1 < std::size(kPanels)) { ui::gap(); }
     }
+    ImGui::EndChild();
 }
 
 }  // namespace glint

@@ -10,6 +10,7 @@
 #include "engine/render/integrator.h"
 #include "viewer/base/units.h"
 #include "viewer/model/fault_finder.h"
+#include "viewer/model/region_tool.h"
 #include "viewer/model/render_control.h"
 #include "viewer/model/scene_document.h"
 #include "viewer/panels/panel.h"
@@ -100,14 +101,30 @@ void drawNumbers(const RenderControl& render) {
     ui::value("Rays", isTimed ? withPrefix(status.raysPerSecond, "rays/s") : "–",
               "Camera, bounce and shadow rays");
     ui::value("Elapsed", duration(status.renderSeconds), "Time spent in passes since the last restart");
-    ui::value("Est. error", status.passes > 1 ? percent(status.relativeError) : "–",
-              "Root mean squared standard error of the pixels, relative to the picture's mean luminance");
+    ui::value("Est. error",
+              status.passes > 1 ? percent(status.relativeError) + (status.region ? " (region)" : "") : "–",
+              "Root mean squared standard error of the pixels, relative to the mean luminance, of the "
+              "picture or of the region");
     ui::value("Last edit", latency(status.lastEditToImageSeconds), "From the edit to its first new picture");
     ui::value("Device", status.backend, "What runs the passes");
     if (!status.error.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, theme::kTextError);
         ImGui::TextWrapped("%s", status.error.c_str());
         ImGui::PopStyleColor();
+    }
+}
+
+void drawRegion(const RenderControl& render, RegionTool* region) {
+    const char* label = region->picks ? "Drag on the picture…" : region->drawn ? "Whole picture" : "Region…";
+    if (ui::button(label, ui::buttonWidth(1), "Only what is drawn is rendered on, the rest stays (B)",
+                   region->picks)) {
+        region->askOrGiveUp();
+    }
+    const SessionStatus& status = render.status();
+    if (region->drawn && !status.region && integratorType(status.integrator).makeStatistics()) {
+        ui::hint(fmt::format("{} renders the whole picture: photons land everywhere.",
+                             integratorInfo(status.integrator).displayName)
+                     .c_str());
     }
 }
 
@@ -162,8 +179,9 @@ void drawFaults(const SessionStatus& status, FaultFinder* faults) {
     if (ui::button("Copy command", ui::buttonWidth(1))) { ImGui::SetClipboardText(command.c_str()); }
 }
 
-void draw(RenderControl* render, SceneDocument* document, FaultFinder* faults) {
+void draw(RenderControl* render, SceneDocument* document, RegionTool* region, FaultFinder* faults) {
     drawActions(render);
+    drawRegion(*render, region);
     drawIntegrator(&document->draft().options);
     drawAccelerator(&document->draft().options);
     drawNumbers(*render);

@@ -41,7 +41,10 @@ void draw(SceneFiles* files, const SceneDocument* document) {
         if (drawErrorBox("This scene cannot be opened", *files->error())) { files->dismissError(); }
         if (document->isOpen()) { ui::hint("The scene that was open goes on."); }
     }
-    if (document->isOpen() && !document->draft().title.empty()) { ui::hint(document->draft().title.c_str()); }
+    if (!document->isOpen()) { return; }
+    for (const std::string* text : {&document->draft().title, &document->draft().description}) {
+        if (!text->empty()) { ui::hint(text->c_str()); }
+    }
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
-// The widgets that edit numbers: dragged fields and sliders, vectors, colours with their picker.
+// The widgets that edit numbers: dragged fields and sliders, vectors.
 #include <algorithm>
 #include <array>
-#include <cfloat>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -9,7 +8,6 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "engine/math/color.h"
 #include "viewer/base/units.h"
 #include "viewer/ui/typed_number.h"
 #include "viewer/ui/widget_row.h"
@@ -75,7 +73,8 @@ bool dragInteger(const char* id, int* value, const NumberStyle& style) {
     return changed;
 }
 
-/// Three dragged fields that share `width`, named label.x and so on for scripts.
+}  // namespace
+
 bool dragFields3(const char* label, Vec3* vector, const NumberStyle& style, const char* const* suffixes,
                  float width) {
     const float spacing = ImGui::GetStyle().ItemInnerSpacing.x;
@@ -93,24 +92,6 @@ bool dragFields3(const char* label, Vec3* vector, const NumberStyle& style, cons
     }
     return changed;
 }
-
-bool pickColor(Vec3* value) {
-    if (!ImGui::BeginPopup("picker")) { return false; }
-    // The picker goes to 1: what is brighter keeps its strength, and the picker edits its hue.
-    const float strength = std::max(1.0f, maxComponent(*value));
-    Vec3 encoded = screenColor(*value / strength);
-    const bool changed =
-        ImGui::ColorPicker3("##picker", &encoded.x,
-                            ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoSmallPreview |
-                                ImGuiColorEditFlags_DisplayRGB | ImGuiColorEditFlags_DisplayHSV);
-    if (changed) {
-        *value = strength * Vec3(srgbToLinear(encoded.x), srgbToLinear(encoded.y), srgbToLinear(encoded.z));
-    }
-    ImGui::EndPopup();
-    return changed;
-}
-
-}  // namespace
 
 bool number(const char* label, float* value, const NumberStyle& style) {
     beginRow(label, style.tooltip);
@@ -141,25 +122,6 @@ bool vector3(const char* label, Vec3* value, const NumberStyle& style) {
     const bool changed = dragFields3(label, value, style, kSuffixes, ImGui::GetContentRegionAvail().x);
     ImGui::EndGroup();
     record(WidgetKind::Vector, label, fmt::format("{} {} {}", value->x, value->y, value->z));
-    endRow();
-    return changed;
-}
-
-bool color(const char* label, Vec3* value, float max, const char* tooltip) {
-    static constexpr const char* kSuffixes[] = {"r", "g", "b"};
-    const NumberStyle style{.format = "%.3f", .speed = 0.004f, .max = max, .tooltip = tooltip};
-    beginRow(label, tooltip);
-    ImGui::BeginGroup();
-    const float side = ImGui::GetFrameHeight();
-    if (ImGui::ColorButton("##swatch", screenColor4(*value), ImGuiColorEditFlags_NoTooltip, {side, side})) {
-        ImGui::OpenPopup("picker");
-    }
-    bool changed = pickColor(value);
-    const float spacing = ImGui::GetStyle().ItemInnerSpacing.x;
-    ImGui::SameLine(0.0f, spacing);
-    changed |= dragFields3(label, value, style, kSuffixes, ImGui::GetContentRegionAvail().x);
-    ImGui::EndGroup();
-    record(WidgetKind::Color, label, fmt::format("{} {} {}", value->x, value->y, value->z));
     endRow();
     return changed;
 }

@@ -12,6 +12,8 @@
 
 namespace glint::ui {
 
+struct NumberStyle;
+
 /// Of the frame that is being drawn.
 WidgetRegistry* frameRegistry();
 /// Draws the label and leaves the cursor where the control begins; an endRow() has to follow.
@@ -20,6 +22,9 @@ void endRow();
 /// Tells scripts of the item that was drawn last, and scrolls to it if they asked for that.
 void record(WidgetKind kind, std::string_view label, std::string shown);
 void tooltipForItem(const char* tooltip);
+/// Three dragged fields that share `width`, named label.x and so on for scripts.
+bool dragFields3(const char* label, Vec3* vector, const NumberStyle& style, const char* const* suffixes,
+                 float width);
 /// Linear to display colours, clipped.
 Vec3 screenColor(const Vec3& linear);
 ImVec4 screenColor4(const Vec3& linear);

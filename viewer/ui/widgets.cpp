@@ -18,6 +18,7 @@ namespace {
 
 constexpr float kLabelShare = 0.35f;  // of a row's width
 constexpr float kTooltipDelaySeconds = 0.5f;
+constexpr float kTooltipWidthInLines = 22.0f;  // of the font's size
 
 WidgetRegistry* registry = nullptr;
 const Fonts* frameFonts = nullptr;
@@ -61,16 +62,27 @@ void record(WidgetKind kind, std::string_view label, std::string shown) {
 void tooltip(const char* text) {
     if (text == nullptr) { return; }
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22.0f);
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * kTooltipWidthInLines);
     ImGui::TextUnformatted(text);
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }
 
+/// Left of the window that the item is in, where there is room: it covers none of the numbers. Nothing while
+/// something is edited.
+void tooltipBeside(const char* text) {
+    if (text == nullptr || ImGui::IsAnyItemActive()) { return; }
+    const ImVec2 corner = ImGui::GetCurrentWindow()->RootWindow->Pos;
+    const float gap = 6.0f * frameScale;
+    if (corner.x > kTooltipWidthInLines * ImGui::GetFontSize()) {
+        ImGui::SetNextWindowPos({corner.x - gap, ImGui::GetItemRectMin().y}, ImGuiCond_Always, {1.0f, 0.0f});
+    }
+    tooltip(text);
+}
+
 void tooltipForItem(const char* tooltip) {
-    if (ImGui::IsItemHovered() && !ImGui::IsItemActive() &&
-        ImGui::GetCurrentContext()->HoveredIdTimer > kTooltipDelaySeconds) {
-        ui::tooltip(tooltip);
+    if (ImGui::IsItemHovered() && ImGui::GetCurrentContext()->HoveredIdTimer > kTooltipDelaySeconds) {
+        tooltipBeside(tooltip);
     }
 }
 
@@ -80,7 +92,7 @@ void beginRow(const char* label, const char* tooltip) {
     const float width = ImGui::GetContentRegionAvail().x;
     ImGui::AlignTextToFramePadding();
     ImGui::TextColored(theme::kTextDim, "%s", label);
-    if (ImGui::IsItemHovered()) { ui::tooltip(tooltip); }
+    if (ImGui::IsItemHovered()) { tooltipBeside(tooltip); }
     ImGui::SameLine(start + std::max(width * kLabelShare, ImGui::GetFontSize() * 6.5f));
     ImGui::SetNextItemWidth(-FLT_MIN);
 }
@@ -97,14 +109,39 @@ void beginFrame(WidgetRegistry* registryOfFrame, const Fonts* fontsOfFrame, floa
 float scale() { return frameScale; }
 const Fonts& fonts() { return *frameFonts; }
 
-bool section(const char* label, bool openAtFirst, const char* tooltip) {
+int strip(const char* prefix, std::span<const std::string_view> names, std::span<const char> isLit) {
+    registry->setSection("");
+    int pressed = -1;
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    const float spacing = 3.0f * frameScale;
+    const ImVec2 padding{5.0f * frameScale, 2.0f * frameScale};
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(spacing, spacing));
+    for (size_t i = 0; i < names.size(); ++i) {
+        const std::string name(names[i]);
+        const float width = ImGui::CalcTextSize(name.c_str()).x + 2.0f * padding.x;
+        const bool fits = i > 0 && ImGui::GetItemRectMax().x + spacing + width <= right;
+        if (fits) { ImGui::SameLine(); }
+        ImGui::PushStyleColor(ImGuiCol_Text,
+                              isLit[i] != 0 ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : theme::kTextDim);
+        if (ImGui::Button(name.c_str())) { pressed = static_cast<int>(i); }
+        ImGui::PopStyleColor();
+        record(WidgetKind::Button, fmt::format("{}{}", prefix, name), isLit[i] != 0 ? "on" : "off");
+    }
+    ImGui::PopStyleVar(2);
+    return pressed;
+}
+
+bool section(const char* label, bool openAtFirst, const char* tooltip, bool goTo) {
     registry->setSection("");
     const auto words = registry->takeAssignment(label);
+    if (goTo) { ImGui::SetNextItemOpen(true, ImGuiCond_Always); }
     if (words) { ImGui::SetNextItemOpen(!words->empty() && (*words)[0] == "open", ImGuiCond_Always); }
     ImGui::PushFont(frameFonts->heading);
     const bool open = ImGui::CollapsingHeader(label, openAtFirst ? ImGuiTreeNodeFlags_DefaultOpen : 0);
     ImGui::PopFont();
     record(WidgetKind::Section, label, open ? "open" : "closed");
+    if (goTo) { ImGui::SetScrollHereY(0.0f); }
     tooltipForItem(tooltip);
     registry->setSection(label);
     return open;
@@ -202,7 +239,7 @@ void value(const char* label, const std::string& shown, const char* tooltip) {
     beginRow(label, tooltip);
     ImGui::TextUnformatted(shown.c_str());
     record(WidgetKind::Value, label, shown);
-    if (ImGui::IsItemHovered()) { ui::tooltip(tooltip); }
+    if (ImGui::IsItemHovered()) { tooltipBeside(tooltip); }
     endRow();
     ImGui::PopStyleVar(2);
 }

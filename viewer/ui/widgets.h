@@ -22,7 +22,8 @@ float scale();
 const Fonts& fonts();
 
 /// A collapsing group. Widgets that follow belong to it. Returns whether it is open.
-bool section(const char* label, bool openAtFirst, const char* tooltip = nullptr);
+/// `goTo`: opens it, and scrolls it to the top.
+bool section(const char* label, bool openAtFirst, const char* tooltip = nullptr, bool goTo = false);
 /// Widgets that follow are in no section.
 void leaveSection();
 /// A quiet heading inside a section.
@@ -77,6 +78,8 @@ void value(const char* label, const std::string& shown, const char* tooltip = nu
 bool selectable(const char* label, bool selected, const Vec3* swatch = nullptr);
 /// Dim text that wraps.
 void hint(const char* text);
+/// A row of small buttons that wraps, without section. Returns the index of the one that was pressed, or -1.
+int strip(const char* prefix, std::span<const std::string_view> names, std::span<const char> isLit);
 /// At the mouse, now; nothing for nullptr.
 void tooltip(const char* text);
 /// Tells scripts of the item that was drawn last, by this name.

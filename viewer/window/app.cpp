@@ -117,12 +117,13 @@ Status App::open(std::optional<SceneDescription> scene) {
         if (passLimit == 0) { passLimit = kHeadlessPasses; }
         progress_.emplace();
     }
-    workspace_.sceneFiles.usesDesktop = !options_.headless;
+    workspace_.sceneFiles.dialog.usesDesktop = !options_.headless;
     workspace_.display.autoExposure = !options_.noAutoExposure;
     if (options_.recoverySeconds > 0.0) {
         const std::string folder = SessionBackup::stateFolder();
         workspace_.backup.begin(folder + "/sessions", options_.recoverySeconds);
         workspace_.sceneFiles.recent.begin(folder + "/recent");
+        workspace_.layout.begin(folder + "/layout");
     }
     if (scene) { workspace_.adopt(std::move(*scene)); }
     if (!options_.checkpoint.empty()) { workspace_.takeDroppedFile(options_.checkpoint); }
@@ -144,7 +145,7 @@ void App::fitToScreen() {
 void App::drawFrame() {
     const auto start = Clock::now();
     fitToScreen();
-    panes_.takeOverlay(workspace_.focusOverlay);
+    panes_.takeColors(&workspace_);
     ImGui_ImplOpenGL3_NewFrame();
     surface_->beginFrame();
     if (player_) { player_->feed(&ImGui::GetIO()); }
@@ -247,6 +248,7 @@ bool App::headlessDone() {
 }
 
 Status App::finish() {
+    workspace_.layout.save();
     if (progress_) { progress_->finish(); }
     // A session that is ended from outside could not ask.
     if (interrupt_.interrupted() && workspace_.document.hasUnsavedEdits()) { workspace_.backup.keep(); }

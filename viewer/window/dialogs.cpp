@@ -100,25 +100,29 @@ void Dialogs::drawRecovery(Workspace* workspace) const {
     });
 }
 
-void Dialogs::drawBrowser(SceneFiles* files) const {
-    FileBrowser& browser = files->browser;
-    drawQuestion("##browser", "Open a scene", browser.folder(), [&] {
+void Dialogs::drawBrowser(FileDialog* dialog) const {
+    FileBrowser& browser = dialog->browser;
+    const bool isForSaving = dialog->question().isForSaving;
+    drawQuestion("##browser", dialog->question().title, browser.folder(), [&] {
         std::string chosen;
         if (ui::text("Name", &browser.typed, "a file, a folder, or a path", "~ is the home folder")) {
             chosen = browser.typed;
         }
         ImGui::BeginChild("##entries", {0.0f, kBrowserRows * ImGui::GetTextLineHeightWithSpacing()});
         for (const FileBrowser::Entry& entry : browser.entries()) {
-            if (ui::selectable(entry.name.c_str(), entry.name == browser.typed)) { chosen = entry.name; }
+            if (!ui::selectable(entry.name.c_str(), entry.name == browser.typed)) { continue; }
+            // A click must not replace a file at once.
+            (isForSaving && !entry.isFolder ? browser.typed : chosen) = entry.name;
         }
         ImGui::EndChild();
         const float width = ui::buttonWidth(2);
-        if (ui::button("Open this", width) && !browser.typed.empty()) { chosen = browser.typed; }
+        if (ui::button(isForSaving ? "Save this" : "Open this", width) && !browser.typed.empty()) {
+            chosen = browser.typed;
+        }
         ImGui::SameLine();
         const bool isCancelled = ui::button("Cancel", width, "Esc") || isEscaped();
-        const std::string file = chosen.empty() ? "" : browser.choose(chosen);
-        if (!file.empty()) { files->open(file); }
-        if (!file.empty() || isCancelled) { browser.close(); }
+        if (!chosen.empty()) { dialog->choose(chosen); }
+        if (isCancelled) { dialog->close(); }
     });
 }
 
@@ -127,7 +131,7 @@ void Dialogs::draw(Workspace* workspace) {
     const bool isUnderWay = workspace->busy() || !workspace->document.hasUnsavedEdits();
     isSaving_ = isSaving_ && isUnderWay;
     if (asksToClose_) { return drawClose(workspace); }
-    if (workspace->sceneFiles.browser.isOpen()) { return drawBrowser(&workspace->sceneFiles); }
+    if (workspace->sceneFiles.dialog.isOpen()) { return drawBrowser(&workspace->sceneFiles.dialog); }
     if (workspace->backup.leftover() != nullptr) { drawRecovery(workspace); }
 }
 

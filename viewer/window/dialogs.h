@@ -19,7 +19,7 @@ class Dialogs {
     void drawOverwrite(OverwriteGuard* guard) const;
     void drawClose(Workspace* workspace);
     void drawRecovery(Workspace* workspace) const;
-    void drawBrowser(SceneFiles* files) const;
+    void drawBrowser(FileDialog* dialog) const;
 
     bool asksToClose_ = false;
     bool isDecided_ = false;

@@ -5,11 +5,12 @@
 namespace glint {
 
 Status ImagePanes::create(const GlApi& gl) {
-    for (auto* made : {&own.display, &other.display, &overlay}) {
+    for (auto* made : {&own.display, &other.display, &overlay, &difference}) {
         auto display = ImageDisplay::create(gl);
         if (!display) { return display.error(); }
         *made = std::move(*display);
     }
+    thumbnails.create(gl);
     return {};
 }
 
@@ -17,6 +18,8 @@ void ImagePanes::release() {
     own.display.reset();
     other.display.reset();
     overlay.reset();
+    difference.reset();
+    thumbnails.release();
 }
 
 void ImagePanes::takeOverlay(const FocusOverlay& focus) {
@@ -25,19 +28,37 @@ void ImagePanes::takeOverlay(const FocusOverlay& focus) {
     overlay->uploadColors(focus.colors().data(), focus.width(), focus.height(), true);
 }
 
+void ImagePanes::takeDifference(const PictureDifference& made) {
+    if (made.made() == differenceOf) { return; }
+    differenceOf = made.made();
+    const auto& picture = differenceOf->of.left;
+    if (differenceOf->rgba.empty()) { return; }
+    difference->uploadColors(differenceOf->rgba.data(), picture->width, picture->height, false);
+}
+
+void ImagePanes::takeColors(Workspace* workspace) {
+    takeOverlay(workspace->focusOverlay);
+    takeDifference(workspace->difference);
+    thumbnails.update(&workspace->snapshots.kept());
+}
+
 void ImagePanes::show(Workspace* workspace) {
     const DisplaySettings& settings = workspace->display;
-    ShownImageSource::Wanted wanted{workspace->render.snapshot(),
+    const bool isComparing = workspace->isComparing();
+    ShownImageSource::Wanted wanted{workspace->ownPicture(),
                                     settings.shown,
                                     workspace->convergence.usableReference(),
                                     {settings.exposureStops, settings.toneMap}};
     own.source.show(wanted, nullptr, own.display.get());
-    if (settings.split) {
-        wanted.snapshot = workspace->render.otherSnapshot();
+    if (isComparing) {
+        wanted.snapshot = workspace->otherPicture();
+        // What was not kept with a picture cannot be asked for any more.
+        const bool isThere = wanted.snapshot && carries(*wanted.snapshot, wanted.shown);
+        if (workspace->snapshots.isComparing() && !isThere) { wanted.shown = ShownImage::Radiance; }
         other.source.show(wanted, &own.source, other.display.get());
     }
     workspace->displayIsBehind = workspace->focusOverlay.isBehind() || own.source.isBehind() ||
-                                 (settings.split && other.source.isBehind());
+                                 workspace->difference.isBehind() || (isComparing && other.source.isBehind());
     own.drawn = workspace->render.snapshot();
     other.drawn = workspace->render.otherSnapshot();
 }
@@ -45,6 +66,7 @@ void ImagePanes::show(Workspace* workspace) {
 bool ImagePanes::areOld(const Workspace& workspace) {
     return workspace.render.snapshot() != own.drawn || workspace.render.otherSnapshot() != other.drawn ||
            workspace.focusOverlay.version() != overlayVersion || workspace.focusOverlay.isBehind() ||
+           workspace.difference.made() != differenceOf || workspace.difference.isBehind() ||
            own.source.isReady() || other.source.isReady();
 }
 

@@ -32,6 +32,23 @@ Vec3 flyDirection() {
     return {axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q), axis(GLFW_KEY_W, GLFW_KEY_S)};
 }
 
+/// Where the picture may be, or the left one of two side by side.
+ImageArea areaOf(const Workspace& workspace, Vec2 min, Vec2 max) {
+    if (isSideBySide(workspace)) { max.x = std::floor((min.x + max.x) * 0.5f); }
+    const Resolution& size = workspace.document.draft().resolution;
+    return {min, max, Vec2i(std::max(size.width, 1), std::max(size.height, 1)),
+            std::max(ImGui::GetIO().DisplayFramebufferScale.x, 1.0f)};
+}
+
+/// From the right one of two pictures side by side to the same place of the left one.
+Vec2 foldedBack(Vec2 at, const ImageArea& left) {
+    const float width = left.max.x - left.min.x;
+    const bool isHalf = ImGui::GetWindowSize().x > 1.5f * width;
+    return isHalf && at.x >= left.max.x ? Vec2(at.x - width, at.y) : at;
+}
+
+Vec2 mousePosition() { return {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y}; }
+
 void drawHint(Vec2 min, Vec2 max, const char* text) {
     const ImVec2 size = ImGui::CalcTextSize(text);
     const ImVec2 corner{(min.x + max.x - size.x) * 0.5f, (min.y + max.y - size.y) * 0.5f};
@@ -39,20 +56,6 @@ void drawHint(Vec2 min, Vec2 max, const char* text) {
 }
 
 }  // namespace
-
-void ImageView::placeImage(const Workspace& workspace, Vec2 min, Vec2 max) {
-    const Resolution& size = workspace.document.draft().resolution;
-    const Vec2 film(static_cast<float>(std::max(size.width, 1)),
-                    static_cast<float>(std::max(size.height, 1)));
-    const Vec2 room = max - min;
-    const float fit = std::min(room.x / film.x, room.y / film.y);
-    const ImVec2 pixelScale = ImGui::GetIO().DisplayFramebufferScale;
-    zoom_ = workspace.display.pixelScale ? 1.0f / std::max(pixelScale.x, 1.0f) : fit;
-    const Vec2 shown = film * zoom_;
-    imageMin_ = {std::floor(min.x + (room.x - shown.x) * 0.5f),
-                 std::floor(min.y + (room.y - shown.y) * 0.5f)};
-    imageMax_ = imageMin_ + shown;
-}
 
 /// The mouse's way since the last frame, once a press has become a drag by some pixels. What it went before
 /// the press does not count, even if both came in one frame.
@@ -69,12 +72,33 @@ Vec2 ImageView::dragged(bool held) {
     return Vec2(0.0f);
 }
 
-bool ImageView::navigate(Camera* camera, bool hovered, bool held) {
+/// Around the mouse where it is over the area, otherwise around the middle.
+void ImageView::handleZoomKeys(const ImageArea& area, ImageFraming* framing) const {
     const ImGuiIO& io = ImGui::GetIO();
-    const float height = imageMax_.y - imageMin_.y;
+    if (io.WantTextInput || io.KeyCtrl || io.KeyAlt) { return; }
+    const auto isPressed = [](int key, int keypad) {
+        return ImGui::IsKeyPressed(key) || ImGui::IsKeyPressed(keypad);
+    };
+    const Vec2 mouse = foldedBack(mousePosition(), area);
+    const bool isInside =
+        glm::all(glm::greaterThanEqual(mouse, area.min)) && glm::all(glm::lessThan(mouse, area.max));
+    const Vec2 at = isInside ? mouse : (area.min + area.max) * 0.5f;
+    if (isPressed(GLFW_KEY_EQUAL, GLFW_KEY_KP_ADD)) { framing->zoomBy(1, at, area); }
+    if (isPressed(GLFW_KEY_MINUS, GLFW_KEY_KP_SUBTRACT)) { framing->zoomBy(-1, at, area); }
+    if (isPressed(GLFW_KEY_1, GLFW_KEY_KP_1)) { framing->chooseOneToOne(); }
+    if (isPressed(GLFW_KEY_0, GLFW_KEY_KP_0)) { *framing = {}; }
+}
+
+bool ImageView::navigate(Camera* camera, const ImageArea& area, ImageFraming* framing, bool hovered,
+                         bool held) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const float height = placed_.max.y - placed_.min.y;
     const Vec2 delta = dragged(held);
     if (!isZero(Vec3(delta, 0.0f))) {
-        if (!ImGui::IsMouseDown(ImGuiMouseButton_Left) || io.KeyShift) {
+        const bool isLeft = ImGui::IsMouseDown(ImGuiMouseButton_Left);
+        if (!isLeft && io.KeyCtrl) {
+            framing->panBy(delta, area);
+        } else if (!isLeft || io.KeyShift) {
             pan(camera, delta, height);
         } else if (io.KeyCtrl) {
             lookAround(camera, delta, height);
@@ -82,7 +106,12 @@ bool ImageView::navigate(Camera* camera, bool hovered, bool held) {
             orbit(camera, delta, height);
         }
     }
-    if (hovered && io.MouseWheel != 0.0f) {
+    if (hovered && io.KeyCtrl) {
+        wheelSteps_ += io.MouseWheel;
+        const float whole = std::trunc(wheelSteps_);
+        wheelSteps_ -= whole;
+        framing->zoomBy(static_cast<int>(whole), foldedBack(mousePosition(), area), area);
+    } else if (hovered && io.MouseWheel != 0.0f) {
         dolly(camera, io.MouseWheel);
         lastWheel_ = ImGui::GetTime();
     }
@@ -96,15 +125,15 @@ bool ImageView::navigate(Camera* camera, bool hovered, bool held) {
 }
 
 /// Which pixel the mouse is on, and on whose side.
-void ImageView::findPixel(const Workspace& workspace) {
-    const Vec2 mouse(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
+void ImageView::findPixel(const Workspace& workspace, const ImageArea& area) {
+    const Vec2 mouse = foldedBack(mousePosition(), area);
+    const bool onRight = seesRight(workspace, placed_, mousePosition().x);
     const bool isInside =
-        glm::all(glm::greaterThanEqual(mouse, imageMin_)) && glm::all(glm::lessThan(mouse, imageMax_));
+        glm::all(glm::greaterThanEqual(mouse, placed_.min)) && glm::all(glm::lessThan(mouse, placed_.max));
     if (!isInside) { return; }
-    hoveredPixel_ = Vec2i((mouse - imageMin_) / zoom_);
-    const bool onRight = mouse.x > imageMin_.x + (imageMax_.x - imageMin_.x) * workspace.display.splitAt;
-    const bool ownIsRight = workspace.document.draft().options.integrator == workspace.comparedPair().right;
-    hoversOther_ = workspace.display.split && onRight != ownIsRight;
+    hoveredPixel_ = pixelAt(placed_, mouse);
+    hoversOther_ = workspace.isComparing() && !isDifference(workspace.display.compareView) &&
+                   onRight != workspace.ownIsRight();
 }
 
 /// Focuses by Ctrl + click, by a click once the panel asked for one, or by T; any other click selects.
@@ -126,8 +155,8 @@ void ImageView::pick(Workspace* workspace, bool isClick) {
 void ImageView::drawOverlay(const FocusOverlay& overlay, const ImageDisplay& display) const {
     if (overlay.colors().empty() || display.texture() == 0) { return; }
     ImGui::GetWindowDrawList()->AddImage(
-        reinterpret_cast<ImTextureID>(static_cast<intptr_t>(display.texture())), {imageMin_.x, imageMin_.y},
-        {imageMax_.x, imageMax_.y});
+        reinterpret_cast<ImTextureID>(static_cast<intptr_t>(display.texture())),
+        {placed_.min.x, placed_.min.y}, {placed_.max.x, placed_.max.y});
 }
 
 bool ImageView::draw(Workspace* workspace, const ImagePanes& panes, Vec2 min, Vec2 max) {
@@ -139,8 +168,13 @@ bool ImageView::draw(Workspace* workspace, const ImagePanes& panes, Vec2 min, Ve
     ImGui::Begin("##image", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
-    if (hasScene) { placeImage(*workspace, min, max); }
-    if (hasScene && workspace->display.split) { dragDivider(&workspace->display, imageMin_, imageMax_); }
+    const ImageArea area = areaOf(*workspace, min, max);
+    ImageFraming& framing = workspace->display.framing;
+    if (hasScene) {
+        handleZoomKeys(area, &framing);
+        placed_ = framing.place(area);
+        if (hasDivider(*workspace)) { dragDivider(&workspace->display, placed_); }
+    }
     ImGui::SetCursorScreenPos({min.x, min.y});
     // A click on the image takes the keyboard back from a text field.
     const bool isReleased =
@@ -153,15 +187,21 @@ bool ImageView::draw(Workspace* workspace, const ImagePanes& panes, Vec2 min, Ve
     hoveredPixel_.reset();
     bool moving = false;
     if (hasScene) {
-        moving = navigate(&workspace->document.draft().camera, hovered, held);
+        if (hovered || held) { findPixel(*workspace, area); }
+        const bool draws = region_.handle(workspace, placed_, hoveredPixel_, held) ||
+                           gizmo_.handle(workspace, placed_, hovered, held);
+        moving = navigate(&workspace->document.draft().camera, area, &framing, hovered, held && !draws);
+        placed_ = framing.place(area);
         if (panes.own.display->texture() != 0) {
-            drawPanes(*workspace, panes, imageMin_, imageMax_);
+            drawPanes(*workspace, panes, placed_);
             drawOverlay(workspace->focusOverlay, *panes.overlay);
         } else {
             drawHint(min, max, "Building…");
         }
-        if (hovered) { findPixel(*workspace); }
-        pick(workspace, isClick);
+        region_.draw(*workspace, placed_);
+        gizmo_.draw();
+        if (hovered) { findPixel(*workspace, area); }
+        if (!draws) { pick(workspace, isClick); }
     } else {
         drawHint(
             min, max,

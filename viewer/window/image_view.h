@@ -4,7 +4,9 @@
 #include <optional>
 
 #include "viewer/model/workspace.h"
+#include "viewer/window/gizmo_view.h"
 #include "viewer/window/image_pane.h"
+#include "viewer/window/region_view.h"
 
 namespace glint {
 
@@ -17,22 +19,23 @@ class ImageView {
     const std::optional<Vec2i>& hoveredPixel() const { return hoveredPixel_; }
     /// While the image is split: the mouse is on the side that otherSnapshot() is on.
     bool hoversOther() const { return hoversOther_; }
-    /// Screen units per film pixel.
-    float zoom() const { return zoom_; }
+    /// Screen pixels per film pixel.
+    float zoom() const { return placed_.zoom; }
 
   private:
-    void placeImage(const Workspace& workspace, Vec2 min, Vec2 max);
-    void findPixel(const Workspace& workspace);
+    void findPixel(const Workspace& workspace, const ImageArea& area);
     void pick(Workspace* workspace, bool isClick);
     void drawOverlay(const FocusOverlay& overlay, const ImageDisplay& display) const;
     Vec2 dragged(bool held);
-    bool navigate(Camera* camera, bool hovered, bool held);
+    bool navigate(Camera* camera, const ImageArea& area, ImageFraming* framing, bool hovered, bool held);
+    void handleZoomKeys(const ImageArea& area, ImageFraming* framing) const;
 
-    Vec2 imageMin_{0.0f};
-    Vec2 imageMax_{0.0f};
-    float zoom_ = 1.0f;
+    PlacedImage placed_;
+    RegionView region_;
+    GizmoView gizmo_;
     double lastWheel_ = -1.0;
     bool isDragging_ = false;
+    float wheelSteps_ = 0.0f;  ///< of the zoom, less than one
     std::optional<Vec2i> hoveredPixel_;
     bool hoversOther_ = false;
 };

@@ -10,7 +10,7 @@
 namespace glint {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, int>, 66> kKeys{{
+constexpr std::array<std::pair<std::string_view, int>, 68> kKeys{{
     {"a", GLFW_KEY_A},
     {"b", GLFW_KEY_B},
     {"c", GLFW_KEY_C},
@@ -77,6 +77,8 @@ constexpr std::array<std::pair<std::string_view, int>, 66> kKeys{{
     {"[", GLFW_KEY_LEFT_BRACKET},
     {"]", GLFW_KEY_RIGHT_BRACKET},
     {"/", GLFW_KEY_SLASH},
+    {"+", GLFW_KEY_EQUAL},
+    {"-", GLFW_KEY_MINUS},
 }};
 
 }  // namespace

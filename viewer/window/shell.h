@@ -17,7 +17,7 @@ class Shell {
 
   private:
     void handleKeys(Workspace* workspace);
-    void drawSplitter(float x, float height);
+    void drawSplitter(float x, float height, float* columnUnits) const;
     void drawColumn(Workspace* workspace, float x, float height);
     bool showsNotice(const Notice& notice);
     std::string imageText(const Workspace& workspace) const;
@@ -25,7 +25,6 @@ class Shell {
     void drawHelp();
 
     ImageView view_;
-    float columnUnits_ = 372.0f;  // 96-dpi units
     bool panelsShown_ = true;
     bool helpShown_ = false;
     std::string lastNotice_;

@@ -10,18 +10,14 @@
 #include "viewer/base/units.h"
 #include "viewer/ui/theme.h"
 #include "viewer/ui/widgets.h"
+#include "viewer/window/picture_notes.h"
 
 namespace glint {
 namespace {
 
 constexpr float kGrabUnits = 5.0f;  // each side of the divider
-constexpr float kMarginUnits = 8.0f;
-constexpr ImU32 kPlate = IM_COL32(20, 20, 20, 190);
+constexpr ImU32 kEmpty = IM_COL32(20, 20, 20, 190);
 constexpr ImU32 kWaiting = IM_COL32(110, 110, 110, 255);  // tint of a picture that is not of this scene
-
-float dividerX(const DisplaySettings& settings, Vec2 min, Vec2 max) {
-    return std::floor(min.x + (max.x - min.x) * settings.splitAt);
-}
 
 ImVec2 im(Vec2 v) { return {v.x, v.y}; }
 
@@ -29,29 +25,34 @@ ImTextureID textureOf(const ImageDisplay& display) {
     return reinterpret_cast<ImTextureID>(static_cast<intptr_t>(display.texture()));
 }
 
-constexpr float kPlatePadX = 6.0f;
-constexpr float kPlatePadY = 3.0f;
-
-/// Of a plate with that text, which is wrapped where it is wider than `room` (0: never).
-Vec2 plateSize(const std::string& text, float room) {
-    const Vec2 pad = Vec2(kPlatePadX, kPlatePadY) * ui::scale();
-    const float wrap = room > 0.0f ? std::max(room - 2.0f * pad.x, 1.0f) : 0.0f;
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
-    return Vec2(size.x, size.y) + pad * 2.0f;
+WindowArea wholeWindow() {
+    const ImVec2 corner = ImGui::GetWindowPos();
+    const ImVec2 size = ImGui::GetWindowSize();
+    return {{corner.x, corner.y}, {corner.x + size.x, corner.y + size.y}};
 }
 
-/// Text on a dark plate of plateSize().
-void drawPlate(const std::string& text, Vec2 corner, Vec2 size) {
-    const Vec2 pad = Vec2(kPlatePadX, kPlatePadY) * ui::scale();
-    ImDrawList* draw = ImGui::GetWindowDrawList();
-    draw->AddRectFilled(im(corner), im(corner + size), kPlate, 4.0f * ui::scale());
-    // Half a pixel more, so that rounding does not wrap what was measured to fit.
-    draw->AddText(ImGui::GetFont(), ImGui::GetFontSize(), im(corner + pad), ImGui::GetColorU32(ImGuiCol_Text),
-                  text.c_str(), nullptr, size.x - 2.0f * pad.x + 0.5f);
+float middleOfWindow() { return std::floor(ImGui::GetWindowPos().x + ImGui::GetWindowSize().x * 0.5f); }
+
+/// The part of the picture that `area` shows.
+WindowArea seenPart(const PlacedImage& placed, const WindowArea& area) {
+    return {glm::max(placed.min, area.min), glm::min(placed.max, area.max)};
 }
 
-/// What the side shows, from the full text to the shortest one.
-std::array<std::string, 4> sideLabels(const IntegratorInfo& integrator, const FilmSnapshot* snapshot) {
+/// What a side shows, from the full text to the shortest one.
+using SideLabels = std::array<std::string, 4>;
+
+struct Side {
+    SideLabels labels;
+    const ImageDisplay* display = nullptr;
+    bool isOfScene = false;  ///< not of the scene before
+};
+
+struct Sides {
+    Side left;
+    Side right;
+};
+
+SideLabels labelsOf(const IntegratorInfo& integrator, const FilmSnapshot* snapshot) {
     const std::string name = integrator.displayName;
     const std::string shortName = inCapitals(integrator.alias);
     if (snapshot == nullptr) { return {fmt::format("{}   first pass…", name), name, shortName, ""}; }
@@ -60,42 +61,54 @@ std::array<std::string, 4> sideLabels(const IntegratorInfo& integrator, const Fi
     return {fmt::format("{}   {}", passes, duration(snapshot->renderSeconds)), passes, name, shortName};
 }
 
-struct Area {
-    Vec2 min;
-    Vec2 max;
-};
-
-/// The part of the picture that the window shows.
-Area seenPart(Vec2 min, Vec2 max) {
-    const ImVec2 corner = ImGui::GetWindowPos();
-    const ImVec2 size = ImGui::GetWindowSize();
-    return {{std::max(min.x, corner.x), std::max(min.y, corner.y)},
-            {std::min(max.x, corner.x + size.x), std::min(max.y, corner.y + size.y)}};
+SideLabels labelsOf(const KeptPicture& kept) {
+    return {fmt::format("{}   {}", kept.name(), kept.summary), kept.name(), std::to_string(kept.number), ""};
 }
 
-struct Side {
-    IntegratorKind integrator;
-    const ImageDisplay* display = nullptr;
-    const FilmSnapshot* snapshot = nullptr;
-};
+Sides integratorSides(const Workspace& workspace, const ImagePanes& panes) {
+    const ComparedPair pair = workspace.comparedPair();
+    Sides sides{{labelsOf(integratorInfo(pair.left), nullptr)},
+                {labelsOf(integratorInfo(pair.right), nullptr)}};
+    const auto put = [&](const FilmSnapshot* snapshot, const ImagePane& pane) {
+        const IntegratorKind kind =
+            snapshot != nullptr ? snapshot->integrator : pane.source.shownIntegrator();
+        for (const bool isRight : {false, true}) {
+            Side& side = isRight ? sides.right : sides.left;
+            const bool isFree = kind == (isRight ? pair.right : pair.left) && side.display == nullptr;
+            if (!isFree) { continue; }
+            side = {labelsOf(integratorInfo(kind), snapshot), pane.display.get(), snapshot != nullptr};
+        }
+    };
+    put(workspace.render.snapshot().get(), panes.own);
+    put(workspace.render.otherSnapshot().get(), panes.other);
+    return sides;
+}
 
-/// The part of the side's picture between the shares `from` and `to` of the width.
-void drawSide(const Side& side, Vec2 min, Vec2 max, float from, float to) {
-    const float width = max.x - min.x;
-    const Vec2 partMin(min.x + width * from, min.y);
-    const Vec2 partMax(min.x + width * to, max.y);
+Sides sidesOf(const Workspace& workspace, const ImagePanes& panes) {
+    const KeptPicture* left = workspace.snapshots.find(workspace.snapshots.left);
+    if (left == nullptr) { return integratorSides(workspace, panes); }
+    const KeptPicture* right = workspace.snapshots.find(workspace.snapshots.right);
+    const FilmSnapshot* live = workspace.render.snapshot().get();
+    const IntegratorKind kind = workspace.document.draft().options.integrator;
+    return {{labelsOf(*left), panes.other.display.get(), true},
+            {right != nullptr ? labelsOf(*right) : labelsOf(integratorInfo(kind), live),
+             panes.own.display.get(), true}};
+}
+
+/// What is seen of the side's picture in `area`, with its label.
+void drawSide(const Side& side, const PlacedImage& placed, const WindowArea& area, bool isRight) {
+    const WindowArea seen = seenPart(placed, area);
+    if (seen.min.x >= seen.max.x) { return; }
     ImDrawList* draw = ImGui::GetWindowDrawList();
-    draw->PushClipRect(im(partMin), im(partMax), true);
+    draw->PushClipRect(im(seen.min), im(seen.max), true);
     if (side.display != nullptr && side.display->texture() != 0) {
-        draw->AddImage(textureOf(*side.display), im(partMin), im(partMax), {from, 0.0f}, {to, 1.0f},
-                       side.snapshot != nullptr ? IM_COL32_WHITE : kWaiting);
+        draw->AddImage(textureOf(*side.display), im(placed.min), im(placed.max), {0.0f, 0.0f}, {1.0f, 1.0f},
+                       side.isOfScene ? IM_COL32_WHITE : kWaiting);
     } else {
-        draw->AddRectFilled(im(partMin), im(partMax), kPlate);
+        draw->AddRectFilled(im(seen.min), im(seen.max), kEmpty);
     }
-    const float margin = kMarginUnits * ui::scale();
-    const bool isRight = to == 1.0f && from > 0.0f;
-    const Area seen = seenPart(partMin, partMax);
-    for (const std::string& label : sideLabels(integratorInfo(side.integrator), side.snapshot)) {
+    const float margin = noteMargin();
+    for (const std::string& label : side.labels) {
         const Vec2 size = plateSize(label, 0.0f);
         if (label.empty() || size.x > seen.max.x - seen.min.x - 2.0f * margin) { continue; }
         const float x = isRight ? seen.max.x - margin - size.x : seen.min.x + margin;
@@ -106,24 +119,13 @@ void drawSide(const Side& side, Vec2 min, Vec2 max, float from, float to) {
     draw->PopClipRect();
 }
 
-void drawSplit(const Workspace& workspace, const ImagePanes& panes, Vec2 min, Vec2 max) {
-    const ComparedPair pair = workspace.comparedPair();
-    Side left{pair.left};
-    Side right{pair.right};
-    const auto put = [&](const FilmSnapshot* snapshot, const ImagePane& pane) {
-        const IntegratorKind kind =
-            snapshot != nullptr ? snapshot->integrator : pane.source.shownIntegrator();
-        for (Side* side : {&left, &right}) {
-            const bool isFree = side->integrator == kind && side->display == nullptr;
-            if (isFree) { *side = {kind, pane.display.get(), snapshot}; }
-        }
-    };
-    put(workspace.render.snapshot().get(), panes.own);
-    put(workspace.render.otherSnapshot().get(), panes.other);
-    const float x = dividerX(workspace.display, min, max);
-    const float share = (x - min.x) / (max.x - min.x);
-    if (share > 0.0f) { drawSide(left, min, max, 0.0f, share); }
-    if (share < 1.0f) { drawSide(right, min, max, share, 1.0f); }
+void drawWipe(const Sides& sides, const PlacedImage& placed, float x) {
+    WindowArea left = wholeWindow();
+    WindowArea right = left;
+    left.max.x = right.min.x = x;
+    drawSide(sides.left, placed, left, false);
+    drawSide(sides.right, placed, right, x > seenPart(placed, wholeWindow()).min.x);
+    const auto [min, max] = seenPart(placed, wholeWindow());
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const float half = std::max(1.0f, ui::scale());
     draw->AddRectFilled({x - 2.0f * half, min.y}, {x + 2.0f * half, max.y}, IM_COL32(0, 0, 0, 110));
@@ -131,63 +133,83 @@ void drawSplit(const Workspace& workspace, const ImagePanes& panes, Vec2 min, Ve
     draw->AddCircleFilled({x, (min.y + max.y) * 0.5f}, 5.0f * half, IM_COL32(235, 235, 235, 255));
 }
 
-/// The colours from the smallest to the largest value, with both, in the lower left corner or the right one.
-/// Returns its upper edge.
-float drawScale(const ShownImageSource& source, Vec2 min, Vec2 max, bool onRight) {
-    const HeatScale& heat = source.scale().heat;
-    const bool isSigned = source.scale().isSigned;
-    const float scale = ui::scale();
-    const ShownImageInfo& info = infoOf(source.shownImage());
-    const std::string low = info.scaleText(isSigned ? -heat.largest : heat.smallest);
-    const std::string high = fmt::format("{} {}", info.scaleText(heat.largest), info.unit);
-    const float line = ImGui::GetFontSize();
-    const float gap = 6.0f * scale;
-    const float lowWidth = ImGui::CalcTextSize(low.c_str()).x;
-    const float texts = lowWidth + ImGui::CalcTextSize(high.c_str()).x + 4.0f * gap;
-    const float room = max.x - min.x - 2.0f * kMarginUnits * scale - texts;
-    const float bar = std::clamp(room, 24.0f * scale, 140.0f * scale);
-    const float width = texts + bar;
-    const float margin = kMarginUnits * scale;
-    const Vec2 corner(onRight ? max.x - margin - width : min.x + margin, max.y - margin - line - 2.0f * gap);
-    ImDrawList* draw = ImGui::GetWindowDrawList();
-    draw->AddRectFilled(im(corner), im(corner + Vec2(width, line + 2.0f * gap)), kPlate, 4.0f * scale);
-    const ImU32 text = ImGui::GetColorU32(ImGuiCol_Text);
-    draw->AddText(im(corner + Vec2(gap)), text, low.c_str());
-    const Vec2 begin = corner + Vec2(2.0f * gap + lowWidth, gap);
-    constexpr int kSteps = 28;
-    for (int i = 0; i < kSteps; ++i) {
-        const float share = (static_cast<float>(i) + 0.5f) / kSteps;
-        const Vec3 color = isSigned ? signedColor(2.0f * share - 1.0f) : heatColor(share);
-        const float step = bar / kSteps;
-        const Vec2 at = begin + Vec2(step * static_cast<float>(i), 0.0f);
-        draw->AddRectFilled(im(at), im(at + Vec2(step, line)),
-                            ImGui::GetColorU32(ImVec4(color.x, color.y, color.z, 1.0f)));
+void drawSideBySide(const Sides& sides, const PlacedImage& placed) {
+    WindowArea left = wholeWindow();
+    WindowArea right = left;
+    left.max.x = right.min.x = middleOfWindow();
+    PlacedImage moved = placed;
+    const float offset = middleOfWindow() - left.min.x;
+    moved.min.x += offset;
+    moved.max.x += offset;
+    drawSide(sides.left, placed, left, false);
+    drawSide(sides.right, moved, right, true);
+    ImGui::GetWindowDrawList()->AddLine({right.min.x, left.min.y}, {right.min.x, left.max.y},
+                                        IM_COL32(235, 235, 235, 255), ui::scale());
+}
+
+void drawDifference(const Workspace& workspace, const ImagePanes& panes, const PlacedImage& placed) {
+    const WindowArea seen = seenPart(placed, wholeWindow());
+    const PictureDifference::Made* made = panes.differenceOf.get();
+    const bool isSigned = workspace.display.compareView == CompareView::SignedDifference;
+    std::string label = "Comparing…";
+    if (made != nullptr && made->of.view == workspace.display.compareView) {
+        label = "Pictures of different sizes have no difference";
+        if (!made->rgba.empty()) {
+            ImGui::GetWindowDrawList()->AddImage(textureOf(*panes.difference), im(placed.min),
+                                                 im(placed.max));
+            const float largest = made->scale.heat.largest;
+            drawScale(isSigned ? ScaleTexts{fmt::format("{:.2g}", -largest), fmt::format("{:.2g}", largest)}
+                               : ScaleTexts{"0", "1"},
+                      isSigned, seen, false);
+            label =
+                fmt::format("{}   mean {:.3g}", isSigned ? "Left − right, luminance" : "FLIP", made->mean);
+        }
     }
-    draw->AddText(im(begin + Vec2(bar + gap, 0.0f)), text, high.c_str());
-    ui::area("Scale", corner, corner + Vec2(width, line + 2.0f * gap), fmt::format("{} … {}", low, high));
-    return corner.y;
+    const Vec2 size = plateSize(label, 0.0f);
+    drawPlate(label, seen.min + noteMargin(), size);
+    ui::area("Difference", seen.min, seen.max, label);
+}
+
+void drawCompared(const Workspace& workspace, const ImagePanes& panes, const PlacedImage& placed) {
+    const DisplaySettings& display = workspace.display;
+    if (isDifference(display.compareView)) { return drawDifference(workspace, panes, placed); }
+    const Sides sides = sidesOf(workspace, panes);
+    if (display.compareView == CompareView::Wipe) {
+        return drawWipe(sides, placed, dividerX(display, placed));
+    }
+    if (display.compareView == CompareView::SideBySide) { return drawSideBySide(sides, placed); }
+    drawSide(display.flipsToRight ? sides.right : sides.left, placed, wholeWindow(), display.flipsToRight);
+}
+
+bool isOnRight(const Workspace& workspace, IntegratorKind kind, bool isOwn) {
+    return workspace.snapshots.isComparing() ? isOwn : kind == workspace.comparedPair().right;
 }
 
 /// One scale for both sides where they share it, else on the side that has one. Returns where it begins.
-float drawScales(const Workspace& workspace, const ImagePanes& panes, const Area& seen) {
-    const bool isSplit = workspace.display.split;
+float drawScales(const Workspace& workspace, const ImagePanes& panes, const WindowArea& seen) {
+    const bool isSplit = workspace.isComparing();
     const bool isOwn = !isSplit || panes.own.source.scale().isThere();
     const ShownImageSource& source = isOwn ? panes.own.source : panes.other.source;
     if (!source.scale().isThere()) { return seen.max.y; }
     const bool isOfBoth = isOwn && (!isSplit || panes.other.source.scale().isThere());
-    const bool onRight = !isOfBoth && source.shownIntegrator() == workspace.comparedPair().right;
-    return drawScale(source, seen.min, seen.max, onRight);
+    const HeatScale& heat = source.scale().heat;
+    const bool isSigned = source.scale().isSigned;
+    const ShownImageInfo& info = infoOf(source.shownImage());
+    return drawScale({info.scaleText(isSigned ? -heat.largest : heat.smallest),
+                      fmt::format("{} {}", info.scaleText(heat.largest), info.unit)},
+                     isSigned, seen, !isOfBoth && isOnRight(workspace, source.shownIntegrator(), isOwn));
 }
 
 /// In the lower left corner of each side that does not show what is wanted.
-void drawNotes(const Workspace& workspace, const Area& seen, float dividerAt, float bottom) {
-    const float margin = kMarginUnits * ui::scale();
-    const bool isSplit = workspace.display.split;
+void drawNotes(const Workspace& workspace, const WindowArea& seen, float dividerAt, float bottom) {
+    const float margin = noteMargin();
+    const bool isSplit = workspace.isComparing();
     const auto reference = workspace.convergence.usableReference();
     const char* widget = "Note";
-    for (const auto& snapshot : {workspace.render.snapshot(), workspace.render.otherSnapshot()}) {
-        if (!snapshot) { continue; }
-        const bool isRight = isSplit && snapshot->integrator == workspace.comparedPair().right;
+    for (const bool isOwn : {true, false}) {
+        const auto& snapshot = isOwn ? workspace.ownPicture() : workspace.otherPicture();
+        if (!snapshot || (!isOwn && !isSplit)) { continue; }
+        const bool isRight = isSplit && isOnRight(workspace, snapshot->integrator, isOwn);
         const float left = isRight ? std::max(dividerAt, seen.min.x) : seen.min.x;
         const float right = isSplit && !isRight ? std::min(dividerAt, seen.max.x) : seen.max.x;
         const float room = right - left - 2.0f * margin;
@@ -203,33 +225,54 @@ void drawNotes(const Workspace& workspace, const Area& seen, float dividerAt, fl
 
 }  // namespace
 
-bool dragDivider(DisplaySettings* settings, Vec2 imageMin, Vec2 imageMax) {
-    const float x = dividerX(*settings, imageMin, imageMax);
+bool hasDivider(const Workspace& workspace) {
+    return workspace.isComparing() && workspace.display.compareView == CompareView::Wipe;
+}
+
+bool isSideBySide(const Workspace& workspace) {
+    return workspace.isComparing() && workspace.display.compareView == CompareView::SideBySide;
+}
+
+bool seesRight(const Workspace& workspace, const PlacedImage& placed, float x) {
+    const DisplaySettings& display = workspace.display;
+    if (isSideBySide(workspace)) { return x >= middleOfWindow(); }
+    return display.compareView == CompareView::Flip ? display.flipsToRight : x > dividerX(display, placed);
+}
+
+float dividerX(const DisplaySettings& settings, const PlacedImage& placed) {
+    const WindowArea seen = seenPart(placed, wholeWindow());
+    return std::floor(seen.min.x + (seen.max.x - seen.min.x) * settings.splitAt);
+}
+
+bool dragDivider(DisplaySettings* settings, const PlacedImage& placed) {
+    const WindowArea seen = seenPart(placed, wholeWindow());
+    const float x = dividerX(*settings, placed);
     const float grab = kGrabUnits * ui::scale();
-    const Vec2 min(x - grab, imageMin.y);
-    const Vec2 max(x + grab, imageMax.y);
+    const Vec2 min(x - grab, seen.min.y);
+    const Vec2 max(x + grab, seen.max.y);
     ImGui::SetCursorScreenPos(im(min));
     ImGui::InvisibleButton("##divider", im(max - min));
     const bool active = ImGui::IsItemActive();
     if (active || ImGui::IsItemHovered()) { ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW); }
     if (active) {
-        const float share = (ImGui::GetIO().MousePos.x - imageMin.x) / (imageMax.x - imageMin.x);
+        const float share = (ImGui::GetIO().MousePos.x - seen.min.x) / (seen.max.x - seen.min.x);
         settings->splitAt = std::clamp(share, 0.0f, 1.0f);
     }
     ui::area("Divider", min, max, fmt::format("{:.3f}", settings->splitAt));
     return active;
 }
 
-void drawPanes(const Workspace& workspace, const ImagePanes& panes, Vec2 min, Vec2 max) {
-    const DisplaySettings& display = workspace.display;
-    if (display.split) {
-        drawSplit(workspace, panes, min, max);
+void drawPanes(const Workspace& workspace, const ImagePanes& panes, const PlacedImage& placed) {
+    if (workspace.isComparing()) {
+        drawCompared(workspace, panes, placed);
+        if (!hasDivider(workspace)) { return; }
     } else {
-        ImGui::GetWindowDrawList()->AddImage(textureOf(*panes.own.display), im(min), im(max));
+        ImGui::GetWindowDrawList()->AddImage(textureOf(*panes.own.display), im(placed.min), im(placed.max));
     }
-    const Area seen = seenPart(min, max);
+    const WindowArea seen = seenPart(placed, wholeWindow());
     const float scaleTop = drawScales(workspace, panes, seen);
-    drawNotes(workspace, seen, dividerX(display, min, max), display.split ? scaleTop : seen.max.y);
+    drawNotes(workspace, seen, dividerX(workspace.display, placed),
+              workspace.isComparing() ? scaleTop : seen.max.y);
 }
 
 }  // namespace glint

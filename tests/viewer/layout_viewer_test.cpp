@@ -1,0 +1,111 @@
+// The column of panels: every panel is one click away, the arrangement is remembered, and scenes are saved
+// where the user says.
+#include <cstdlib>
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/io/atomic_file.h"
+#include "tests/viewer/play_script.h"
+#include "viewer/model/window_layout.h"
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace test;
+using testing::HasSubstr;
+
+TEST(WindowLayout, ReadsWhatItWrote) {
+    WindowLayout layout;
+    layout.begin("layouts/one");
+    layout.columnUnits = 444.5f;
+    layout.open["Lens"] = false;
+    layout.open["Ray casting"] = true;
+    layout.save();
+    WindowLayout later;
+    later.begin("layouts/one");
+    EXPECT_EQ(later.columnUnits, 444.5f);
+    EXPECT_EQ(later.open, layout.open);
+    write("layouts/bad", "column many\nopen\n\xff\n");
+    later = {};
+    later.begin("layouts/bad");
+    EXPECT_EQ(later.columnUnits, 372.0f);
+}
+
+/// Top of a widget on the screen, of `print widgets`.
+float topOf(const Ran& ran, const std::string& widget) {
+    const size_t at = ran.output.find("\"" + widget + "\" ");
+    float left = -1.0f;
+    float top = -1.0f;
+    if (at != std::string::npos) {
+        std::sscanf(ran.output.c_str() + at + widget.size() + 2, "%f %f", &left, &top);
+    }
+    return top;
+}
+
+TEST(LayoutViewer, TheLensIsOneClickAwayAt720Rows) {
+    const Ran ran = play(R"(
+wait picture
+click "Go to Lens"
+wait frames 4
+print widgets
+screenshot layout.png
+)");
+    expectPlayed(ran);
+    for (const char* row : {"Lens/Focal length", "Lens/Aperture", "Lens/Focal distance", "Lens/Blades"}) {
+        EXPECT_GT(topOf(ran, row), 0.0f) << row;
+        EXPECT_LT(topOf(ran, row), 680.0f) << row;
+    }
+}
+
+TEST(LayoutViewer, TheArrangementIsRemembered) {
+    setenv("XDG_STATE_HOME", fs::absolute("layout_state").c_str(), 1);
+    expectPlayed(
+        play("wait picture\nclose \"Render\"\nopen \"Outliner\"\nwait frames 3\n"
+             "drag \"Splitter\" -60 0\nwait frames 3\n",
+             "--recovery 3600"));
+    const Ran ran = play("wait picture\nexpect \"Render\" closed\nexpect \"Outliner\" open\nprint widgets\n",
+                         "--recovery 3600");
+    expectPlayed(ran);
+    EXPECT_THAT(ran.output, HasSubstr("\"Splitter\" 842 ")) << ran.output;
+}
+
+TEST(LayoutViewer, ScenesAreSavedWhereTheUserSays) {
+    fs::create_directories("saved here");
+    fs::remove("saved here/mine.json");
+    expectPlayed(play(R"(
+wait picture
+set "Aperture" 20
+wait picture
+key ctrl down
+key shift down
+key s
+key shift up
+key ctrl up
+wait frames 3
+expect "Name" "scene-edited.json"
+screenshot save_as.png
+click "saved here/"
+wait frames 3
+expect "Name" "scene-edited.json"
+set "Name" mine
+click "Save this"
+wait jobs
+expect message "mine.json"
+key ctrl down
+key shift down
+key s
+key shift up
+key ctrl up
+wait frames 3
+key escape
+wait frames 3
+expect no-widget "Save this"
+)"));
+    EXPECT_THAT(*readFile("saved here/mine.json"), HasSubstr("\"apertureDiameter\": 0.02"));
+}
+
+}  // namespace
+}  // namespace glint

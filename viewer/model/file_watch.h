@@ -1,0 +1,40 @@
+// Notices when files that a scene was read from are changed by another program.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "engine/scene/scene.h"
+
+namespace glint {
+
+/// Absolute paths: the scene's own file, and those of its meshes, textures and environment images.
+std::vector<std::string> filesOf(const SceneDescription& scene);
+
+class FileWatch {
+  public:
+    /// From how they are now.
+    void watch(const std::vector<std::string>& paths);
+    /// True once after one of them has changed and then stayed as it is for a look: a writer may be in the
+    /// middle. A file that is gone is waited for. `now`: seconds of any clock; looks no more than twice a
+    /// second.
+    bool hasChanged(double now);
+
+  private:
+    struct Seen {
+        std::filesystem::file_time_type time;
+        std::uintmax_t bytes = 0;
+        bool isThere = false;
+        bool operator==(const Seen&) const = default;
+    };
+    static Seen look(const std::string& path);
+    std::vector<Seen> lookAtAll() const;
+
+    std::vector<std::string> paths_;
+    std::vector<Seen> known_;
+    std::vector<Seen> before_;  ///< at the last look
+    double lastLook_ = 0.0;
+};
+
+}  // namespace glint

@@ -1,0 +1,102 @@
+#include "viewer/model/material_presets.h"
+
+#include <utility>
+
+#include "engine/scene/glasses.h"
+#include "engine/scene/metals.h"
+
+namespace glint {
+namespace {
+
+constexpr float kBrushed = 0.25f;  // GGX alpha
+constexpr float kFrosted = 0.3f;
+
+struct NamedColor {
+    const char* name;
+    Vec3 linear;  ///< albedo, Rec.709
+};
+
+constexpr NamedColor kPlastics[] = {{"White", {0.82f, 0.82f, 0.80f}}, {"Black", {0.012f, 0.012f, 0.013f}},
+                                    {"Red", {0.55f, 0.020f, 0.018f}}, {"Yellow", {0.75f, 0.46f, 0.02f}},
+                                    {"Green", {0.03f, 0.28f, 0.06f}}, {"Blue", {0.015f, 0.07f, 0.46f}}};
+
+constexpr NamedColor kPaints[] = {
+    {"Wall white", {0.80f, 0.79f, 0.76f}}, {"Cream", {0.76f, 0.67f, 0.50f}},
+    {"Sage", {0.34f, 0.41f, 0.30f}},       {"Terracotta", {0.46f, 0.14f, 0.065f}},
+    {"Navy", {0.018f, 0.035f, 0.11f}},     {"Grey card, 18 %", {0.18f, 0.18f, 0.18f}},
+    {"Charcoal", {0.035f, 0.035f, 0.038f}}};
+
+Material ofKind(MaterialKind kind) {
+    Material material;
+    material.kind = kind;
+    material.color.value = Vec3(1.0f);
+    return material;
+}
+
+MaterialPresetGroup metals() {
+    MaterialPresetGroup group{"Metals", {}};
+    for (const float roughness : {0.0f, kBrushed}) {
+        for (const std::string_view name : metalNames()) {
+            Material metal = ofKind(MaterialKind::Conductor);
+            metal.metal = name;
+            metal.roughness.value = roughness;
+            group.presets.push_back({std::string(name) + (roughness > 0.0f ? ", brushed" : ""), metal});
+        }
+    }
+    return group;
+}
+
+MaterialPresetGroup glasses() {
+    MaterialPresetGroup group{"Glasses", {}};
+    for (const std::string_view name : glassNames()) {
+        Material glass = ofKind(MaterialKind::Dielectric);
+        glass.glass = name;
+        glass.ior.value = findGlass(name)->ior;
+        group.presets.push_back({std::string(name), glass});
+    }
+    Material glass = ofKind(MaterialKind::Dielectric);
+    glass.roughness.value = kFrosted;
+    group.presets.push_back({"Frosted", glass});
+    glass.roughness.value = 0.0f;
+    glass.thin = true;
+    group.presets.push_back({"Window pane", glass});
+    return group;
+}
+
+MaterialPresetGroup plastics() {
+    MaterialPresetGroup group{"Plastics", {}};
+    for (const auto& [finish, roughness] : {std::pair("glossy", 0.0f), std::pair("satin", kBrushed)}) {
+        for (const NamedColor& color : kPlastics) {
+            Material plastic = ofKind(MaterialKind::Plastic);
+            plastic.color.value = color.linear;
+            plastic.roughness.value = roughness;
+            group.presets.push_back({std::string(color.name) + ", " + finish, plastic});
+        }
+    }
+    return group;
+}
+
+MaterialPresetGroup paints() {
+    MaterialPresetGroup group{"Paints", {}};
+    for (const NamedColor& color : kPaints) {
+        Material paint = ofKind(MaterialKind::Diffuse);
+        paint.color.value = color.linear;
+        group.presets.push_back({color.name, paint});
+    }
+    return group;
+}
+
+}  // namespace
+
+std::span<const MaterialPresetGroup> materialPresets() {
+    static const std::vector<MaterialPresetGroup> kGroups{metals(), glasses(), plastics(), paints()};
+    return kGroups;
+}
+
+void takeMaterial(const Material& from, Material* to) {
+    std::string name = std::move(to->name);
+    *to = from;
+    to->name = std::move(name);
+}
+
+}  // namespace glint

@@ -1,0 +1,209 @@
+#include "viewer/model/object_edits.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <iterator>
+#include <utility>
+
+#include "engine/scene/generated_mesh.h"
+#include "engine/scene/object_box.h"
+#include "engine/scene/scene_building.h"
+#include "engine/scene/scene_use.h"
+#include "viewer/model/camera_controller.h"
+
+namespace glint {
+namespace {
+
+constexpr float kSizeShare = 0.1f;  // half the size of something new, of the target's distance
+constexpr MeshGenerator kBox{"cube", 12, 0};
+
+std::vector<Object>& objectsOf(SceneDocument* document) { return document->draft().objects; }
+
+bool hasSelection(const SceneDocument& document) {
+    return document.selectedObject >= 0 &&
+           static_cast<size_t>(document.selectedObject) < document.draft().objects.size();
+}
+
+std::string nameOf(const Object& object, int index) {
+    return object.name.empty() ? "object " + std::to_string(index + 1) : object.name;
+}
+
+/// The mesh of a box, which all boxes share.
+int boxMesh(SceneDescription* scene) {
+    for (size_t i = 0; i < scene->meshes.size(); ++i) {
+        const auto* generator = std::get_if<MeshGenerator>(&scene->meshes[i].source);
+        if (generator != nullptr && *generator == kBox) { return static_cast<int>(i); }
+    }
+    scene->meshes.push_back({"box", kBox, *generateMesh(kBox)});
+    return static_cast<int>(scene->meshes.size()) - 1;
+}
+
+void addLight(SceneDocument* document, const Vec3& at, float size) {
+    Light light;
+    light.position = at + Vec3(0.0f, 2.0f * size, 0.0f);
+    light.color = Vec3(16.0f * size * size);
+    document->draft().lights.push_back(light);
+    document->selectedLight = static_cast<int>(document->draft().lights.size()) - 1;
+    document->nameEdit("Light added");
+}
+
+void addObject(SceneDocument* document, NewThing kind, const Vec3& at, float size) {
+    static constexpr std::array kShapes{ShapeKind::Sphere, ShapeKind::Plane, ShapeKind::Disc,
+                                        ShapeKind::Rectangle, ShapeKind::Mesh};
+    static constexpr std::array kNames{"sphere", "plane", "disc", "rectangle", "box"};
+    SceneDescription& scene = document->draft();
+    if (scene.materials.empty()) { scene.materials.push_back(diffuseMaterial(0.5f)); }
+    Object object;
+    object.name = kNames[static_cast<size_t>(kind)];
+    object.shape = kShapes[static_cast<size_t>(kind)];
+    if (object.shape == ShapeKind::Mesh) { object.mesh = boxMesh(&scene); }
+    const int last = static_cast<int>(scene.materials.size()) - 1;
+    object.material = std::clamp(document->selectedMaterial, 0, last);
+    object.objectToWorld = translate(at) * scale(Vec3(size));
+    // What is flat lies on the ground.
+    const bool isFlat = kind == NewThing::Plane || kind == NewThing::Disc || kind == NewThing::Rectangle;
+    if (isFlat) { object.objectToWorld = object.objectToWorld * rotate({1, 0, 0}, -0.5f * kPi); }
+    scene.objects.push_back(object);
+    document->selectedObject = static_cast<int>(scene.objects.size()) - 1;
+    document->nameEdit("Add " + object.name);
+}
+
+/// An object less: what counts objects follows.
+void removeAt(SceneDocument* document, int index) {
+    objectsOf(document).erase(objectsOf(document).begin() + index);
+    document->selectedObject = -1;
+    int& focused = document->focusObject;
+    if (focused == index) { focused = -1; }
+    if (focused > index) { --focused; }
+}
+
+bool shines(const SceneDescription& scene, const Object& object) {
+    const auto index = static_cast<size_t>(object.material);
+    return index < scene.materials.size() && maxComponent(scene.materials[index].emission.value) > 0.0f;
+}
+
+}  // namespace
+
+void addThing(SceneDocument* document, NewThing kind) {
+    const Camera& camera = document->draft().camera;
+    const float size = kSizeShare * targetDistance(camera);
+    if (kind == NewThing::Light) {
+        addLight(document, camera.target, size);
+    } else {
+        addObject(document, kind, camera.target, size);
+    }
+}
+
+void duplicateSelection(SceneDocument* document) {
+    if (!hasSelection(*document)) { return; }
+    const int index = document->selectedObject;
+    Object copy = objectsOf(document)[static_cast<size_t>(index)];
+    document->nameEdit("Duplicate " + nameOf(copy, index));
+    copy.name = nameOf(copy, index) + " copy";
+    // Beside the original, by its own width.
+    copy.objectToWorld.translation += Vec3(2.0f * rowLengths(copy.objectToWorld.linear).x, 0.0f, 0.0f);
+    objectsOf(document).push_back(std::move(copy));
+    document->selectedObject = static_cast<int>(objectsOf(document).size()) - 1;
+}
+
+void deleteSelection(SceneDocument* document) {
+    if (!hasSelection(*document)) { return; }
+    const int index = document->selectedObject;
+    document->nameEdit("Delete " + nameOf(objectsOf(document)[static_cast<size_t>(index)], index));
+    removeAt(document, index);
+}
+
+void hideSelection(SceneDocument* document) {
+    if (!hasSelection(*document)) { return; }
+    const int index = document->selectedObject;
+    const Object& object = objectsOf(document)[static_cast<size_t>(index)];
+    document->nameEdit("Hide " + nameOf(object, index));
+    std::vector<Object> hidden = document->hidden();
+    hidden.push_back(object);
+    document->setHidden(std::move(hidden));
+    removeAt(document, index);
+}
+
+void soloSelection(SceneDocument* document) {
+    if (!hasSelection(*document)) { return; }
+    const int selected = document->selectedObject;
+    std::vector<Object> hidden = document->hidden();
+    std::vector<Object> kept;
+    int index = 0;
+    int selectedThen = -1;
+    for (Object& object : objectsOf(document)) {
+        const bool isSelected = index++ == selected;
+        if (isSelected) {
+            selectedThen = static_cast<int>(kept.size());
+            document->nameEdit("Solo " + nameOf(object, selected));
+        }
+        const bool stays = isSelected || shines(document->draft(), object);
+        (stays ? kept : hidden).push_back(std::move(object));
+    }
+    objectsOf(document) = std::move(kept);
+    document->setHidden(std::move(hidden));
+    document->focusObject = document->focusObject == selected ? selectedThen : -1;
+    document->selectedObject = selectedThen;
+}
+
+void showAll(SceneDocument* document) {
+    std::ranges::copy(document->hidden(), std::back_inserter(objectsOf(document)));
+    document->setHidden({});
+    document->nameEdit("Show all");
+}
+
+namespace {
+
+/// Files beside the other scene, from wherever this one is.
+template <class Source>
+void makeAbsolute(const std::string& scenePath, Source* source) {
+    auto* file = std::get_if<FileSource>(source);
+    if (file == nullptr) { return; }
+    const auto folder = std::filesystem::absolute(scenePath).parent_path();
+    file->path = (folder / file->path).lexically_normal().string();
+}
+
+}  // namespace
+
+size_t addScene(const SceneDescription& other, const Vec3& place, float size, SceneDescription* scene) {
+    const Bounds bounds = sceneBounds(other);
+    const auto textures = static_cast<int>(scene->textures.size());
+    const auto materials = static_cast<int>(scene->materials.size());
+    const auto meshes = static_cast<int>(scene->meshes.size());
+    const Vec3 extent = bounds.hi - bounds.lo;
+    const bool isSized = maxComponent(extent) > 0.0f;
+    const float factor = isSized ? size / maxComponent(extent) : 1.0f;
+    // Its middle stands over the place, its lowest point on it.
+    const Vec3 foot =
+        isSized ? Vec3(0.5f * (bounds.lo.x + bounds.hi.x), bounds.lo.y, 0.5f * (bounds.lo.z + bounds.hi.z))
+                : Vec3(0.0f);
+    const Affine moved = translate(place) * scale(Vec3(factor)) * translate(-foot);
+    for (Texture texture : other.textures) {
+        makeAbsolute(other.path, &texture.image.source);
+        scene->textures.push_back(std::move(texture));
+    }
+    for (Mesh mesh : other.meshes) {
+        makeAbsolute(other.path, &mesh.source);
+        scene->meshes.push_back(std::move(mesh));
+    }
+    for (Material material : other.materials) {
+        for (int* texture : inputTextures(&material)) {
+            if (*texture >= 0) { *texture += textures; }
+        }
+        scene->materials.push_back(std::move(material));
+    }
+    size_t count = 0;
+    for (Object object : other.objects) {
+        const bool hasEnd = object.shape != ShapeKind::Plane;
+        if (!hasEnd) { continue; }
+        if (object.mesh >= 0) { object.mesh += meshes; }
+        object.material += materials;
+        object.objectToWorld = moved * object.objectToWorld;
+        scene->objects.push_back(std::move(object));
+        ++count;
+    }
+    return count;
+}
+
+}  // namespace glint

@@ -1,0 +1,33 @@
+// Objects and lights that are added, copied, hidden and removed. All of it is an edit of the document's
+// draft.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "viewer/model/scene_document.h"
+
+namespace glint {
+
+enum class NewThing : uint8_t { Sphere, Plane, Disc, Rectangle, Box, Light };
+
+/// At the camera's target, so large that it takes a fifth of the picture's height, of the material that is
+/// selected; it is selected then.
+void addThing(SceneDocument* document, NewThing kind);
+
+/// All of these need a selected object, and do nothing without one.
+void duplicateSelection(SceneDocument* document);
+void deleteSelection(SceneDocument* document);
+/// Takes it out of the scene until showAll().
+void hideSelection(SceneDocument* document);
+/// Hides all others but those that shine.
+void soloSelection(SceneDocument* document);
+void showAll(SceneDocument* document);
+
+/// Adds the objects, meshes, materials and textures of another scene to `scene`, so large and there that they
+/// stand at `place`, `size` metres wide. Lights, camera and environment stay the scene's own. Returns the
+/// number of objects.
+size_t addScene(const SceneDescription& other, const Vec3& place, float size, SceneDescription* scene);
+
+}  // namespace glint

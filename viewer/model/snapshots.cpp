@@ -1,0 +1,48 @@
+#include "viewer/model/snapshots.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "viewer/base/units.h"
+
+namespace glint {
+namespace {
+
+constexpr int kThumbnailSide = 96;
+
+std::string summaryOf(const FilmSnapshot& picture) {
+    std::string text = fmt::format("{} · {} · {}", inCapitals(integratorInfo(picture.integrator).alias),
+                                   passCount(picture.passes), duration(picture.renderSeconds));
+    if (picture.passes > 1) { text += fmt::format(" · error {}", percent(picture.relativeError)); }
+    return text;
+}
+
+}  // namespace
+
+bool Snapshots::keep(const std::shared_ptr<const FilmSnapshot>& picture,
+                     std::shared_ptr<const SceneDescription> scene, const DisplaySettings& display) {
+    if (!picture || picture->radiance.empty() || picture->previewScale > 1) { return false; }
+    kept_.push_back(
+        {.number = ++lastNumber_,
+         .summary = summaryOf(*picture),
+         .picture = picture,
+         .scene = std::move(scene),
+         .exposureStops = display.exposureStops,
+         .toneMap = display.toneMap,
+         .thumbnail = makeThumbnail(*picture, display.exposureStops, display.toneMap, kThumbnailSide)});
+    return true;
+}
+
+void Snapshots::remove(int number) {
+    std::erase_if(kept_, [number](const KeptPicture& each) { return each.number == number; });
+    if (left == number) { left = 0; }
+    if (right == number) { right = 0; }
+}
+
+const KeptPicture* Snapshots::find(int number) const {
+    const auto found = std::ranges::find(kept_, number, &KeptPicture::number);
+    return found != kept_.end() ? &*found : nullptr;
+}
+
+}  // namespace glint

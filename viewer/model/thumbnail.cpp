@@ -1,0 +1,40 @@
+#include "viewer/model/thumbnail.h"
+
+#include <algorithm>
+
+namespace glint {
+namespace {
+
+Vec3 meanOf(const FilmSnapshot& picture, int x0, int y0, int x1, int y1) {
+    Vec3 sum(0.0f);
+    for (int y = y0; y < y1; ++y) {
+        for (int x = x0; x < x1; ++x) {
+            const float* rgb = picture.radiance.data() + 3 * (static_cast<size_t>(y) * picture.width + x);
+            sum += Vec3(rgb[0], rgb[1], rgb[2]);
+        }
+    }
+    return sum / static_cast<float>((x1 - x0) * (y1 - y0));
+}
+
+}  // namespace
+
+Thumbnail makeThumbnail(const FilmSnapshot& picture, float exposureStops, ToneMap toneMap, int side) {
+    const int longest = std::max(picture.width, picture.height);
+    const auto scaled = [&](int length) { return std::max(1, length * std::min(side, longest) / longest); };
+    Thumbnail out{scaled(picture.width), scaled(picture.height), {}};
+    for (int y = 0; y < out.height; ++y) {
+        for (int x = 0; x < out.width; ++x) {
+            const Vec3 mean =
+                meanOf(picture, x * picture.width / out.width, y * picture.height / out.height,
+                       (x + 1) * picture.width / out.width, (y + 1) * picture.height / out.height);
+            const Vec3 shown = toneMapped(mean, exposureStops, toneMap);
+            for (int c = 0; c < 3; ++c) {
+                out.rgba.push_back(displayByte(shown[c]));
+            }
+            out.rgba.push_back(255);
+        }
+    }
+    return out;
+}
+
+}  // namespace glint

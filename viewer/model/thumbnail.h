@@ -1,0 +1,21 @@
+// A small copy of a picture, for lists.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/render/film_snapshot.h"
+#include "engine/render/tonemap.h"
+
+namespace glint {
+
+struct Thumbnail {
+    int width = 0;
+    int height = 0;
+    std::vector<uint8_t> rgba;  ///< as the screen shows it, row 0 at the top
+};
+
+/// Means of the picture's pixels, in a square of that side.
+Thumbnail makeThumbnail(const FilmSnapshot& picture, float exposureStops, ToneMap toneMap, int side);
+
+}  // namespace glint

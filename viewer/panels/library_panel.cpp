@@ -1,0 +1,78 @@
+// Materials by name, and copies of materials: each replaces the one that is selected.
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <imgui.h>
+
+#include "viewer/model/material_presets.h"
+#include "viewer/model/scene_document.h"
+#include "viewer/panels/material_patch.h"
+#include "viewer/panels/panel.h"
+#include "viewer/ui/widgets.h"
+
+namespace glint {
+namespace {
+
+constexpr float kMostRows = 8.0f;
+
+void drawPresets(const MaterialPresetGroup& group, SceneDocument* document, Material* selected) {
+    const float rows = std::min(static_cast<float>(group.presets.size()), kMostRows);
+    ImGui::BeginChild("presets", {0.0f, rows * ImGui::GetTextLineHeightWithSpacing()});
+    for (const MaterialPreset& preset : group.presets) {
+        const Vec3 patch = patchColor(preset.material);
+        if (ui::selectable(preset.name.c_str(), false, &patch)) {
+            takeMaterial(preset.material, selected);
+            document->nameEdit("Material " + preset.name);
+        }
+    }
+    ImGui::EndChild();
+}
+
+void drawCopying(MaterialLibrary* library, SceneDocument* document, Material* selected) {
+    const float third = ui::buttonWidth(3);
+    if (ui::button("Copy", third, "Remembers the selected material")) { library->copied = *selected; }
+    ImGui::SameLine();
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, library->copied ? 1.0f : 0.5f);
+    if (ui::button("Paste", third, "Gives the selected one all that the copied one has but its name") &&
+        library->copied) {
+        takeMaterial(*library->copied, selected);
+        document->nameEdit("Paste a material");
+    }
+    ImGui::PopStyleVar();
+    ImGui::SameLine();
+    if (ui::button("New", third, "A copy of the selected one, for the selected object")) {
+        SceneDescription& scene = document->draft();
+        Material made = *selected;
+        made.name += made.name.empty() ? "" : " copy";
+        scene.materials.push_back(std::move(made));
+        document->selectedMaterial = static_cast<int>(scene.materials.size()) - 1;
+        const auto object = static_cast<size_t>(document->selectedObject);
+        if (document->selectedObject >= 0 && object < scene.objects.size()) {
+            scene.objects[object].material = document->selectedMaterial;
+        }
+        document->nameEdit("New material");
+    }
+}
+
+void draw(SceneDocument* document, MaterialLibrary* library) {
+    std::vector<Material>& materials = document->draft().materials;
+    if (materials.empty()) { return ui::hint("The scene has no materials."); }
+    const int last = static_cast<int>(materials.size()) - 1;
+    const int selected = std::clamp(document->selectedMaterial, 0, last);
+    Material* material = &materials[static_cast<size_t>(selected)];
+    std::vector<std::string_view> names;
+    for (const MaterialPresetGroup& group : materialPresets()) {
+        names.emplace_back(group.name);
+    }
+    ui::choice("Group", &library->group, names, "A click on one makes the selected material such a one");
+    drawPresets(materialPresets()[static_cast<size_t>(library->group)], document, material);
+    drawCopying(library, document, material);
+}
+
+}  // namespace
+
+Panel libraryPanel() { return {"Library", false, OfParts<draw>::call, WithoutScene::Hides}; }
+
+}  // namespace glint

@@ -1,0 +1,134 @@
+// The selected object: its place in numbers, its material, the gizmo; and objects that are added, copied,
+// hidden and removed.
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "viewer/model/camera_controller.h"
+#include "viewer/model/gizmo.h"
+#include "viewer/model/object_edits.h"
+#include "viewer/model/placement.h"
+#include "viewer/model/scene_files.h"
+#include "viewer/panels/panel.h"
+#include "viewer/ui/widgets.h"
+
+namespace glint {
+namespace {
+
+constexpr float kLeastScale = 1e-6f;
+
+void drawAdding(SceneDocument* document, SceneFiles* files) {
+    static constexpr std::string_view kNames[]{"Add…",      "Sphere", "Plane", "Disc",
+                                               "Rectangle", "Box",    "Light", "Mesh file…"};
+    int chosen = 0;
+    if (!ui::choice("New", &chosen, kNames, "At the camera's target") || chosen == 0) { return; }
+    if (chosen < 7) { return addThing(document, static_cast<NewThing>(chosen - 1)); }
+    files->dialog.ask({"Add objects of a file", files->opened, false,
+                       [files](const std::string& path) { files->add(path); }});
+}
+
+void drawMaterial(const SceneDescription& scene, Object* object) {
+    std::vector<std::string> names;
+    for (size_t i = 0; i < scene.materials.size(); ++i) {
+        const std::string& name = scene.materials[i].name;
+        names.push_back(name.empty() ? fmt::format("material {}", i + 1) : name);
+    }
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    ui::choice("Material", &object->material, views);
+}
+
+void drawPlacement(Object* object, float speed) {
+    const PlacementNumbers before = numbersOf(object->objectToWorld);
+    PlacementNumbers after = before;
+    bool isEdited = ui::vector3("Position", &after.position,
+                                {.format = "%.3f", .speed = speed, .tooltip = "Of its origin, metres"});
+    isEdited |= ui::vector3("Turned", &after.rotationDeg,
+                            {.format = "%.1f°", .speed = 0.5f, .tooltip = "About x, then y, then z"});
+    isEdited |= ui::vector3("Size", &after.scale,
+                            {.format = "%.3f",
+                             .speed = std::max(maxComponent(absVec(before.scale)) * 0.005f, 1e-5f),
+                             .tooltip = "Along its own axes; a sphere's radius. A negative one mirrors"});
+    if (!isEdited) { return; }
+    for (int i = 0; i < 3; ++i) {
+        // Nothing flat: it would have no inverse.
+        if (std::abs(after.scale[i]) < kLeastScale) { after.scale[i] = before.scale[i]; }
+    }
+    object->objectToWorld = withNumbers(object->objectToWorld, before, after);
+}
+
+void drawGizmo(GizmoSettings* gizmo) {
+    static constexpr ui::KindLabel<GizmoMode> kModes[]{{GizmoMode::Off, "Off"},
+                                                       {GizmoMode::Move, "Move"},
+                                                       {GizmoMode::Rotate, "Rotate"},
+                                                       {GizmoMode::Scale, "Scale"}};
+    ui::kindChoice("Gizmo", &gizmo->mode, kModes, "Handles over the picture (G: the next kind)");
+    if (gizmo->mode == GizmoMode::Off) { return; }
+    ui::toggle("Own axes", &gizmo->isLocal, "The object's instead of the world's; scaling always has these");
+    ui::toggle("Snap", &gizmo->snaps, "In steps; Ctrl while dragging does the opposite");
+    switch (gizmo->mode) {
+        case GizmoMode::Move:
+            ui::number("Step", &gizmo->moveStep, {.format = "%.3f m", .speed = 0.005f, .max = 1e6f});
+            break;
+        case GizmoMode::Rotate:
+            ui::number("Step", &gizmo->turnStepDeg, {.format = "%.1f°", .speed = 0.5f, .max = 180.0f});
+            break;
+        case GizmoMode::Scale:
+            ui::number("Step", &gizmo->scaleStep, {.format = "× %.2f", .speed = 0.005f, .max = 10.0f});
+            break;
+        case GizmoMode::Off:
+            break;
+    }
+}
+
+void drawActions(SceneDocument* document) {
+    const float third = ui::buttonWidth(3);
+    if (ui::button("Duplicate", third, "Ctrl + D")) { duplicateSelection(document); }
+    ImGui::SameLine();
+    if (ui::button("Hide", third, "H. It is out of the scene until all are shown")) {
+        hideSelection(document);
+    }
+    ImGui::SameLine();
+    if (ui::button("Solo", third, "Hides all others but lamps")) { soloSelection(document); }
+    if (ui::button("Delete", third, "Del")) { deleteSelection(document); }
+    ImGui::SameLine();
+    if (ui::button("Frame", third, "Moves the camera until it fills the picture (F)")) {
+        document->frameSelection();
+    }
+    ImGui::SameLine();
+    const bool isFocused = document->focusObject >= 0 && document->focusObject == document->selectedObject;
+    if (ui::button(isFocused ? "In focus" : "Focus on it", third,
+                   "Keeps its middle in focus while it or the camera moves", isFocused)) {
+        isFocused ? static_cast<void>(document->focusObject = -1) : document->focusOnSelection();
+    }
+}
+
+void draw(SceneDocument* document, GizmoSettings* gizmo, SceneFiles* files) {
+    drawAdding(document, files);
+    SceneDescription& scene = document->draft();
+    const auto index = static_cast<size_t>(document->selectedObject);
+    if (document->selectedObject < 0 || index >= scene.objects.size()) {
+        ui::hint("No object is selected: click on one in the picture.");
+    } else {
+        Object* object = &scene.objects[index];
+        ui::text("Name", &object->name, "a name");
+        drawMaterial(scene, object);
+        drawPlacement(object, std::max(targetDistance(scene.camera) * 0.002f, 1e-5f));
+        drawGizmo(gizmo);
+        drawActions(document);
+    }
+    if (document->hidden().empty()) { return; }
+    if (ui::button("Show all", ui::buttonWidth(1), "Alt + H")) { showAll(document); }
+    ui::hint(fmt::format("{} hidden: neither rendered nor saved", document->hidden().size()).c_str());
+}
+
+}  // namespace
+
+Panel objectPanel() {
+    return {"Object", false, OfParts<draw>::call, WithoutScene::Hides, "What is selected, and what is new"};
+}
+
+}  // namespace glint

@@ -1,0 +1,68 @@
+#include "viewer/window/region_view.h"
+
+#define GLFW_INCLUDE_NONE
+#include <utility>
+
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "viewer/ui/widgets.h"
+
+namespace glint {
+namespace {
+
+constexpr int kLeastSide = 2;  // pixels: less is a click
+
+void drawFrame(const FilmRegion& region, const PlacedImage& placed, const std::string& label) {
+    const Vec2 min = placed.min + Vec2(region.x0, region.y0) * placed.unitsPerPixel;
+    const Vec2 max = placed.min + Vec2(region.x1, region.y1) * placed.unitsPerPixel;
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const float line = ui::scale();
+    draw->AddRect({min.x - line, min.y - line}, {max.x + line, max.y + line}, IM_COL32(0, 0, 0, 160), 0.0f, 0,
+                  3.0f * line);
+    draw->AddRect({min.x - line, min.y - line}, {max.x + line, max.y + line}, IM_COL32(255, 200, 80, 255),
+                  0.0f, 0, line);
+    ui::area("Region", min, max, label);
+}
+
+}  // namespace
+
+bool RegionView::handle(Workspace* workspace, const PlacedImage& placed, const std::optional<Vec2i>& hovered,
+                        bool held) {
+    const ImGuiIO& io = ImGui::GetIO();
+    RegionTool& tool = workspace->region;
+    const bool isSpot =
+        hovered && !io.WantTextInput && !io.KeyCtrl && !io.KeyAlt && ImGui::IsKeyDown(GLFW_KEY_V);
+    tool.spot.reset();
+    if (isSpot) { tool.spot = spotAround(*hovered, workspace->document.draft().resolution.height); }
+    if (!tool.picks) {
+        began_.reset();
+        return false;
+    }
+    if (hovered) { ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNWSE); }
+    if (held && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        if (!began_) { began_ = pixelAt(placed, {io.MouseClickedPos[0].x, io.MouseClickedPos[0].y}); }
+        at_ = pixelAt(placed, {io.MousePos.x, io.MousePos.y});
+    } else if (const auto began = std::exchange(began_, std::nullopt)) {
+        at_ = pixelAt(placed, {io.MousePos.x, io.MousePos.y});
+        const Resolution& size = workspace->document.draft().resolution;
+        const auto region = clipped(regionBetween(*began, at_), size.width, size.height);
+        const bool isLarge =
+            region && region->x1 - region->x0 >= kLeastSide && region->y1 - region->y0 >= kLeastSide;
+        if (isLarge) { tool.drawn = region; }
+        tool.picks = false;
+    }
+    return true;
+}
+
+void RegionView::draw(const Workspace& workspace, const PlacedImage& placed) const {
+    const RegionTool& tool = workspace.region;
+    const Resolution& size = workspace.document.draft().resolution;
+    const auto wanted = began_ ? std::optional(regionBetween(*began_, at_)) : tool.wanted();
+    const auto region = wanted ? clipped(*wanted, size.width, size.height) : std::nullopt;
+    if (!region) { return; }
+    drawFrame(*region, placed, fmt::format("{} {} {} {}", region->x0, region->y0, region->x1, region->y1));
+}
+
+}  // namespace glint

@@ -1,0 +1,27 @@
+// Small pictures on the graphics card, for panels that list them.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "viewer/model/snapshots.h"
+#include "viewer/window/gl_api.h"
+
+namespace glint {
+
+class ThumbnailTextures {
+  public:
+    /// `gl` has to stay current until release().
+    void create(const GlApi& gl) { gl_ = gl; }
+    void release();
+    /// Makes those that are missing, and gives up those of pictures that are no longer kept.
+    void update(std::vector<KeptPicture>* kept);
+
+  private:
+    unsigned int make(const Thumbnail& thumbnail) const;
+
+    GlApi gl_;
+    std::map<int, unsigned int> textures_;  ///< by the pictures' numbers
+};
+
+}  // namespace glint
