@@ -86,10 +86,11 @@ void expectBound(const Readout& readout, const std::vector<float>& bounds) {
 
 /// Of the middle of a picture's pixel in the screenshot, 0 to 255.
 const uint8_t* colorOf(const Image8& screenshot, int x, int y) {
-    // The picture fills the area beside the panels in one direction.
+    // A whole number of screen pixels for each, as many as there is room for beside the panels.
     constexpr float kAreaWidth = 902.0f, kAreaHeight = 696.0f;
-    const float zoom = std::min(kAreaWidth / kWidth, kAreaHeight / kHeight);
-    const float left = (kAreaWidth - zoom * kWidth) / 2.0f, top = (kAreaHeight - zoom * kHeight) / 2.0f;
+    const float zoom = std::floor(std::min(kAreaWidth / kWidth, kAreaHeight / kHeight));
+    const float left = std::floor((kAreaWidth - zoom * kWidth) / 2.0f);
+    const float top = std::floor((kAreaHeight - zoom * kHeight) / 2.0f);
     const int atX = static_cast<int>(left + zoom * (static_cast<float>(x) + 0.5f));
     const int atY = static_cast<int>(top + zoom * (static_cast<float>(y) + 0.5f));
     return screenshot.rgb.data() + static_cast<size_t>((atY * screenshot.width + atX) * 3);

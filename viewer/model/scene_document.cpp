@@ -110,7 +110,10 @@ void SceneDocument::followFocus() {
     }
     const bool hasMoved =
         draft_.camera.position != posted_->camera.position || draft_.camera.target != posted_->camera.target;
-    if (focusFollowsTarget && hasMoved) { draft_.camera.focalDistance = targetDistance(draft_.camera); }
+    const float distance = targetDistance(draft_.camera);
+    // An orbit keeps it but for rounding.
+    const bool differs = std::fabs(distance - draft_.camera.focalDistance) > 1e-6f * distance;
+    if (focusFollowsTarget && hasMoved && differs) { draft_.camera.focalDistance = distance; }
 }
 
 SceneDocument::Edits SceneDocument::takeEdits() {
