@@ -72,6 +72,39 @@ TEST(LayoutViewer, TheArrangementIsRemembered) {
     EXPECT_THAT(ran.output, HasSubstr("\"Splitter\" 842 ")) << ran.output;
 }
 
+TEST(LayoutViewer, ViewsAreKeptForTheirScene) {
+    setenv("XDG_STATE_HOME", fs::absolute("views_state").c_str(), 1);
+    expectPlayed(play(R"(
+wait picture
+set "Camera/Position" 1 2 6
+set "Aperture" 20
+wait picture
+click "Bookmark this view"
+key home
+wait picture
+expect "Camera/Position" "0 1 4"
+click "View 1"
+wait picture
+expect "Camera/Position" "1 2 6"
+expect "Aperture" 20
+click "Bookmark this view"
+click "Forget View 1"
+wait frames 3
+expect no-widget "View 1"
+)",
+                      "--recovery 3600"));
+    expectPlayed(play(R"(
+wait picture
+click "View 2"
+wait picture
+expect "Camera/Position" "1 2 6"
+open "History"
+wait frames 3
+expect widget "2. View 2"
+)",
+                      "--recovery 3600"));
+}
+
 TEST(LayoutViewer, ScenesAreSavedWhereTheUserSays) {
     fs::create_directories("saved here");
     fs::remove("saved here/mine.json");

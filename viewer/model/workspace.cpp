@@ -169,6 +169,7 @@ void Workspace::focusAt(Vec2i pixel) {
 void Workspace::refresh() {
     jobs.runCompletions();
     if (assets.takeArrival()) { commitEdits(false); }
+    if (!document.isOpen()) { examples.list(&jobs); }
     if (!sceneFiles.opening()) { isReloading_ = false; }
     const double now =
         std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();

@@ -12,10 +12,12 @@
 #include "viewer/base/job_queue.h"
 #include "viewer/base/run_files.h"
 #include "viewer/model/asset_reader.h"
+#include "viewer/model/camera_bookmarks.h"
 #include "viewer/model/convergence_watch.h"
 #include "viewer/model/curve_export.h"
 #include "viewer/model/display_settings.h"
 #include "viewer/model/edit_history.h"
+#include "viewer/model/example_scenes.h"
 #include "viewer/model/fault_finder.h"
 #include "viewer/model/file_watch.h"
 #include "viewer/model/film_files.h"
@@ -63,6 +65,8 @@ class Workspace {
     AssetReader assets;
     ConvergenceWatch convergence;
     CurveExport curveExport;
+    CameraBookmarks bookmarks;
+    Examples examples;
     FileWatch watch;  ///< of the scene that is open
     FaultFinder faults;
     Snapshots snapshots;

@@ -9,7 +9,7 @@ namespace glint {
 template <class Part>
 Part* partOf(Workspace* w) {
     return &std::get<Part&>(std::tie(w->notice, w->document, w->history, w->render, w->display, w->lens,
-                                     w->inspector, w->region, w->gizmo, w->outliner, w->library,
+                                     w->inspector, w->region, w->gizmo, w->outliner, w->library, w->bookmarks,
                                      w->sceneFiles, w->filmFiles, w->assets, w->convergence, w->curveExport,
                                      w->faults, w->snapshots));
 }
@@ -24,6 +24,7 @@ template Inspector* partOf(Workspace*);
 template RegionTool* partOf(Workspace*);
 template GizmoSettings* partOf(Workspace*);
 template Outliner* partOf(Workspace*);
+template CameraBookmarks* partOf(Workspace*);
 template MaterialLibrary* partOf(Workspace*);
 template SceneFiles* partOf(Workspace*);
 template FilmFiles* partOf(Workspace*);

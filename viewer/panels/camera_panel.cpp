@@ -1,8 +1,10 @@
 // Where the camera stands, and how much it sees.
 #include <algorithm>
+#include <string>
 
 #include <imgui.h>
 
+#include "viewer/model/camera_bookmarks.h"
 #include "viewer/model/camera_controller.h"
 #include "viewer/model/scene_document.h"
 #include "viewer/panels/panel.h"
@@ -11,7 +13,24 @@
 namespace glint {
 namespace {
 
-void draw(SceneDocument* document) {
+void drawBookmarks(SceneDocument* document, CameraBookmarks* bookmarks) {
+    Camera* camera = &document->draft().camera;
+    const std::string& path = document->draft().path;
+    if (ui::button("Bookmark this view", ui::buttonWidth(1), "Kept for this scene, lens and all")) {
+        bookmarks->add(path, *camera);
+    }
+    for (const CameraBookmarks::Bookmark& each : bookmarks->of(path)) {
+        const float half = ui::buttonWidth(2);
+        if (ui::button(each.name.c_str(), half, "Goes there")) {
+            *camera = each.camera;
+            document->nameEdit(each.name);
+        }
+        ImGui::SameLine();
+        if (ui::button(("Forget " + each.name).c_str(), half)) { bookmarks->remove(each); }
+    }
+}
+
+void draw(SceneDocument* document, CameraBookmarks* bookmarks) {
     Camera* camera = &document->draft().camera;
     // Dragging feels alike in a doll's house and in a cathedral.
     const float speed = std::max(targetDistance(*camera) * 0.002f, 1e-6f);
@@ -30,11 +49,12 @@ void draw(SceneDocument* document) {
         "Field of view", &camera->verticalFovDeg,
         {.format = "%.1f°", .speed = 0.1f, .min = 1.0f, .max = 170.0f, .tooltip = "Vertical, full angle"});
     const float width = ui::buttonWidth(2);
-    if (ui::button("Frame", width, "Moves back or closer until everything is in the picture (F)")) {
+    if (ui::button("Frame", width, "Moves back or closer until everything is in the picture (Shift + F)")) {
         document->frameScene();
     }
     ImGui::SameLine();
     if (ui::button("Reset", width, "The scene file's camera (Home)")) { document->resetCamera(); }
+    drawBookmarks(document, bookmarks);
 }
 
 }  // namespace

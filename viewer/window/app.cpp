@@ -124,6 +124,7 @@ Status App::open(std::optional<SceneDescription> scene) {
         workspace_.backup.begin(folder + "/sessions", options_.recoverySeconds);
         workspace_.sceneFiles.recent.begin(folder + "/recent");
         workspace_.layout.begin(folder + "/layout");
+        workspace_.bookmarks.begin(folder + "/views");
     }
     if (scene) { workspace_.adopt(std::move(*scene)); }
     if (!options_.checkpoint.empty()) { workspace_.takeDroppedFile(options_.checkpoint); }

@@ -40,6 +40,7 @@ void ImagePanes::takeColors(Workspace* workspace) {
     takeOverlay(workspace->focusOverlay);
     takeDifference(workspace->difference);
     thumbnails.update(&workspace->snapshots.kept());
+    thumbnails.update(&workspace->examples.scenes);
 }
 
 void ImagePanes::show(Workspace* workspace) {

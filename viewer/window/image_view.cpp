@@ -11,6 +11,7 @@
 #include "viewer/model/camera_controller.h"
 #include "viewer/ui/theme.h"
 #include "viewer/ui/widgets.h"
+#include "viewer/window/gallery_view.h"
 #include "viewer/window/split_view.h"
 
 namespace glint {
@@ -177,10 +178,10 @@ bool ImageView::draw(Workspace* workspace, const ImagePanes& panes, Vec2 min, Ve
     }
     ImGui::SetCursorScreenPos({min.x, min.y});
     // A click on the image takes the keyboard back from a text field.
-    const bool isReleased =
-        ImGui::InvisibleButton("##area", {max.x - min.x, max.y - min.y},
-                               ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
-                                   ImGuiButtonFlags_MouseButtonMiddle);
+    const bool isReleased = hasScene && ImGui::InvisibleButton("##area", {max.x - min.x, max.y - min.y},
+                                                               ImGuiButtonFlags_MouseButtonLeft |
+                                                                   ImGuiButtonFlags_MouseButtonRight |
+                                                                   ImGuiButtonFlags_MouseButtonMiddle);
     const bool isClick = isReleased && !isDragging_ && ImGui::IsMouseReleased(ImGuiMouseButton_Left);
     const bool hovered = ImGui::IsItemHovered();
     const bool held = ImGui::IsItemActive();
@@ -203,9 +204,7 @@ bool ImageView::draw(Workspace* workspace, const ImagePanes& panes, Vec2 min, Ve
         if (hovered) { findPixel(*workspace, area); }
         if (!draws) { pick(workspace, isClick); }
     } else {
-        drawHint(
-            min, max,
-            workspace->sceneFiles.opening() ? "Opening…" : "No scene is open. Enter a file on the right.");
+        workspace->sceneFiles.opening() ? drawHint(min, max, "Opening…") : drawGallery(workspace, min, max);
     }
     ui::area("Image", min, max, "");
     ImGui::End();

@@ -29,7 +29,18 @@ void ThumbnailTextures::update(std::vector<KeptPicture>* kept) {
     }
 }
 
+void ThumbnailTextures::update(std::vector<ExampleScene>* examples) {
+    for (ExampleScene& each : *examples) {
+        if (each.texture != 0 || each.thumbnail.rgba.empty()) { continue; }
+        ofExamples_.push_back(each.texture = make(each.thumbnail));
+    }
+}
+
 void ThumbnailTextures::release() {
+    for (const unsigned int texture : ofExamples_) {
+        gl_.DeleteTextures(1, &texture);
+    }
+    ofExamples_.clear();
     for (const auto& [number, texture] : textures_) {
         gl_.DeleteTextures(1, &texture);
     }

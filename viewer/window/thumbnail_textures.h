@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include "viewer/model/example_scenes.h"
 #include "viewer/model/snapshots.h"
 #include "viewer/window/gl_api.h"
 
@@ -16,12 +17,15 @@ class ThumbnailTextures {
     void release();
     /// Makes those that are missing, and gives up those of pictures that are no longer kept.
     void update(std::vector<KeptPicture>* kept);
+    /// The same for the examples, which stay.
+    void update(std::vector<ExampleScene>* examples);
 
   private:
     unsigned int make(const Thumbnail& thumbnail) const;
 
     GlApi gl_;
     std::map<int, unsigned int> textures_;  ///< by the pictures' numbers
+    std::vector<unsigned int> ofExamples_;
 };
 
 }  // namespace glint
