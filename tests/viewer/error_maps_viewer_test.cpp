@@ -141,6 +141,7 @@ wait jobs
 mark
 set "Shown" Bias
 wait picture
+move "Splitter"  # no help covers the picture
 wait frames 3
 print "Scale"
 screenshot "bias.png"
