@@ -6,6 +6,9 @@ include(GNUInstallDirs)
 install(TARGETS glint RUNTIME)
 install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/glint FILES_MATCHING PATTERN *.json PATTERN *.obj PATTERN *.png)
 
+# Thumbnails lie beside the scenes, as in the sources: an empty window shows them.
+install(DIRECTORY assets/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/glint/assets)
+
 # Pages keep their places among each other, so that links between them hold.
 foreach(page IN ITEMS README.md CHANGELOG.md scenes/README.md viewer/commands/README.md viewer/window/README.md)
     get_filename_component(folder ${page} DIRECTORY)

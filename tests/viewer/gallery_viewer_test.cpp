@@ -15,11 +15,12 @@ using namespace test;
 using testing::HasSubstr;
 
 TEST(ExampleScenes, HaveTheirTitlesAndThumbnails) {
-    fs::create_directories("examples/thumbnails");
+    fs::create_directories("examples");
+    fs::create_directories("assets/scenes");
     write("examples/b.json", "{ // a comment\n\"glint\": 1, \"title\": \"The second\" }");
     write("examples/a.json", "broken");
     write("examples/glint.schema.json", "{}");
-    write("examples/thumbnails/b.png", "no picture");
+    write("assets/scenes/b.jpg", "no picture");
     const auto examples = listExamples("examples");
     ASSERT_EQ(examples.size(), 2u);
     EXPECT_EQ(examples[0].title, "a");
@@ -32,7 +33,6 @@ TEST(ExampleScenes, ThoseOfTheProgramHaveThumbnails) {
     size_t thumbnails = 0;
     for (const ExampleScene& example : listExamples(GLINT_SOURCE_DIR "/scenes")) {
         thumbnails += example.thumbnail.rgba.empty() ? 0 : 1;
-        EXPECT_LE(example.thumbnail.width, 156) << example.path;
     }
     EXPECT_GT(thumbnails, 10u);
 }

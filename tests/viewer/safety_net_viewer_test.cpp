@@ -91,12 +91,13 @@ void playAndKill(const std::string& script, const std::string& ready) {
     write("scene.json", kScene);
     write("crash.txt", script + "screenshot " + ready + "\nwait seconds 600\n");
     fs::remove(ready);
-    std::system((std::string(GLINT_PROGRAM) +
-                 " view scene.json --headless --threads 1 --passes 12 --recovery 0.1 --script crash.txt "
-                 "> crash.log 2>&1 & echo $! > crash.pid; i=0; while [ ! -s " +
-                 ready +
-                 " ] && [ $i -lt 1200 ]; do sleep 0.1; i=$((i+1)); done; sleep 0.3; kill -9 $(cat crash.pid)")
-                    .c_str());
+    std::system(
+        (std::string(GLINT_PROGRAM) +
+         " view scene.json --headless --threads 1 --passes 12 --recovery 0.1 --script crash.txt "
+         "> crash.log 2>&1 & echo $! > crash.pid; i=0; while [ ! -s " +
+         ready +
+         " ] && [ $i -lt 1200 ]; do sleep 0.1; i=$((i+1)); done; sleep 0.3; kill -9 $(cat crash.pid); wait")
+            .c_str());
     ASSERT_TRUE(fs::exists(ready)) << *readFile("crash.log");
 }
 

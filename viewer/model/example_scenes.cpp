@@ -15,6 +15,7 @@ namespace glint {
 namespace {
 
 namespace fs = std::filesystem;
+constexpr const char* kThumbnails = "../assets/scenes";
 constexpr const char* kSchema = "glint.schema.json";  // lies in the folder, and is no scene
 
 std::string titleOf(const fs::path& file) {
@@ -51,7 +52,7 @@ std::vector<ExampleScene> listExamples(const std::string& folder) {
         const fs::path& file = entry.path();
         if (file.extension() != ".json" || file.filename() == kSchema) { continue; }
         ExampleScene example{file.string(), titleOf(file)};
-        const fs::path thumbnail = fs::path(folder) / "thumbnails" / (file.stem().string() + ".png");
+        const fs::path thumbnail = fs::path(folder) / kThumbnails / (file.stem().string() + ".jpg");
         if (fs::exists(thumbnail, problem)) {
             if (auto image = loadImage8(thumbnail.string())) { example.thumbnail = thumbnailOf(**image); }
         }

@@ -21,7 +21,7 @@ struct ExampleScene {
 /// is none.
 std::optional<std::string> examplesFolder();
 
-/// Those of the folder in the order of their names, with `thumbnails/NAME.png` where it can be read.
+/// Those of the folder in the order of their names, with `../assets/scenes/NAME.jpg` where it can be read.
 std::vector<ExampleScene> listExamples(const std::string& folder);
 
 class Examples {

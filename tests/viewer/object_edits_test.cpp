@@ -1,0 +1,213 @@
+// Places in numbers, handles on the screen, edits of objects, and the library of materials: without a window.
+#include "viewer/model/object_edits.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "viewer/model/gizmo.h"
+#include "viewer/model/material_presets.h"
+#include "viewer/model/placement.h"
+
+namespace glint {
+namespace {
+
+using testing::HasSubstr;
+
+void expectNear(const Affine& a, const Affine& b, float tolerance) {
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_LT(glm::length(a.linear[i] - b.linear[i]), tolerance);
+    }
+    EXPECT_LT(glm::length(a.translation - b.translation), tolerance);
+}
+
+TEST(Placement, NumbersMakeThePlaceAgain) {
+    for (const Vec3 turn : {Vec3(0.0f), Vec3(30, -50, 140), Vec3(-170, 10, 5), Vec3(0, 90, 0)}) {
+        for (const Vec3 size : {Vec3(1, 2, 3), Vec3(-0.5f, 0.5f, 0.5f)}) {
+            const Affine placed{rotationFromDegrees(turn) * scale(size).linear, {4, 5, 6}};
+            const PlacementNumbers numbers = numbersOf(placed);
+            const Affine again{rotationFromDegrees(numbers.rotationDeg) * scale(numbers.scale).linear,
+                               numbers.position};
+            expectNear(again, placed, 1e-5f);
+        }
+    }
+}
+
+TEST(Placement, EditsKeepShears) {
+    Affine sheared{Mat3({1, 0, 0}, {0.7f, 1, 0}, {0, 0.2f, 2}), {0, 0, 0}};
+    const PlacementNumbers before = numbersOf(sheared);
+    expectNear(withNumbers(sheared, before, before), sheared, 1e-6f);
+    PlacementNumbers after = before;
+    after.rotationDeg = before.rotationDeg + Vec3(0, 0, 90);
+    const Affine turned = withNumbers(sheared, before, after);
+    EXPECT_NEAR(glm::dot(turned.linear[0], turned.linear[1]), glm::dot(sheared.linear[0], sheared.linear[1]),
+                1e-5f);
+    EXPECT_NEAR(turned.determinant(), sheared.determinant(), 1e-4f);
+}
+
+struct OnScreen {
+    Camera camera;
+    PlacedImage placed{{0, 0}, {800, 600}, 1.0f, 1.0f};
+    OnScreen() {
+        camera.position = {0, 1, 4};
+        camera.target = {0, 1, 0};
+    }
+    ScreenView view() const { return {camera, {800, 600}, placed}; }
+};
+
+TEST(Gizmo, ProjectsAsTheCameraSees) {
+    const OnScreen screen;
+    const auto middle = screen.view().project({0, 1, 0});
+    ASSERT_TRUE(middle);
+    EXPECT_NEAR(middle->x, 400, 1e-3f);
+    EXPECT_NEAR(middle->y, 300, 1e-3f);
+    EXPECT_FALSE(screen.view().project({0, 1, 5}));
+    for (const Vec3 point : {Vec3(1, 2, -1), Vec3(-0.4f, 0.3f, 1)}) {
+        const auto at = screen.view().project(point);
+        const Vec3 towards = glm::normalize(point - screen.camera.position);
+        EXPECT_LT(glm::length(screen.view().directionAt(*at) - towards), 1e-5f);
+    }
+}
+
+TEST(Gizmo, AnAxisFollowsTheMouse) {
+    const OnScreen screen;
+    const Affine placed = translate({0.2f, 1, 0}) * scale(Vec3(0.5f));
+    GizmoSettings settings{.mode = GizmoMode::Move};
+    Gizmo gizmo;
+    const auto handles = gizmo.handles(placed, settings, screen.view(), 80.0f);
+    ASSERT_EQ(handles.size(), 4u);
+    const Vec2 tip = handles[0].line.back();
+    EXPECT_NEAR(tip.x - handles[0].line.front().x, 80.0f, 0.5f);
+    const auto meant = Gizmo::nearest(handles, tip + Vec2(2, 3), 6.0f);
+    ASSERT_TRUE(meant);
+    EXPECT_EQ(meant->axis, 0);
+    EXPECT_FALSE(Gizmo::nearest(handles, tip + Vec2(20, 20), 6.0f));
+    gizmo.begin(*meant, placed, settings, screen.view(), tip);
+    expectNear(gizmo.drag(settings, screen.view(), tip, false), placed, 0.0f + 1e-9f);
+    // The point of the axis that was under the mouse stays under it.
+    const Affine moved = gizmo.drag(settings, screen.view(), tip + Vec2(90, 40), false);
+    const auto then = gizmo.handles(moved, settings, screen.view(), 80.0f);
+    EXPECT_NEAR(then[0].line.back().x, tip.x + 90.0f, 0.5f);
+    EXPECT_EQ(moved.translation.y, placed.translation.y);
+    const Affine snapped = gizmo.drag(settings, screen.view(), tip + Vec2(90, 40), true);
+    const float steps = (snapped.translation.x - 0.2f) / settings.moveStep;
+    EXPECT_NEAR(steps, std::round(steps), 1e-4f);
+}
+
+TEST(Gizmo, ARingTurnsAndABoxStretches) {
+    const OnScreen screen;
+    const Affine placed = translate({0, 1, 0}) * scale(Vec3(1, 2, 1));
+    GizmoSettings settings{.mode = GizmoMode::Rotate};
+    Gizmo gizmo;
+    auto handles = gizmo.handles(placed, settings, screen.view(), 80.0f);
+    ASSERT_EQ(handles.size(), 3u);
+    // The ring about z faces the camera: a quarter of it, from right to top.
+    gizmo.begin(handles[2], placed, settings, screen.view(), {480, 300});
+    const Affine turned = gizmo.drag(settings, screen.view(), {400, 220}, false);
+    EXPECT_LT(glm::length(turned.linear[0] - Vec3(0, 1, 0)), 1e-4f);
+    EXPECT_EQ(turned.translation, placed.translation);
+    settings.mode = GizmoMode::Scale;
+    handles = gizmo.handles(placed, settings, screen.view(), 80.0f);
+    const Vec2 tip = handles[1].line.back();
+    gizmo.begin(handles[1], placed, settings, screen.view(), tip);
+    const Affine stretched = gizmo.drag(settings, screen.view(), {400, 300 + 2 * (tip.y - 300)}, false);
+    EXPECT_NEAR(glm::length(stretched.linear[1]), 4.0f, 1e-3f);
+    EXPECT_EQ(stretched.linear[0], placed.linear[0]);
+    EXPECT_TRUE(isInvertible(gizmo.drag(settings, screen.view(), {400, 900}, false))) << "never flat";
+}
+
+SceneDocument documentOf(int objects) {
+    SceneDescription scene;
+    scene.materials.resize(2);
+    scene.materials[1].emission.value = Vec3(1.0f);
+    for (int i = 0; i < objects; ++i) {
+        scene.objects.emplace_back().name = "ball " + std::to_string(i);
+    }
+    scene.objects.back().material = 1;
+    SceneDocument document;
+    document.adopt(scene);
+    return document;
+}
+
+TEST(ObjectEdits, SoloLeavesLampsAndUndoBringsBackWhatIsHidden) {
+    SceneDocument document = documentOf(5);
+    const auto before = document.version();
+    document.selectedObject = 2;
+    soloSelection(&document);
+    document.takeEdits();
+    ASSERT_EQ(document.draft().objects.size(), 2u);
+    EXPECT_EQ(document.draft().objects[0].name, "ball 2");
+    EXPECT_EQ(document.selectedObject, 0);
+    EXPECT_EQ(document.hidden().size(), 3u);
+    const auto solo = document.version();
+    document.show(before);
+    EXPECT_EQ(document.draft().objects.size(), 5u);
+    EXPECT_TRUE(document.hidden().empty());
+    document.show(solo);
+    showAll(&document);
+    EXPECT_EQ(document.draft().objects.size(), 5u);
+    EXPECT_TRUE(document.hidden().empty());
+}
+
+TEST(ObjectEdits, TheFocusFollowsItsObject) {
+    SceneDocument document = documentOf(3);
+    document.draft().camera.position = {0, 0, 10};
+    document.draft().camera.target = {0, 0, 0};
+    document.selectedObject = 1;
+    document.focusOnSelection();
+    document.takeEdits();
+    EXPECT_FLOAT_EQ(document.draft().camera.focalDistance, 10.0f);
+    document.draft().objects[1].objectToWorld.translation = {3, 0, 4};
+    document.takeEdits();
+    EXPECT_FLOAT_EQ(document.draft().camera.focalDistance, 6.0f);
+    document.selectedObject = 0;
+    deleteSelection(&document);
+    document.draft().objects[0].objectToWorld.translation = {0, 0, 5};
+    document.takeEdits();
+    EXPECT_FLOAT_EQ(document.draft().camera.focalDistance, 5.0f) << "it has another number now";
+    document.selectedObject = 0;
+    deleteSelection(&document);
+    document.takeEdits();
+    EXPECT_FLOAT_EQ(document.draft().camera.focalDistance, 5.0f);
+}
+
+TEST(ObjectEdits, AnotherScenesObjectsKeepTheirMaterialsAndTextures) {
+    SceneDescription scene = documentOf(2).draft();
+    scene.textures.resize(3);
+    SceneDescription other = documentOf(1).draft();
+    other.path = "elsewhere/model.obj";
+    other.textures.emplace_back().name = "wood";
+    other.textures[0].image.source = FileSource{"wood.png"};
+    other.materials[1].color.texture = 0;
+    other.objects[0].objectToWorld = translate({50, 0, 0}) * scale(Vec3(10));
+    EXPECT_EQ(addScene(other, {0, 1, 0}, 2.0f, &scene), 1u);
+    ASSERT_EQ(scene.objects.size(), 3u);
+    const Object& added = scene.objects[2];
+    EXPECT_EQ(added.material, 3);
+    EXPECT_EQ(scene.materials[3].color.texture, 3);
+    EXPECT_EQ(scene.textures[3].name, "wood");
+    EXPECT_THAT(pathOf(scene.textures[3].image.source), HasSubstr("/elsewhere/wood.png"));
+    EXPECT_LT(glm::length(added.objectToWorld.translation - Vec3(0, 2, 0)), 1e-5f) << "stands on the place";
+    EXPECT_NEAR(added.objectToWorld.linear[0].x, 1.0f, 1e-5f);
+}
+
+TEST(MaterialPresets, HaveNamesOfTheirOwnAndKeepTheMaterials) {
+    size_t count = 0;
+    for (const MaterialPresetGroup& group : materialPresets()) {
+        count += group.presets.size();
+        for (const MaterialPreset& preset : group.presets) {
+            EXPECT_FALSE(preset.name.empty());
+            EXPECT_LE(maxComponent(preset.material.color.value), 1.0f) << preset.name;
+        }
+    }
+    EXPECT_GT(count, 40u);
+    Material mine;
+    mine.name = "mine";
+    takeMaterial(materialPresets()[0].presets[0].material, &mine);
+    EXPECT_EQ(mine.name, "mine");
+    EXPECT_EQ(mine.kind, MaterialKind::Conductor);
+}
+
+}  // namespace
+}  // namespace glint
