@@ -4,6 +4,7 @@
 // changes its size, and the assertions here ask for the new entry.
 #pragma once
 
+#include "engine/kernels/profile_view.h"
 #include "engine/kernels/scene_view.h"
 #include "engine/kernels/texture.h"
 #include "engine/kernels/triangle_cluster.h"
@@ -47,10 +48,13 @@ void forEachArray(EnvironmentView& environment, Visit&& visit) {
 /// The scene's own arrays but for the tables of meshes and textures, whose entries hold pointers themselves.
 template <class Visit>
 void forEachArray(SceneView& view, Visit&& visit) {
-    static_assert(sizeof(GeometryView) == 128 && sizeof(LightView) == 112, "list a new array below");
+    static_assert(sizeof(GeometryView) == 176 && sizeof(LightView) == 128, "list a new array below");
     const auto visitView = [&](auto& array) { visit(array.data, size_t{array.count}); };
     visitView(view.geometry.instances);
+    visitView(view.geometry.profiles);
     visitView(view.geometry.curves);
+    visitView(view.geometry.pieces);
+    visitView(view.geometry.groups);
     visit(view.geometry.topLevel.data, view.geometry.topLevel.bytes);
     visitView(view.geometry.topInstances);
     visitView(view.geometry.planes);
@@ -60,6 +64,7 @@ void forEachArray(SceneView& view, Visit&& visit) {
     visitView(view.lights.emitters);
     visitView(view.lights.nodes);
     visitView(view.lights.emitterNodes);
+    visitView(view.lights.castLights);
     forEachArray(view.lights.environment, visit);
 }
 

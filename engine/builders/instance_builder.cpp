@@ -2,9 +2,7 @@
 #include "engine/builders/instance_builder.h"
 
 #include <algorithm>
-#include <iterator>
 
-#include "engine/builders/profile_builder.h"
 #include "engine/kernels/shapes/shape_facts.h"
 #include "engine/scene/profile.h"
 
@@ -36,14 +34,21 @@ InstanceData makeInstance(const Object& object, uint32_t firstEmitter) {
 }  // namespace
 
 GeometryView InstanceTable::view() const {
-    return {viewOf(instances),    viewOf(meshes), viewOf(curves), topLevel.view,
-            viewOf(topInstances), viewOf(planes), bounds};
+    return {viewOf(instances),
+            viewOf(meshes),
+            viewOf(profiles.profiles),
+            viewOf(profiles.curves),
+            viewOf(profiles.pieces),
+            viewOf(profiles.groups),
+            topLevel.view,
+            viewOf(topInstances),
+            viewOf(planes),
+            bounds};
 }
 
 size_t InstanceTable::bytes() const {
-    return instances.size() * sizeof(InstanceData) + meshes.size() * sizeof(MeshView) +
-           curves.size() * sizeof(ProfileCurve) + topLevel.view.bytes +
-           (topInstances.size() + planes.size()) * sizeof(uint32_t);
+    return instances.size() * sizeof(InstanceData) + meshes.size() * sizeof(MeshView) + profiles.bytes() +
+           topLevel.view.bytes + (topInstances.size() + planes.size()) * sizeof(uint32_t);
 }
 
 std::shared_ptr<const InstanceTable> buildInstances(
@@ -58,8 +63,7 @@ std::shared_ptr<const InstanceTable> buildInstances(
         const Object& object = scene.objects[i];
         table->instances.push_back(makeInstance(object, firstEmitter.empty() ? kNone : firstEmitter[i]));
         if (object.shape == ShapeKind::Revolved) {
-            table->instances.back().mesh = static_cast<uint32_t>(table->curves.size());
-            std::ranges::copy(buildProfile(object), std::back_inserter(table->curves));
+            table->instances.back().mesh = addProfile(object, &table->profiles);
         }
         if (!isFiniteShape(object.shape)) {
             table->planes.push_back(i);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/builders/mesh_builder.h"
+#include "engine/builders/profile_builder.h"
 #include "engine/scene/scene.h"
 
 namespace glint {
@@ -12,7 +13,7 @@ namespace glint {
 struct InstanceTable {
     std::vector<InstanceData> instances;  ///< same indices as SceneDescription::objects
     std::vector<MeshView> meshes;         ///< same indices as SceneDescription::meshes
-    std::vector<ProfileCurve> curves;     ///< of the surfaces of revolution, one profile after the other
+    ProfileTable profiles;                ///< of the surfaces of revolution
     Accelerator topLevel;                 ///< over all finite instances that are not empty
     std::vector<uint32_t> topInstances;
     std::vector<uint32_t> planes;

@@ -159,7 +159,9 @@ class TableBuilder {
         for (const Light& light : scene_.lights) {
             if ((light.kind == LightKind::Directional) != directional) { continue; }
             const EmitterData e = pointlikeEmitter(light);
-            if (maxComponent(e.radiance) > 0.0f) { table_->emitters.push_back(e); }
+            if (!(maxComponent(e.radiance) > 0.0f)) { continue; }
+            table_->castLights.push_back(e);
+            if (!light.onlyRayCast) { table_->emitters.push_back(e); }
         }
     }
 
@@ -184,6 +186,8 @@ void addEnvironment(const SceneDescription& scene, const LightTable* previous, i
         table->environmentRotationRad = environment.rotationDeg * (kPi / 180.0f);
         if (table->environment) { mean = table->environment->meanLuminance; }
     }
+    table->environmentIsSeenOnly = environment.seenOnly;
+    if (environment.seenOnly) { return; }
     table->environmentIrradiance = luminance(table->environmentRadiance) * mean * kPi;
     if (!(table->environmentIrradiance > 0.0f)) { return; }
     EmitterData e;
@@ -227,6 +231,8 @@ LightView LightTable::view() const {
     v.emitterNodes = viewOf(emitterNodes);
     v.finiteCount = finiteCount;
     v.usesTree = usesTree;
+    v.environmentIsSeenOnly = environmentIsSeenOnly;
+    v.castLights = viewOf(castLights);
     v.environmentIrradiance = environmentIrradiance;
     v.environmentRadiance = environmentRadiance;
     if (environment) {
@@ -238,7 +244,7 @@ LightView LightTable::view() const {
 }
 
 size_t LightTable::bytes() const {
-    return emitters.size() * sizeof(EmitterData) + nodes.size() * sizeof(LightNode) +
+    return (emitters.size() + castLights.size()) * sizeof(EmitterData) + nodes.size() * sizeof(LightNode) +
            (emitterNodes.size() + firstEmitter.size()) * sizeof(uint32_t) +
            (environment ? environment->bytes() : 0);
 }

@@ -29,6 +29,8 @@ struct LightTable {
     std::shared_ptr<const EnvironmentTable> environment;  ///< null without an environment image
     uint32_t finiteCount = 0;
     bool usesTree = false;
+    bool environmentIsSeenOnly = false;
+    std::vector<EmitterData> castLights;
     float environmentIrradiance = 0.0f;
     Vec3 environmentRadiance{0.0f};
     float environmentRotationRad = 0.0f;

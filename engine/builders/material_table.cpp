@@ -183,7 +183,11 @@ void setRelief(const Material& material, const TextureTable& textures, MaterialD
     if (data->opacity < 1.0f || data->opacityTexture != kNone || data->alphaTexture != kNone) {
         data->flags |= kMaterialCutOut;
     }
-    bool isMipmapped = hasMipmap(textures, data->colorTexture);
+    bool isMipmapped = false;
+    for (const uint32_t texture :
+         {data->colorTexture, data->emissionTexture, data->heightTexture, data->normalTexture}) {
+        isMipmapped = isMipmapped || hasMipmap(textures, texture);
+    }
     forEachModelInput(
         [&](const InputInfo&, const TextureSlot& slot) {
             isMipmapped = isMipmapped || hasMipmap(textures, slot.index);

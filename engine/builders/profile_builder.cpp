@@ -7,6 +7,7 @@
 
 #include <glm/ext/vector_double2.hpp>
 
+#include "engine/builders/profile_pieces.h"
 #include "engine/math/bernstein.h"
 #include "engine/scene/profile.h"
 
@@ -15,29 +16,6 @@ namespace {
 
 using Point = glm::dvec2;
 
-double binomial(int n, int k) {
-    double value = 1.0;
-    for (int i = 0; i < k; ++i) {
-        value = value * (n - i) / (i + 1);
-    }
-    return value;
-}
-
-/// Bernstein coefficients of the product of two polynomials of one degree (Farouki and Rajan 1988, equation
-/// 44).
-void multiply(const double* f, const double* g, int degree, double* product) {
-    std::fill(product, product + 2 * degree + 1, 0.0);
-    for (int i = 0; i <= degree; ++i) {
-        for (int j = 0; j <= degree; ++j) {
-            product[i + j] +=
-                binomial(degree, i) * binomial(degree, j) / binomial(2 * degree, i + j) * f[i] * g[j];
-        }
-    }
-    // The ends are exact, so that neighbouring curves agree about them.
-    product[0] = f[0] * g[0];
-    product[2 * degree] = f[degree] * g[degree];
-}
-
 /// The Bézier points of the span of a uniform cubic B-spline that begins at `p`.
 std::array<Point, 4> spanPoints(const Vec2* p) {
     const auto knot = [&](int i) { return (Point(p[i]) + 4.0 * Point(p[i + 1]) + Point(p[i + 2])) / 6.0; };
@@ -45,37 +23,12 @@ std::array<Point, 4> spanPoints(const Vec2* p) {
             knot(1)};
 }
 
-/// Coefficients of powers from those of Bernstein polynomials, by forward differences.
-void toPowers(const double* bernstein, int degree, double* powers) {
-    std::vector<double> differences(bernstein, bernstein + degree + 1);
-    for (int i = 0; i <= degree; ++i) {
-        powers[i] = binomial(degree, i) * differences[0];
-        for (size_t k = 0; k + 1 < differences.size(); ++k) {
-            differences[k] = differences[k + 1] - differences[k];
-        }
-        differences.pop_back();
-    }
-}
-
 ProfileCurve makeCurve(const Point* points, int degree) {
     ProfileCurve curve{};
     curve.degree = degree;
-    curve.lowest = curve.highest = points[0].y;
     for (int i = 0; i <= degree; ++i) {
         curve.x[i] = points[i].x;
         curve.y[i] = points[i].y;
-        curve.radius = std::max(curve.radius, std::fabs(points[i].x));
-        curve.lowest = std::min(curve.lowest, points[i].y);
-        curve.highest = std::max(curve.highest, points[i].y);
-    }
-    double one[kMaxProfileDegree + 1];
-    std::fill(std::begin(one), std::end(one), 1.0);
-    multiply(curve.x, curve.x, degree, curve.xSquared);
-    multiply(curve.y, curve.y, degree, curve.ySquared);
-    multiply(curve.y, one, degree, curve.yRaised);
-    if (degree < static_cast<int>(std::size(curve.xPowers))) {
-        toPowers(curve.x, degree, curve.xPowers);
-        toPowers(curve.y, degree, curve.yPowers);
     }
     return curve;
 }
@@ -106,7 +59,8 @@ double ringOf(const ProfileCurve& curve, double begin, double end) {
     return sum * (end - begin) / kSteps;
 }
 
-void tabulateArea(std::vector<ProfileCurve>* curves) {
+/// Each step's share of the surface's area; returns that.
+float tabulateArea(std::vector<ProfileCurve>* curves) {
     constexpr int kSteps = ProfileCurve::kAreaSteps;
     std::vector<double> before{0.0};
     for (const ProfileCurve& curve : *curves) {
@@ -117,20 +71,50 @@ void tabulateArea(std::vector<ProfileCurve>* curves) {
     }
     const double all = before.back();
     for (size_t i = 0; i < curves->size(); ++i) {
-        ProfileCurve& curve = (*curves)[i];
-        curve.area = static_cast<float>(2.0 * std::numbers::pi * all);
         for (size_t step = 0; step <= kSteps; ++step) {
-            curve.areaBefore[step] = static_cast<float>(all > 0.0 ? before[i * kSteps + step] / all : 0.0);
+            (*curves)[i].areaBefore[step] =
+                static_cast<float>(all > 0.0 ? before[i * kSteps + step] / all : 0.0);
         }
+    }
+    return static_cast<float>(2.0 * std::numbers::pi * all);
+}
+
+/// Discs where the profile ends off the axis, as straight curves between there and the axis.
+void addCaps(std::vector<ProfileCurve>* curves) {
+    const ProfileCurve first = curves->front(), last = curves->back();
+    const Point begin(first.x[0], first.y[0]), end(last.x[last.degree], last.y[last.degree]);
+    if (begin.x != 0.0) {
+        const Point points[] = {{0.0, begin.y}, begin};
+        ProfileCurve cap = makeCurve(points, 1);
+        cap.vBegin = first.vBegin - first.vStep;
+        cap.vStep = first.vStep;
+        curves->insert(curves->begin(), cap);
+    }
+    if (end.x != 0.0) {
+        const Point points[] = {end, {0.0, end.y}};
+        ProfileCurve cap = makeCurve(points, 1);
+        cap.vBegin = last.vBegin + last.vStep;
+        cap.vStep = last.vStep;
+        curves->push_back(cap);
     }
 }
 
 }  // namespace
 
-std::vector<ProfileCurve> buildProfile(const Object& object) {
+ProfileView ProfileTable::view(size_t index) const {
+    const ProfileData& data = profiles[index];
+    return {&data, curves.data() + data.firstCurve, pieces.data() + data.firstPiece,
+            groups.data() + data.firstGroup};
+}
+
+size_t ProfileTable::bytes() const {
+    return profiles.size() * sizeof(ProfileData) + curves.size() * sizeof(ProfileCurve) +
+           pieces.size() * sizeof(ProfilePiece) + groups.size() * sizeof(PieceGroup);
+}
+
+std::vector<ProfileCurve> profileCurvesOf(const Object& object) {
     const ProfileCurves shape = profileCurves(object);
     std::vector<ProfileCurve> curves;
-    double volume = 0.0;
     for (size_t i = 0; i < shape.count; ++i) {
         std::array<Point, kMaxProfileDegree + 1> points{};
         if (object.curve == CurveKind::Bspline) {
@@ -141,17 +125,36 @@ std::vector<ProfileCurve> buildProfile(const Object& object) {
                            [](const Vec2& p) { return Point(p); });
         }
         curves.push_back(makeCurve(points.data(), shape.degree));
-        volume += volumeOf(curves.back());
+        curves.back().vBegin = 1.0f - static_cast<float>(i) / static_cast<float>(shape.count);
+        curves.back().vStep = -1.0f / static_cast<float>(shape.count);
     }
-    const Bounds box = profileBounds(object.profile);
-    for (ProfileCurve& curve : curves) {
-        curve.count = static_cast<uint32_t>(shape.count);
-        curve.centerY = 0.5 * (static_cast<double>(box.lo.y) + static_cast<double>(box.hi.y));
-        curve.size = glm::length(glm::dvec3(box.hi) - glm::dvec3(box.lo));
-        curve.front = volume < 0.0 ? -1.0f : 1.0f;
-    }
-    tabulateArea(&curves);
+    if (object.capped) { addCaps(&curves); }
     return curves;
+}
+
+uint32_t addProfile(const Object& object, ProfileTable* table) {
+    std::vector<ProfileCurve> curves = profileCurvesOf(object);
+    const Bounds box = profileBounds(object.profile);
+    ProfileData data{};
+    data.middle = 0.5 * (static_cast<double>(box.lo.y) + static_cast<double>(box.hi.y));
+    data.halfHeight = 0.5 * (static_cast<double>(box.hi.y) - static_cast<double>(box.lo.y));
+    data.radius = static_cast<double>(box.hi.x);
+    data.firstCurve = static_cast<uint32_t>(table->curves.size());
+    data.curveCount = static_cast<uint32_t>(curves.size());
+    data.firstPiece = static_cast<uint32_t>(table->pieces.size());
+    data.area = tabulateArea(&curves);
+    double volume = 0.0;
+    for (const ProfileCurve& curve : curves) {
+        volume += volumeOf(curve);
+    }
+    data.front = volume < 0.0 ? -1.0f : 1.0f;
+    data.clampsSearch = object.clampsSearch;
+    data.firstGroup = static_cast<uint32_t>(table->groups.size());
+    addPieces(curves, data, &table->pieces, &table->groups);
+    data.pieceCount = static_cast<uint32_t>(table->pieces.size()) - data.firstPiece;
+    table->curves.insert(table->curves.end(), curves.begin(), curves.end());
+    table->profiles.push_back(data);
+    return static_cast<uint32_t>(table->profiles.size() - 1);
 }
 
 }  // namespace glint

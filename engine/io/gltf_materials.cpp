@@ -215,6 +215,24 @@ Status GltfMaterials::takeSurface(const tinygltf::Material& from, Material* out)
     return {};
 }
 
+void GltfMaterials::takeAlpha(const tinygltf::Material& from, int colorTexture, Material* out) {
+    const float factor = number(surfaceOf(from).baseColorFactor[3], 0.0, 1.0);
+    const float limit = number(from.alphaCutoff, 0.0, 1e3);
+    const bool isMask = from.alphaMode == "MASK";
+    out->alphaCutsOut = from.alphaMode == "BLEND";
+    if (out->alphaCutsOut) { out->opacity = {factor, out->color.texture < 0 ? colorTexture : -1}; }
+    if (!isMask) { return; }
+    out->opacity = {factor >= limit ? 1.0f : 0.0f, -1};
+    if (colorTexture < 0) { return; }
+    constexpr float kSteep = 1e4f;
+    Texture mask = scene_.textures[static_cast<size_t>(colorTexture)];
+    mask.channel = TextureChannel::Alpha;
+    mask.gain = kSteep * factor;
+    mask.base = 1.0f - kSteep * limit;
+    out->opacity.texture = static_cast<int>(scene_.textures.size());
+    scene_.textures.push_back(std::move(mask));
+}
+
 void GltfMaterials::remarkLeftOut(const tinygltf::Material& from) {
     if (from.occlusionTexture.index >= 0) {
         file_.remark("occlusion maps are left out: light is occluded by itself", from.name);
@@ -252,10 +270,6 @@ Result<GltfMaterial> GltfMaterials::take(int index) {
     if (!normal) { return normal.error(); }
     out.normalMap.texture = normal->texture;
     out.normalStrength = number(from.normalTexture.scale, 0.0, 1e3);
-    out.alphaCutsOut = from.alphaMode == "MASK" || from.alphaMode == "BLEND";
-    if (out.alphaCutsOut) {
-        out.opacity = {number(pbr.baseColorFactor[3], 0.0, 1.0), out.color.texture < 0 ? color->texture : -1};
-    }
     if (color->texture < 0 && normal->texture >= 0) { taken.uvSet = normal->uvSet; }
     const Result<Map> emission = takeTexture(from.emissiveTexture, ColorEncoding::Srgb);
     if (!emission) { return emission.error(); }
@@ -271,6 +285,7 @@ Result<GltfMaterial> GltfMaterials::take(int index) {
             file_.remark("emission maps lose the colour of their factor", from.name);
         }
     }
+    takeAlpha(from, color->texture, &out);
     const bool differs = (emission->texture >= 0 && color->uvSet != emission->uvSet) ||
                          (normal->texture >= 0 && color->uvSet != normal->uvSet);
     if (color->texture >= 0 && differs) {

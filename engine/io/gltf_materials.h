@@ -50,6 +50,8 @@ class GltfMaterials {
     /// Means of the three channels of a texture's image in [0, 1]; 1 each where it cannot be read.
     Result<Vec3> meanOf(int texture);
     Status takeSurface(const tinygltf::Material& from, Material* out);
+    /// What of the surface is there.
+    void takeAlpha(const tinygltf::Material& from, int colorTexture, Material* out);
     void remarkLeftOut(const tinygltf::Material& from);
 
     GltfFile& file_;

@@ -122,9 +122,9 @@ bool MitsubaMeshes::addAttribute(const Wish& wish, Raw* raw) {
     return true;
 }
 
-int MitsubaMeshes::take(MitsubaObject* shape, const MitsubaSurface& surface, bool isMirrored) {
+MitsubaMesh MitsubaMeshes::take(MitsubaObject* shape, const MitsubaSurface& surface, bool isMirrored) {
     const Wish wish = wishOf(shape, surface, isMirrored);
-    if (context_.failed()) { return -1; }
+    if (context_.failed()) { return {}; }
     const auto known = taken_.find(wish.key());
     if (known != taken_.end()) { return known->second; }
     Result<Raw> raw = read(wish);
@@ -135,7 +135,7 @@ int MitsubaMeshes::take(MitsubaObject* shape, const MitsubaSurface& surface, boo
             context_.refuse(shape->element(), fmt::format("the file \"{}\" cannot be read: {}", wish.path,
                                                           raw.error().message));
         }
-        return taken_[wish.key()] = -1;
+        return taken_[wish.key()] = {};
     }
     const bool hadColors = !raw->mesh->colors.empty();
     const bool hasAttribute = !wish.attribute.empty() && addAttribute(wish, &*raw);
@@ -151,7 +151,7 @@ int MitsubaMeshes::take(MitsubaObject* shape, const MitsubaSurface& surface, boo
 }
 
 /// Normals of a file are kept as they are; others follow the shape.
-int MitsubaMeshes::add(const Wish& wish, Raw raw) {
+MitsubaMesh MitsubaMeshes::add(const Wish& wish, Raw raw) {
     MeshData& mesh = *raw.mesh;
     const bool hasNormals = !mesh.normals.empty() && std::ranges::none_of(mesh.normals, isZero);
     const bool hasFacets = wish.hasFacets || raw.hasFacets;
@@ -177,14 +177,15 @@ int MitsubaMeshes::add(const Wish& wish, Raw raw) {
         completeNormals(wish.path, &raw.file);
         raw.mesh = joinParts(raw.file.parts);
     }
+    const MitsubaMesh result{static_cast<int>(context_.scene.meshes.size()), isOpenMesh(*raw.mesh)};
     out.data = std::move(raw.mesh);
     context_.scene.meshes.push_back(std::move(out));
-    return static_cast<int>(context_.scene.meshes.size()) - 1;
+    return result;
 }
 
-int MitsubaMeshes::cube(bool isFlipped) {
-    int& cube = cubes_[isFlipped ? 1 : 0];
-    if (cube >= 0) { return cube; }
+MitsubaMesh MitsubaMeshes::cube(bool isFlipped) {
+    MitsubaMesh& cube = cubes_[isFlipped ? 1 : 0];
+    if (cube.index >= 0) { return cube; }
     auto mesh = std::make_shared<MeshData>();
     // Of each side: its normal, and the direction from its first corner to its second.
     constexpr int kSides[6][6] = {{0, -1, 0, 0, 0, 1}, {0, 1, 0, -1, 0, 0}, {1, 0, 0, 0, 1, 0},
@@ -206,15 +207,9 @@ int MitsubaMeshes::cube(bool isFlipped) {
         }
     }
     if (isFlipped) { turnOver(mesh.get()); }
-    cube = static_cast<int>(context_.scene.meshes.size());
+    cube.index = static_cast<int>(context_.scene.meshes.size());
     context_.scene.meshes.push_back({isFlipped ? "flipped cube" : "cube", {}, std::move(mesh)});
     return cube;
-}
-
-bool MitsubaMeshes::isOpen(int mesh) {
-    const auto [known, isNew] = open_.try_emplace(mesh, false);
-    if (isNew) { known->second = isOpenMesh(*context_.scene.meshes[static_cast<size_t>(mesh)].data); }
-    return known->second;
 }
 
 int MitsubaMeshes::reversed(int mesh) {

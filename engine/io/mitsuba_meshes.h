@@ -11,17 +11,20 @@
 
 namespace glint {
 
+struct MitsubaMesh {
+    int index = -1;       ///< in the scene; -1: there is none
+    bool isOpen = false;  ///< it has edges of one triangle
+};
+
 class MitsubaMeshes {
   public:
     explicit MitsubaMeshes(MitsubaContext* context) : context_(*context) {}
 
-    /// The number in the scene of the mesh of an obj, ply or serialized shape. `isMirrored`: its transform
-    /// mirrors. A file that is missing is an error, or with LoadOptions::allowMissing a remark; -1 then.
-    int take(MitsubaObject* shape, const MitsubaSurface& surface, bool isMirrored);
+    /// The mesh of an obj, ply or serialized shape. `isMirrored`: its transform mirrors. A file that is
+    /// missing is an error, or with LoadOptions::allowMissing a remark.
+    MitsubaMesh take(MitsubaObject* shape, const MitsubaSurface& surface, bool isMirrored);
     /// The cube from (-1, -1, -1) to (1, 1, 1).
-    int cube(bool isFlipped);
-    /// Whether it has edges of one triangle.
-    bool isOpen(int mesh);
+    MitsubaMesh cube(bool isFlipped);
     /// The same triangles seen from their backs.
     int reversed(int mesh);
     /// What the files needed to be repaired.
@@ -35,14 +38,13 @@ class MitsubaMeshes {
     Result<Raw> read(const Wish& wish);
     /// False where the attribute is not there.
     static bool addAttribute(const Wish& wish, Raw* raw);
-    int add(const Wish& wish, Raw raw);
+    MitsubaMesh add(const Wish& wish, Raw raw);
 
     using Key = std::tuple<std::string, int, int, float, std::string, std::array<float, 6>>;
     MitsubaContext& context_;
-    std::map<Key, int> taken_;
-    std::map<int, bool> open_;
+    std::map<Key, MitsubaMesh> taken_;
     std::map<int, int> reversed_;
-    int cubes_[2] = {-1, -1};
+    MitsubaMesh cubes_[2];
     std::vector<std::string> warnings_;
 };
 

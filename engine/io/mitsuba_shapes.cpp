@@ -175,20 +175,20 @@ std::vector<Object> MitsubaShapes::meshOf(Shape* shape) {
     const UvOrigin origin = meshOrigin(shape->object);
     const MitsubaSurface& surface = materials_.surfaceOf(shape->bsdf, origin);
     if (context_.failed()) { return {}; }
-    const int mesh = meshes_.take(shape->object, surface, shape->toWorld.determinant() < 0.0f);
-    if (mesh < 0) { return {}; }
+    const MitsubaMesh mesh = meshes_.take(shape->object, surface, shape->toWorld.determinant() < 0.0f);
+    if (mesh.index < 0) { return {}; }
     Object object;
     object.shape = ShapeKind::Mesh;
-    object.mesh = mesh;
+    object.mesh = mesh.index;
     object.objectToWorld = shape->toWorld;
-    const bool needsBack = !surface.isTwoSided && meshes_.isOpen(mesh);
-    return finish(*shape, std::move(object), origin, needsBack ? meshes_.reversed(mesh) : -1);
+    const bool needsBack = mesh.isOpen && !surface.isTwoSided;
+    return finish(*shape, std::move(object), origin, needsBack ? meshes_.reversed(mesh.index) : -1);
 }
 
 std::vector<Object> MitsubaShapes::cubeOf(const Shape& shape) {
     Object object;
     object.shape = ShapeKind::Mesh;
-    object.mesh = meshes_.cube(shape.isFlipped);
+    object.mesh = meshes_.cube(shape.isFlipped).index;
     object.objectToWorld = shape.toWorld;
     return finish(shape, std::move(object), UvOrigin::Top, -1);
 }

@@ -216,11 +216,7 @@ void SceneTextReader::finish() {
         std::any_of(scene_.objects.begin(), scene_.objects.end(), [&](const Object& object) {
             return scene_.materials[static_cast<size_t>(object.material)].emissive();
         });
-    if (anyEmits) {
-        scene_.lights.clear();
-    } else if (!scene_.lights.empty()) {
-        useLights();
-    }
+    if (!scene_.lights.empty()) { useLights(anyEmits); }
     const std::vector<std::string> lines = remarks_.lines();
     scene_.warnings.insert(scene_.warnings.end(), lines.begin(), lines.end());
 }
@@ -243,17 +239,20 @@ void SceneTextReader::scaleMeshBumps() {
     }
 }
 
-void SceneTextReader::useLights() {
+void SceneTextReader::useLights(bool onlyToCastRays) {
     const Vec3 center = sceneCenter();
     scene_.rayCast.shadows = scene_.rayCast.falloff = false;  // As the original casts rays.
     for (Light& light : scene_.lights) {
         light.strength = kPi;  // Phong's diffuse term lacks Lambert's 1 / pi.
         if (light.kind == LightKind::Point) { light.strength *= lengthSquared(light.position - center); }
+        light.onlyRayCast = onlyToCastRays;
     }
-    scene_.notes.push_back(
-        fmt::format("{}: no material emits, so the Lights block shines; point lights fall off "
-                    "with distance and are as bright as written at the scene's middle",
-                    scene_.path));
+    if (onlyToCastRays) { return; }
+    scene_.environment.seenOnly = true;
+    scene_.notes.push_back(fmt::format(
+        "{}: no material emits, so the Lights block shines and the background lights nothing; point "
+        "lights fall off with distance and are as bright as written at the scene's middle",
+        scene_.path));
 }
 
 Vec3 SceneTextReader::sceneCenter() const {

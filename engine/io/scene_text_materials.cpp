@@ -5,6 +5,12 @@
 #include "engine/io/used_assets.h"
 
 namespace glint {
+namespace {
+
+/// The original's heights run from -1 to 1 metre; its published ball of bricks has the relief of a tenth.
+constexpr float kBumpHeight = 0.2f;
+
+}  // namespace
 
 void SceneTextReader::readMaterials() {
     tokens_.take();
@@ -52,7 +58,7 @@ void SceneTextReader::readMaterial() {
         } else if (tokens_.accept("bump")) {
             const TextToken pathAt = tokens_.peek();
             material.bump.texture = addTexture(pathAt, tokens_.path("a bump map"));
-            material.bumpHeight = 2.0f;  // The original's heights run from -1 to 1.
+            material.bumpHeight = kBumpHeight;
         } else {
             tokens_.failUnknown("Material", kFields);
         }

@@ -37,7 +37,7 @@ class SceneTextReader {
     /// Gives bumps of meshes, which the original ignored, heights in proportion to their images.
     void scaleMeshBumps();
     /// Turns the Lights block's Phong lights into physical ones, when nothing else shines.
-    void useLights();
+    void useLights(bool onlyToCastRays);
     Vec3 sceneCenter() const;
 
     // scene_text_materials.cpp

@@ -22,6 +22,7 @@ GLINT_HD AovSample traceAovPixel(const SceneView& view, const PassParams& params
     const bool found = intersect<kMask>(view, ray, &hit, CountTests{&tests});
     result.boxesTested = static_cast<float>(tests.boxes);
     result.primitivesTested = static_cast<float>(tests.primitives);
+    result.newtonSteps = static_cast<float>(tests.newtonSteps);
     if (!found) { return result; }
     RayCone cone = pixelCone(view.camera, params.height);
     cone.travel(hit.t);

@@ -33,22 +33,26 @@ GLINT_HD inline Vec2 halfTexel(const TextureView& texture) {
 
 /// The height's slope along a unit tangent: `step` in uv is `length` of the way.
 template <FeatureMask kMask>
-GLINT_HD inline float heightSlope(const TextureView& texture, const Vec2& uv, const Vec2& step,
+GLINT_HD inline float heightSlope(const TextureView& texture, const Vec2& uv, float uvWidth, const Vec2& step,
                                   float length) {
-    const float rise = sampleNumber<kMask>(texture, uv + step) - sampleNumber<kMask>(texture, uv - step);
+    const float rise =
+        sampleNumber<kMask>(texture, uv + step, uvWidth) - sampleNumber<kMask>(texture, uv - step, uvWidth);
     return length > 0.0f ? rise / (2.0f * length) : 0.0f;
 }
 
 /// `n` as a surface of the texture's heights has it. Lengths in world space.
 template <FeatureMask kMask>
 GLINT_HD inline Vec3 raisedNormal(const TextureView& texture, float heightScale, const Vec2& uv,
-                                  const Tangents& tangents, const Vec3& n) {
+                                  float uvWidth, const Tangents& tangents, const Vec3& n) {
     const float perU = glm::length(tangents.dpdu), perV = glm::length(tangents.dpdv);
-    const Vec2 half = halfTexel(texture);
+    Vec2 half = halfTexel(texture);
+    if (hasFeature<kMask>(kFeatureMipmaps) && texture.mips != nullptr) {
+        half = glm::max(half, Vec2(0.5f * uvWidth));
+    }
     const float least = kLeastStepRatio * maxf(half.x * perU, half.y * perV);
     const auto slope = [&](float step, float per, const Vec2& axis) {
         const float wide = step * per < least ? minf(least / per, 0.25f) : step;
-        return heightScale * heightSlope<kMask>(texture, uv, wide * axis, maxf(wide * per, least));
+        return heightScale * heightSlope<kMask>(texture, uv, uvWidth, wide * axis, maxf(wide * per, least));
     };
     const Vec3 u = normalizeOr(tangents.dpdu, Vec3(0.0f));
     const Vec3 v = normalizeOr(tangents.dpdv, Vec3(0.0f));
@@ -87,22 +91,24 @@ GLINT_HD inline Vec3 mappedNormal(const Vec3& code, float strength, const Tangen
 
 }  // namespace detail
 
-/// The shading normal that the material makes of `ns` at uv; ng on its side, all in world space.
+/// The shading normal that the material makes of `ns` at uv; ng on its side, all in world space. uvWidth:
+/// what a pixel covers of u and v, 0 where that is not known.
 template <FeatureMask kMask>
 GLINT_HD inline Vec3 perturbedNormal(const SceneView& view, const MaterialData& material, const Vec2& uv,
-                                     const Tangents& tangents, const Vec3& ng, const Vec3& ns) {
+                                     float uvWidth, const Tangents& tangents, const Vec3& ng,
+                                     const Vec3& ns) {
     const bool isCoded = material.normalTexture < view.textures.count;
     Vec3 code = material.normalCode;
     Tangents axes = tangents;
     if (isCoded) {
         const TextureView& texture = view.textures[material.normalTexture];
-        code = sampleNumbers<kMask>(texture, uv);
+        code = sampleNumbers<kMask>(texture, uv, uvWidth);
         axes = detail::imageAxes<kMask>(texture, uv, tangents);
     }
     Vec3 n = isFinite(code) ? detail::mappedNormal(code, material.normalStrength, axes, ns) : ns;
     if (material.heightTexture < view.textures.count) {
         n = detail::raisedNormal<kMask>(view.textures[material.heightTexture], material.bumpHeight, uv,
-                                        tangents, n);
+                                        uvWidth, tangents, n);
     }
     const float above = glm::dot(n, ng);
     if (above >= detail::kLeastBumpCosine) { return n; }

@@ -4,6 +4,7 @@
 
 #include <bit>
 
+#include "engine/base/bits.h"
 #include "engine/kernels/box_test.h"
 #include "engine/kernels/bvh_nodes.h"
 
@@ -14,14 +15,6 @@ namespace glint {
 using StackEntry = uint64_t;
 
 GLINT_HD inline uint32_t floatBits(float x) { return std::bit_cast<uint32_t>(x); }
-
-GLINT_HD inline uint32_t lowestBit(uint32_t mask) {
-#if GLINT_ON_DEVICE
-    return static_cast<uint32_t>(__ffs(static_cast<int>(mask)) - 1);
-#else
-    return static_cast<uint32_t>(__builtin_ctz(mask));
-#endif
-}
 
 GLINT_HD inline StackEntry* pushSortedScalar(const WideNode& node, uint32_t mask, const float* distance,
                                              StackEntry* top) {

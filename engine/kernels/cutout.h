@@ -23,14 +23,15 @@ GLINT_HD inline float opacityAt(const SceneView& view, const MaterialData& mater
     if constexpr (hasFeature<kMask>(kFeatureCutouts)) {
         if (material.opacityTexture < view.textures.count) {
             const TextureView& texture = view.textures[material.opacityTexture];
-            opacity =
-                texture.alpha != nullptr ? sampleAlpha<kMask>(texture, uv) : sampleNumber<kMask>(texture, uv);
+            opacity = texture.alpha != nullptr
+                          ? detail::adjusted<kMask>(texture, sampleAlpha<kMask>(texture, uv))
+                          : sampleNumber<kMask>(texture, uv);
         }
         if (material.alphaTexture < view.textures.count) {
             opacity *= sampleAlpha<kMask>(view.textures[material.alphaTexture], uv);
         }
     }
-    return opacity;
+    return clampf(opacity, 0.0f, 1.0f);
 }
 
 namespace detail {

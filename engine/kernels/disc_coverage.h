@@ -27,6 +27,7 @@ struct GatherSurface {
     Vec2 uv;
     uint32_t material;
     uint32_t number;  ///< surfaceNumber()
+    float uvWidth;    ///< what a pixel covers of u and v; 0 where no texture asks for it
 };
 
 /// The half spaces before the walls in a disc.

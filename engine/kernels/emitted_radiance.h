@@ -20,8 +20,9 @@ GLINT_HD inline Vec2 emitterUv(const GeometryView& geometry, const EmitterData& 
     if (isMesh<kMask>(instance)) {
         return MeshShape::emitterUv(geometry.meshes[instance.mesh], e, e.original - instance.firstEmitter, p);
     }
-    if (const ProfileCurve* curves = profileOf<kMask>(geometry, instance)) {
-        return RevolvedShape::emitterUv<kMask>(curves, instance.worldToObject.point(p));
+    if (isRevolved<kMask>(instance)) {
+        return RevolvedShape::emitterUv<kMask>(profileAt(geometry, instance.mesh),
+                                               instance.worldToObject.point(p));
     }
     return visitShape<Vec2, kAnalyticOnly<kMask>>(instance.shape, [&](auto shape) {
         return decltype(shape)::template surface<kMask>(instance.worldToObject.point(p)).uv;
@@ -30,12 +31,14 @@ GLINT_HD inline Vec2 emitterUv(const GeometryView& geometry, const EmitterData& 
 
 }  // namespace detail
 
-/// Radiance that an emissive material sends out at texture coordinates uv, on a side that emits.
+/// Radiance that an emissive material sends out at texture coordinates uv, on a side that emits. uvWidth:
+/// what a pixel covers of them, 0 where that is not known.
 template <FeatureMask kMask>
-GLINT_HD inline Vec3 emissionAt(const SceneView& view, const MaterialData& material, const Vec2& uv) {
+GLINT_HD inline Vec3 emissionAt(const SceneView& view, const MaterialData& material, const Vec2& uv,
+                                float uvWidth = 0.0f) {
     if (!detail::emitsTexture<kMask>(view, material)) { return material.emission; }
     return material.emission *
-           glm::max(sampleTexture<kMask>(view.textures[material.emissionTexture], uv), Vec3(0.0f));
+           glm::max(sampleTexture<kMask>(view.textures[material.emissionTexture], uv, uvWidth), Vec3(0.0f));
 }
 
 /// Mean radiance of an area emitter at its point p, on a side that emits: nothing comes from where it is cut
@@ -54,13 +57,14 @@ GLINT_HD inline Vec3 emitterRadiance(const SceneView& view, const EmitterData& e
 }
 
 /// Radiance that leaves `surface` towards the unit direction woWorld; 0 from the back of a one-sided emitter.
+/// uvWidth: as emissionAt() says.
 template <FeatureMask kMask>
-GLINT_HD inline Vec3 emittedRadiance(const SceneView& view, const SurfacePoint& surface,
-                                     const Vec3& woWorld) {
+GLINT_HD inline Vec3 emittedRadiance(const SceneView& view, const SurfacePoint& surface, const Vec3& woWorld,
+                                     float uvWidth = 0.0f) {
     const MaterialData& material = view.materials[surface.material];
     if ((material.flags & kMaterialEmissive) == 0) { return Vec3(0.0f); }
     const bool seen = (material.flags & kMaterialEmitsBothSides) != 0 || glm::dot(woWorld, surface.ng) > 0.0f;
-    return seen ? emissionAt<kMask>(view, material, surface.uv) : Vec3(0.0f);
+    return seen ? emissionAt<kMask>(view, material, surface.uv, uvWidth) : Vec3(0.0f);
 }
 
 }  // namespace glint

@@ -14,6 +14,10 @@
 namespace glint {
 
 struct TriangleCluster;  // triangle_cluster.h
+struct ProfileData;      // profile_view.h, like the next three
+struct ProfileCurve;
+struct ProfilePiece;
+struct PieceGroup;
 
 constexpr uint32_t kNone = 0xffffffffu;
 
@@ -40,7 +44,7 @@ enum InstanceFlag : uint8_t {
 struct InstanceData {
     Affine objectToWorld;
     Affine worldToObject;
-    /// ShapeKind::Mesh: index into GeometryView::meshes; Revolved: the profile's first curve in ::curves
+    /// ShapeKind::Mesh: index into GeometryView::meshes; Revolved: into ::profiles
     uint32_t mesh = kNone;
     uint32_t material = 0;  ///< index into SceneView::materials
     /// emissive: index of this instance's first emitter (one per triangle, in order)
@@ -66,33 +70,13 @@ struct MeshView {
     Bounds bounds;
 };
 
-constexpr int kMaxProfileDegree = 15;
-
-/// One Bézier curve of a profile (shapes/revolved.h), with the products that a ray's polynomial is made of.
-/// All arrays are Bernstein coefficients, the products' of twice the degree.
-struct ProfileCurve {
-    double x[kMaxProfileDegree + 1];  ///< distance from the axis, signed
-    double y[kMaxProfileDegree + 1];  ///< height
-    double xSquared[2 * kMaxProfileDegree + 1];
-    double ySquared[2 * kMaxProfileDegree + 1];
-    double yRaised[2 * kMaxProfileDegree + 1];  ///< y with its degree raised
-    double xPowers[4], yPowers[4];              ///< up to degree 3: coefficients of powers
-    double radius, lowest, highest;             ///< of a cylinder around it
-    double centerY, size;                       ///< of the whole profile's box: middle, diagonal
-    int degree;
-    uint32_t count;  ///< curves of the profile
-    /// Of the whole surface: its area, and the share of it before each of the curve's equal steps of the
-    /// parameter, and at its end.
-    static constexpr int kAreaSteps = 16;
-    float area;
-    float areaBefore[kAreaSteps + 1];
-    float front;  ///< 1: the front is where (dy/ds, -dx/ds) points to in the half plane; -1: the other side
-};
-
 struct GeometryView {
     View<InstanceData> instances;  ///< same indices as SceneDescription::objects
     View<MeshView> meshes;
-    View<ProfileCurve> curves;    ///< of all profiles
+    View<ProfileData> profiles;
+    View<ProfileCurve> curves;  ///< of all profiles, like the next two
+    View<ProfilePiece> pieces;
+    View<PieceGroup> groups;
     AcceleratorView topLevel;     ///< over all finite instances; its kind is that of all meshes
     View<uint32_t> topInstances;  ///< leaf contents of topLevel: indices into instances
     View<uint32_t> planes;        ///< infinite instances, tested one by one

@@ -26,10 +26,10 @@ GLINT_HD inline bool intersectInstanceSided(const SceneView& view, uint32_t inde
         if (!MeshShape::intersect<kMeshTraversal<kMask>, kAnyHit, kFrontOnly>(mesh, local, hit, tests)) {
             return false;
         }
-    } else if (const ProfileCurve* curves = profileOf<kMask>(view.geometry, instance)) {
-        tests.countPrimitives(1);
+    } else if (isRevolved<kMask>(instance)) {
+        const ProfileView profile = profileAt(view.geometry, instance.mesh);
         const Ray local = toObjectSpace(instance, ray);
-        if (!RevolvedShape::intersect<kAnyHit, kFrontOnly>(curves, local, hit)) { return false; }
+        if (!RevolvedShape::intersect<kAnyHit, kFrontOnly>(profile, local, hit, tests)) { return false; }
     } else {
         tests.countPrimitives(1);
         const Ray local = toObjectSpace(instance, ray);

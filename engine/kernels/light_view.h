@@ -90,10 +90,13 @@ struct LightView {
     View<uint32_t> emitterNodes;  ///< usesTree: the leaf of each finite emitter; otherwise empty
     uint32_t finiteCount = 0;     ///< emitters[0 .. finiteCount) have a place, the rest are infinitely far
     bool usesTree = false;
+    bool environmentIsSeenOnly = false;  ///< by rays from the camera: then it is no emitter
     /// luminance times pi, averaged over all directions: weighs its choice
     float environmentIrradiance = 0.0f;
     Vec3 environmentRadiance{0.0f};  ///< constant environment; multiplies the image where there is one
     EnvironmentView environment;
+    /// for ray casting: all lights without a shape, those in `emitters` and those for it alone
+    View<EmitterData> castLights;
 };
 
 }  // namespace glint

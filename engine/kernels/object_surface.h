@@ -15,11 +15,10 @@ GLINT_HD inline bool isMesh(const InstanceData& instance) {
     return instance.shape == ShapeKind::Mesh;
 }
 
-/// The curves of the instance's profile; null where it is no surface of revolution.
+/// Whether the instance is a surface of revolution.
 template <FeatureMask kMask>
-GLINT_HD inline const ProfileCurve* profileOf(const GeometryView& geometry, const InstanceData& instance) {
-    if constexpr (!hasFeature<kMask>(kFeatureRevolved)) { return nullptr; }
-    return instance.shape == ShapeKind::Revolved ? geometry.curves.data + instance.mesh : nullptr;
+GLINT_HD inline bool isRevolved(const InstanceData& instance) {
+    return hasFeature<kMask>(kFeatureRevolved) && instance.shape == ShapeKind::Revolved;
 }
 
 /// The flags of the instance's material; none in views without materials, which only tests make.
@@ -37,8 +36,8 @@ GLINT_HD inline ObjectPoint objectPointAt(const SceneView& view, const Ray& ray,
                                          vertexColor);
     }
     const Vec3 pRough = toObjectSpace(instance, ray).at(hit.t);
-    if (const ProfileCurve* curves = profileOf<kMask>(view.geometry, instance)) {
-        return RevolvedShape::surface<kMask>(curves, hit, pRough);
+    if (isRevolved<kMask>(instance)) {
+        return RevolvedShape::surface<kMask>(profileAt(view.geometry, instance.mesh), hit, pRough);
     }
     return visitShape<ObjectPoint, kAnalyticOnly<kMask>>(
         instance.shape, [&](auto shape) { return decltype(shape)::template surface<kMask>(pRough); });
@@ -51,8 +50,8 @@ GLINT_HD inline Tangents objectTangentsAt(const SceneView& view, const Hit& hit,
     if (isMesh<kMask>(instance)) {
         return MeshShape::tangents(view.geometry.meshes[instance.mesh], hit.primitive);
     }
-    if (const ProfileCurve* curves = profileOf<kMask>(view.geometry, instance)) {
-        return RevolvedShape::tangents(curves, hit, p);
+    if (isRevolved<kMask>(instance)) {
+        return RevolvedShape::tangents(profileAt(view.geometry, instance.mesh), hit, p);
     }
     return visitShape<Tangents, kAnalyticOnly<kMask>>(
         instance.shape, [&](auto shape) { return decltype(shape)::tangents(p); });

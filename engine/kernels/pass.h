@@ -26,6 +26,7 @@ enum Aov : uint32_t {
     kAovMaterialId = 1u << 5,  ///< material index + 1; 0: nothing hit
     kAovBoxesTested = 1u << 6,       ///< by the camera's ray: boxes of the acceleration structures, or planes
     kAovPrimitivesTested = 1u << 7,  ///< likewise: triangles and other shapes
+    kAovNewtonSteps = 1u << 8,       ///< likewise: evaluations of turned profiles
 };
 
 struct PassParams {
@@ -55,6 +56,7 @@ struct AovSample {
     uint32_t materialId = 0;
     float boxesTested = 0.0f;  ///< counts; their means over passes need not be whole
     float primitivesTested = 0.0f;
+    float newtonSteps = 0.0f;
 };
 
 /// One camera path. When fault is not None, radiance is 0 and must not enter the film.

@@ -76,7 +76,8 @@ GLINT_HD inline void addEnvironment(const SceneView& view, const PassParams& par
                                     Log* log) {
     if constexpr (hasFeature<kMask>(kFeatureEnvironmentConstant) ||
                   hasFeature<kMask>(kFeatureEnvironmentImage)) {
-        const Vec3 radiance = environmentRadiance<kMask>(view, path->ray.direction);
+        const bool isHidden = view.lights.environmentIsSeenOnly && path->depth > 0;
+        const Vec3 radiance = isHidden ? Vec3(0.0f) : environmentRadiance<kMask>(view, path->ray.direction);
         const float pdfLight = path->specularBounce
                                    ? 0.0f
                                    : pdfLightEnvironment<kMask>(view, path->context, path->ray.direction);
@@ -90,7 +91,9 @@ GLINT_HD inline void addEnvironment(const SceneView& view, const PassParams& par
 template <FeatureMask kMask, class Log>
 GLINT_HD inline void addEmission(const SceneView& view, const PassParams& params, const SurfacePoint& surface,
                                  const Vec3& wo, PathState* path, Log* log) {
-    const Vec3 radiance = emittedRadiance<kMask>(view, surface, wo);
+    // Where light sampling finds the same light, both see it alike.
+    const float uvWidth = path->specularBounce ? surface.uvWidth : 0.0f;
+    const Vec3 radiance = emittedRadiance<kMask>(view, surface, wo, uvWidth);
     if (isZero(radiance)) { return; }
     float pdfLight = 0.0f;
     if constexpr (hasFeature<kMask>(kFeatureAreaLights)) {

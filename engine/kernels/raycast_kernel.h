@@ -56,14 +56,8 @@ GLINT_HD Vec3 phongOfLights(const SceneView& view, const RayCastView& settings, 
     const PhongMaterial& material = settings.materials[surface.material];
     const Vec3 normal = glm::dot(surface.ng, toViewer) < 0.0f ? -surface.ns : surface.ns;
     Vec3 sum(0.0f);
-    bool hasLight = false;
-    // They stand behind the emitters that have a shape.
-    for (uint32_t i = view.lights.emitters.count; i-- > 0;) {
-        const EmitterData& emitter = view.lights.emitters[i];
-        if (emitter.kind == EmitterKind::Shape) { break; }
-        if (!isDeltaLight(emitter.kind)) { continue; }
-        hasLight = true;
-        const LightSample light = lightForPhong(view, settings, emitter, surface.p);
+    for (uint32_t i = view.lights.castLights.count; i-- > 0;) {
+        const LightSample light = lightForPhong(view, settings, view.lights.castLights[i], surface.p);
         if (!(light.pdfSolidAngle > 0.0f)) { continue; }
         const Vec3 radiance =
             phongRadiance(albedo, material, normal, toViewer, light.wiWorld, light.radiance);
@@ -77,7 +71,9 @@ GLINT_HD Vec3 phongOfLights(const SceneView& view, const RayCastView& settings, 
         }
         sum += radiance;
     }
-    return hasLight ? sum : phongRadiance(albedo, material, normal, toViewer, toViewer, Vec3(kPi));
+    return view.lights.castLights.count > 0
+               ? sum
+               : phongRadiance(albedo, material, normal, toViewer, toViewer, Vec3(kPi));
 }
 
 /// One sample of pixel (x, y) in params.pass: the environment where nothing is hit.
@@ -96,7 +92,8 @@ GLINT_HD PixelSample traceRayCast(const SceneView& view, const RayCastView& sett
     const SurfacePoint surface = surfaceAt<kMask>(view, ray, hit);
     const Vec3 toViewer = -ray.direction;
     const Vec3 albedo = displayAlbedo(makeBsdf<kMask>(view, surface, toViewer));
-    sample.radiance = emittedRadiance<kMask>(view, surface, toViewer) + albedo * settings.ambient +
+    sample.radiance = emittedRadiance<kMask>(view, surface, toViewer, surface.uvWidth) +
+                      albedo * settings.ambient +
                       phongOfLights<kMask>(view, settings, surface, albedo, toViewer, &sample.rays);
     return sample;
 }

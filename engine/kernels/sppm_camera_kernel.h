@@ -64,6 +64,9 @@ GLINT_HD bool followToVisiblePoint(const SceneView& view, const SppmParams& para
         if (stored.contains(uLobe)) {
             *point = makeVisiblePoint(surface, wo, *path, stored.probability());
             point->footprint = distance * 2.0f * view.camera.tanHalfFovY / static_cast<float>(pass.height);
+            if (hasFeature<kMask>(kFeatureMipmaps) && surface.uvWidth > 0.0f) {
+                point->footprint = withUvWidth(point->footprint, surface.uvWidth);
+            }
             rests = true;
             if (!sampleLight) { return true; }
             // One more ray, for light that the sampled direction finds: the other half of multiple

@@ -37,6 +37,17 @@ GLINT_HD inline bool liesOnSurface(const SceneView& view, const PhotonLayout& la
                         radiusSquared);
 }
 
+/// What a pixel covers of u and v at the point; 0 where no texture asks for it.
+template <FeatureMask kMask>
+GLINT_HD inline float uvWidthOfPoint(const SceneView& view, const VisiblePoint& point) {
+    if constexpr (hasFeature<kMask>(kFeatureMipmaps)) {
+        if ((materialFlagsOf(view, view.geometry.instances[point.instance]) & kMaterialMipmaps) != 0) {
+            return uvWidthIn(point.footprint);
+        }
+    }
+    return 0.0f;
+}
+
 /// Weight of a photon at a distance of sqrt(t) radii in the estimate of the bias of the mean over the disc.
 /// Radiance L + a r^2 has a mean of L + a R^2 / 2 there, and a mean of a R^2 / 6 when weighted by 2t - 1, in
 /// which constant and linear radiance cancel. The estimate has three times the mean's variance and is
@@ -61,7 +72,8 @@ GLINT_HD Gathered gatherPhotons(const SceneView& view, const PhotonMap& photons,
                                 point.vertexColor,
                                 point.uv,
                                 view.geometry.instances[point.instance].material,
-                                surfaceNumber<kMask>(view, params, point.instance)};
+                                surfaceNumber<kMask>(view, params, point.instance),
+                                detail::uvWidthOfPoint<kMask>(view, point)};
     DiscClip clip;
     gathered.probe = detail::probeDisc<kMask>(view, params, statistics, sampler, point, surface,
                                               std::sqrt(radiusSquared), &clip);

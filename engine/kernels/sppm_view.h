@@ -4,6 +4,9 @@
 // owned by render/sppm_state.h. Sizes are part of the memory budget and asserted below.
 #pragma once
 
+#include <bit>
+#include <cmath>
+
 #include "engine/kernels/pass.h"
 #include "engine/math/bounds.h"
 #include "engine/math/vec.h"
@@ -53,9 +56,21 @@ struct VisiblePoint {
     uint32_t instance : 23 = 0;
     uint32_t hasWavelength : 1 = 0;  ///< the path's, which its sampler tells (spectrum.h)
     uint32_t depth : 8 = 0;          ///< scattering events before this one
-    /// about the width of a pixel here, world units: length of the path times the pixel's angle
+    /// about the width of a pixel here, world units: length of the path times the pixel's angle. Where a
+    /// texture has a mip map, withUvWidth().
     float footprint = 0.0f;
 };
+
+/// Tenths of an octave in place of the footprint's last eight bits: a visible point has no room for more.
+GLINT_HD inline float withUvWidth(float footprint, float uvWidth) {
+    const float tenths = 10.0f * (std::log2(uvWidth) + 20.0f);
+    const auto code = static_cast<uint32_t>(tenths > 1.0f ? (tenths < 255.0f ? tenths : 255.0f) : 1.0f);
+    return std::bit_cast<float>((std::bit_cast<uint32_t>(footprint) & ~0xffu) | code);
+}
+GLINT_HD inline float uvWidthIn(float footprint) {
+    const uint32_t code = std::bit_cast<uint32_t>(footprint) & 0xffu;
+    return code > 0 ? std::exp2(0.1f * static_cast<float>(code) - 20.0f) : 0.0f;
+}
 
 /// Whether one point of a disc is covered by its surface (disc_coverage.h).
 struct DiscProbe {

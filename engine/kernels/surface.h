@@ -118,8 +118,8 @@ GLINT_HD inline void addTangents(const SceneView& view, const Ray& ray, const Hi
         point->uvWidth = area > 0.0f ? minf(pixelWidth / std::sqrt(area), 1e6f) : 0.0f;
     }
     if (hasFeature<kMask>(kFeatureBumps) && (flags & kMaterialBump) != 0) {
-        point->ns = perturbedNormal<kMask>(view, view.materials[instance.material], point->uv, world,
-                                           point->ng, point->ns);
+        point->ns = perturbedNormal<kMask>(view, view.materials[instance.material], point->uv, point->uvWidth,
+                                           world, point->ng, point->ns);
     }
 }
 

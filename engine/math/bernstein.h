@@ -79,11 +79,11 @@ GLINT_HD inline double polygonRoot(const double* b, int degree) {
 }  // namespace detail
 
 /// Newton's method for f(x), a PolynomialValue, from x within a bracket whose ends differ in sign. Ends with
-/// a step, or a bracket, of at most 1e-9. *steps counts evaluations.
+/// a step, or a bracket, of at most `close`; where the slope is not close to 0 there, a step's square is what
+/// is left of the error. *steps counts evaluations.
 template <class Function>
-GLINT_HD inline double bracketedRoot(const Function& f, double lo, double hi, bool startsNegative, double x,
-                                     uint32_t* steps) {
-    constexpr double kClose = 1e-9;
+GLINT_HD inline double bracketedRoot(Function&& f, double lo, double hi, bool startsNegative, double x,
+                                     uint32_t* steps, double close = 1e-9) {
     for (int i = 0; i < 64; ++i) {
         ++*steps;
         const PolynomialValue at = f(x);
@@ -93,9 +93,9 @@ GLINT_HD inline double bracketedRoot(const Function& f, double lo, double hi, bo
             hi = x;
         }
         const double newton = x - at.value / at.derivative;
-        if (std::fabs(newton - x) <= kClose) { return newton < lo ? lo : newton > hi ? hi : newton; }
+        if (std::fabs(newton - x) <= close) { return newton < lo ? lo : newton > hi ? hi : newton; }
         x = newton > lo && newton < hi ? newton : 0.5 * (lo + hi);
-        if (hi - lo <= kClose) { break; }
+        if (hi - lo <= close) { break; }
     }
     return x;
 }
@@ -143,7 +143,7 @@ GLINT_HD inline void forEachBernsteinBracket(const double* coefficients, int deg
 template <int kMost, class Found>
 GLINT_HD inline uint32_t forEachBernsteinRoot(const double* coefficients, int degree, const Found& found) {
     uint32_t steps = 0;
-    const auto valueAt = [&](double x) { return evaluateBernstein<kMost>(coefficients, degree, x); };
+    auto valueAt = [&](double x) { return evaluateBernstein<kMost>(coefficients, degree, x); };
     forEachBernsteinBracket<kMost>(
         coefficients, degree, [&](double begin, double end, bool startsNegative, double guess) {
             found(begin < end ? bracketedRoot(valueAt, begin, end, startsNegative, guess, &steps) : guess);

@@ -168,6 +168,7 @@ void AovFilm::commit(const std::vector<AovSample>& samples, int threads) {
                 mean.geometricNormal += (sample.geometricNormal - mean.geometricNormal) * weight;
                 mean.depth += (sample.depth - mean.depth) * weight;
                 mean.boxesTested += (sample.boxesTested - mean.boxesTested) * weight;
+                mean.newtonSteps += (sample.newtonSteps - mean.newtonSteps) * weight;
                 mean.primitivesTested += (sample.primitivesTested - mean.primitivesTested) * weight;
             }
         });

@@ -86,6 +86,10 @@ void addAovs(const std::vector<AovSample>& samples, uint32_t aovs, ExrBuilder* o
         out->addFloats("trianglesTested.Y", ExrPixelType::Float,
                        [&](size_t i) { return samples[i].primitivesTested; });
     }
+    if ((aovs & kAovNewtonSteps) != 0) {
+        out->addFloats("newtonSteps.Y", ExrPixelType::Float,
+                       [&](size_t i) { return samples[i].newtonSteps; });
+    }
 }
 
 std::map<std::string, std::string> metadata(const FilmSnapshot& snapshot, const SceneDescription& scene) {

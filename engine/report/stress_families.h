@@ -22,6 +22,7 @@ void addCameraCases(StressCases* cases);   ///< stress_camera.cpp: lenses and fi
 void addEnvironmentCases(StressCases* cases);  ///< stress_environment.cpp: one bright pixel
 void addInstanceCases(StressCases* cases);     ///< stress_instances.cpp: transforms
 void addPhotonCases(StressCases* cases);       ///< stress_photons.cpp: radii and photon counts
+void addRevolvedCases(StressCases* cases);     ///< stress_revolved.cpp: roots along rays at turned profiles
 void addRecurrenceCases(StressCases* cases);   ///< stress_sums.cpp: a million passes of the photon statistics
 void addFilmCases(StressCases* cases);         ///< stress_sums.cpp: sums with an outlier
 

@@ -76,6 +76,7 @@ std::vector<StressCase> stressCases() {
     addEnvironmentCases(&cases);
     addInstanceCases(&cases);
     addPhotonCases(&cases);
+    addRevolvedCases(&cases);
     addRecurrenceCases(&cases);
     addFilmCases(&cases);
     return cases;

@@ -19,6 +19,7 @@ struct Light {
     float strength = 1.0f;       ///< multiplies `color`
     float coneAngleDeg = 40.0f;  ///< spot: half angle where the light ends, (0, 90]
     float coneFalloffStartDeg = 30.0f;  ///< spot: half angle where it begins to fall off, [0, coneAngleDeg]
+    bool onlyRayCast = false;           ///< shines in ray casting alone
 };
 
 /// Light from infinitely far away, and the background.
@@ -27,6 +28,7 @@ struct Environment {
     float strength = 1.0f;
     int image = -1;            ///< lat-long image: index into SceneDescription::environmentImages, or -1
     float rotationDeg = 0.0f;  ///< about +y, counter-clockwise seen from above
+    bool seenOnly = false;     ///< a background: rays from the camera see it, and it lights nothing
 
     bool emissive() const { return strength > 0.0f && maxComponent(color) > 0.0f; }
 };

@@ -27,9 +27,12 @@ struct Object {
     CurveKind curve = CurveKind::Bezier;  ///< ShapeKind::Revolved: of `profile`
     int curveDegree = 0;        ///< Revolved, of Bézier curves: up to 15; 0: one curve of all points
     std::vector<Vec2> profile;  ///< Revolved: control points (distance from the y axis, height)
-    int material = 0;           ///< index into SceneDescription::materials
-    Affine objectToWorld;       ///< must be invertible
-    bool frontOnly = false;     ///< rays meet it only from the side the geometric normal points to
+    bool capped = false;        ///< Revolved: discs close it where the profile ends off the axis
+    bool clampsSearch =
+        false;               ///< Revolved: rays meet what one clamped search finds (a known bug, to see it)
+    int material = 0;        ///< index into SceneDescription::materials
+    Affine objectToWorld;    ///< must be invertible
+    bool frontOnly = false;  ///< rays meet it only from the side the geometric normal points to
 };
 
 /// An image used as a colour or a number.

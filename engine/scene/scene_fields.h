@@ -402,6 +402,16 @@ struct FieldsOf<Object> {
                .kinds = only(ShapeKind::Revolved),
                .required = true,
                .onlyOwnKinds = true}),
+        field("caps", &Object::capped,
+              {.help = "discs close the surface where the profile ends off the axis",
+               .kinds = only(ShapeKind::Revolved),
+               .onlyOwnKinds = true,
+               .onlyIfSet = true}),
+        field("clampedSearch", &Object::clampsSearch,
+              {.help = "rays meet what one search finds that is kept on the curve: a known bug, to see it",
+               .kinds = only(ShapeKind::Revolved),
+               .onlyOwnKinds = true,
+               .onlyIfSet = true}),
         field("material", &Object::material,
               {.help = "a material's name, or the material itself", .custom = true}),
         field("frontOnly", &Object::frontOnly, {.help = "rays meet only the front side"}),
@@ -438,15 +448,16 @@ struct FieldsOf<Light> {
                .unit = "degrees",
                .help = "half angle where the light ends",
                .kinds = kSpot}),
-        field(
-            "coneFalloffStartDeg", &Light::coneFalloffStartDeg,
-            {.range = kConeStart,
-             .unit = "degrees",
-             .help = "half angle where it begins to fall off; three quarters of coneAngleDeg if left out",
-             .kinds = kSpot},
-            {.setDefault = [](Light* light) { light->coneFalloffStartDeg = 0.75f * light->coneAngleDeg; },
-             .holds = [](const Light& light) { return light.coneFalloffStartDeg <= light.coneAngleDeg; },
-             .message = "\"coneFalloffStartDeg\" is {}; expected a half angle from 0 to \"coneAngleDeg\""})};
+        field("coneFalloffStartDeg", &Light::coneFalloffStartDeg,
+              {.range = kConeStart,
+               .unit = "degrees",
+               .help = "half angle where it begins to fall off; three quarters of coneAngleDeg if left out",
+               .kinds = kSpot},
+              {.setDefault = [](Light* light) { light->coneFalloffStartDeg = 0.75f * light->coneAngleDeg; },
+               .holds = [](const Light& light) { return light.coneFalloffStartDeg <= light.coneAngleDeg; },
+               .message = "\"coneFalloffStartDeg\" is {}; expected a half angle from 0 to \"coneAngleDeg\""}),
+        field("onlyRayCast", &Light::onlyRayCast,
+              {.help = "shines in ray casting alone", .onlyIfSet = true})};
 };
 
 template <>
@@ -460,7 +471,10 @@ struct FieldsOf<Environment> {
         field("strength", &Environment::strength, {.range = kNotNegative, .help = "factor on color"}),
         field("image", &Environment::image, {.help = "latitude-longitude", .custom = true}),
         field("rotationDeg", &Environment::rotationDeg,
-              {.unit = "degrees", .help = "about +y, counter-clockwise from above"})};
+              {.unit = "degrees", .help = "about +y, counter-clockwise from above"}),
+        field(
+            "seenOnly", &Environment::seenOnly,
+            {.help = "a background: rays from the camera see it, and it lights nothing", .onlyIfSet = true})};
 };
 
 /// What the picture depends on is the image.

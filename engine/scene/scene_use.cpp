@@ -96,10 +96,10 @@ bool hasLight(const SceneDescription& scene) {
                scene.materials[material].emissive();
     };
     const auto isOn = [](const Light& light) {
-        return light.strength > 0.0f && maxComponent(light.color) > 0.0f;
+        return !light.onlyRayCast && light.strength > 0.0f && maxComponent(light.color) > 0.0f;
     };
     return std::ranges::any_of(scene.objects, shines) || std::ranges::any_of(scene.lights, isOn) ||
-           scene.environment.emissive();
+           (scene.environment.emissive() && !scene.environment.seenOnly);
 }
 
 }  // namespace glint

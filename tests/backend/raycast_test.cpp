@@ -166,6 +166,15 @@ TEST(RayCast, OfDiffuseSurfacesItIsPathTracingOfDepthOne) {
     EXPECT_TRUE(agree(meanLuminance(traced.film), {exact.mean, 0.0}));
 }
 
+TEST(RayCast, HasLightsThatAreForItAlone) {
+    SceneDescription scene = ballOverFloor();
+    scene.rayCast.shadows = false;
+    const SessionCapture all = renderTo(1, scene);
+    scene.lights[0].onlyRayCast = true;
+    expectSameBits(all.film, renderTo(1, scene).film);
+    EXPECT_EQ(meanLuminance(renderSession(makeCpuBackend(2), scene, 4, 2).film).mean, 0.0);
+}
+
 TEST(RayCast, MirrorsGlassLampsAndTexturesShowTheirColours) {
     for (const SceneDescription& scene : {allMaterials(), texturedInputs(), emitterShapes()}) {
         const SessionCapture capture = renderTo(1, scene);

@@ -85,7 +85,7 @@ bool same(const AovSample& a, const AovSample& b) {
     return same(a.albedo, b.albedo) && same(a.shadingNormal, b.shadingNormal) &&
            same(a.geometricNormal, b.geometricNormal) && a.depth == b.depth && a.objectId == b.objectId &&
            a.materialId == b.materialId && a.boxesTested == b.boxesTested &&
-           a.primitivesTested == b.primitivesTested;
+           a.primitivesTested == b.primitivesTested && a.newtonSteps == b.newtonSteps;
 }
 bool same(const SppmPixel& a, const SppmPixel& b) {
     return a.radiusSquared == b.radiusSquared && a.photonCount == b.photonCount &&

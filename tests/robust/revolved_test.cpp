@@ -1,7 +1,5 @@
-// Surfaces of revolution against a slow solver in long double: all hits of random rays, and the stiff cases.
-// The solver knows nothing of the polynomial: at each parameter of the profile the ray meets the ring's
-// cylinder twice, and a hit is where such a meeting has the ring's height. It walks the parameter in small
-// steps.
+// Surfaces of revolution against a slow solver in long double (engine/report/revolved_truth.h): all hits of
+// random rays, the stiff cases, caps, and the search that is known to lose hits.
 #include "engine/kernels/shapes/revolved.h"
 
 #include <algorithm>
@@ -9,284 +7,62 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/builders/profile_builder.h"
+#include "engine/report/revolved_truth.h"
 #include "tests/support/uniform_numbers.h"
 
 namespace glint::test {
 namespace {
 
-using Real = long double;
-
-constexpr int kSteps = 800;  // of the slow solver, on each curve
-
-struct ProfileCase {
-    const char* name;
-    CurveKind curve;
-    int degree;
-    std::vector<Vec2> points;
-};
-
-std::vector<ProfileCase> profiles() {
-    return {
-        {"cone", CurveKind::Bezier, 1, {{0.0f, 1.0f}, {1.0f, -1.0f}}},
-        {"cylinder", CurveKind::Bezier, 1, {{0.7f, -1.0f}, {0.7f, 1.0f}}},
-        {"dome", CurveKind::Bezier, 3, {{0.0f, 1.0f}, {0.55f, 1.0f}, {1.0f, 0.55f}, {1.0f, 0.0f}}},
-        {"vase",
-         CurveKind::Bezier,
-         6,
-         {{0.3f, -1.0f},
-          {1.6f, -0.6f},
-          {0.1f, 0.0f},
-          {-0.1f, 0.2f},
-          {0.4f, 0.5f},
-          {0.9f, 0.8f},
-          {0.5f, 1.0f}}},
-        {"degree 15",
-         CurveKind::Bezier,
-         0,
-         {{0.2f, -1.0f},
-          {1.1f, -0.9f},
-          {0.2f, -0.8f},
-          {1.3f, -0.6f},
-          {0.1f, -0.5f},
-          {1.2f, -0.3f},
-          {0.4f, -0.2f},
-          {0.9f, 0.0f},
-          {0.2f, 0.1f},
-          {1.4f, 0.2f},
-          {0.3f, 0.4f},
-          {0.8f, 0.5f},
-          {0.1f, 0.6f},
-          {1.0f, 0.8f},
-          {0.6f, 0.9f},
-          {0.3f, 1.0f}}},
-        {"wine glass",
-         CurveKind::Bspline,
-         3,
-         {{0.0f, -1.0f},
-          {0.0f, -1.0f},
-          {0.6f, -1.0f},
-          {0.6f, -0.95f},
-          {0.1f, -0.9f},
-          {0.08f, -0.3f},
-          {0.5f, 0.0f},
-          {0.55f, 0.9f},
-          {0.5f, 0.9f},
-          {0.45f, 0.05f},
-          {0.0f, -0.2f},
-          {0.0f, -0.2f},
-          {0.0f, -0.2f}}},
-        {"ring",
-         CurveKind::Bspline,
-         3,
-         {{0.8f, -0.2f},
-          {1.0f, 0.0f},
-          {0.8f, 0.2f},
-          {0.6f, 0.0f},
-          {0.8f, -0.2f},
-          {1.0f, 0.0f},
-          {0.8f, 0.2f}}},
-        {"crosses the axis",
-         CurveKind::Bezier,
-         3,
-         {{0.8f, -1.0f}, {-1.5f, -0.3f}, {1.5f, 0.3f}, {-0.8f, 1.0f}}},
-        {"cusp", CurveKind::Bezier, 3, {{0.2f, -0.5f}, {1.2f, 0.5f}, {0.2f, 0.5f}, {1.2f, -0.5f}}},
-        {"flat base", CurveKind::Bezier, 1, {{0.0f, -1.0f}, {1.0f, -1.0f}, {1.0f, 0.5f}, {0.0f, 0.5f}}},
-    };
+const NamedProfile& profileNamed(const std::string& name) {
+    const auto found = std::ranges::find(namedProfiles(), name, &NamedProfile::name);
+    EXPECT_NE(found, namedProfiles().end()) << name;
+    return *found;
 }
 
-Object objectOf(const ProfileCase& c, float scale = 1.0f) {
-    Object object;
-    object.shape = ShapeKind::Revolved;
-    object.curve = c.curve;
-    object.curveDegree = c.degree;
-    for (const Vec2& p : c.points) {
-        object.profile.push_back(scale * p);
-    }
-    return object;
+ProfileTable builtProfile(const Object& object) {
+    ProfileTable table;
+    addProfile(object, &table);
+    return table;
 }
 
-Real valueOf(const double* coefficients, int degree, Real s) {
-    Real b[kMaxProfileDegree + 1] = {};
-    std::copy(coefficients, coefficients + degree + 1, b);
-    for (int left = degree; left > 0; --left) {
-        for (int i = 0; i < left; ++i) {
-            b[i] += s * (b[i + 1] - b[i]);
-        }
-    }
-    return b[0];
-}
-
-class SlowSolver {
-  public:
-    SlowSolver(const ProfileCurve& curve, const Ray& ray) : curve_(curve) {
-        for (int axis = 0; axis < 3; ++axis) {
-            o_[axis] = static_cast<Real>(ray.origin[axis]);
-            d_[axis] = static_cast<Real>(ray.direction[axis]);
-        }
-        flat2_ = d_[0] * d_[0] + d_[2] * d_[2];
-        middle_ = -(o_[0] * d_[0] + o_[2] * d_[2]) / flat2_;
-        const Real across = o_[0] * d_[2] - o_[2] * d_[0];
-        nearest2_ = across * across / flat2_;
-    }
-
-    void findAll(std::vector<Real>* hits) {
-        for (const int side : {-1, 1}) {
-            for (int i = 0; i < kSteps; ++i) {
-                const Real a = static_cast<Real>(i) / kSteps, b = static_cast<Real>(i + 1) / kSteps;
-                findBetween(side, a, b, hits);
-            }
-        }
-    }
-
-  private:
-    Real roomAt(Real s) const {
-        const Real x = valueOf(curve_.x, curve_.degree, s);
-        return x * x - nearest2_;
-    }
-    Real tAt(int side, Real s) const {
-        return middle_ + side * std::sqrt(std::max<Real>(0.0L, roomAt(s)) / flat2_);
-    }
-    Real missAt(int side, Real s) const {
-        return valueOf(curve_.y, curve_.degree, s) - o_[1] - tAt(side, s) * d_[1];
-    }
-
-    template <class Function>
-    static Real bisect(const Function& f, Real a, Real b) {
-        const bool negative = f(a) < 0.0L;
-        for (int i = 0; i < 80; ++i) {
-            const Real c = 0.5L * (a + b);
-            ((f(c) < 0.0L) == negative ? a : b) = c;
-        }
-        return 0.5L * (a + b);
-    }
-
-    void findBetween(int side, Real a, Real b, std::vector<Real>* hits) const {
-        const bool roomA = roomAt(a) >= 0.0L, roomB = roomAt(b) >= 0.0L;
-        if (!roomA && !roomB) { return; }
-        if (roomA != roomB) {
-            const Real edge = bisect([&](Real s) { return roomAt(s); }, a, b);
-            (roomA ? b : a) = edge;
-        }
-        if ((missAt(side, a) < 0.0L) == (missAt(side, b) < 0.0L)) { return; }
-        hits->push_back(tAt(side, bisect([&](Real s) { return missAt(side, s); }, a, b)));
-    }
-
-    const ProfileCurve& curve_;
-    Real o_[3], d_[3], flat2_, middle_, nearest2_;
-};
-
-std::vector<Real> slowHits(const std::vector<ProfileCurve>& curves, const Ray& ray) {
-    std::vector<Real> hits;
-    for (const ProfileCurve& curve : curves) {
-        SlowSolver(curve, ray).findAll(&hits);
-    }
-    std::erase_if(
-        hits, [&](Real t) { return !(t > static_cast<Real>(ray.tMin) && t < static_cast<Real>(ray.tMax)); });
-    std::ranges::sort(hits);
-    return hits;
-}
-
-std::vector<double> fastHits(const std::vector<ProfileCurve>& curves, Ray ray, double gap) {
-    std::vector<double> hits;
-    Hit hit;
-    while (hits.size() < 64 && RevolvedShape::intersect<false, false>(curves.data(), ray, &hit)) {
-        hits.push_back(static_cast<double>(hit.t));
-        ray.tMin = static_cast<float>(static_cast<double>(hit.t) + gap);
-    }
-    return hits;
-}
-
-/// Hits that are clear of each other, so that a grazing ray is not asked for.
-bool isClear(const std::vector<Real>& hits, double gap) {
-    for (size_t i = 1; i < hits.size(); ++i) {
-        if (hits[i] - hits[i - 1] < 4.0L * static_cast<Real>(gap)) { return false; }
-    }
-    return true;
-}
-
-struct Tally {
-    int rays = 0, hits = 0, wrong = 0, skipped = 0;
-};
-
-void compare(const std::vector<ProfileCurve>& curves, const Ray& ray, double size, Tally* tally) {
-    const double gap = 2e-3 * size / static_cast<double>(glm::length(ray.direction));
-    const std::vector<Real> slow = slowHits(curves, ray);
-    ++tally->rays;
-    if (!isClear(slow, gap)) {
-        ++tally->skipped;
-        return;
-    }
-    const std::vector<double> fast = fastHits(curves, ray, gap);
-    const double far = static_cast<double>(glm::length(ray.origin)) + size;
-    bool same = fast.size() == slow.size();
-    for (size_t i = 0; same && i < slow.size(); ++i) {
-        const double t = static_cast<double>(slow[i]);
-        // t is rounded to a float, and the origin's digits end where they end.
-        same = std::fabs(fast[i] - t) <=
-               1e-6 * (std::fabs(t) + far / static_cast<double>(glm::length(ray.direction)));
-    }
-    tally->hits += static_cast<int>(slow.size());
-    tally->wrong += static_cast<int>(!same);
-    if (!same && tally->wrong < 4) {
-        std::string text;
-        for (const Real t : slow) {
-            text += " " + std::to_string(static_cast<double>(t));
-        }
-        text += "; found";
-        for (const double t : fast) {
-            text += " " + std::to_string(t);
-        }
-        ADD_FAILURE() << "origin " << ray.origin.x << " " << ray.origin.y << " " << ray.origin.z
-                      << ", direction " << ray.direction.x << " " << ray.direction.y << " " << ray.direction.z
-                      << ": expected" << text;
-    }
-}
-
-class Revolved : public testing::TestWithParam<ProfileCase> {};
+class Revolved : public testing::TestWithParam<NamedProfile> {};
 
 TEST_P(Revolved, AllHitsOfRandomRays) {
     for (const float scale : {1.0f, 1e-4f, 1e5f}) {
-        const std::vector<ProfileCurve> curves = buildProfile(objectOf(GetParam(), scale));
+        const TestedProfile profile(GetParam().object(scale), static_cast<double>(scale));
         UniformNumbers random(3);
-        const auto point = [&](float reach) {
-            return reach * scale *
-                   Vec3(2.0f * random.next() - 1.0f, 2.0f * random.next() - 1.0f,
-                        2.0f * random.next() - 1.0f);
-        };
-        Tally tally;
-        for (int i = 0; i < 300; ++i) {
-            const Vec3 from = point(i % 3 == 0 ? 1.0f : 30.0f);
-            const Vec3 to = point(1.0f);
-            compare(curves, Ray{from, (to - from) * (i % 2 == 0 ? 1.0f : 1e-3f), 0.0f, kInfinity},
-                    static_cast<double>(scale), &tally);
+        RevolvedTally tally;
+        for (int i = 0; i < 2000; ++i) {
+            const std::array<float, 6> u{random.next(), random.next(), random.next(),
+                                         random.next(), random.next(), random.next()};
+            compareHits(profile, profile.ray(u, i % 3 == 0 ? 1.0 : 30.0, i % 2 == 0 ? 1.0f : 1e-3f), &tally);
         }
-        EXPECT_EQ(tally.wrong, 0);
-        EXPECT_GT(tally.hits, 50);
+        EXPECT_EQ(tally.wrong, 0) << tally.firstWrong;
+        EXPECT_GT(tally.hits, 500);
         EXPECT_LT(tally.skipped, tally.rays / 5);
     }
 }
 
 /// From horizontal to far from it, through both solutions.
 TEST_P(Revolved, RaysThatAreNearlyHorizontalOrVertical) {
-    const std::vector<ProfileCurve> curves = buildProfile(objectOf(GetParam()));
+    const TestedProfile profile(GetParam().object(), 1.0);
     UniformNumbers random(5);
-    Tally tally;
+    RevolvedTally tally;
     for (const float slope : {0.0f, 1e-9f, 1e-7f, 3e-6f, 9e-6f, 1.1e-5f, 1e-4f, 1e-3f, 1e2f, 1e4f, 1e7f}) {
         for (int i = 0; i < 40; ++i) {
             const float turn = kTwoPi * random.next();
             const Vec3 direction(std::cos(turn), random.next() < 0.5f ? slope : -slope, std::sin(turn));
             const Vec3 through = {1.2f * random.next() - 0.6f, 1.8f * random.next() - 0.9f,
                                   1.2f * random.next() - 0.6f};
-            compare(curves, Ray{through - 3.0f * glm::normalize(direction), direction, 0.0f, kInfinity}, 1.0,
-                    &tally);
+            compareHits(profile, Ray{through - 3.0f * glm::normalize(direction), direction, 0.0f, kInfinity},
+                        &tally);
         }
     }
-    EXPECT_EQ(tally.wrong, 0);
+    EXPECT_EQ(tally.wrong, 0) << tally.firstWrong;
     EXPECT_LT(tally.skipped, tally.rays / 4);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Revolved, testing::ValuesIn(profiles()), [](const auto& each) {
+INSTANTIATE_TEST_SUITE_P(All, Revolved, testing::ValuesIn(namedProfiles()), [](const auto& each) {
     std::string name = each.param.name;
     std::ranges::replace(name, ' ', '_');
     return name;
@@ -294,21 +70,22 @@ INSTANTIATE_TEST_SUITE_P(All, Revolved, testing::ValuesIn(profiles()), [](const 
 
 /// A Bézier curve close to a quarter circle is within 3e-4 of the sphere.
 TEST(RevolvedShape, AlongTheAxisThePoleIsMet) {
-    const std::vector<ProfileCurve> curves = buildProfile(objectOf(profiles()[2]));
+    const ProfileTable table = builtProfile(profileNamed("dome").object());
     Hit hit;
-    EXPECT_TRUE((RevolvedShape::intersect<false, false>(curves.data(),
+    EXPECT_TRUE((RevolvedShape::intersect<false, false>(table.view(0),
                                                         Ray{{0, 5, 0}, {0, -1, 0}, 0.0f, kInfinity}, &hit)));
     EXPECT_FLOAT_EQ(hit.t, 4.0f);
     for (const float x : {1e-30f, 1e-12f, 1e-6f, 1e-3f}) {
         EXPECT_TRUE((RevolvedShape::intersect<false, false>(
-            curves.data(), Ray{{x, 5, 0}, {0, -1, 0}, 0.0f, kInfinity}, &hit)));
+            table.view(0), Ray{{x, 5, 0}, {0, -1, 0}, 0.0f, kInfinity}, &hit)));
         EXPECT_NEAR(hit.t, 4.0f, 1e-5f);
     }
 }
 
 TEST(RevolvedShape, NoRayPassesBetweenNeighbouringCurves) {
-    const std::vector<ProfileCurve> curves = buildProfile(objectOf(profiles()[5]));
+    const ProfileTable table = builtProfile(profileNamed("wine glass").object());
     UniformNumbers random(9);
+    const std::vector<ProfileCurve>& curves = table.curves;
     for (size_t i = 0; i + 1 < curves.size(); ++i) {
         const ProfileCurve& curve = curves[i];
         const double x = curve.x[curve.degree], y = curve.y[curve.degree];
@@ -329,7 +106,7 @@ TEST(RevolvedShape, NoRayPassesBetweenNeighbouringCurves) {
             if (std::fabs(glm::dot(glm::normalize(direction), normal)) < 0.3f) { continue; }
             const Ray ray{from, direction, 0.98f, 1.02f};
             Hit hit;
-            ASSERT_TRUE((RevolvedShape::intersect<true, false>(curves.data(), ray, &hit))) << i << " " << k;
+            ASSERT_TRUE((RevolvedShape::intersect<true, false>(table.view(0), ray, &hit))) << i << " " << k;
         }
     }
 }
@@ -337,11 +114,11 @@ TEST(RevolvedShape, NoRayPassesBetweenNeighbouringCurves) {
 /// Positions, normals and tangents against differences of neighbouring points; the next ray does not meet the
 /// place again.
 TEST(RevolvedShape, SurfacePointsLieOnTheSurfaceAndTheirFrontIsOutside) {
-    for (const ProfileCase& c : profiles()) {
-        Object object = objectOf(c);
+    for (const NamedProfile& c : namedProfiles()) {
+        Object object = c.object();
         for (const bool reversed : {false, true}) {
             if (reversed && c.curve == CurveKind::Bezier) { std::ranges::reverse(object.profile); }
-            const std::vector<ProfileCurve> curves = buildProfile(object);
+            const ProfileTable table = builtProfile(object);
             UniformNumbers random(1);
             for (int i = 0; i < 500; ++i) {
                 const Vec3 from = 4.0f * glm::normalize(Vec3(random.next() - 0.5f, random.next() - 0.5f,
@@ -349,11 +126,11 @@ TEST(RevolvedShape, SurfacePointsLieOnTheSurfaceAndTheirFrontIsOutside) {
                 const Vec3 to(random.next() - 0.5f, 1.6f * random.next() - 0.8f, random.next() - 0.5f);
                 const Ray ray{from, to - from, 0.0f, kInfinity};
                 Hit hit;
-                if (!RevolvedShape::intersect<false, false>(curves.data(), ray, &hit)) { continue; }
+                if (!RevolvedShape::intersect<false, false>(table.view(0), ray, &hit)) { continue; }
                 const ObjectPoint point =
-                    RevolvedShape::surface<kAllFeatures>(curves.data(), hit, ray.at(hit.t));
+                    RevolvedShape::surface<kAllFeatures>(table.view(0), hit, ray.at(hit.t));
                 EXPECT_LT(glm::length(point.p - ray.at(hit.t)), 2e-5f) << c.name;
-                const Tangents t = RevolvedShape::tangents(curves.data(), hit, point.p);
+                const Tangents t = RevolvedShape::tangents(table.view(0), hit, point.p);
                 const Vec3 normal = glm::normalize(point.ng);
                 EXPECT_NEAR(glm::dot(normal, t.dpdu), 0.0f, 1e-4f * glm::length(t.dpdu));
                 EXPECT_NEAR(glm::dot(normal, t.dpdv), 0.0f, 1e-4f * glm::length(t.dpdv));
@@ -365,6 +142,87 @@ TEST(RevolvedShape, SurfacePointsLieOnTheSurfaceAndTheirFrontIsOutside) {
             }
         }
     }
+}
+
+Object tube(bool capped) {
+    Object object;
+    object.shape = ShapeKind::Revolved;
+    object.profile = {{0.5f, -1.0f}, {0.5f, 1.0f}};
+    object.capped = capped;
+    return object;
+}
+
+TEST(RevolvedCaps, CloseATubeAndShineAndLeaveItsTextureAlone) {
+    const ProfileTable open = builtProfile(tube(false)), closed = builtProfile(tube(true));
+    Hit hit;
+    const Ray down{{0.2f, 5.0f, 0.1f}, {0.0f, -1.0f, 0.0f}, 0.0f, kInfinity};
+    EXPECT_FALSE((RevolvedShape::intersect<false, false>(open.view(0), down, &hit)));
+    for (const float tMin : {0.0f, 4.5f}) {
+        Ray ray = down;
+        ray.tMin = tMin;
+        ASSERT_TRUE((RevolvedShape::intersect<false, false>(closed.view(0), ray, &hit)));
+        EXPECT_FLOAT_EQ(hit.t, tMin > 0.0f ? 6.0f : 4.0f);
+        const ObjectPoint at = RevolvedShape::surface<kAllFeatures>(closed.view(0), hit, ray.at(hit.t));
+        EXPECT_GT(at.ng.y * (tMin > 0.0f ? -1.0f : 1.0f), 0.0f) << "outside is the front";
+        EXPECT_EQ((RevolvedShape::intersect<false, true>(closed.view(0), ray, &hit)), tMin == 0.0f);
+    }
+    const Ray across{{5.0f, 0.3f, 0.1f}, {-1.0f, 0.0f, 0.0f}, 0.0f, kInfinity};
+    Vec2 uv[2];
+    for (const ProfileTable* table : {&open, &closed}) {
+        ASSERT_TRUE((RevolvedShape::intersect<false, false>(table->view(0), across, &hit)));
+        uv[table == &closed ? 1 : 0] =
+            RevolvedShape::surface<kAllFeatures>(table->view(0), hit, across.at(hit.t)).uv;
+    }
+    EXPECT_EQ(uv[0], uv[1]);
+    EXPECT_NEAR(open.profiles[0].area, 2.0f * kPi, 1e-5f);
+    EXPECT_NEAR(closed.profiles[0].area, 2.5f * kPi, 1e-5f);
+}
+
+/// What one search finds is there, but much is missing, and whatever lies behind the first hit.
+TEST(ClampedSearch, LosesHitsThatTheOtherFinds) {
+    Object object = profileNamed("wine glass").object();
+    const TestedProfile whole(object, 1.0);
+    object.clampsSearch = true;
+    const ProfileTable clamped = builtProfile(object);
+    UniformNumbers random(4);
+    int found = 0, lost = 0, invented = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const std::array<float, 6> u{random.next(), random.next(), random.next(),
+                                     random.next(), random.next(), random.next()};
+        const Ray ray = whole.ray(u, 3.0, 1.0f);
+        const std::vector<long double> hits = whole.slow.hits(ray);
+        Hit hit;
+        const bool meets = RevolvedShape::intersect<false, false>(clamped.view(0), ray, &hit);
+        lost += static_cast<int>(!hits.empty() && !meets);
+        found += static_cast<int>(meets);
+        invented +=
+            static_cast<int>(meets && std::ranges::none_of(hits, [&](long double t) {
+                                 return std::fabs(static_cast<double>(t) - static_cast<double>(hit.t)) < 1e-2;
+                             }));
+    }
+    EXPECT_GT(found, 400);
+    EXPECT_GT(lost, found / 20);
+    EXPECT_LT(invented, found / 50);
+}
+
+TEST(RevolvedShape, CountingStepsChangesNoHit) {
+    const ProfileTable table = builtProfile(profileNamed("degree 15").object());
+    const TestedProfile profile(profileNamed("degree 15").object(), 1.0);
+    UniformNumbers random(6);
+    TestCounts counts;
+    for (int i = 0; i < 500; ++i) {
+        const std::array<float, 6> u{random.next(), random.next(), random.next(),
+                                     random.next(), random.next(), random.next()};
+        const Ray ray = profile.ray(u, 3.0, 1.0f);
+        Hit plain{}, counted{};
+        const bool meets = RevolvedShape::intersect<false, false>(table.view(0), ray, &plain);
+        ASSERT_EQ(meets, (RevolvedShape::intersect<false, false>(table.view(0), ray, &counted,
+                                                                 CountTests{&counts})));
+        if (meets) { EXPECT_EQ(plain.t, counted.t); }
+    }
+    EXPECT_GT(counts.newtonSteps, 100u);
+    EXPECT_GT(counts.primitives, 100u);
+    EXPECT_LT(counts.primitives, 500u * table.profiles[0].pieceCount / 4);
 }
 
 }  // namespace

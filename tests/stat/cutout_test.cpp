@@ -57,6 +57,23 @@ TEST(Cutouts, ShowWhatIsBehindThem) {
     expectMean(revolved, 0.25, "both sides of a tube");
 }
 
+/// base + gain x of the alpha decides where the texture says so, as glTF's masks do.
+TEST(Cutouts, HaveAThreshold) {
+    SceneDescription scene = beforeTheSky();
+    addObject(&scene, ShapeKind::Rectangle, Affine{}, veil(1.0f));
+    Texture texture;
+    texture.image.bytes = std::make_shared<const Image8>(Image8{1, 1, {255, 255, 255}, {102}});
+    scene.textures.push_back(texture);
+    scene.materials.back().opacity.texture = 0;
+    expectMean(scene, 0.6, "alpha as it is");
+    for (const float threshold : {0.3f, 0.5f}) {
+        scene.textures[0].gain = 1e4f;
+        scene.textures[0].base = -1e4f * threshold;
+        const Estimate seen = meanLuminance(renderFilm(scene, 16));
+        EXPECT_NEAR(seen.mean, threshold < 0.4f ? 0.0 : 1.0, 1e-6);
+    }
+}
+
 /// A floor under a veil above the camera, which sees the floor alone.
 SceneDescription underAVeil(float opacity) {
     SceneDescription scene = emptyScene({0.0f, 1.0f, 0.01f}, Vec3(0.0f), 10.0f, 16);

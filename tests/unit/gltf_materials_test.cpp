@@ -97,6 +97,21 @@ TEST_F(Gltf, TexturesArePlacedAndMultiplied) {
     EXPECT_EQ(without.materials[0].color.texture, -1);
 }
 
+TEST_F(Gltf, MasksHaveALimit) {
+    ASSERT_TRUE(savePng(folder.path("t.png"), {1, 1, {9, 9, 9}, {100}}));
+    const SceneDescription scene = load(gltf(R"("materials": [{"alphaMode": "MASK", "alphaCutoff": 0.25,
+        "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "baseColorFactor": [1, 1, 1, 0.5]}}],
+        "textures": [{"source": 0}], "images": [{"uri": "t.png"}])"));
+    const Material& material = scene.materials[0];
+    EXPECT_FALSE(material.alphaCutsOut);
+    ASSERT_GE(material.opacity.texture, 0);
+    const Texture& mask = scene.textures[static_cast<size_t>(material.opacity.texture)];
+    EXPECT_EQ(mask.channel, TextureChannel::Alpha);
+    // Half of it: an alpha of 0.5 has the limit's.
+    EXPECT_LT(mask.base + mask.gain * 0.49f, 0.0f);
+    EXPECT_GT(mask.base + mask.gain * 0.51f, 1.0f);
+}
+
 TEST_F(Gltf, WhatGlintDoesNotDrawIsSaidOnceOfEachKind) {
     const SceneDescription scene = load(gltf(R"("materials": [{"name": "a", "alphaMode": "MASK",
         "pbrMetallicRoughness": {"metallicFactor": 0.7}, "extensions": {"KHR_materials_sheen": {}}}],

@@ -5,6 +5,8 @@
 
 #include "engine/builders/mip_levels.h"
 #include "engine/io/scene_json.h"
+#include "engine/kernels/sppm_camera_kernel.h"
+#include "engine/kernels/sppm_gather_kernel.h"
 #include "engine/kernels/texture.h"
 #include "tests/support/relief_scenes.h"
 #include "tests/support/render_scene.h"
@@ -88,6 +90,48 @@ TEST(Mipmaps, MakeFarChecksGreyAtOnce) {
     EXPECT_NEAR(a.mean, 0.5, 0.01);
     EXPECT_NEAR(b.mean, 0.5, 0.01);
     EXPECT_LT(b.standardError, 0.5 * a.standardError) << "less noise at equal passes";
+}
+
+TEST(Mipmaps, FilterEmissionThatTheCameraSees) {
+    Film films[2] = {Film(1, 1), Film(1, 1)};
+    for (const bool isMapped : {false, true}) {
+        SceneDescription scene = checkedFloor(isMapped ? R"(, "filter": "mipmap")" : "");
+        scene.materials[0].emission.texture = 0;
+        scene.materials[0].color = {Vec3(0.0f), -1};
+        films[isMapped ? 1 : 0] = renderFilm(scene, 64);
+    }
+    const Estimate a = meanLuminance(films[0], 0, 16, 32, 32), b = meanLuminance(films[1], 0, 16, 32, 32);
+    EXPECT_NEAR(b.mean, 0.5, 0.01);
+    EXPECT_LT(b.standardError, 0.5 * a.standardError);
+}
+
+TEST(Mipmaps, FlattenBumpsThatAPixelCovers) {
+    SceneDescription scene = checkedFloor(R"(, "filter": "mipmap")");
+    scene.materials[0].bump.texture = 0;
+    scene.materials[0].bumpHeight = 0.1f;
+    const auto built = buildAll(scene);
+    const SceneView view = built->view();
+    const Ray ray{{0.06f, 1.0f, 0.03f}, {0.0f, -1.0f, 0.0f}, 0.0f, kInfinity};
+    Hit hit;
+    ASSERT_TRUE(intersect<kAllFeatures>(view, ray, &hit));
+    EXPECT_LT(surfaceAt<kAllFeatures>(view, ray, hit).ns.y, 0.9f) << "an edge of a square";
+    EXPECT_GT(surfaceAt<kAllFeatures>(view, ray, hit, 4.0f).ns.y, 0.9999f);
+}
+
+TEST(Mipmaps, AVisiblePointKeepsWhatAPixelCovers) {
+    for (const float width : {1e-5f, 0.003f, 0.7f, 20.0f}) {
+        EXPECT_NEAR(uvWidthIn(withUvWidth(0.0123f, width)) / width, 1.0f, 0.07f);
+        EXPECT_NEAR(withUvWidth(0.0123f, width), 0.0123f, 1e-6f);
+    }
+    const auto built = buildAll(checkedFloor(R"(, "filter": "mipmap")"));
+    SppmParams params;
+    params.pass.width = params.pass.height = 32;
+    VisiblePoint near, far;
+    traceVisiblePoint<kAllFeatures>(built->view(), params, 16, 31, &near);
+    traceVisiblePoint<kAllFeatures>(built->view(), params, 16, 17, &far);
+    const float nearWidth = detail::uvWidthOfPoint<kAllFeatures>(built->view(), near);
+    EXPECT_GT(nearWidth, 0.0f);
+    EXPECT_GT(detail::uvWidthOfPoint<kAllFeatures>(built->view(), far), 2.0f * nearWidth);
 }
 
 TEST(Checkerboard, HasItsSquaresWhereUvSay) {

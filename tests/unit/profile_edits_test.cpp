@@ -21,7 +21,7 @@ Object turned(CurveKind curve, int degree, std::vector<Vec2> points) {
 
 /// The profile at a share of all its curves.
 Vec2 at(const Object& object, double share) {
-    const auto curves = buildProfile(object);
+    const auto curves = profileCurvesOf(object);
     const double place = share * static_cast<double>(curves.size());
     const size_t i = std::min(static_cast<size_t>(place), curves.size() - 1);
     const double s = place - static_cast<double>(i);

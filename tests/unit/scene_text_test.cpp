@@ -51,7 +51,7 @@ TEST(SceneText, ACameraMayLookAlongItsUp) {
     }
 }
 
-TEST(SceneText, BumpsAreAsHighAsTheOriginalsButOnMeshes) {
+TEST(SceneText, BumpsHaveATenthOfTheOriginalsHeightButOnMeshes) {
     const test::TempFolder folder;
     ASSERT_TRUE(savePng(folder.path("b.png"), {1, 1, {9, 9, 9}}));
     folder.write("m.obj", "v 0 0 0\nv 3 0 0\nv 0 3 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
@@ -64,7 +64,7 @@ TEST(SceneText, BumpsAreAsHighAsTheOriginalsButOnMeshes) {
     for (const Material& material : scene->materials) {
         EXPECT_EQ(material.bump.texture, 0);
     }
-    EXPECT_FLOAT_EQ(scene->materials[0].bumpHeight, 2.0f);
+    EXPECT_FLOAT_EQ(scene->materials[0].bumpHeight, 0.2f);
     EXPECT_NEAR(scene->materials[1].bumpHeight, 0.02f * 6.0f, 1e-5f) << "6 m a width of the image";
     EXPECT_EQ(scene->textures[0].encoding, ColorEncoding::Linear);
 }
@@ -163,6 +163,7 @@ TEST(SceneText, TypesBecomeMaterialKinds) {
     EXPECT_EQ(scene.materials[3].mixtureWeights.value, Vec3(0.25f, 0.25f, 0.5f));
 }
 
+/// Otherwise ray casting alone has them, and the background is light, too.
 TEST(SceneText, LightsShineOnlyWhenNothingEmits) {
     const std::string lights =
         "Lights { numLights 2 PointLight { position 0 3 0 color 1 1 1 }"
@@ -175,7 +176,14 @@ TEST(SceneText, LightsShineOnlyWhenNothingEmits) {
     EXPECT_FLOAT_EQ(lit.lights[1].strength, kPi);
     EXPECT_THAT(lit.notes, testing::ElementsAre(HasSubstr("no material emits")));
     EXPECT_THAT(lit.warnings, testing::IsEmpty()) << "--strict takes it";
-    EXPECT_TRUE(mustRead(lights + kTwoMaterials + group + "1" + sphere).lights.empty());
+    EXPECT_FALSE(lit.lights[0].onlyRayCast);
+    EXPECT_TRUE(lit.environment.seenOnly);
+    const SceneDescription glowing = mustRead(lights + kTwoMaterials + group + "1" + sphere);
+    ASSERT_EQ(glowing.lights.size(), 2u);
+    EXPECT_TRUE(glowing.lights[0].onlyRayCast && glowing.lights[1].onlyRayCast);
+    EXPECT_FLOAT_EQ(glowing.lights[0].strength, 9.0f * kPi);
+    EXPECT_FALSE(glowing.rayCast.shadows);
+    EXPECT_FALSE(glowing.environment.seenOnly);
 }
 
 TEST(SceneText, RevSurfacesAreTurnedProfiles) {

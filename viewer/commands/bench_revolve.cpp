@@ -165,7 +165,7 @@ double secondsOf(const SceneView& view, const std::vector<Ray>& rays, int thread
 struct Row {
     std::string name;
     uint32_t triangles = 0;
-    double newtonStepsPerRoot = 0.0, rootsPerRay = 0.0;
+    double newtonStepsPerRay = 0.0, piecesPerRay = 0.0;
     double hitShare = 0.0, hitDifference = 0.0;  ///< of the rays; of the triangles from the curves
     double mraysPerS = 0.0, meshMraysPerS = 0.0;
     RatioInterval ratio{};  ///< rays per second over the triangles'
@@ -177,13 +177,15 @@ Result<Row> measureProfile(const Profile& profile, const BenchOptions& options) 
     turned.objects[index].curve = profile.curve;
     turned.objects[index].curveDegree = profile.degree;
     turned.objects[index].profile = profile.points;
-    const std::vector<ProfileCurve> curves = buildProfile(turned.objects[index]);
+    ProfileTable table;
+    addProfile(turned.objects[index], &table);
+    const ProfileView profileView = table.view(0);
     const Bounds box = profileBounds(profile.points);
-    const double error = kSilhouetteError * curves[0].size;
+    const double error = kSilhouetteError * profileView.data->size();
     const double widest = static_cast<double>(std::max(box.hi.x, -box.lo.x));
     const int sides = static_cast<int>(std::ceil(std::numbers::pi / std::acos(1.0 - error / widest)));
     SceneDescription facetted = emptyScene({0, 0, 5}, {0, 0, 0}, 40.0f, 8);
-    MeshData mesh = trianglesOf(polygonOf(curves, error), sides);
+    MeshData mesh = trianglesOf(polygonOf(table.curves, error), sides);
     Row row{.name = profile.name, .triangles = static_cast<uint32_t>(mesh.triangleCount())};
     addMeshObject(&facetted, std::move(mesh), Affine{}, diffuseMaterial(0.5f));
     const auto build = [&](const SceneDescription& scene) {
@@ -199,15 +201,14 @@ Result<Row> measureProfile(const Profile& profile, const BenchOptions& options) 
         options.turns,
         [&](uint32_t) { return secondsOf<kCurves>((*first)->view(), rays, options.threads, &hits); },
         [&](uint32_t) { return secondsOf<kTriangles>((*second)->view(), rays, options.threads, &meshHits); });
-    RevolvedShape::RootCost cost;
+    TestCounts tests;
     for (const Ray& ray : rays) {
-        const auto one = RevolvedShape::rootCost(curves.data(), ray);
-        cost.roots += one.roots;
-        cost.newtonSteps += one.newtonSteps;
+        Hit hit;
+        RevolvedShape::intersect<false, false>(profileView, ray, &hit, CountTests{&tests});
     }
     constexpr double kCount = kRays;
-    row.newtonStepsPerRoot = cost.roots > 0 ? static_cast<double>(cost.newtonSteps) / cost.roots : 0.0;
-    row.rootsPerRay = cost.roots / kCount;
+    row.newtonStepsPerRay = tests.newtonSteps / kCount;
+    row.piecesPerRay = tests.primitives / kCount;
     row.hitShare = static_cast<double>(hits) / kCount;
     row.hitDifference = static_cast<double>(meshHits - hits) / kCount;
     row.mraysPerS = 1e-6 * kCount / percentilesOf(times.first).median;
@@ -218,8 +219,7 @@ Result<Row> measureProfile(const Profile& profile, const BenchOptions& options) 
 
 Result<BenchReport> measureRevolved(const BenchSubject& subject) {
     BenchReport report;
-    report.text =
-        "profile            Newton steps a root   roots a ray   Mrays/s   triangles   Mrays/s   ratio\n";
+    report.text = "profile            pieces a ray   Newton steps   Mrays/s   triangles   Mrays/s   ratio\n";
     report.json = {{"threads", subject.options.threads},
                    {"turns", subject.options.turns},
                    {"silhouette_error", kSilhouetteError},
@@ -227,12 +227,12 @@ Result<BenchReport> measureRevolved(const BenchSubject& subject) {
     for (const Profile& profile : profiles()) {
         const Result<Row> row = measureProfile(profile, subject.options);
         if (!row) { return row.error(); }
-        report.text += fmt::format("{:<18} {:>19.2f} {:>13.2f} {:>9.2f} {:>11} {:>9.2f}   {}\n", row->name,
-                                   row->newtonStepsPerRoot, row->rootsPerRay, row->mraysPerS, row->triangles,
+        report.text += fmt::format("{:<18} {:>12.2f} {:>14.2f} {:>9.2f} {:>11} {:>9.2f}   {}\n", row->name,
+                                   row->piecesPerRay, row->newtonStepsPerRay, row->mraysPerS, row->triangles,
                                    row->meshMraysPerS, ratioText(row->ratio));
         report.json["rows"].push_back({{"name", row->name},
-                                       {"newton_steps_per_root", row->newtonStepsPerRoot},
-                                       {"roots_per_ray", row->rootsPerRay},
+                                       {"pieces_per_ray", row->piecesPerRay},
+                                       {"newton_steps_per_ray", row->newtonStepsPerRay},
                                        {"hit_share", row->hitShare},
                                        {"hit_share_difference", row->hitDifference},
                                        {"mrays_per_s", row->mraysPerS},

@@ -18,14 +18,15 @@ struct NamedAov {
     std::string_view name;
     uint32_t bit;
 };
-constexpr std::array<NamedAov, 8> kAovs{{{"albedo", kAovAlbedo},
+constexpr std::array<NamedAov, 9> kAovs{{{"albedo", kAovAlbedo},
                                          {"normal", kAovShadingNormal},
                                          {"geometric-normal", kAovGeometricNormal},
                                          {"depth", kAovDepth},
                                          {"object-id", kAovObjectId},
                                          {"material-id", kAovMaterialId},
                                          {"boxes-tested", kAovBoxesTested},
-                                         {"triangles-tested", kAovPrimitivesTested}}};
+                                         {"triangles-tested", kAovPrimitivesTested},
+                                         {"newton-steps", kAovNewtonSteps}}};
 constexpr std::string_view kStandardError = "standard-error";
 constexpr std::string_view kBias = "bias";
 constexpr std::string_view kErrorBound = "error-bound";
@@ -68,7 +69,7 @@ void addImageOptions(const Command& command, RenderCommandOptions* o) {
     command
         .option("--aov", &o->aovs,
                 "EXR: more layers: albedo, normal, geometric-normal, depth, object-id, material-id, "
-                "boxes-tested, triangles-tested, standard-error, bias, error-bound")
+                "boxes-tested, triangles-tested, newton-steps, standard-error, bias, error-bound")
         .typeName("NAME,...")
         .commaSeparated()
         .group(group);

@@ -28,6 +28,7 @@ enum class ShownImage : uint8_t {
     MaterialId,
     BoxesTested,       ///< by the camera's ray: boxes and planes of acceleration structures
     PrimitivesTested,  ///< likewise: triangles and other shapes
+    NewtonSteps,       ///< likewise: evaluations of turned profiles
     StandardError,     ///< noise: of the mean luminance
     Bias,              ///< estimate of the luminance's bias, signed
     ErrorBound,        ///< with 90 %, the true luminance is within so much

@@ -34,6 +34,7 @@ void drawEnvironment(SceneDescription* scene, AssetReader* assets) {
         if (ui::choice("Image", &index, views, "Latitude and longitude")) { environment->image = index - 1; }
         drawAssetState(assets);
     }
+    ui::toggle("Background only", &environment->seenOnly, "The camera sees it, and it lights nothing");
     ui::number("Rotation", &environment->rotationDeg,
                {.format = "%.1f°",
                 .speed = 0.5f,

@@ -65,7 +65,7 @@ Plot plotOver(const std::vector<Vec2>& points, ImVec2 min, ImVec2 max) {
 
 void drawCurve(const Object& object, const Plot& plot, ImDrawList* draw) {
     constexpr int kSteps = 48;
-    for (const ProfileCurve& curve : buildProfile(object)) {
+    for (const ProfileCurve& curve : profileCurvesOf(object)) {
         std::vector<ImVec2> right, left;
         for (int i = 0; i <= kSteps; ++i) {
             const double s = static_cast<double>(i) / kSteps;
@@ -168,6 +168,9 @@ void draw(SceneDocument* document) {
     point = std::clamp(point, 0, static_cast<int>(object.profile.size()) - 1);
     drawPlot(&object, &point);
     drawSelected(&object, &point);
+    ui::toggle("Caps", &object.capped, "Discs where the profile ends off the axis");
+    ui::toggle("Clamped search", &object.clampsSearch,
+               "One search by Newton's method that is kept on the curve: it loses parts");
     ImGui::PopID();
 }
 

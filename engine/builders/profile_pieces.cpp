@@ -1,0 +1,227 @@
+#include "engine/builders/profile_pieces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/math/bernstein.h"
+
+namespace glint {
+namespace {
+
+/// Pieces of less than this part of a curve have nothing left to tell apart.
+constexpr double kLeastWidth = 1e-6;
+/// Halving goes on until the curve leaves its chord by less than this part of the chord's length,
+constexpr double kFlatness = 0.03;
+/// or by less than this part of the profile's size,
+constexpr double kFlatAnyway = 1e-3;
+/// or so often.
+constexpr int kMostHalvings = 5;
+/// Of the profile's size: more than a ray is off that is known in float.
+constexpr double kRingMargin = 1e-5;
+
+using Coefficients = std::array<double, kMaxProfileDegree + 1>;
+
+double binomial(int n, int k) {
+    double value = 1.0;
+    for (int i = 0; i < k; ++i) {
+        value = value * (n - i) / (i + 1);
+    }
+    return value;
+}
+
+/// Bernstein coefficients of the product of two polynomials of one degree (Farouki and Rajan 1988, equation
+/// 44).
+void multiply(const double* f, const double* g, int degree, double* product) {
+    std::fill(product, product + 2 * degree + 1, 0.0);
+    for (int i = 0; i <= degree; ++i) {
+        for (int j = 0; j <= degree; ++j) {
+            product[i + j] +=
+                binomial(degree, i) * binomial(degree, j) / binomial(2 * degree, i + j) * f[i] * g[j];
+        }
+    }
+    // The ends are exact, so that neighbouring pieces agree about them.
+    product[0] = f[0] * g[0];
+    product[2 * degree] = f[degree] * g[degree];
+}
+
+/// Coefficients of powers from those of Bernstein polynomials, by forward differences.
+void toPowers(const double* bernstein, int degree, double* powers) {
+    std::vector<double> differences(bernstein, bernstein + degree + 1);
+    for (int i = 0; i <= degree; ++i) {
+        powers[i] = binomial(degree, i) * differences[0];
+        for (size_t k = 0; k + 1 < differences.size(); ++k) {
+            differences[k] = differences[k + 1] - differences[k];
+        }
+        differences.pop_back();
+    }
+}
+
+/// Of the part [begin, end] of a curve, with the bits of its ends that neighbours compute, too.
+Coefficients partOf(const double* curve, int degree, double begin, double end) {
+    Coefficients part{};
+    std::copy(curve, curve + degree + 1, part.begin());
+    detail::restrictBernstein(part.data(), degree, begin, end);
+    const auto at = [&](double s) {
+        return s == 0.0   ? curve[0]
+               : s == 1.0 ? curve[degree]
+                          : evaluateBernstein<kMaxProfileDegree>(curve, degree, s).value;
+    };
+    part[0] = at(begin);
+    part[static_cast<size_t>(degree)] = at(end);
+    return part;
+}
+
+/// Where the coordinate turns back.
+void addTurns(const double* curve, int degree, std::vector<double>* places) {
+    if (degree < 2) { return; }
+    Coefficients slope{};
+    for (int i = 0; i < degree; ++i) {
+        slope[static_cast<size_t>(i)] = curve[i + 1] - curve[i];
+    }
+    forEachBernsteinRoot<kMaxProfileDegree>(slope.data(), degree - 1,
+                                            [&](double s) { places->push_back(s); });
+}
+
+/// Of a polynomial by its Bernstein coefficients. The errors' bounds are those coefficients of the
+/// difference.
+QuadraticFit fitQuadratic(const double* f, int degree) {
+    const double middle = evaluateBernstein<2 * kMaxProfileDegree>(f, degree, 0.5).value;
+    QuadraticFit fit{{f[0], 2.0 * middle - 0.5 * (f[0] + f[degree]), f[degree]}, 0.0, 0.0, 0.0};
+    std::vector<double> off;
+    for (int i = 0; i <= degree; ++i) {
+        // The quadratic's coefficient with its degree raised.
+        const double n = degree, k = i;
+        off.push_back(f[i] - ((n - k) * (n - k - 1.0) * fit.value[0] + 2.0 * k * (n - k) * fit.value[1] +
+                              k * (k - 1.0) * fit.value[2]) /
+                                 (n * (n - 1.0)));
+    }
+    for (double* error : {&fit.error, &fit.slopeError, &fit.curvatureError}) {
+        const double factor = static_cast<double>(off.size() - 1);
+        for (size_t i = 0; i < off.size(); ++i) {
+            *error = std::max(*error, std::fabs(off[i]));
+            off[i] = i + 1 < off.size() ? factor * (off[i + 1] - off[i]) : 0.0;
+        }
+        off.pop_back();
+    }
+    return fit;
+}
+
+class PieceBuilder {
+  public:
+    PieceBuilder(const ProfileData& profile, std::vector<ProfilePiece>* pieces,
+                 std::vector<PieceGroup>* groups)
+        : profile_(profile), pieces_(pieces), groups_(groups) {}
+
+    void addCurve(ProfileCurve curve, uint32_t index) {
+        for (int i = 0; i <= curve.degree; ++i) {
+            curve.y[i] -= profile_.middle;
+        }
+        std::vector<double> places{0.0, 1.0};
+        addTurns(curve.x, curve.degree, &places);
+        addTurns(curve.y, curve.degree, &places);
+        std::ranges::sort(places);
+        double begin = 0.0;
+        for (const double end : places) {
+            const bool isLast = end == 1.0;
+            if (end - begin < kLeastWidth || (!isLast && 1.0 - end < kLeastWidth)) { continue; }
+            addPart(curve, index, begin, end, 0);
+            begin = end;
+        }
+    }
+
+  private:
+    void addPart(const ProfileCurve& curve, uint32_t index, double begin, double end, int halvings) {
+        const Coefficients x = partOf(curve.x, curve.degree, begin, end);
+        const Coefficients y = partOf(curve.y, curve.degree, begin, end);
+        if (halvings < kMostHalvings && !isFlat(x, y, static_cast<size_t>(curve.degree))) {
+            const double middle = 0.5 * (begin + end);
+            addPart(curve, index, begin, middle, halvings + 1);
+            addPart(curve, index, middle, end, halvings + 1);
+            return;
+        }
+        ProfilePiece piece{};
+        piece.begin = begin;
+        piece.width = end - begin;
+        piece.degree = curve.degree;
+        piece.curve = index;
+        Coefficients one{};
+        one.fill(1.0);
+        multiply(x.data(), x.data(), curve.degree, piece.xSquared);
+        multiply(y.data(), y.data(), curve.degree, piece.ySquared);
+        multiply(y.data(), one.data(), curve.degree, piece.yRaised);
+        piece.xSquaredFit = fitQuadratic(piece.xSquared, 2 * curve.degree);
+        piece.middle = 0.5 * (y[0] + y[static_cast<size_t>(curve.degree)]);
+        Coefficients local = y;
+        for (double& height : local) {
+            height -= piece.middle;
+        }
+        double localSquared[2 * kMaxProfileDegree + 1];
+        multiply(local.data(), local.data(), curve.degree, localSquared);
+        piece.ySquaredFit = fitQuadratic(localSquared, 2 * curve.degree);
+        std::ranges::copy(fitQuadratic(piece.ySquared, 2 * curve.degree).value, piece.ySquaredFit.value);
+        piece.yFit = fitQuadratic(piece.yRaised, 2 * curve.degree);
+        toPowers(x.data(), curve.degree, piece.xPowers);
+        toPowers(y.data(), curve.degree, piece.yPowers);
+        addRing(x, y, static_cast<size_t>(curve.degree));
+        pieces_->push_back(piece);
+    }
+
+    bool isFlat(const Coefficients& x, const Coefficients& y, size_t degree) const {
+        const double alongX = x[degree] - x[0], alongY = y[degree] - y[0];
+        const double chord = std::hypot(alongX, alongY);
+        double most = 0.0;
+        for (size_t i = 1; i < degree; ++i) {
+            const double share = static_cast<double>(i) / static_cast<double>(degree);
+            most = std::max(most, std::hypot(x[i] - x[0] - share * alongX, y[i] - y[0] - share * alongY));
+        }
+        return most <= std::max(kFlatness * chord, kFlatAnyway * profile_.size());
+    }
+
+    void addRing(const Coefficients& x, const Coefficients& y, size_t degree) {
+        const auto [lowest, highest] = std::minmax_element(y.begin(), y.begin() + offset(degree + 1));
+        const auto [least, most] = std::minmax_element(x.begin(), x.begin() + offset(degree + 1));
+        const double margin = kRingMargin * profile_.size();
+        const double inner = std::max(0.0, std::max(*least, -*most) - margin);
+        const double outer = std::max(*most, -*least) + margin;
+        const size_t index = pieces_->size() - profile_.firstPiece;
+        const size_t lane = index % kPieceLanes, eight = index / kPieceLanes % kPieceLanes;
+        if (lane == 0 && eight == 0) { groups_->push_back(emptyGroup()); }
+        PieceGroup& group = groups_->back();
+        for (PieceRings* rings : {&group.rings[eight], &group.around}) {
+            const size_t i = rings == &group.around ? eight : lane;
+            rings->lowest[i] = std::min(rings->lowest[i], static_cast<float>(*lowest - margin));
+            rings->highest[i] = std::max(rings->highest[i], static_cast<float>(*highest + margin));
+            rings->least2[i] = std::min(rings->least2[i], static_cast<float>(inner * inner));
+            rings->most2[i] = std::max(rings->most2[i], static_cast<float>(outer * outer));
+        }
+    }
+    static PieceGroup emptyGroup() {
+        PieceRings none;
+        std::ranges::fill(none.lowest, kInfinity);
+        std::ranges::fill(none.highest, -kInfinity);
+        std::ranges::fill(none.least2, kInfinity);
+        std::ranges::fill(none.most2, -1.0f);
+        PieceGroup group;
+        group.around = none;
+        std::ranges::fill(group.rings, none);
+        return group;
+    }
+    static std::ptrdiff_t offset(size_t index) { return static_cast<std::ptrdiff_t>(index); }
+
+    const ProfileData& profile_;
+    std::vector<ProfilePiece>* pieces_;
+    std::vector<PieceGroup>* groups_;
+};
+
+}  // namespace
+
+void addPieces(const std::vector<ProfileCurve>& curves, const ProfileData& profile,
+               std::vector<ProfilePiece>* pieces, std::vector<PieceGroup>* groups) {
+    PieceBuilder builder(profile, pieces, groups);
+    for (size_t i = 0; i < curves.size(); ++i) {
+        builder.addCurve(curves[i], static_cast<uint32_t>(i));
+    }
+}
+
+}  // namespace glint

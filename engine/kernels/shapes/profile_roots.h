@@ -1,0 +1,282 @@
+// Where a ray meets a piece of a profile that turns about the y axis. Host and device.
+//
+// A point of the curve at parameter s turned by the angle a is (x cos a, y, -x sin a). Eliminating the ray's
+// t from the equations of the ray and of the surface leaves, for a curve of degree n, one polynomial of
+// degree 2n in s:
+//   d.y^2 x(s)^2 = |o.xz d.y + (y(s) - o.y) d.xz|^2,   t = (y(s) - o.y) / d.y.
+// All its roots are found: a quadratic close to it tells of most pieces that there is one or none, and where
+// Newton's method starts; otherwise by bernstein.h. A ray that is nearly horizontal leaves y(s) = y alone, of
+// degree n; there t follows from the distance to the axis, and Newton's method for both unknowns removes what
+// the ray rises on its way.
+#pragma once
+
+#include "engine/base/inlining.h"
+#include "engine/kernels/shapes/profile_ray.h"
+#include "engine/math/bernstein.h"
+
+namespace glint {
+namespace detail {
+
+/// A polynomial from the coefficients of its powers. kDegree: `degree`, or 0 for any.
+template <int kDegree = 0>
+GLINT_HD inline PolynomialValue evaluatePowers(const double* powers, int degree, double s) {
+    const int n = kDegree > 0 ? kDegree : degree;
+    PolynomialValue at{powers[n], 0.0};
+    for (int i = n - 1; i >= 0; --i) {
+        at.derivative = at.derivative * s + at.value;
+        at.value = at.value * s + powers[i];
+    }
+    return at;
+}
+
+/// How far the profile at one parameter, turned about the axis, misses the ray at t; and Newton's step for
+/// both.
+struct RingMiss {
+    double height, ring;
+    double yByS, ringByS, ringByT, dy;
+
+    GLINT_HD RingMiss(const PolynomialValue& x, const PolynomialValue& y, const ProfileRay& ray, double t)
+        : yByS(y.derivative), dy(ray.dy) {
+        const double px = ray.ox + t * ray.dx, pz = ray.oz + t * ray.dz;
+        height = y.value - ray.oy - t * ray.dy;
+        ring = x.value * x.value - px * px - pz * pz;
+        ringByS = 2.0 * x.value * x.derivative;
+        ringByT = -2.0 * (px * ray.dx + pz * ray.dz);
+    }
+    GLINT_HD double determinant() const { return yByS * ringByT + dy * ringByS; }
+    GLINT_HD double stepS() const { return (height * ringByT + dy * ring) / determinant(); }
+    GLINT_HD double stepT() const { return (yByS * ring - ringByS * height) / determinant(); }
+};
+
+/// Newton's method for s and t. False: the root leaves the piece, so that its neighbour has it.
+GLINT_HD inline bool polishBoth(const ProfilePiece& piece, const ProfileRay& ray, double* s, double* t) {
+    double ds = 1.0;
+    for (int step = 0; step < 6 && std::fabs(ds) > 1e-9; ++step) {
+        const RingMiss miss(evaluatePowers(piece.xPowers, piece.degree, *s),
+                            evaluatePowers(piece.yPowers, piece.degree, *s), ray, *t);
+        ds = miss.stepS();
+        const double dt = miss.stepT();
+        // Where the ray grazes the surface, the root is as good as it gets.
+        if (!(std::fabs(ds) < 0.1) || !std::isfinite(dt)) { break; }
+        *s -= ds;
+        *t -= dt;
+    }
+    constexpr double kSlack = 1e-8;  // neighbours share their ends: better twice than never
+    const bool isInside = *s >= -kSlack && *s <= 1.0 + kSlack;
+    *s = *s < 0.0 ? 0.0 : *s > 1.0 ? 1.0 : *s;
+    return isInside;
+}
+
+template <class Found>
+GLINT_HD inline uint32_t meetHorizontally(const ProfilePiece& piece, const ProfileRay& ray,
+                                          const Found& found) {
+    const double level = ray.oy + ray.middle * ray.dy;
+    double f[2 * kMaxProfileDegree + 1];
+    for (int i = 0; i <= 2 * piece.degree; ++i) {
+        f[i] = piece.yRaised[i] - level;
+    }
+    return forEachBernsteinRoot<2 * kMaxProfileDegree>(f, 2 * piece.degree, [&](double s) {
+        const double x = evaluatePowers(piece.xPowers, piece.degree, s).value;
+        if (x * x < ray.nearest2) { return; }
+        const double half = std::sqrt((x * x - ray.nearest2) / ray.flat2);
+        for (const double side : {-half, half}) {
+            double root = s, t = ray.middle + side;
+            if (polishBoth(piece, ray, &root, &t)) { found(root, t); }
+        }
+    });
+}
+
+/// The polynomial of a piece, for one ray.
+struct PieceMiss {
+    const ProfilePiece& piece;
+    const ProfileRay& ray;
+    double a, b, linear, constant, dy2;
+
+    GLINT_HD PieceMiss(const ProfilePiece& of, const ProfileRay& by)
+        : piece(of),
+          ray(by),
+          a(by.ox * by.dy - by.oy * by.dx),
+          b(by.oz * by.dy - by.oy * by.dz),
+          linear(2.0 * (a * by.dx + b * by.dz)),
+          constant(a * a + b * b),
+          dy2(by.dy * by.dy) {}
+
+    GLINT_HD double coefficient(double xSquared, double ySquared, double y) const {
+        return dy2 * xSquared - ray.flat2 * ySquared - linear * y - constant;
+    }
+    /// How much errors of the three add up to: with y measured from the piece's middle, so that they cancel
+    /// less.
+    GLINT_HD double error(double xSquared, double ySquared, double y) const {
+        return dy2 * xSquared + ray.flat2 * ySquared + std::fabs(linear + 2.0 * ray.flat2 * piece.middle) * y;
+    }
+};
+
+/// The polynomial's value from the curve itself, without the rounding of coefficients. kDegree: the piece's,
+/// or 0 for any.
+template <int kDegree>
+struct ExactMiss {
+    const PieceMiss& miss;
+    PolynomialValue y{0.0, 0.0};  ///< where it was asked last
+    double at = 0.0;
+
+    GLINT_HD PolynomialValue operator()(double s) {
+        const ProfileRay& ray = miss.ray;
+        const PolynomialValue x = evaluatePowers<kDegree>(miss.piece.xPowers, miss.piece.degree, s);
+        y = evaluatePowers<kDegree>(miss.piece.yPowers, miss.piece.degree, s);
+        at = s;
+        const double px = miss.a + y.value * ray.dx, pz = miss.b + y.value * ray.dz;
+        const double ring = ray.dy * x.value;
+        return {ring * ring - px * px - pz * pz,
+                2.0 * (ring * ray.dy * x.derivative - (px * ray.dx + pz * ray.dz) * y.derivative)};
+    }
+    /// The ray's t at s, which is as close to where the value was asked last as roots get.
+    GLINT_HD double rayT(double s) const {
+        return (y.value + (s - at) * y.derivative - miss.ray.oy) * miss.ray.inverseDy;
+    }
+};
+
+/// Parts of a piece with one root each.
+struct RootBrackets {
+    static constexpr int kUnclear = -1, kAskTurn = -2;
+    int count = kUnclear;  ///< kAskTurn: none or two, as the polynomial is near `turn`
+    double turn = 1.0;     ///< where the second begins
+    double guess = 0.5;    ///< of the first
+    double bend = 0.0;     ///< half the second derivative, at least bendError off 0 where it counts
+    double bendError = 0.0;
+    bool startsNegative = false;  ///< the first; the second is the other way round
+};
+
+/// What roots there are, from the quadratic alone, where it is far enough from what the polynomial may do
+/// beside it.
+GLINT_HD inline RootBrackets bracketsByQuadratic(const PieceMiss& miss) {
+    const QuadraticFit &x = miss.piece.xSquaredFit, &y2 = miss.piece.ySquaredFit, &y = miss.piece.yFit;
+    double q[3];
+    for (int i = 0; i < 3; ++i) {
+        q[i] = miss.coefficient(x.value[i], y2.value[i], y.value[i]);
+    }
+    const double slope = 2.0 * (q[1] - q[0]), lastSlope = 2.0 * (q[2] - q[1]);
+    RootBrackets found;
+    if (q[0] == 0.0 || q[2] == 0.0) { return found; }
+    found.startsNegative = q[0] < 0.0;
+    found.bend = q[0] - 2.0 * q[1] + q[2];
+    found.bendError = 0.5 * miss.error(x.curvatureError, y2.curvatureError, y.curvatureError);
+    const bool bends = std::fabs(found.bend) > found.bendError;
+    const double side = found.startsNegative ? -1.0 : 1.0;
+    if ((q[0] < 0.0) != (q[2] < 0.0)) {
+        const double error = miss.error(x.slopeError, y2.slopeError, y.slopeError);
+        if (!bends && !(-side * slope > error && -side * lastSlope > error)) { return found; }
+        const double rise = -side * std::sqrt(std::fabs(slope * slope - 4.0 * found.bend * q[0]));
+        const bool adds = (slope < 0.0) == (rise < 0.0);
+        found.guess = adds ? -2.0 * q[0] / (slope + rise) : 0.5 * (rise - slope) / found.bend;
+        found.count = 1;
+        return found;
+    }
+    const double error = miss.error(x.error, y2.error, y.error);
+    const bool isClear = side * q[0] > error && side * q[2] > error;
+    if ((bends && side * found.bend < 0.0) || (isClear && side * q[1] > error)) {
+        found.count = 0;
+    } else if (bends) {
+        const double turn = -0.5 * slope / found.bend;
+        found.turn = turn > 0.0 && turn < 1.0 ? turn : 0.5;
+        found.count = RootBrackets::kAskTurn;
+    }
+    return found;
+}
+
+/// Whether a polynomial that bends away from zero at both ends comes to it between them; moves the turn to
+/// where it is on the other side. Unclear where it touches zero to within rounding.
+template <class Exact>
+GLINT_HD inline void askTurn(Exact&& exact, RootBrackets* brackets, uint32_t* steps) {
+    const double side = brackets->startsNegative ? -1.0 : 1.0;
+    const double leastBend = std::fabs(brackets->bend) - brackets->bendError;
+    double begin = 0.0, end = 1.0, turn = brackets->turn;
+    brackets->count = RootBrackets::kUnclear;
+    for (int i = 0; i < 8; ++i) {
+        ++*steps;
+        const PolynomialValue at = exact(turn);
+        if (side * at.value < 0.0) {
+            brackets->turn = turn;
+            brackets->count = 2;
+            const double half = std::sqrt(std::fabs(at.value / brackets->bend));
+            brackets->guess = turn > half ? turn - half : 0.5 * turn;
+            return;
+        }
+        // A parabola below it that stays above zero.
+        if (side * at.value * 4.0 * leastBend > at.derivative * at.derivative) {
+            brackets->count = 0;
+            return;
+        }
+        (side * at.derivative < 0.0 ? begin : end) = turn;
+        turn -= 0.5 * at.derivative / brackets->bend;
+        turn = turn > begin && turn < end ? turn : 0.5 * (begin + end);
+    }
+}
+
+/// All roots, with Bernstein coefficients of the whole degree.
+template <class Found>
+GLINT_ONE_PIECE_APART GLINT_HD uint32_t meetThoroughly(const PieceMiss& miss, const Found& found) {
+    const ProfilePiece& piece = miss.piece;
+    const int degree = 2 * piece.degree;
+    double f[2 * kMaxProfileDegree + 1];
+    for (int i = 0; i <= degree; ++i) {
+        f[i] = miss.coefficient(piece.xSquared[i], piece.ySquared[i], piece.yRaised[i]);
+    }
+    uint32_t steps = 0;
+    ExactMiss<0> exact{miss};
+    const auto take = [&](double s) {
+        exact(s);
+        found(s, exact.rayT(s));
+    };
+    forEachBernsteinBracket<2 * kMaxProfileDegree>(
+        f, degree, [&](double begin, double end, bool startsNegative, double guess) {
+            take(begin < end
+                     ? bracketedRoot(exact, begin, end, startsNegative, guess, &steps, miss.ray.closeStep)
+                     : guess);
+        });
+    // Along the axis itself a pole is where the polynomial touches zero, and changes no sign.
+    if (f[0] == 0.0 && piece.xSquared[0] == 0.0) { take(0.0); }
+    if (f[degree] == 0.0 && piece.xSquared[degree] == 0.0) { take(1.0); }
+    return steps;
+}
+
+template <int kDegree, class Found>
+GLINT_HD inline uint32_t meetSteeply(const PieceMiss& miss, const Found& found) {
+    RootBrackets brackets = bracketsByQuadratic(miss);
+    uint32_t steps = 0;
+    ExactMiss<kDegree> exact{miss};
+    if (brackets.count == RootBrackets::kAskTurn) { askTurn(exact, &brackets, &steps); }
+    if (brackets.count == RootBrackets::kUnclear) { return steps + meetThoroughly(miss, found); }
+    for (int i = 0; i < brackets.count; ++i) {
+        const bool isSecond = i == 1;
+        const double begin = isSecond ? brackets.turn : 0.0;
+        const double end = isSecond || brackets.count == 1 ? 1.0 : brackets.turn;
+        const double mirrored = 2.0 * brackets.turn - brackets.guess;
+        const double guess = !isSecond ? brackets.guess : mirrored < 1.0 ? mirrored : 0.5 * (begin + end);
+        const double s = bracketedRoot(exact, begin, end, brackets.startsNegative != isSecond, guess, &steps,
+                                       miss.ray.closeStep);
+        found(s, exact.rayT(s));
+    }
+    return steps;
+}
+
+}  // namespace detail
+
+/// Calls found(s, t) for every place where the ray meets the piece: the piece's parameter, and t from the
+/// ray's origin. Returns Newton's steps.
+template <class Found>
+GLINT_HD inline uint32_t meetPiece(const ProfilePiece& piece, const ProfileRay& ray, const Found& found) {
+    if (ray.isHorizontal) { return detail::meetHorizontally(piece, ray, found); }
+    const detail::PieceMiss miss(piece, ray);
+    switch (piece.degree) {
+        case 1:
+            return detail::meetSteeply<1>(miss, found);
+        case 2:
+            return detail::meetSteeply<2>(miss, found);
+        case 3:
+            return detail::meetSteeply<3>(miss, found);
+        default:
+            return detail::meetSteeply<0>(miss, found);
+    }
+}
+
+}  // namespace glint
