@@ -13,7 +13,9 @@ Status saveJson(const SceneDescription& scene, const std::string& path, std::vec
     return saveSceneJson(scene, path);
 }
 
-constexpr Exporter kExportJson{"Glint JSON", ".json", saveJson};
+bool isGlintJson(std::string_view head) { return head.find("\"glint\"") != std::string_view::npos; }
+
+constexpr Exporter kExportJson{"Glint JSON", ".json", saveJson, isGlintJson};
 
 }  // namespace
 

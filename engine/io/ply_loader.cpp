@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/io/atomic_file.h"
+#include "engine/io/file_kind.h"
 #include "engine/io/named_files.h"
 #include "engine/io/plain_text.h"
 #include "engine/io/ply_body.h"
@@ -119,7 +120,9 @@ Status readPlyMaterials(const std::string& path, MeshFile* file) {
 }
 
 Result<MeshFile> loadPly(const std::string& path) {
-    const Result<std::string> bytes = readFile(path);
+    const std::string head = readHead(path);
+    const bool isOther = head.size() == kHeadBytes && !firstText(head).starts_with("ply");
+    const Result<std::string> bytes = isOther ? Result<std::string>(head) : readFile(path);
     if (!bytes) { return bytes.error(); }
     return parsePly(*bytes, path);
 }

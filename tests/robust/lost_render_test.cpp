@@ -113,6 +113,18 @@ TEST_F(LostRender, SignalsSave) {
     }
 }
 
+TEST_F(LostRender, ASignalThatComesTwiceAtOnceSaves) {
+    for (const int signal : {SIGINT, SIGTERM}) {
+        const std::string image = folder.path("a.png");
+        const ProgramRun run =
+            runProgram({"render", kCornell, "-o", image, "--size", "400x400", "--passes", "10000000"},
+                       {.signalAfter = "pass ", .signal = signal, .signalsTwice = true});
+        EXPECT_EQ(run.exitCode, 130) << run.err;
+        EXPECT_TRUE(loadImage(image)) << run.err;
+        std::filesystem::remove(image);
+    }
+}
+
 TEST_F(LostRender, HangingUpIsIgnoredWhereItWas) {
     const ProgramRun run = runProgram(
         {"render", kCornell, "-o", folder.path("a.png"), "--size", "16x16", "--passes", "100"},

@@ -93,6 +93,12 @@ TEST_F(OverwrittenFiles, NoInputOfAnyOtherCommandIsAnOutput) {
     expectRefused({"info", "--json", scene, at("a.json")}, "is not a report");
     expectRefused({"diff", "--json", wood, at("idle.png"), at("link.png")}, "is not a report");
     expectRefused({"convert", scene, at("maps/../a.json")}, "is the scene");
+    before[at("part.xml")] = "<scene version=\"3.0.0\"/>";
+    folder.write("part.xml", before[at("part.xml")]);
+    expectRefused({"convert", scene, at("part.xml")}, "is there already");
+    before[at("notes.json")] = "{\"notes\": 1}";
+    folder.write("notes.json", before[at("notes.json")]);
+    expectRefused({"convert", scene, at("notes.json")}, "is there already");
     expectRefused({"bench", "passes", scene, "--json", scene}, "is not a report");
     expectRefused({"view", scene, "--headless", "--passes", "1", "--output", wood},
                   "is a texture of the scene");

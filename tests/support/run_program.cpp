@@ -55,6 +55,10 @@ ProgramRun runProgram(const std::vector<std::string>& arguments, const RunSetup&
         if (files[1].revents != 0 && !drain(err[0], &run.err)) { files[1].fd = -1; }
         if (!isSignalled && run.err.find(setup.signalAfter) != std::string::npos) {
             kill(child, setup.signal);
+            if (setup.signalsTwice) {
+                usleep(20'000);
+                kill(child, setup.signal);
+            }
             isSignalled = true;
         }
     }

@@ -15,9 +15,10 @@ struct ProgramRun {
 };
 
 struct RunSetup {
-    /// After it has appeared on standard error, the program gets one signal; empty: none.
+    /// After it has appeared on standard error, the program gets a signal; empty: none.
     std::string signalAfter = {};
     int signal = SIGINT;
+    bool signalsTwice = false;  ///< within some milliseconds, as who kills a process and its group does
     /// Called in the new process before it becomes the program: closes streams, sets limits.
     std::function<void()> before = {};
 };

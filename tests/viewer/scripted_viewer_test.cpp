@@ -220,6 +220,14 @@ wait frames 3
 expect "Focal distance" 4
 expect restarts 0
 key ctrl down
+click "Exposure"
+key ctrl up
+wait frames 3
+text "abc"
+key enter
+wait frames 3
+expect "Exposure" 0
+key ctrl down
 click "Position.x"
 key ctrl up
 wait frames 3

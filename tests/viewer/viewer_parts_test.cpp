@@ -208,6 +208,8 @@ TEST(Script, ErrorsNameTheirPlace) {
         {"wait frames 2.5\n", "s.txt:1:13:", "wait passes|frames"},
         {"wait seconds nan\n", "s.txt:1:14:", "wait seconds"},
         {"wait seconds -1\n", "s.txt:1:14:", "wait seconds"},
+        {"expect restarts nan\n", "s.txt:1:17:", "expect COUNTER N"},
+        {"expect passes-at-least nan\n", "s.txt:1:24:", "expect passes-at-least N"},
         {"move inf 0\n", "s.txt:1:6:", "move X Y"},
         {"drag Exposure 30\n", "s.txt:1:17:", "incomplete"},
     };

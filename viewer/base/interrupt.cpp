@@ -5,6 +5,8 @@
 #include <atomic>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
+#include <ctime>
 #include <string_view>
 
 #include <unistd.h>
@@ -17,17 +19,31 @@ namespace {
 constexpr std::array<int, 4> kSignals{SIGINT, SIGTERM, SIGHUP, SIGXCPU};
 
 std::atomic<int> raised{0};  ///< the last signal; 0: none
+std::atomic<int64_t> raisedNs{0};
 std::atomic<int> guards{0};
-static_assert(std::atomic<int>::is_always_lock_free);
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<int64_t>::is_always_lock_free);
+
+constexpr int64_t kOneWishNs = 300'000'000;
 
 [[noreturn]] void endNow(std::string_view why) {
     [[maybe_unused]] const ssize_t ignored = write(STDERR_FILENO, why.data(), why.size());
     _exit(kInterruptedExitCode);
 }
 
+/// Monotonic; safe within a handler.
+int64_t nowNs() {
+    timespec now{};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return static_cast<int64_t>(now.tv_sec) * 1'000'000'000 + now.tv_nsec;
+}
+
 void onSignal(int signal) {
     const int errorBefore = errno;
-    const bool isRepeated = raised.exchange(signal) == signal && (signal == SIGINT || signal == SIGTERM);
+    const int64_t now = nowNs();
+    const bool isSame = raised.exchange(signal) == signal && (signal == SIGINT || signal == SIGTERM);
+    // Who kills a process and its group sends one wish twice: timeout(1) does.
+    const bool isRepeated = isSame && now - raisedNs.load() > kOneWishNs;
+    if (!isSame) { raisedNs = now; }
     if (guards == 0) { endNow("\ninterrupted\n"); }
     if (isRepeated) { endNow("\nended without saving\n"); }
     errno = errorBefore;

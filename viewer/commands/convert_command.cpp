@@ -16,6 +16,8 @@ struct ConvertOptions {
     LoadOptions load;
 };
 
+bool replacesNone(std::string_view) { return false; }
+
 int runConvert(const ConvertOptions& options) {
     const Exporter* exporter = exporterOf(options.out);
     if (exporter == nullptr) {
@@ -26,6 +28,10 @@ int runConvert(const ConvertOptions& options) {
     files.reads("the scene", options.in);
     if (Status writable = files.writes(options.out); !writable) {
         return reportError(writable.error(), kExitBadInput);
+    }
+    const auto mayReplace = exporter->mayReplace != nullptr ? exporter->mayReplace : replacesNone;
+    if (Status replaces = checkReplaces(options.out, mayReplace, "a scene of Glint's"); !replaces) {
+        return reportError(replaces.error(), kExitBadInput);
     }
     const auto scene = openScene(options.in, options.load);
     if (!scene) { return reportError(scene.error(), kExitBadInput); }

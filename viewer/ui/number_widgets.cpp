@@ -52,10 +52,15 @@ bool dragField(const char* id, float* value, const NumberStyle& style) {
     }
     const char* format = *value == 0.0f && style.zeroText != nullptr ? style.zeroText : style.format;
     constexpr ImGuiSliderFlags kFlags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput;
+    const float before = *value;
     const bool changed = style.slider
                              ? ImGui::SliderFloat(id, value, style.min, style.max, format, kFlags)
                              : ImGui::DragFloat(id, value, style.speed, style.min, style.max, format, kFlags);
-    offerTyping(id, *value);
+    // A press that begins a text has moved a slider already.
+    if (offerTyping(id, before)) {
+        *value = before;
+        return false;
+    }
     return changed;
 }
 
@@ -69,7 +74,7 @@ bool dragInteger(const char* id, int* value, const NumberStyle& style) {
     const bool changed =
         ImGui::DragInt(id, value, style.speed, static_cast<int>(style.min), static_cast<int>(style.max),
                        format, ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
-    offerTyping(id, static_cast<float>(*value));
+    static_cast<void>(offerTyping(id, static_cast<float>(*value)));
     return changed;
 }
 

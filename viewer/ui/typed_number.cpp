@@ -97,16 +97,18 @@ std::optional<float> typedNumber(const char* id) {
     return typing.wasActive && !ImGui::IsItemActive() ? finish(field) : std::nullopt;
 }
 
-void offerTyping(const char* id, float value) {
+bool offerTyping(const char* id, float value) {
     const ImGuiID field = ImGui::GetID(id);
     const bool isClicked = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) ||
                            (ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(ImGuiMouseButton_Left));
-    if (typing.nextFieldBegins || (ImGui::IsItemHovered() && isClicked)) {
+    const bool begins = typing.nextFieldBegins || (ImGui::IsItemHovered() && isClicked);
+    if (begins) {
         ImGui::ClearActiveID();
         begin(field, value);
     }
     lastDrawn = {field, value};
     drawNote(field);
+    return begins;
 }
 
 }  // namespace glint::ui

@@ -16,7 +16,8 @@ bool isTyped(const char* id);
 /// to the one before.
 std::optional<float> typedNumber(const char* id);
 
-/// To be called after the dragged field was drawn: a double click, Ctrl + click or Tab begins the text.
-void offerTyping(const char* id, float value);
+/// To be called after the dragged field was drawn: a double click, Ctrl + click or Tab begins the text, and
+/// makes it true. `value`: of before the field was drawn.
+bool offerTyping(const char* id, float value);
 
 }  // namespace glint::ui

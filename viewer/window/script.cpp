@@ -129,12 +129,15 @@ Match match(const ScriptStatement& statement, const Form& form) {
 Status check(const ScriptStatement& statement) {
     std::vector<std::string_view> verbs;
     size_t furthest = 0;
+    bool isKeyword = false;  // then what follows must be that keyword's
     std::string usages;
     for (const Form& form : kForms) {
         verbs.push_back(form.verb);
         if (form.verb != statement.verb) { continue; }
         const Match matched = match(statement, form);
-        if (matched.whole) { return {}; }
+        const bool takesKeyword = form.words.starts_with('w');
+        if (matched.whole && (takesKeyword || !isKeyword)) { return {}; }
+        isKeyword = isKeyword || (takesKeyword && matched.fitting > 0);
         furthest = std::max(furthest, matched.fitting);
         usages += (usages.empty() ? "" : "  or  ") + std::string(form.usage);
     }

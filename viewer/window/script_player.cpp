@@ -13,6 +13,7 @@ namespace glint {
 namespace {
 
 constexpr int kScrollFrames = 6;
+constexpr double kSettlingSeconds = 5.0;     // by then what was asked for before has had its effect
 constexpr double kHangGuardSeconds = 900.0;  // of one wait; only so that a broken script ends
 
 double secondsNow() {
@@ -207,6 +208,10 @@ Result<ScriptPlayer::Progress> ScriptPlayer::runWait(const ScriptStatement& stat
     if (met) { return Progress::Done; }
     if (status.state == SessionState::Failed) {
         return statement.error(fmt::format("the render failed: {}", status.error));
+    }
+    const bool isOver = status.state == SessionState::Finished && waited > kSettlingSeconds;
+    if (isOver && (what == "passes" || what == "paused")) {
+        return statement.error(fmt::format("the render has finished, with {} passes", status.passes));
     }
     if (waited > kHangGuardSeconds) { return statement.error("waited in vain"); }
     return Progress::Again;
