@@ -7,6 +7,7 @@
 #include <ImfIO.h>
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
+#include <ImfThreading.h>
 #include <fmt/format.h>
 #include <malloc.h>
 
@@ -71,6 +72,8 @@ Status readByClassicLibrary(std::string_view bytes, const std::string& path, con
     const ZeroedMemory zeroed;
     try {
         MemoryInput stream(bytes, path);
+        Imf::setGlobalThreadCount(
+            0);  // its pool, made at the first task, waits for ever where memory runs short
         Imf::MultiPartInputFile file(stream, 1);
         Imf::InputPart input(file, part.index);
         Imf::FrameBuffer frame;

@@ -10,6 +10,7 @@
 #include <ImfIO.h>
 #include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
+#include <ImfThreading.h>
 #include <fmt/format.h>
 #include <half.h>
 
@@ -159,6 +160,9 @@ Result<std::string> encodeExr(const ExrImage& image, const std::string& path) {
             addChannel(channel, header.dataWindow(), &buffers);
         }
         MemoryOutput stream(path);
+        // OpenEXR makes its pool of threads at the first task, and where memory runs short there waits for
+        // ever.
+        Imf::setGlobalThreadCount(0);
         {
             Imf::OutputFile file(stream, header, 1);  // its destructor writes the line table
             file.setFrameBuffer(buffers.frame);
