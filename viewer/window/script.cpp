@@ -134,9 +134,10 @@ Status check(const ScriptStatement& statement) {
     for (const Form& form : kForms) {
         verbs.push_back(form.verb);
         if (form.verb != statement.verb) { continue; }
-        const Match matched = match(statement, form);
         const bool takesKeyword = form.words.starts_with('w');
-        if (matched.whole && (takesKeyword || !isKeyword)) { return {}; }
+        if (isKeyword && !takesKeyword) { continue; }
+        const Match matched = match(statement, form);
+        if (matched.whole) { return {}; }
         isKeyword = isKeyword || (takesKeyword && matched.fitting > 0);
         furthest = std::max(furthest, matched.fitting);
         usages += (usages.empty() ? "" : "  or  ") + std::string(form.usage);
