@@ -54,6 +54,7 @@ std::string_view stressFamilyAbout(std::string_view family) {
         {"instances", "scaled 1e-6 to 1e6, sheared, mirrored"},
         {"photons", "radius 1e-6 to 1e12 of the floor, 1 to 1e7 photons, other units, far away"},
         {"recurrence", "a million passes of SPPM's update"},
+        {"revolved", "turned profiles with rays along, across and beside them, sizes 1e-12 to 1e12"},
         {"film", "ten million samples with an outlier"},
     };
     for (const auto& [name, about] : kAbout) {

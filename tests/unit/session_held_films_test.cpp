@@ -60,8 +60,9 @@ TEST(HeldFilms, GoingBackGoesOnBitForBit) {
     EXPECT_FALSE(bench.session->convergenceCurve(IntegratorKind::PathTracing)->empty());
     bench.renderTo(12);
     expectSameBits(bench.session->capture()->film, straight.session->capture()->film);
-    bench.session->post({moved(*scene, 1.0f), EditKind::Camera});
+    // The limit comes first, or passes are rendered before it is known.
     bench.limit({.passes = 3});
+    bench.session->post({moved(*scene, 1.0f), EditKind::Camera});
     ASSERT_EQ(bench.session->wait(kPatience), SessionState::Finished);
     EXPECT_EQ(bench.session->status().passes, 3u) << "and forward again";
     EXPECT_EQ(bench.session->status().counters.filmRestarts, 2u);
