@@ -19,9 +19,14 @@ if(NOT CMAKE_CUDA_COMPILER)
     endif()
 endif()
 
-# 7.5 (Turing) is the oldest architecture of CUDA 13. Its PTX is kept, so newer cards compile it when they load it.
+# Machine code is made for this machine's card. Where there is none, the assembler's minutes would be for nothing: PTX of
+# 7.5 (Turing), the oldest architecture of CUDA 13, is what any card compiles when it loads it.
 if(NOT DEFINED CMAKE_CUDA_ARCHITECTURES)
-    set(CMAKE_CUDA_ARCHITECTURES 75-real 75-virtual)
+    if(EXISTS /dev/nvidiactl)
+        set(CMAKE_CUDA_ARCHITECTURES native)
+    else()
+        set(CMAKE_CUDA_ARCHITECTURES 75-virtual)
+    endif()
 endif()
 set(CMAKE_CUDA_HOST_COMPILER ${CMAKE_CXX_COMPILER})
 set(CMAKE_CUDA_RUNTIME_LIBRARY Static)

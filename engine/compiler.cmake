@@ -13,8 +13,9 @@ if(GLINT_CCACHE)
     endforeach()
 endif()
 
-# The compiler's own linker: lld 14 keeps one unwind entry for each address, and where GCC leaves an empty cold part
-# it keeps that one: an exception that passes the function beside it aborts.
+# The linker stays the compiler's own: lld 14 keeps one unwind entry for each address, and where GCC leaves an empty cold
+# part it keeps that one, so that an exception which passes the function beside it aborts.
+
 # A test that draws nothing should not load Mesa.
 add_link_options(LINKER:--as-needed)
 

@@ -48,7 +48,7 @@ Result<std::shared_ptr<const std::string>> AssetCache::open(
 Result<AssetCache::LoadedMesh*> AssetCache::loadMesh(const StoredFile& file) {
     const StoredFile key = keyOf(file);
     if (const auto found = meshes_.find(key); found != meshes_.end()) { return &found->second; }
-    const auto bytes = open(file, [](const std::string& path) { return readFile(path); });
+    const auto bytes = open(file, readMeshBytes);
     if (!bytes) { return bytes.error(); }
     Result<MeshFile> read = readMeshFile(**bytes, nameOf(file));
     if (!read) { return read.error(); }

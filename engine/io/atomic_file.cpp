@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "engine/io/file_path.h"
+#include "engine/io/files_read.h"
 #include "engine/io/temporary_file.h"
 
 namespace glint {
@@ -145,6 +146,7 @@ Result<std::string> readFile(const std::string& path, uint64_t most) {
     struct stat info {};
     if (!fd.valid() || ::fstat(fd.get(), &info) != 0) { return fileError(path, "cannot open", errno); }
     if (!S_ISREG(info.st_mode)) { return notRegular(path, info.st_mode, "a file"); }
+    FilesRead::note(path);
     if (static_cast<uint64_t>(info.st_size) > most) {
         return fileError(path, fmt::format("has {} bytes; at most {} are read", info.st_size, most), 0);
     }

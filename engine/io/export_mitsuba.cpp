@@ -23,6 +23,9 @@ namespace {
 /// Half the side of what stands for an endless plane.
 constexpr float kPlaneSize = 1e4f;
 
+/// The file's first line.
+constexpr std::string_view kOwnMark = "<!-- Written by Glint. -->\n";
+
 class MitsubaExporter {
   public:
     MitsubaExporter(SceneDescription scene, const std::string& path, std::vector<std::string>* warnings)
@@ -50,7 +53,7 @@ class MitsubaExporter {
             writeObject(scene_.objects[i]);
         }
         out_.close();
-        return status_ ? writeFileAtomically(path_, out_.text()) : status_;
+        return status_ ? writeFileAtomically(path_, std::string(kOwnMark) + out_.text()) : status_;
     }
 
   private:
@@ -276,9 +279,11 @@ Status save(const SceneDescription& scene, const std::string& path, std::vector<
     return MitsubaExporter(scene, path, warnings).run();
 }
 
+bool isOwn(std::string_view head) { return head.starts_with(kOwnMark); }
+
 }  // namespace
 
 extern const Exporter kExportMitsuba;
-const Exporter kExportMitsuba{"Mitsuba 3", ".xml", save};
+const Exporter kExportMitsuba{"Mitsuba 3", ".xml", save, isOwn};
 
 }  // namespace glint

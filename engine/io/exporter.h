@@ -20,9 +20,8 @@ struct Exporter {
     /// appended to `warnings`. Error: a file cannot be written, or a part that was not read.
     Status (*save)(const SceneDescription& scene, const std::string& path,
                    std::vector<std::string>* warnings);
-    /// Whether a file that begins so may be replaced; null: none may, since such a file may be part of a
-    /// scene.
-    bool (*mayReplace)(std::string_view head) = nullptr;
+    /// Whether a file that begins so was written by Glint: others may be part of a scene.
+    bool (*isOwn)(std::string_view head);
 };
 
 std::span<const Exporter> exporters();

@@ -4,10 +4,13 @@
 // bytes. A table is a span of kinds.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "engine/base/result.h"
+#include "engine/io/atomic_file.h"
 #include "engine/io/file_path.h"
 
 namespace glint {
@@ -23,6 +26,15 @@ inline std::string_view headOf(std::string_view bytes) { return bytes.substr(0, 
 
 /// What is left of a text file's first bytes behind a byte order mark and blanks.
 std::string_view firstText(std::string_view head);
+
+/// Whether first bytes can be text of any encoding: few control characters, or UTF-16.
+bool looksLikeText(std::string_view head);
+
+/// As readFile() (atomic_file.h), but of a file that is longer than its head and of another kind by
+/// `isOfKind` only this head, so that its reader says what is wrong.
+Result<std::string> readFileOfKind(const std::string& path,
+                                   const std::function<bool(std::string_view head)>& isOfKind,
+                                   uint64_t most = kMaxFileBytes);
 
 /// The kind that the file's name says; null: none.
 template <class Kind>

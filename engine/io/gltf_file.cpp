@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "engine/io/atomic_file.h"
+#include "engine/io/file_kind.h"
 
 namespace glint {
 namespace {
@@ -92,7 +93,10 @@ Status checkExtensions(const GltfFile& file) {
 }  // namespace
 
 Result<std::unique_ptr<GltfFile>> readGltfFile(const std::string& path) {
-    const Result<std::string> bytes = readFile(path);
+    const auto canBeGltf = [](std::string_view head) {
+        return head.starts_with("glTF") || looksLikeText(head);
+    };
+    const Result<std::string> bytes = readFileOfKind(path, canBeGltf);
     if (!bytes) { return bytes.error(); }
     auto file = std::make_unique<GltfFile>();
     file->path = path;

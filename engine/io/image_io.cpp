@@ -61,11 +61,11 @@ Result<SceneImage> decodeImage(const std::string& bytes, const std::string& path
 }
 
 Result<std::string> readImageFile(const std::string& path) {
-    const std::string head = readHead(path);
-    const ImageFormat* format = imageFormatOf(path, head);
-    const bool isImage = format != nullptr && format->looksLike(head);
-    return isImage || head.size() < kHeadBytes ? readFile(path, kMaxImageFileBytes)
-                                               : Result<std::string>(head);
+    const auto isImage = [&](std::string_view head) {
+        const ImageFormat* format = imageFormatOf(path, head);
+        return format != nullptr && format->looksLike(head);
+    };
+    return readFileOfKind(path, isImage, kMaxImageFileBytes);
 }
 
 Status checkFinite(const ImageF& image, const std::string& path) {

@@ -14,6 +14,12 @@ bool looksLike(std::string_view head) {
 }  // namespace
 
 extern const Importer kImportStl;
-const Importer kImportStl{"STL", ".stl", looksLike, loadMeshScene, parseStl, readStlMaterials};
+const Importer kImportStl{.name = "STL",
+                          .extensions = ".stl",
+                          .looksLike = looksLike,
+                          .load = loadMeshScene,
+                          .readMesh = parseStl,
+                          .readMaterials = readStlMaterials,
+                          .hasMark = false};
 
 }  // namespace glint

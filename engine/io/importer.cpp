@@ -44,6 +44,14 @@ Result<MeshFile> readMeshFile(const std::string& bytes, const std::string& path)
                  {.file = path}};
 }
 
+Result<std::string> readMeshBytes(const std::string& path) {
+    return readFileOfKind(path, [&](std::string_view head) {
+        const Importer* importer = importerOf(path, head);
+        return looksLikeText(head) ||
+               (importer != nullptr && (importer->looksLike(head) || !importer->hasMark));
+    });
+}
+
 bool bringsMaterials(const std::string& path) {
     const Importer* importer = kindByName(importers(), path);
     return importer != nullptr && importer->readMaterials != nullptr;

@@ -26,6 +26,7 @@ struct Importer {
     Result<MeshFile> (*readMesh)(const std::string& bytes, const std::string& path) = nullptr;
     /// Gives a mesh file read from `path` its own materials; null: it has none.
     Status (*readMaterials)(const std::string& path, MeshFile* file) = nullptr;
+    bool hasMark = true;  ///< false: such files may begin with any bytes
     /// What brings light in such a file, for the message where nothing does.
     std::string_view lights = "a material that shines";
 };
@@ -45,6 +46,9 @@ std::string listImporters(bool onlyMeshes = false);
 /// Reads a mesh file from memory and completes its normals (mesh_normals.h). Error: as its importer; no
 /// importer reads meshes from such a file.
 Result<MeshFile> readMeshFile(const std::string& bytes, const std::string& path);
+
+/// The bytes of a file for readMeshFile(), as readFileOfKind() (file_kind.h) tells.
+Result<std::string> readMeshBytes(const std::string& path);
 
 /// Whether mesh files of that name bring materials of their own.
 bool bringsMaterials(const std::string& path);

@@ -4,30 +4,14 @@
 
 #include <fmt/format.h>
 
+#include "engine/base/markup.h"
+
 namespace glint {
 
 std::string xmlText(std::string_view text) {
     std::string out;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            case '$':
-                out += "\\$";  // no parameter
-                break;
-            default:
-                out += c;
-        }
+    for (const char c : escapedMarkup(text)) {
+        out += c == '$' ? "\\$" : std::string(1, c);
     }
     return out;
 }

@@ -32,7 +32,7 @@ class MitsubaWriter {
     std::vector<std::string> open_;
 };
 
-/// With the five characters that XML does not allow as they are escaped.
+/// Escaped for attributes, and `$` so that it begins no parameter.
 std::string xmlText(std::string_view text);
 std::string xmlNumbers(const Vec3& v);
 

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
-#include "engine/io/atomic_file.h"
+#include "engine/io/file_kind.h"
 #include "engine/io/file_path.h"
 #include "engine/io/plain_text.h"
 
@@ -80,7 +80,7 @@ class MitsubaXmlReader {
     }
 
     Result<uint32_t> open(const std::string& path) {
-        Result<std::string> bytes = readFile(path);
+        Result<std::string> bytes = readFileOfKind(path, looksLikeText);
         if (!bytes) { return bytes.error(); }
         const auto number = static_cast<uint32_t>(xml_.files_.size());
         xml_.files_.push_back(std::make_unique<MitsubaXml::File>());

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <tiny_obj_loader.h>
 
-#include "engine/io/atomic_file.h"
+#include "engine/io/file_kind.h"
 #include "engine/io/mtl_glass.h"
 #include "engine/io/plain_text.h"
 
@@ -143,7 +143,7 @@ void remarkLeftOut(const MtlEntry& entry, const tinyobj::material_t& values, con
 }  // namespace
 
 Result<MtlLibrary> loadMtl(const std::string& path) {
-    Result<std::string> text = readFile(path);
+    Result<std::string> text = readFileOfKind(path, looksLikeText);
     if (!text) { return text.error(); }
     const std::optional<PlainText> plain = asPlainText(*text);
     MtlLibrary library{.path = path, .file = readMtlEntries(plain ? plain->text : *text, path)};

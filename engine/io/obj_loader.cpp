@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/io/atomic_file.h"
+#include "engine/io/file_kind.h"
 #include "engine/io/lamp_sides.h"
 #include "engine/io/obj_materials.h"
 #include "engine/io/obj_parser.h"
@@ -43,7 +43,7 @@ Status readObjMaterials(const std::string& path, MeshFile* file) {
 }
 
 Result<MeshFile> loadObj(const std::string& path) {
-    const Result<std::string> text = readFile(path);
+    const Result<std::string> text = readFileOfKind(path, looksLikeText);
     if (!text) { return text.error(); }
     Result<MeshFile> file = parseObj(*text, path);
     if (file) {

@@ -113,9 +113,10 @@ bool ObjParser::parseFace(const char* where) {
     if (smoothing_.empty() || smoothing_.back().group != group_) {
         smoothing_.push_back({builder_.triangleCount(), group_});
     }
-    return builder_.addFace(corners_) ||
-           cursor_.fail(where, fmt::format("the polygon has {} corners, too many of them not convex",
-                                           corners_.size()));
+    if (!builder_.addFace(corners_)) {
+        cursor_.remark(where, "faces of thousands of corners that are not convex are left out");
+    }
+    return true;
 }
 
 bool ObjParser::parseCorner(ObjCorner* corner) {

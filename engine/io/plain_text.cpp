@@ -77,6 +77,8 @@ bool endLinesWithFeeds(std::string* text) {
 
 }  // namespace
 
+bool isUtf16(std::string_view bytes) { return utf16Of(bytes) != Utf16::No; }
+
 std::optional<PlainText> asPlainText(const std::string& bytes) {
     if (const Utf16 kind = utf16Of(bytes); kind != Utf16::No) {
         PlainText plain{fromUtf16(bytes, kind == Utf16::BigEndian), "the file is UTF-16 and read as such"};

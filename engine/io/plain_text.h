@@ -12,10 +12,11 @@ struct PlainText {
     std::string_view repaired;  ///< the sentence of a remark (remarks.h) on what was changed
 };
 
-/// `bytes` in UTF-8 where they are UTF-16, with a mark or by every other byte of the first characters being
-/// zero; where the first
-/// 64 KiB have a carriage return without a line feed, each of these becomes one. Nothing where `bytes` can
-/// stay as they are.
+/// By a mark, or by every other one of the first characters' bytes being zero.
+bool isUtf16(std::string_view bytes);
+
+/// `bytes` in UTF-8 where they are UTF-16; where the first 64 KiB have a carriage return without a line
+/// feed, each of these becomes one. Nothing where `bytes` can stay as they are.
 std::optional<PlainText> asPlainText(const std::string& bytes);
 
 }  // namespace glint

@@ -190,9 +190,10 @@ class PlyBody {
             uvs_.clear();
         }
         const bool isNamed = texture >= 0.0 && texture < static_cast<double>(header_.textures.size());
-        return mesh.addFace(corners_, uvs_, isNamed ? static_cast<size_t>(texture) : 0) ||
-               source_.fail(
-                   fmt::format("the polygon has {} corners, too many of them not convex", corners_.size()));
+        if (!mesh.addFace(corners_, uvs_, isNamed ? static_cast<size_t>(texture) : 0)) {
+            source_.remark("faces of thousands of corners that are not convex are left out");
+        }
+        return true;
     }
 
     /// In strips, -1 ends one and begins another.

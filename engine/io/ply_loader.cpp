@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "engine/io/atomic_file.h"
-#include "engine/io/file_kind.h"
 #include "engine/io/named_files.h"
 #include "engine/io/plain_text.h"
 #include "engine/io/ply_body.h"
@@ -117,14 +115,6 @@ Status readPlyMaterials(const std::string& path, MeshFile* file) {
     const std::vector<std::string> lines = remarks.lines();
     file->warnings.insert(file->warnings.end(), lines.begin(), lines.end());
     return {};
-}
-
-Result<MeshFile> loadPly(const std::string& path) {
-    const std::string head = readHead(path);
-    const bool isOther = head.size() == kHeadBytes && !firstText(head).starts_with("ply");
-    const Result<std::string> bytes = isOther ? Result<std::string>(head) : readFile(path);
-    if (!bytes) { return bytes.error(); }
-    return parsePly(*bytes, path);
 }
 
 }  // namespace glint

@@ -15,9 +15,7 @@ namespace glint {
 /// A part for each image that faces use, whose name (`comment TextureFile`) is the part's materialName; one
 /// part where there is none. Colours are decoded (vertex_colors.h). Error: line and column in the header and
 /// in ASCII data, the byte offset in binary data; no faces.
-Result<MeshFile> loadPly(const std::string& path);
-
-/// The same for a file in memory; `path` is used in messages.
+/// `path` is used in messages.
 Result<MeshFile> parsePly(const std::string& bytes, const std::string& path);
 
 /// Gives parts their materials: diffuse, of their image, their colours or grey.

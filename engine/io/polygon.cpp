@@ -5,7 +5,9 @@
 // floats hardly round.
 #include "engine/io/polygon.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace glint {
 namespace {
@@ -38,8 +40,9 @@ std::vector<Point> projected(const std::vector<Vec3>& corners) {
     return points;
 }
 
-/// True when every corner turns left and the border goes round once (a pentagram goes round twice).
-bool isStrictlyConvex(const std::vector<Point>& points) {
+/// True when every corner turns left and the border goes round once (a pentagram goes round twice), where
+/// coordinates may be off by `error`.
+bool isConvex(const std::vector<Point>& points, double error) {
     const size_t n = points.size();
     int directionChanges = 0;
     double lastDx = 0.0;
@@ -47,15 +50,26 @@ bool isStrictlyConvex(const std::vector<Point>& points) {
     for (size_t i = 0; i < n; ++i) {
         const Point& a = points[i];
         const Point& b = points[(i + 1) % n];
-        if (!(cross(a, b, points[(i + 2) % n]) > 0.0)) { return false; }
+        const Point& c = points[(i + 2) % n];
+        const double turnError = 2.0 * error * (glm::length(b - a) + glm::length(c - b));
+        if (!(cross(a, b, c) > -turnError)) { return false; }
         const double dx = b.x - a.x;
-        if (dx != 0.0) {
+        if (std::fabs(dx) > 2.0 * error) {
             directionChanges += lastDx * dx < 0.0 ? 1 : 0;
             firstDx = firstDx == 0.0 ? dx : firstDx;
             lastDx = dx;
         }
     }
     return directionChanges + (lastDx * firstDx < 0.0 ? 1 : 0) == 2;
+}
+
+/// Of coordinates that are the nearest floats.
+double roundingError(const std::vector<Point>& points) {
+    double largest = 0.0;
+    for (const Point& p : points) {
+        largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
+    }
+    return largest * static_cast<double>(std::numeric_limits<float>::epsilon());
 }
 
 void appendFan(size_t corners, std::vector<uint32_t>* triangles) {
@@ -184,14 +198,18 @@ bool triangulatePolygon(const std::vector<Vec3>& corners, std::vector<uint32_t>*
         return true;
     }
     const std::vector<Point> points = projected(corners);
-    if (points.empty() || isStrictlyConvex(points)) {
+    if (points.empty() || isConvex(points, 0.0)) {
         appendFan(corners.size(), triangles);
         return true;
     }
     EarClipper clipper(points, triangles);
-    if (clipper.tests() > kMaxEarTests) { return false; }
-    clipper.run();
-    return true;
+    if (clipper.tests() <= kMaxEarTests) {
+        clipper.run();
+        return true;
+    }
+    const bool isRound = isConvex(points, roundingError(points));
+    if (isRound) { appendFan(corners.size(), triangles); }
+    return isRound;
 }
 
 }  // namespace glint

@@ -7,6 +7,7 @@
 
 #include "engine/io/atomic_file.h"
 #include "engine/io/file_kind.h"
+#include "engine/io/files_read.h"
 #include "engine/io/foreign_kind.h"
 #include "engine/io/importer.h"
 #include "engine/io/remarks.h"
@@ -24,6 +25,7 @@ Result<SceneDescription> loadScene(const std::string& path, const LoadOptions& o
     if (importer == nullptr) {
         return Error{fmt::format("is not a scene Glint knows; expected {}", listImporters()), {.file = path}};
     }
+    const FilesRead read;
     auto scene = importer->load(path, options);
     if (scene && options.strict && !scene->warnings.empty()) {
         const size_t more = scene->warnings.size() - 1;
@@ -32,6 +34,7 @@ Result<SceneDescription> loadScene(const std::string& path, const LoadOptions& o
                      {}};
     }
     if (scene) {
+        scene->filesRead = read.paths();
         makeNamesText(&*scene);
         std::vector<std::string> limits = stabilityWarnings(*scene);
         std::move(limits.begin(), limits.end(), std::back_inserter(scene->warnings));

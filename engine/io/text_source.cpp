@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/io/atomic_file.h"
+#include "engine/io/file_kind.h"
 
 namespace glint {
 namespace {
@@ -42,7 +42,7 @@ std::string TextSource::warning(size_t offset, std::string_view message) const {
 }
 
 Result<TextSource> readSceneFile(const std::string& path) {
-    Result<std::string> text = readFile(path, kMaxSceneBytes);
+    Result<std::string> text = readFileOfKind(path, looksLikeText, kMaxSceneBytes);
     if (!text) { return text.error(); }
     if (text->find_first_not_of(" \t\r\n") == std::string::npos) {
         return Error{"is empty; expected a scene", {.file = path}};

@@ -91,6 +91,23 @@ std::string assetFile(const SceneDescription& scene, const Asset& asset) {
     return pathOf(scene.environmentImages[asset.index].source);
 }
 
+std::vector<SceneFile> sceneFiles(const SceneDescription& scene) {
+    std::vector<SceneFile> files{{"the scene", scene.path}};
+    const auto add = [&](AssetKind kind, size_t count, const char* what) {
+        for (size_t i = 0; i < count; ++i) {
+            const std::string file = assetFile(scene, {kind, i});
+            if (!file.empty()) { files.push_back({what, resolvePath(file, scene.path)}); }
+        }
+    };
+    add(AssetKind::Mesh, scene.meshes.size(), "a mesh of the scene");
+    add(AssetKind::Texture, scene.textures.size(), "a texture of the scene");
+    add(AssetKind::Environment, scene.environmentImages.size(), "the scene's environment");
+    for (const std::string& path : scene.filesRead) {
+        files.push_back({"a part of the scene", path});
+    }
+    return files;
+}
+
 Status readAsset(const Asset& asset, AssetCache* assets, SceneDescription* scene) {
     switch (asset.kind) {
         case AssetKind::Mesh:

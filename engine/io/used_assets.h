@@ -35,6 +35,14 @@ std::vector<Asset> idleAssets(const SceneDescription& scene);
 /// The asset's file on the disk as written in the scene; empty where it has none.
 std::string assetFile(const SceneDescription& scene, const Asset& asset);
 
+/// A file that a scene is made of; `what` it is, in messages: "a mesh of the scene".
+struct SceneFile {
+    std::string what, path;
+};
+
+/// The files that it names, whether they are used or not, and all that its loader read beside them.
+std::vector<SceneFile> sceneFiles(const SceneDescription& scene);
+
 /// Error: the file cannot be read or is malformed; it holds other triangles than those it has given before.
 Status readAsset(const Asset& asset, AssetCache* assets, SceneDescription* scene);
 

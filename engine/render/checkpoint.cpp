@@ -12,6 +12,7 @@
 
 #include "engine/base/log.h"
 #include "engine/io/atomic_file.h"
+#include "engine/io/file_kind.h"
 #include "engine/render/checkpoint_scene.h"
 #include "engine/render/checkpoint_sections.h"
 #include "engine/render/film_checkpoint.h"
@@ -118,7 +119,7 @@ bool readStatistics(const CheckpointSections& sections, const Film& film, ImageS
 /// Reads the file into `bytes`, which the sections point into.
 Result<CheckpointInfo> openCheckpoint(const std::string& path, std::string* bytes,
                                       CheckpointSections* sections) {
-    Result<std::string> read = readFile(path);
+    Result<std::string> read = readFileOfKind(path, looksLikeCheckpoint);
     if (!read) { return read.error(); }
     *bytes = std::move(*read);
     Result<CheckpointSections> found = findSections(*bytes, path);

@@ -43,6 +43,8 @@ const std::string& CheckpointWriter::finish() {
     return file_.bytes();
 }
 
+bool looksLikeCheckpoint(std::string_view head) { return head.starts_with(kMagic); }
+
 Result<CheckpointSections> findSections(std::string_view bytes, const std::string& path) {
     ByteReader in(bytes);
     if (in.readRaw(kMagic.size()) != kMagic) {

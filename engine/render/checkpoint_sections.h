@@ -38,6 +38,9 @@ class CheckpointWriter {
 /// Payloads by tag: views of the file's bytes.
 using CheckpointSections = std::map<std::string, std::string_view, std::less<>>;
 
+/// By a file's first bytes.
+bool looksLikeCheckpoint(std::string_view head);
+
 /// Checks that the file is a whole one of this version, and finds its sections. Error: a clause about what is
 /// wrong.
 Result<CheckpointSections> findSections(std::string_view bytes, const std::string& path);

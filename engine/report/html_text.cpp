@@ -2,35 +2,12 @@
 
 #include <cstdint>
 
+#include "engine/base/markup.h"
 #include "engine/report/drawing.h"
 
 namespace glint {
 
-std::string htmlText(std::string_view text) {
-    std::string out;
-    for (const char c : cleanText(text)) {
-        switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            case '\'':
-                out += "&#39;";
-                break;
-            default:
-                out += c;
-        }
-    }
-    return out;
-}
+std::string htmlText(std::string_view text) { return escapedMarkup(cleanText(text)); }
 
 std::string base64(std::string_view bytes) {
     constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

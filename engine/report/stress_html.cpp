@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/report/html_text.h"
 #include "engine/report/stress_summary.h"
 
 namespace glint {
@@ -23,24 +24,6 @@ td.v { font-weight: 600 } small { color: #4a5866; font-weight: 400 } svg { displ
 @media (prefers-color-scheme: dark) { body { color: #dde5ec; background: #14191f } p, small { color: #9fb0bf }
 th { border-color: #3a4754 } td { border-color: #28323c } tr.ok td.v { color: #6fd39b } .degraded { color: #f0c25e; background: #2e2716 } .broken { color: #ff9d94; background: #361b1a } }
 )";
-
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '<') {
-            out += "&lt;";
-        } else if (c == '>') {
-            out += "&gt;";
-        } else if (c == '&') {
-            out += "&amp;";
-        } else if (c == '"') {
-            out += "&quot;";
-        } else {
-            out += c;
-        }
-    }
-    return out;
-}
 
 /// Place on a logarithmic axis from 1e-6 to 1, in pixels.
 double logPlace(double value) {
@@ -62,13 +45,15 @@ std::string row(const StressResult& result) {
     const StressCase& c = *result.stressCase;
     const StressJudgement& j = result.judgement;
     const char* verdict = stressVerdictName(j.verdict);
-    std::string remark = escaped(j.reason);
-    if (!c.limit.empty()) { remark += (remark.empty() ? "" : "<br>") + ("known limit: " + escaped(c.limit)); }
+    std::string remark = htmlText(j.reason);
+    if (!c.limit.empty()) {
+        remark += (remark.empty() ? "" : "<br>") + ("known limit: " + htmlText(c.limit));
+    }
     if (!remark.empty()) { remark = "<br><small>" + remark + "</small>"; }
     return fmt::format(
         "<tr class=\"{}\"><td>{}</td><td>{}</td><td class=\"n\">{}</td><td>{}</td><td class=\"n\">{:g} %</td>"
         "<td class=\"n\">{}</td><td class=\"v\">{}{}</td><td class=\"n\">{:.2f}</td></tr>\n",
-        verdict, escaped(c.grade), escaped(c.extreme), stressErrorText(j), bar(result), 100.0 * c.tolerance,
+        verdict, htmlText(c.grade), htmlText(c.extreme), stressErrorText(j), bar(result), 100.0 * c.tolerance,
         result.outcome.dropped(), verdict, remark, result.seconds);
 }
 
@@ -80,8 +65,8 @@ std::string summaryTable(const std::vector<StressResult>& results) {
         text += fmt::format(
             "<tr><td><a href=\"#{}\">{}</a></td><td class=\"n\">{}</td><td class=\"n\">{}</td>"
             "<td class=\"n\">{}</td><td>{}</td></tr>\n",
-            escaped(f.family), escaped(f.family), f.counts[0], f.counts[1], f.counts[2],
-            escaped(f.firstNotOk));
+            htmlText(f.family), htmlText(f.family), f.counts[0], f.counts[1], f.counts[2],
+            htmlText(f.firstNotOk));
     }
     return text + "</table>\n";
 }
@@ -98,7 +83,7 @@ std::string stressHtml(const std::vector<StressResult>& results, bool quick) {
         "Bars are deviations on a logarithmic axis from 10<sup>-6</sup> to 1; the tick is the interval's "
         "end, the "
         "dashed line the tolerance.</p>\n",
-        kStyle, quick ? " --quick" : "", results.size(), escaped(stressRuleText()));
+        kStyle, quick ? " --quick" : "", results.size(), htmlText(stressRuleText()));
     page += summaryTable(results);
     std::string family;
     std::string truth;
@@ -106,7 +91,7 @@ std::string stressHtml(const std::vector<StressResult>& results, bool quick) {
         const StressCase& c = *result.stressCase;
         if (c.family != family || c.truth != truth) {
             if (!family.empty()) { page += "</table>\n"; }
-            const std::string anchor = c.family != family ? " id=\"" + escaped(c.family) + "\"" : "";
+            const std::string anchor = c.family != family ? " id=\"" + htmlText(c.family) + "\"" : "";
             const std::string_view about = c.family != family ? stressFamilyAbout(c.family) : "";
             page += fmt::format(
                 "<h2{}>{}</h2>\n<p>Truth: {}.</p>\n<table><tr><th>case</th><th class=\"e\">what is "
@@ -114,8 +99,8 @@ std::string stressHtml(const std::vector<StressResult>& results, bool quick) {
                 "<th class=\"n\">error</th><th>10<sup>-6</sup> … 1</th><th class=\"n\">tolerance</th>"
                 "<th class=\"n d\">not finite or negative</th><th class=\"v\">verdict</th><th "
                 "class=\"n\">s</th></tr>\n",
-                anchor, escaped(c.family + (about.empty() ? "" : ": " + std::string(about))),
-                escaped(c.truth));
+                anchor, htmlText(c.family + (about.empty() ? "" : ": " + std::string(about))),
+                htmlText(c.truth));
             family = c.family;
             truth = c.truth;
         }

@@ -73,8 +73,9 @@ struct SceneDescription {
     std::vector<Object> objects;
     std::vector<Light> lights;
     Environment environment;
-    std::vector<std::string> warnings;  ///< what the loader had to guess, repair or leave out, for the log
-    std::vector<std::string> notes;     ///< what it decided where the file is sound, but leaves it open
+    std::vector<std::string> warnings;   ///< what the loader had to guess, repair or leave out, for the log
+    std::vector<std::string> notes;      ///< what it decided where the file is sound, but leaves it open
+    std::vector<std::string> filesRead;  ///< by the loader: the scene's own and all that it needed
 };
 
 }  // namespace glint

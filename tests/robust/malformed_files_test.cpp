@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "engine/io/exr_io.h"
+#include "engine/io/file_path.h"
+#include "engine/io/files_read.h"
 #include "engine/io/image_io.h"
 #include "engine/io/obj_loader.h"
 #include "engine/io/ply_loader.h"
@@ -74,6 +76,8 @@ TEST(Malformed, ObjFiles) {
     expectErrors("bad.obj", files, [](const std::string& path) { return errorOf(loadObj(path)); });
 }
 
+Result<MeshFile> readPly(const std::string& path) { return parsePly(TempFolder::read(path), path); }
+
 TEST(Malformed, PlyFiles) {
     const std::string xyz = "property float x\nproperty float y\nproperty float z\n";
     const std::string faces = "property list uchar int vertex_indices\n";
@@ -123,7 +127,26 @@ TEST(Malformed, PlyFiles) {
         {binary + vertices + "\3", "byte 205: the list \"vertex_indices\" has 3 items, but only 0 bytes"},
         {binary + vertices + std::string("\3\0\0\0\0\0\0\0\0\3\0\0\0", 13), "there is no vertex 3"},
     };
-    expectErrors("bad.ply", files, [](const std::string& path) { return errorOf(loadPly(path)); });
+    expectErrors("bad.ply", files, [](const std::string& path) { return errorOf(readPly(path)); });
+}
+
+/// As large as a film of a night may be, and without a byte that its kind begins with.
+TEST(Malformed, WhatIsOfNoKindIsNotReadWhole) {
+    const TempFolder folder;
+    for (const char* name :
+         {"a.json", "a.txt", "a.obj", "a.ply", "a.gltf", "a.glb", "a.xml", "a.glintfilm"}) {
+        const std::string path = folder.write(name, "");
+        std::error_code error;
+        std::filesystem::resize_file(path, uintmax_t{1} << 30, error);
+        if (error) { GTEST_SKIP() << "the disk has no sparse files: " << error.message(); }
+        const FilesRead read;
+        const std::string message = hasExtension(name, ".glintfilm")
+                                        ? readCheckpointInfo(path).error().format()
+                                        : loadScene(path).error().format();
+        EXPECT_THAT(message, testing::HasSubstr(name));
+        EXPECT_THAT(read.paths(), testing::IsEmpty()) << name << ": " << message;
+        std::filesystem::remove(path);
+    }
 }
 
 /// The bytes that a save wrote.

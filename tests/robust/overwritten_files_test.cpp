@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "engine/io/image_io.h"
+#include "tests/support/gltf_files.h"
 #include "tests/support/program_test.h"
 
 namespace glint {
@@ -74,6 +75,38 @@ TEST_F(OverwrittenFiles, NoInputOfARenderIsAnOutput) {
     EXPECT_FALSE(fs::exists(at("x.png")));
 }
 
+/// What a scene's files name themselves, and no scene remembers by its name.
+TEST_F(OverwrittenFiles, WhatTheFilesOfASceneReadIsAnInputToo) {
+    const auto refuse = [&](const char* opened, const char* output) {
+        before[at(output)] = TempFolder::read(at(output));
+        expectRefused({"render", at(opened), "--passes", "1", "-o", at("x.png"), "--checkpoint", at(output),
+                       "--overwrite"},
+                      "is a part of the scene, which is read");
+    };
+    folder.write("model.mtl", "newmtl red\nKd 1 0 0\n");
+    folder.write("model.obj", "mtllib model.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n");
+    refuse("model.obj", "model.mtl");
+    folder.write("model.bin", test::packed<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}));
+    folder.write("model.gltf", R"({ "asset": { "version": "2.0" }, "scenes": [{ "nodes": [0] }],
+        "nodes": [{ "mesh": 0 }], "meshes": [{ "primitives": [{ "attributes": { "POSITION": 0 } }] }],
+        "buffers": [{ "uri": "model.bin", "byteLength": 36 }],
+        "bufferViews": [{ "buffer": 0, "byteLength": 36 }],
+        "accessors": [{ "bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                        "min": [0, 0, 0], "max": [1, 1, 0] }] })");
+    refuse("model.gltf", "model.bin");
+    folder.write("part.xml", R"(<scene version="3.0.0"><shape type="sphere"/></scene>)");
+    folder.write("whole.xml", R"(<scene version="3.0.0"><include filename="part.xml"/></scene>)");
+    refuse("whole.xml", "part.xml");
+}
+
+TEST_F(OverwrittenFiles, NumberedPicturesReplaceNoOutput) {
+    const ProgramRun run = runProgram({"render", scene, "-o", at("out.png"), "--passes", "3", "--json",
+                                       at("out-000002.png"), "--checkpoint-every", "1"});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_TRUE(says(run.err, "two outputs go to one file"));
+    EXPECT_EQ(TempFolder::read(at("out-000002.png")).substr(0, 1), "{");
+}
+
 TEST_F(OverwrittenFiles, NumberedPicturesReplaceNoInputEither) {
     fs::rename(at("idle.png"), at("out-000002.png"));
     const std::string scene2 = folder.write("b.json", R"({ "glint": 1, "resolution": [8, 8],
@@ -96,6 +129,10 @@ TEST_F(OverwrittenFiles, NoInputOfAnyOtherCommandIsAnOutput) {
     before[at("part.xml")] = "<scene version=\"3.0.0\"/>";
     folder.write("part.xml", before[at("part.xml")]);
     expectRefused({"convert", scene, at("part.xml")}, "is there already");
+    for (int times = 0; times < 2; ++times) {
+        const ProgramRun run = runProgram({"convert", scene, at("own.xml")});
+        EXPECT_EQ(run.exitCode, 0) << "its own is replaced: " << run.err;
+    }
     before[at("notes.json")] = "{\"notes\": 1}";
     folder.write("notes.json", before[at("notes.json")]);
     expectRefused({"convert", scene, at("notes.json")}, "is there already");
@@ -202,7 +239,8 @@ TEST_F(OverwrittenFiles, TheWindowSavesOverNoInput) {
     EXPECT_EQ(TempFolder::read(at("notes.txt")), "text");
     const std::string self = script("wait finished\nscreenshot \"" + at("script.txt") + "\"\n");
     expectRefused({"view", scene, "--headless", "--passes", "2", "--script", self}, "is the script");
-    expectRefused({"view", scene, "--headless", "--passes", "2", "--script", self, "--screenshot", wood},
+    const std::string waits = script("wait finished\n");
+    expectRefused({"view", scene, "--headless", "--passes", "2", "--script", waits, "--screenshot", wood},
                   "is a texture of the scene");
 }
 

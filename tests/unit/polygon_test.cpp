@@ -3,7 +3,11 @@
 
 #include <random>
 
+#include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "engine/io/importer.h"
 
 namespace glint {
 namespace {
@@ -128,22 +132,58 @@ TEST(Polygon, HopelessPolygonsStillGiveTriangles) {
     }
 }
 
+/// A bar with a saw's teeth.
+std::vector<Vec3> saw(int teeth) {
+    std::vector<Vec3> corners{{-1.0f, -2.0f, 0.0f}, {static_cast<float>(teeth + 1), -2.0f, 0.0f}};
+    for (int i = teeth; i > 0; --i) {
+        corners.emplace_back(static_cast<float>(i), i % 2 == 0 ? 1.0f : 0.0f, 0.0f);
+    }
+    return corners;
+}
+
 TEST(Polygon, ManyCornersAreFineUnlessTooManyAreReflex) {
-    std::vector<Vec3> circle;
-    std::vector<Vec3> saw{{-1.0f, -2.0f, 0.0f}, {40001.0f, -2.0f, 0.0f}};
-    for (int i = 0; i < 20000; ++i) {
-        const double angle = 6.283185307179586 * i / 20000.0;
-        circle.emplace_back(static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)), 0.0f);
-    }
-    for (int i = 40000; i > 0; --i) {
-        saw.emplace_back(static_cast<float>(i), i % 2 == 0 ? 1.0f : 0.0f, 0.0f);
-    }
     std::vector<uint32_t> triangles;
-    EXPECT_TRUE(triangulatePolygon(circle, &triangles));
-    EXPECT_EQ(triangles.size(), 3u * 19998u);
+    // From about 20,000 on, rounded corners on a circle turn right here and there.
+    for (const int corners : {20000, 80000}) {
+        std::vector<Vec3> circle;
+        for (int i = 0; i < corners; ++i) {
+            const double angle = 6.283185307179586 * i / corners;
+            circle.emplace_back(static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)),
+                                0.0f);
+        }
+        triangles.clear();
+        EXPECT_TRUE(triangulatePolygon(circle, &triangles));
+        EXPECT_EQ(triangles.size(), 3u * static_cast<size_t>(corners - 2));
+    }
     triangles.clear();
-    EXPECT_FALSE(triangulatePolygon(saw, &triangles));
+    EXPECT_FALSE(triangulatePolygon(saw(40000), &triangles));
     EXPECT_TRUE(triangles.empty());
+}
+
+TEST(Polygon, AModelGoesWithoutTheFaceThatTakesTooLong) {
+    std::string obj;
+    const std::vector<Vec3> corners = saw(40000);
+    std::string face = "f";
+    std::string plyFace = std::to_string(corners.size());
+    for (size_t i = 0; i < corners.size(); ++i) {
+        obj += fmt::format("v {} {} 0\n", corners[i].x, corners[i].y);
+        face += fmt::format(" {}", i + 1);
+        plyFace += fmt::format(" {}", i);
+    }
+    std::string ply = obj;
+    std::erase(ply, 'v');
+    ply = fmt::format(
+              "ply\nformat ascii 1.0\nelement vertex {}\nproperty float x\nproperty float y\n"
+              "property float z\nelement face 2\nproperty list int int vertex_indices\nend_header\n",
+              corners.size()) +
+          ply + plyFace + "\n3 0 1 2\n";
+    obj += face + "\nf 1 2 3\n";
+    for (const auto& [name, text] : {std::pair("in.obj", obj), std::pair("in.ply", ply)}) {
+        const Result<MeshFile> file = readMeshFile(text, name);
+        ASSERT_TRUE(file) << file.error().format();
+        EXPECT_EQ(file->parts[0].mesh->triangleCount(), 1u);
+        EXPECT_THAT(file->warnings, testing::Contains(testing::HasSubstr("not convex are left out"))) << name;
+    }
 }
 
 }  // namespace

@@ -101,7 +101,7 @@ wait jobs
 set "CSV file" before.csv
 click "Export CSV"
 wait jobs
-expect message "Saved before.csv"
+expect message "/before.csv"
 )",
                       "--passes 14"));
     expectPlayed(play(R"(

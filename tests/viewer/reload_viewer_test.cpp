@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <thread>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "engine/io/scene_loader.h"
@@ -88,6 +89,30 @@ TEST(HotReload, TheSceneIsReadAgainAndTheCameraStays) {
     workspace.history.askUndo();
     workspace.commitEdits(false);
     EXPECT_EQ(workspace.document.draft().objects[0].objectToWorld.linear[0].x, 1.0f);
+}
+
+TEST(HotReload, EditsThatAreNotSavedStay) {
+    write("edited.json", kScene);
+    Workspace workspace(makeCpuBackend(1));
+    workspace.adopt(*loadScene("edited.json"));
+    workspace.document.draft().camera.verticalFovDeg = 20.0f;
+    workspace.commitEdits(false);
+    std::string changed = kScene;
+    changed.replace(changed.find("\"radius\": 1"), 11, "\"radius\": 2");
+    rewrite("edited.json", changed);
+    runUntil(&workspace, [&] { return !workspace.notice.text().empty(); });
+    EXPECT_THAT(workspace.notice.text(), testing::HasSubstr("your edits stay"));
+    EXPECT_EQ(workspace.document.draft().objects[0].objectToWorld.linear[0].x, 1.0f);
+    EXPECT_EQ(workspace.document.draft().camera.verticalFovDeg, 20.0f);
+    EXPECT_TRUE(workspace.document.hasUnsavedEdits());
+}
+
+TEST(HotReload, WhatASceneIncludesIsWatched) {
+    write("part.xml", "<scene version=\"3.0.0\"><shape type=\"sphere\"/></scene>");
+    write("whole.xml", "<scene version=\"3.0.0\"><include filename=\"part.xml\"/></scene>");
+    const auto files = filesOf(*loadScene("whole.xml"));
+    EXPECT_THAT(files,
+                testing::ElementsAre(fs::absolute("part.xml").string(), fs::absolute("whole.xml").string()));
 }
 
 }  // namespace

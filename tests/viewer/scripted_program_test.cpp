@@ -175,6 +175,35 @@ TEST(ScriptedProgram, ScriptErrorsHaveTheirPlace) {
     EXPECT_THAT(ran.output, testing::HasSubstr("script.txt:1:1:"));
 }
 
+TEST(ScriptedProgram, ScriptsAreTextAsOtherSystemsWriteIt) {
+    expectPlayed(play("\xEF\xBB\xBFwait picture\r\nquit\r\n"));
+    std::string utf16 = "\xFF\xFE";
+    for (const char c : std::string("wait picture\nquit\n")) {
+        utf16 += {c, '\0'};
+    }
+    expectPlayed(play(utf16));
+    const Ran ran = play(std::string("wait picture\nset \"Aper\0ture\" 3\n", 33));
+    EXPECT_EQ(ran.exitCode, 1);
+    EXPECT_THAT(ran.output, testing::HasSubstr("script.txt:2:10: a byte is 0"));
+}
+
+TEST(ScriptedProgram, WhatIsWaitedForAfterTheEndIsAnError) {
+    const Ran ran = play("wait finished\nwait passes 3\n", "--passes 2");
+    EXPECT_EQ(ran.exitCode, 1);
+    EXPECT_THAT(ran.output, testing::HasSubstr("script.txt:2:1: the render has finished, with 2 passes"));
+    expectPlayed(play("wait finished\nset \"Pass limit\" 4\nwait passes 4\n", "--passes 2"));
+}
+
+TEST(ScriptedProgram, NoScreenshotReplacesAnotherOutput) {
+    std::ofstream("shots.txt") << "wait picture\nscreenshot \"both.png\"\n";
+    const Ran ran = run("view scene.json --headless --script shots.txt --screenshot both.png");
+    EXPECT_EQ(ran.exitCode, 1);
+    EXPECT_THAT(ran.output, testing::HasSubstr("shots.txt:2:12: two outputs go to one file"));
+    std::ofstream("own.txt") << "wait picture\nscreenshot \"own.txt\"\n";
+    EXPECT_THAT(run("view scene.json --headless --script own.txt").output,
+                testing::HasSubstr("is the script"));
+}
+
 TEST(ScriptedProgram, ADragTakesALabelWithoutQuotesToo) {
     const Ran ran = play("wait picture\ndrag Exposure 30 0\nwait picture\nprint \"Exposure\"\n");
     expectPlayed(ran);

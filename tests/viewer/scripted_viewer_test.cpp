@@ -50,6 +50,29 @@ expect "Exposure" 1.5
 )"));
 }
 
+TEST(ScriptedViewer, TheWayToAPressTurnsNothing) {
+    expectPlayed(play(R"(
+wait picture
+move 100 200
+wait frames 2
+mark
+press 500 400
+wait frames 2
+move 501 400
+wait frames 2
+release
+wait frames 3
+expect restarts 0
+press 100 200
+wait frames 2
+move 140 200
+wait frames 2
+release
+wait picture
+expect restarts 1
+)"));
+}
+
 TEST(ScriptedViewer, EachEditRestartsItsPart) {
     expectPlayed(play(R"(
 wait picture
@@ -219,6 +242,7 @@ key escape
 wait frames 3
 expect "Focal distance" 4
 expect restarts 0
+set "Exposure" 2.5
 key ctrl down
 click "Exposure"
 key ctrl up
@@ -226,7 +250,26 @@ wait frames 3
 text "abc"
 key enter
 wait frames 3
-expect "Exposure" 0
+expect "Exposure" 2.5
+set "Pass limit" 9876543
+wait frames 2
+expect "Pass limit" 9876543
+key ctrl down
+click "Pass limit"
+key ctrl up
+wait frames 3
+text "2.5"
+key enter
+wait frames 3
+expect "Pass limit" 9876543
+key ctrl down
+click "Exposure"
+key ctrl up
+wait frames 3
+text "f 1,5"
+key enter
+wait frames 3
+expect "Exposure" 1.5
 key ctrl down
 click "Position.x"
 key ctrl up

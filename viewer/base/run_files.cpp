@@ -48,28 +48,29 @@ void RunFiles::reads(const std::string& what, const std::string& path) {
 }
 
 void RunFiles::readsScene(const SceneDescription& scene) {
-    reads("the scene", scene.path);
-    const auto add = [&](AssetKind kind, size_t count, const char* what) {
-        for (size_t i = 0; i < count; ++i) {
-            const std::string file = assetFile(scene, {kind, i});
-            reads(what, file.empty() ? file : resolvePath(file, scene.path));
-        }
-    };
-    add(AssetKind::Mesh, scene.meshes.size(), "a mesh of the scene");
-    add(AssetKind::Texture, scene.textures.size(), "a texture of the scene");
-    add(AssetKind::Environment, scene.environmentImages.size(), "the scene's environment");
+    for (const SceneFile& file : sceneFiles(scene)) {
+        reads(file.what, file.path);
+    }
 }
 
 Status RunFiles::writes(const std::string& path) {
     if (path.empty() || path == "-") { return {}; }
-    const bool isTaken =
-        std::ranges::any_of(outputs_, [&](const std::string& other) { return isSameFile(path, other); });
-    if (isTaken) {
-        return Error{fmt::format("two outputs go to one file, '{}'; expected different names", path), {}};
-    }
+    if (Status free = checkIsNoOutput(path); !free) { return free; }
     outputs_.push_back(path);
     if (Status writable = checkWritable(path); !writable) { return writable; }
     return checkIsNoInput(path);
+}
+
+Status RunFiles::checkIsFree(const std::string& path) const {
+    const Status free = checkIsNoOutput(path);
+    return free ? checkIsNoInput(path) : free;
+}
+
+Status RunFiles::checkIsNoOutput(const std::string& path) const {
+    const bool isTaken =
+        std::ranges::any_of(outputs_, [&](const std::string& other) { return isSameFile(path, other); });
+    if (!isTaken) { return {}; }
+    return Error{fmt::format("two outputs go to one file, '{}'; expected different names", path), {}};
 }
 
 Status RunFiles::check() const {

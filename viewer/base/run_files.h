@@ -21,12 +21,14 @@ class RunFiles {
   public:
     /// `what` it is, in messages: "the scene". An empty path is none.
     void reads(const std::string& what, const std::string& path);
-    /// The scene's file and all that it names, whether they are used or not.
+    /// All of sceneFiles() (used_assets.h).
     void readsScene(const SceneDescription& scene);
 
     /// Error: `path` cannot be written (checkWritable), is a file that is read, or another output. Empty and
     /// "-" are none; devices and pipes can be many outputs.
     Status writes(const std::string& path);
+    /// Error: `path` is a file that is read or an output. For files that are written on the way.
+    Status checkIsFree(const std::string& path) const;
     /// The first error of all outputs: again, after further inputs came to light.
     Status check() const;
     /// Error: `path` is a file that is read.
@@ -35,6 +37,8 @@ class RunFiles {
     Status checkHoldsNoInput(const std::string& folder) const;
 
   private:
+    Status checkIsNoOutput(const std::string& path) const;
+
     struct Input {
         std::string what, path;
     };

@@ -20,7 +20,7 @@ std::string withPrefix(double value, const char* unit) {
     return fmt::format("{:.{}f} {}{}{}", value, decimals, kPrefixes[step], step > 0 ? " " : "", unit);
 }
 
-std::optional<float> parseNumber(std::string_view text) {
+std::optional<double> parseNumber(std::string_view text) {
     const auto isBlank = [](char c) { return c == ' ' || c == '\t'; };
     while (!text.empty() && isBlank(text.front())) {
         text.remove_prefix(1);
@@ -28,17 +28,21 @@ std::optional<float> parseNumber(std::string_view text) {
     while (!text.empty() && isBlank(text.back())) {
         text.remove_suffix(1);
     }
-    if (text.starts_with("f/") || text.starts_with("F/")) { text.remove_prefix(2); }
+    // An f-number: f/11, f 11, f11.
+    if (text.starts_with('f') || text.starts_with('F')) {
+        text.remove_prefix(1);
+        text.remove_prefix(std::min(text.find_first_not_of(" /"), text.size()));
+    }
     if (text.starts_with('+')) { text.remove_prefix(1); }
     std::string digits(text);
     // One comma is a decimal comma; with a point beside it, it could as well part thousands.
     if (std::ranges::count(digits, ',') == 1 && digits.find('.') == std::string::npos) {
         std::ranges::replace(digits, ',', '.');
     }
-    float value = 0.0f;
+    double value = 0.0;
     const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     const bool isWhole = problem == std::errc() && end == digits.data() + digits.size();
-    return isWhole && std::isfinite(value) ? std::optional(value) : std::nullopt;
+    return isWhole && std::isfinite(static_cast<float>(value)) ? std::optional(value) : std::nullopt;
 }
 
 std::string duration(double seconds) {

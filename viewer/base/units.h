@@ -24,7 +24,7 @@ std::string length(double metres);
 
 /// What people type for a number: "2.8", "2,8" (a decimal comma), "f/2.8", "1e-3", with blanks around it.
 /// Nothing for other texts and for what has no place in a float.
-std::optional<float> parseNumber(std::string_view text);
+std::optional<double> parseNumber(std::string_view text);
 
 /// "pt" → "PT". Letters of ASCII only.
 std::string inCapitals(std::string_view text);

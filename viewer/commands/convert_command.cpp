@@ -16,8 +16,6 @@ struct ConvertOptions {
     LoadOptions load;
 };
 
-bool replacesNone(std::string_view) { return false; }
-
 int runConvert(const ConvertOptions& options) {
     const Exporter* exporter = exporterOf(options.out);
     if (exporter == nullptr) {
@@ -29,8 +27,7 @@ int runConvert(const ConvertOptions& options) {
     if (Status writable = files.writes(options.out); !writable) {
         return reportError(writable.error(), kExitBadInput);
     }
-    const auto mayReplace = exporter->mayReplace != nullptr ? exporter->mayReplace : replacesNone;
-    if (Status replaces = checkReplaces(options.out, mayReplace, "a scene of Glint's"); !replaces) {
+    if (Status replaces = checkReplaces(options.out, exporter->isOwn, "written by Glint"); !replaces) {
         return reportError(replaces.error(), kExitBadInput);
     }
     const auto scene = openScene(options.in, options.load);

@@ -96,7 +96,8 @@ void printMetrics(const DiffOptions& options, const ImageMetrics& metrics, const
         if (std::isnan(value)) {
             continue;  // not asked for
         }
-        std::string note;
+        const bool hasMeaning = std::isfinite(value);
+        std::string note = hasMeaning ? "" : "the reference is black";
         if (&metric == findMetric("max_error") && metrics.maxError > 0.0) {
             note = fmt::format("in column {}, row {}", metrics.maxErrorX, metrics.maxErrorY);
         }
@@ -105,7 +106,8 @@ void printMetrics(const DiffOptions& options, const ImageMetrics& metrics, const
             note += fmt::format("{}{} {:g}: {}", note.empty() ? "" : "; ", limitOption(metric), limit->second,
                                 within ? "within" : "BEYOND");
         }
-        const std::string line = fmt::format("  {:<16}{:<14.6g}{}", metric.name, value, note);
+        const std::string line = fmt::format("  {:<16}{:<14}{}", metric.name,
+                                             hasMeaning ? fmt::format("{:.6g}", value) : "none", note);
         put("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
     }
 }

@@ -198,7 +198,7 @@ class BatchRender {
         const Status saved = withMemory(image.empty() ? options_.checkpoint : image, [&] {
             const auto capture = session_->capture();
             if (!capture) { return Status(); }
-            const Status free = files_.checkIsNoInput(image);
+            const Status free = files_.checkIsFree(image);
             const Status written = free && !image.empty() ? writeImage(*capture, image) : free;
             const Status kept = checkpoint_.save(*capture);
             return written ? kept : written;

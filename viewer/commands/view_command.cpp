@@ -67,6 +67,15 @@ Result<Vec2i> parseSize(const std::string& text) {
     return Vec2i(width, height);
 }
 
+Status checkScreenshots(const std::vector<ScriptStatement>& script, const RunFiles& files) {
+    for (const ScriptStatement& statement : script) {
+        if (statement.verb != "screenshot") { continue; }
+        const Status free = files.checkIsFree(statement.words[0].text);
+        if (!free) { return statement.errorAt(0, free.error().format()); }
+    }
+    return {};
+}
+
 Result<ViewerOptions> viewerOptions(const ViewCommandOptions& o, RunFiles* files) {
     ViewerOptions options;
     const auto size = parseSize(o.size);
@@ -83,6 +92,7 @@ Result<ViewerOptions> viewerOptions(const ViewCommandOptions& o, RunFiles* files
     if (!o.script.empty()) {
         auto script = loadScript(o.script);
         if (!script) { return script.error(); }
+        if (const Status free = checkScreenshots(*script, *files); !free) { return free.error(); }
         options.script = std::move(*script);
     }
     options.headless = o.headless;

@@ -23,7 +23,7 @@ void CurveExport::start(const std::string& csv) {
         [this, file = path, free = inputs_->checkIsNoInput(path), csv]() -> JobQueue::Completion {
             const Status result = free ? writeFileAtomically(file, csv) : free;
             return [this, file, result] {
-                notice_->tell(result, fmt::format("Saved {}", file));
+                notice_->tell(result, fmt::format("Saved {}", Notice::placeOf(file)));
                 result_.show(notice_->text(), notice_->isError());
             };
         },

@@ -5,7 +5,7 @@
 #include <system_error>
 #include <utility>
 
-#include "engine/scene/asset_source.h"
+#include "engine/io/used_assets.h"
 
 namespace glint {
 namespace {
@@ -16,21 +16,10 @@ constexpr double kSecondsBetweenLooks = 0.5;
 }  // namespace
 
 std::vector<std::string> filesOf(const SceneDescription& scene) {
+    std::vector<std::string> paths;
     std::error_code problem;
-    const fs::path file = fs::absolute(scene.path, problem);
-    std::vector<std::string> paths{file.string()};
-    const auto add = [&](const auto& source) {
-        const std::string path = pathOf(source);
-        if (!path.empty()) { paths.push_back((file.parent_path() / path).lexically_normal().string()); }
-    };
-    for (const Mesh& mesh : scene.meshes) {
-        add(mesh.source);
-    }
-    for (const Texture& texture : scene.textures) {
-        add(texture.image.source);
-    }
-    for (const SceneImage& image : scene.environmentImages) {
-        add(image.source);
+    for (const SceneFile& file : sceneFiles(scene)) {
+        paths.push_back(fs::absolute(file.path, problem).lexically_normal().string());
     }
     std::ranges::sort(paths);
     paths.erase(std::unique(paths.begin(), paths.end()), paths.end());

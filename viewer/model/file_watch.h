@@ -9,7 +9,7 @@
 
 namespace glint {
 
-/// Absolute paths: the scene's own file, and those of its meshes, textures and environment images.
+/// Absolute paths of all of sceneFiles() (used_assets.h).
 std::vector<std::string> filesOf(const SceneDescription& scene);
 
 class FileWatch {

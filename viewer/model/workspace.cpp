@@ -166,6 +166,18 @@ void Workspace::focusAt(Vec2i pixel) {
     document.focusAt(hit.depth, isNamed ? draft.objects[index].name : fmt::format("object {}", hit.object));
 }
 
+void Workspace::reload() {
+    const std::string& path = document.draft().path;
+    logInfo("{} has changed on the disk", path);
+    if (document.hasUnsavedEdits()) {
+        notice.show(
+            fmt::format("{} has changed on the disk; your edits stay until it is opened again", path));
+        return;
+    }
+    isReloading_ = true;
+    sceneFiles.open(path);
+}
+
 void Workspace::refresh() {
     jobs.runCompletions();
     if (assets.takeArrival()) { commitEdits(false); }
@@ -173,11 +185,7 @@ void Workspace::refresh() {
     if (!sceneFiles.opening()) { isReloading_ = false; }
     const double now =
         std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-    if (document.isOpen() && !sceneFiles.opening() && watch.hasChanged(now)) {
-        isReloading_ = true;
-        logInfo("{} has changed on the disk", document.draft().path);
-        sceneFiles.open(document.draft().path);
-    }
+    if (document.isOpen() && !sceneFiles.opening() && watch.hasChanged(now)) { reload(); }
     const IntegratorKind own = document.draft().options.integrator;
     render.refresh(display.split ? std::optional(display.otherOf(own)) : std::nullopt);
     chooseExposure();

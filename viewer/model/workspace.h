@@ -115,6 +115,8 @@ class Workspace {
     void addObjectsOf(SceneDescription scene);
     FirstHit hitAt(Vec2i pixel) const;
     void refreshDifference();
+    /// Another program has changed a file of the scene.
+    void reload();
     void openSceneOf(const KeptPicture& kept);
     void chooseExposure();
     void expectExposure();

@@ -20,34 +20,47 @@ float clamped(float value, const NumberStyle& style) {
     return style.min < style.max ? std::clamp(value, style.min, style.max) : value;
 }
 
-/// Applies a script's assignment of `count` numbers.
-bool assignNumbers(std::string_view label, float* values, int count, const NumberStyle& style) {
+/// What a script assigns: `count` numbers.
+std::optional<std::array<double, 3>> takeNumbers(std::string_view label, int count, bool areWhole) {
     const auto words = frameRegistry()->takeAssignment(label);
-    if (!words) { return false; }
-    std::array<float, 3> parsed{};
+    if (!words) { return std::nullopt; }
+    std::array<double, 3> numbers{};
     bool good = static_cast<int>(words->size()) == count;
     for (int i = 0; good && i < count; ++i) {
-        const std::optional<float> number = parseNumber((*words)[static_cast<size_t>(i)]);
-        good = number.has_value();
-        parsed[static_cast<size_t>(i)] = number.value_or(0.0f);
+        const std::optional<double> number = parseNumber((*words)[static_cast<size_t>(i)]);
+        good = number && (!areWhole || *number == std::round(*number));
+        numbers[static_cast<size_t>(i)] = number.value_or(0.0);
     }
-    if (!good) {
-        frameRegistry()->reject(count == 1 ? "expected a number" : fmt::format("expected {} numbers", count));
-        return false;
-    }
+    if (good) { return numbers; }
+    const char* kind = areWhole ? "whole number" : "number";
+    frameRegistry()->reject(count == 1 ? fmt::format("expected a {}", kind)
+                                       : fmt::format("expected {} {}s", count, kind));
+    return std::nullopt;
+}
+
+bool assignNumbers(std::string_view label, float* values, int count, const NumberStyle& style) {
+    const auto numbers = takeNumbers(label, count, false);
     bool changed = false;
-    for (int i = 0; i < count; ++i) {
-        const float next = clamped(parsed[static_cast<size_t>(i)], style);
-        changed |= next != values[i];
-        values[i] = next;
+    for (int i = 0; numbers && i < count; ++i) {
+        const float next = clamped(static_cast<float>((*numbers)[static_cast<size_t>(i)]), style);
+        changed |= std::exchange(values[i], next) != next;
     }
     return changed;
+}
+
+int clampedInteger(double value, const NumberStyle& style) {
+    constexpr double kMost = 2e9;  // an int holds it
+    const bool isBounded = style.min < style.max;
+    const double low = isBounded ? std::max(static_cast<double>(style.min), -kMost) : -kMost;
+    const double high = isBounded ? std::min(static_cast<double>(style.max), kMost) : kMost;
+    return static_cast<int>(std::clamp(value, low, high));
 }
 
 /// Typed numbers keep the bounds that dragged ones have.
 bool dragField(const char* id, float* value, const NumberStyle& style) {
     if (isTyped(id)) {
-        const float next = clamped(typedNumber(id).value_or(*value), style);
+        const auto typed = typedNumber(id);
+        const float next = clamped(typed ? static_cast<float>(*typed) : *value, style);
         return std::exchange(*value, next) != next;
     }
     const char* format = *value == 0.0f && style.zeroText != nullptr ? style.zeroText : style.format;
@@ -66,15 +79,14 @@ bool dragField(const char* id, float* value, const NumberStyle& style) {
 
 bool dragInteger(const char* id, int* value, const NumberStyle& style) {
     if (isTyped(id)) {
-        const float next = clamped(typedNumber(id).value_or(static_cast<float>(*value)), style);
-        const auto whole = static_cast<int>(std::lround(std::clamp(next, -2e9f, 2e9f)));
-        return std::exchange(*value, whole) != whole;
+        const int next = clampedInteger(typedNumber(id, true).value_or(*value), style);
+        return std::exchange(*value, next) != next;
     }
     const char* format = *value == 0 && style.zeroText != nullptr ? style.zeroText : style.format;
     const bool changed =
         ImGui::DragInt(id, value, style.speed, static_cast<int>(style.min), static_cast<int>(style.max),
                        format, ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
-    static_cast<void>(offerTyping(id, static_cast<float>(*value)));
+    static_cast<void>(offerTyping(id, *value));
     return changed;
 }
 
@@ -110,9 +122,9 @@ bool number(const char* label, float* value, const NumberStyle& style) {
 
 bool integer(const char* label, int* value, const NumberStyle& style) {
     beginRow(label, style.tooltip);
-    float assigned = static_cast<float>(*value);
-    bool changed = assignNumbers(label, &assigned, 1, style);
-    if (changed) { *value = static_cast<int>(std::lround(assigned)); }
+    const auto assigned = takeNumbers(label, 1, true);
+    const int next = assigned ? clampedInteger((*assigned)[0], style) : *value;
+    bool changed = std::exchange(*value, next) != next;
     changed |= dragInteger("##value", value, style);
     record(WidgetKind::Number, label, fmt::format("{}", *value));
     tooltipForItem(style.tooltip);

@@ -1,6 +1,7 @@
 #include "viewer/ui/typed_number.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -30,7 +31,7 @@ Typing typing;
 /// The field that was drawn last: where Shift + Tab leads.
 struct Drawn {
     ImGuiID field = 0;
-    float value = 0.0f;
+    double value = 0.0;
 };
 Drawn lastDrawn;
 
@@ -41,23 +42,26 @@ struct Note {
 };
 Note note;
 
-void begin(ImGuiID field, float value) {
+void begin(ImGuiID field, double value) {
     typing.field = field;
-    typing.text = fmt::format("{:.7g}", value);
+    typing.text = fmt::format("{:.{}g}", value, value == std::round(value) ? 10 : 7);
     typing.before = typing.text;
     typing.seenAtFrame = ImGui::GetFrameCount();
     typing.wasActive = typing.nextFieldBegins = false;
 }
 
 /// The text's number, unless it is as it was.
-std::optional<float> finish(ImGuiID field) {
+std::optional<double> finish(ImGuiID field, bool isWhole) {
     typing.field = 0;
     ImGui::ClearActiveID();
     if (typing.text == typing.before) { return std::nullopt; }
-    const std::optional<float> number = parseNumber(typing.text);
+    std::optional<double> number = parseNumber(typing.text);
+    if (number && isWhole && *number != std::round(*number)) { number.reset(); }
     if (!number) {
-        note = {field, fmt::format("\"{}\" is no number; the old value stays", typing.text),
-                ImGui::GetTime() + kNoteSeconds};
+        note = {
+            field,
+            fmt::format("\"{}\" is no {}number; the old value stays", typing.text, isWhole ? "whole " : ""),
+            ImGui::GetTime() + kNoteSeconds};
     }
     return number;
 }
@@ -78,9 +82,9 @@ bool isTyped(const char* id) {
     return typing.field != 0;
 }
 
-std::optional<float> typedNumber(const char* id) {
+std::optional<double> typedNumber(const char* id, bool isWhole) {
     const ImGuiID field = ImGui::GetID(id);
-    const Drawn previous = std::exchange(lastDrawn, {field, 0.0f});
+    const Drawn previous = std::exchange(lastDrawn, {field, 0.0});
     typing.seenAtFrame = ImGui::GetFrameCount();
     if (!typing.wasActive) { ImGui::SetKeyboardFocusHere(); }
     ImGui::InputText(id, &typing.text, ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_AllowTabInput);
@@ -89,15 +93,15 @@ std::optional<float> typedNumber(const char* id) {
     const bool isBackTab = ImGui::GetIO().KeyShift && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab));
     if (isTab || isBackTab) {
         std::erase(typing.text, '\t');
-        const std::optional<float> number = finish(field);
+        const std::optional<double> number = finish(field, isWhole);
         typing.nextFieldBegins = isTab;
         if (!isTab && previous.field != 0) { begin(previous.field, previous.value); }
         return number;
     }
-    return typing.wasActive && !ImGui::IsItemActive() ? finish(field) : std::nullopt;
+    return typing.wasActive && !ImGui::IsItemActive() ? finish(field, isWhole) : std::nullopt;
 }
 
-bool offerTyping(const char* id, float value) {
+bool offerTyping(const char* id, double value) {
     const ImGuiID field = ImGui::GetID(id);
     const bool isClicked = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) ||
                            (ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(ImGuiMouseButton_Left));

@@ -13,11 +13,11 @@ bool isTyped(const char* id);
 
 /// Draws the text. Returns the number once it is there; nothing before, and where the text is no number: then
 /// a note says so for a while, and the field shows its old value. Tab goes on to the next field, Shift + Tab
-/// to the one before.
-std::optional<float> typedNumber(const char* id);
+/// to the one before. `isWhole`: a fraction is no number here.
+std::optional<double> typedNumber(const char* id, bool isWhole = false);
 
 /// To be called after the dragged field was drawn: a double click, Ctrl + click or Tab begins the text, and
 /// makes it true. `value`: of before the field was drawn.
-bool offerTyping(const char* id, float value);
+bool offerTyping(const char* id, double value);
 
 }  // namespace glint::ui

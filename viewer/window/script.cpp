@@ -10,6 +10,7 @@
 
 #include "engine/base/nearest_name.h"
 #include "engine/io/atomic_file.h"
+#include "engine/io/plain_text.h"
 #include "viewer/window/key_codes.h"
 
 namespace glint {
@@ -30,6 +31,7 @@ constexpr Form kForms[] = {
     {"move", "nn", "move X Y"},
     {"move", "q?nn", "move \"LABEL\" [SHARE_X SHARE_Y]"},
     {"press", "?b", "press [left|right|middle]"},
+    {"press", "nn?b", "press X Y [left|right|middle]"},
     {"release", "?b", "release [left|right|middle]"},
     {"click", "s", "click \"LABEL\""},
     {"click", "nn?b", "click X Y [BUTTON]"},
@@ -196,6 +198,10 @@ Result<std::vector<ScriptStatement>> parseScript(std::string_view text, const st
     std::string line;
     for (int number = 1; std::getline(lines, line); ++number) {
         SourcePlace place{file, number, 1, line};
+        if (const size_t at = line.find('\0'); at != std::string::npos) {
+            place.column = static_cast<int>(at) + 1;
+            return Error{"a byte is 0; expected text", place};
+        }
         auto words = splitWords(line, place);
         if (!words) { return words.error(); }
         if (words->empty()) { continue; }
@@ -210,7 +216,10 @@ Result<std::vector<ScriptStatement>> parseScript(std::string_view text, const st
 Result<std::vector<ScriptStatement>> loadScript(const std::string& file) {
     const auto text = readFile(file);
     if (!text) { return text.error(); }
-    return parseScript(*text, file);
+    const std::optional<PlainText> plain = asPlainText(*text);
+    std::string_view script = plain ? plain->text : *text;
+    if (script.starts_with("\xEF\xBB\xBF")) { script.remove_prefix(3); }
+    return parseScript(script, file);
 }
 
 }  // namespace glint

@@ -71,6 +71,10 @@ Status ScriptPlayer::step() {
         case Action::Kind::Move:
             mouse_ = action.at;
             break;
+        case Action::Kind::PressAt:
+            mouse_ = action.at;
+            buttons_[action.code] = true;
+            break;
         case Action::Kind::Press:
             buttons_[action.code] = true;
             break;
@@ -116,6 +120,15 @@ void ScriptPlayer::drag(Vec2 from, Vec2 to, int button) {
     actions_.push_back({Action::Kind::Press, {}, button, ""});
     actions_.push_back({Action::Kind::Move, to, 0, ""});
     actions_.push_back({Action::Kind::Release, {}, button, ""});
+}
+
+void ScriptPlayer::press(const ScriptStatement& statement) {
+    if (statement.words.size() < 2) {
+        actions_.push_back({Action::Kind::Press, {}, buttonOf(statement, 0), ""});
+    } else {
+        const Vec2 at(statement.number(0), statement.number(1));
+        actions_.push_back({Action::Kind::PressAt, at, buttonOf(statement, 2), ""});
+    }
 }
 
 Result<std::optional<WidgetRecord>> ScriptPlayer::reachable(const ScriptStatement& statement) {
@@ -209,7 +222,8 @@ Result<ScriptPlayer::Progress> ScriptPlayer::runWait(const ScriptStatement& stat
     if (status.state == SessionState::Failed) {
         return statement.error(fmt::format("the render failed: {}", status.error));
     }
-    const bool isOver = status.state == SessionState::Finished && waited > kSettlingSeconds;
+    const bool isOver =
+        !workspace_->awaitsEdit() && status.state == SessionState::Finished && waited > kSettlingSeconds;
     if (isOver && (what == "passes" || what == "paused")) {
         return statement.error(fmt::format("the render has finished, with {} passes", status.passes));
     }
@@ -241,7 +255,7 @@ Result<ScriptPlayer::Progress> ScriptPlayer::run(const ScriptStatement& statemen
         return saved ? Result<Progress>(Progress::Done)
                      : Result<Progress>(statement.errorAt(0, saved.error().format()));
     }
-    if (verb == "press") { actions_.push_back({Action::Kind::Press, {}, buttonOf(statement, 0), ""}); }
+    if (verb == "press") { press(statement); }
     if (verb == "release") { actions_.push_back({Action::Kind::Release, {}, buttonOf(statement, 0), ""}); }
     if (verb == "wheel") {
         if (wordCount == 3) {

@@ -33,7 +33,7 @@ class ScriptPlayer {
 
   private:
     struct Action {
-        enum class Kind { Move, Press, Release, KeyDown, KeyUp, Wheel, Text } kind;
+        enum class Kind { Move, Press, PressAt, Release, KeyDown, KeyUp, Wheel, Text } kind;
         Vec2 at{0.0f};
         int code = 0;
         std::string text;
@@ -50,6 +50,7 @@ class ScriptPlayer {
     void print(const ScriptStatement& statement) const;
     /// The widget when it can be clicked; nothing while it is being scrolled into view.
     Result<std::optional<WidgetRecord>> reachable(const ScriptStatement& statement);
+    void press(const ScriptStatement& statement);
     void click(Vec2 at, int button);
     void drag(Vec2 from, Vec2 to, int button);
 
