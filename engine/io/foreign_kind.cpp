@@ -34,7 +34,6 @@ bool isOff(std::string_view head) {
 bool isVrml(std::string_view head) { return head.starts_with("#VRML"); }
 bool isX3d(std::string_view head) { return has(head, "<X3D"); }
 bool isDirectX(std::string_view head) { return head.starts_with("xof 0"); }
-bool isPbrt(std::string_view head) { return has(head, "WorldBegin"); }
 
 constexpr ForeignKind kKinds[] = {{"FBX", ".fbx", isFbx},
                                   {"COLLADA", ".dae", isCollada},
@@ -44,8 +43,7 @@ constexpr ForeignKind kKinds[] = {{"FBX", ".fbx", isFbx},
                                   {"OFF", ".off", isOff},
                                   {"VRML", ".wrl", isVrml},
                                   {"X3D", ".x3d", isX3d},
-                                  {"DirectX", ".x", isDirectX},
-                                  {"pbrt", ".pbrt", isPbrt}};
+                                  {"DirectX", ".x", isDirectX}};
 
 }  // namespace
 

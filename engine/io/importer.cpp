@@ -10,11 +10,11 @@
 namespace glint {
 
 extern const Importer kImportJson, kImportText, kImportObj, kImportPly, kImportStl, kImportGltf,
-    kImportMitsuba;
+    kImportMitsuba, kImportPbrt;
 
 std::span<const Importer> importers() {
-    static const Importer kAll[] = {kImportJson, kImportText, kImportObj,    kImportPly,
-                                    kImportStl,  kImportGltf, kImportMitsuba};
+    static const Importer kAll[] = {kImportJson, kImportText, kImportObj,     kImportPly,
+                                    kImportStl,  kImportGltf, kImportMitsuba, kImportPbrt};
     return kAll;
 }
 

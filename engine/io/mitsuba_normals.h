@@ -1,4 +1,4 @@
-// Normals and triangles as Mitsuba makes them. Internal to the Mitsuba importer.
+// Normals and triangles as Mitsuba makes them. For the importers of Mitsuba and pbrt scenes.
 #pragma once
 
 #include "engine/scene/mesh_data.h"

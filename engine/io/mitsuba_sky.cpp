@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/io/mitsuba_spectrum.h"
+#include "engine/io/spectrum_colors.h"
 
 namespace glint {
 namespace {

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include <fmt/format.h>
 
-#include "engine/io/exr_io.h"
 #include "engine/io/image_io.h"
 #include "engine/io/mitsuba_spectrum.h"
 #include "engine/math/color.h"
@@ -27,19 +25,6 @@ void forEachPixel(const ImageF& image, const Visit& visit) {
 bool isGrey(const Vec3& color) { return color.x == color.y && color.y == color.z; }
 
 }  // namespace
-
-ImageSource bakedImage(const ImageF& image, const std::string& path, size_t number) {
-    ExrImage exr{.width = image.width, .height = image.height, .channels = {}, .attributes = {}};
-    for (size_t c = 0; c < 3; ++c) {
-        exr.channels.push_back({std::string(1, "RGB"[c]), ExrPixelType::Float, {}, {}});
-        for (size_t i = c; i < image.rgb.size(); i += 3) {
-            exr.channels.back().floats.push_back(image.rgb[i]);
-        }
-    }
-    const Result<std::string> bytes = encodeExr(exr, path);
-    const std::string name = fmt::format("{}-{}.exr", std::filesystem::path(path).stem().string(), number);
-    return EmbeddedFile{name, std::make_shared<const std::string>(bytes ? *bytes : std::string())};
-}
 
 ColorInput MitsubaTextures::color(const MitsubaElement& texture, UvOrigin origin, const Change& change) {
     return {Vec3(0.5f), take(texture, origin, Use::Color, change)};

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "engine/io/asset_cache.h"
+#include "engine/io/baked_image.h"
 #include "engine/io/mitsuba_object.h"
 
 namespace glint {
@@ -42,8 +43,5 @@ class MitsubaTextures {
     AssetCache& assets_;
     std::map<std::tuple<const MitsubaElement*, UvOrigin, Use>, int> taken_;
 };
-
-/// A picture as a file in memory that bears a name beside that of `path`.
-ImageSource bakedImage(const ImageF& image, const std::string& path, size_t number);
 
 }  // namespace glint

@@ -81,7 +81,7 @@ TEST(FileKind, FirstBytesDecideBetweenImages) {
 TEST(FileKind, ListsNameEveryImporterAndFormat) {
     EXPECT_EQ(listImporters(),
               "Glint JSON (.json), 6.837 text (.txt), OBJ (.obj), PLY (.ply), STL (.stl), glTF (.gltf "
-              ".glb) or Mitsuba (.xml)");
+              ".glb), Mitsuba (.xml) or pbrt (.pbrt .gz)");
     EXPECT_EQ(listImporters(true), "OBJ (.obj), PLY (.ply) or STL (.stl)");
     EXPECT_EQ(listReadableImages(), "PNG, JPEG, BMP, TGA, TIFF, WebP, DDS, HDR or EXR");
     EXPECT_EQ(listSavedExtensions(), ".png, .hdr or .exr");

@@ -23,7 +23,7 @@ namespace glint {
 namespace {
 
 constexpr const char* kProgramFooter =
-    R"(A SCENE is Glint JSON, a 6.837-style text scene, OBJ (with its MTL), PLY, STL, glTF 2.0 or Mitsuba XML.
+    R"(A SCENE is Glint JSON, a 6.837-style text scene, OBJ (with its MTL), PLY, STL, glTF 2.0, Mitsuba XML or pbrt-v4.
 Without a command, `glint [SCENE]` opens the window, as `glint view` does.
 
 Exit codes: 0 done, 1 the input or the options are wrong, 2 the run failed, 3 a limit that was asked for is exceeded,

@@ -1,6 +1,6 @@
 // CIE 15: 2004, tables T.1 (illuminant D65, every 10 nm) and T.4 (the standard observer of 2 degrees, every
 // 5 nm).
-#include "engine/io/mitsuba_spectrum.h"
+#include "engine/io/spectrum_colors.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,200 @@
+#include "engine/io/pbrt_camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace glint {
+namespace {
+
+constexpr float kDegrees = 180.0f / kPi;
+
+/// The scene's own x is turned over, which changes none of its numbers.
+const Affine kMirror{Mat3(-1, 0, 0, 0, 1, 0, 0, 0, 1), Vec3(0.0f)};
+
+}  // namespace
+
+void PbrtView::setCamera(const std::string& kind, PbrtParams params, const glm::dmat4& cameraFromWorld) {
+    hasCamera_ = true;
+    cameraKind_ = kind;
+    camera_ = std::move(params);
+    cameraFromWorld_ = cameraFromWorld;
+}
+
+void PbrtView::setFilm(const std::string& kind, PbrtParams params) {
+    if (kind != "rgb" && kind != "image") {
+        params.approximated("approximated: films of another kind are of red, green and blue");
+    }
+    hasFilm_ = true;
+    film_ = std::move(params);
+}
+
+void PbrtView::setFilter(const std::string& kind, const PbrtParams& params) {
+    RenderOptions& options = context_.scene.options;
+    if (kind == "box") {
+        options.filter = FilterKind::Box;
+        options.filterRadius = params.number("xradius", params.number("xwidth", 0.5f), 0.01f, 16.0f);
+        params.passOver({"yradius", "ywidth", "xwidth"});
+    } else {
+        if (kind != "gaussian") { params.approximated("approximated: the filter is a Gaussian"); }
+        options.filter = FilterKind::Gaussian;  // ends at three standard deviations
+        options.filterRadius = std::clamp(3.0f * params.number("sigma", 0.5f, 0.01f, 5.0f), 0.01f, 16.0f);
+        params.passOver({"xradius", "yradius", "xwidth", "ywidth", "alpha", "B", "C", "tau"});
+    }
+    params.finish();
+}
+
+void PbrtView::setIntegrator(const std::string& kind, const PbrtParams& params) {
+    RenderOptions& options = context_.scene.options;
+    const bool isPhotons = kind == "sppm";
+    options.integrator = isPhotons                    ? IntegratorKind::Sppm
+                         : kind == "ambientocclusion" ? IntegratorKind::AmbientOcclusion
+                                                      : IntegratorKind::PathTracing;
+    // Both count scattering events.
+    options.maxDepth = params.integer("maxdepth", 5, 0, 1 << 20);
+    if (isPhotons) {
+        SppmOptions& sppm = context_.scene.sppm;
+        sppm.radiusWorld = params.number("radius", params.number("initialradius", 1.0f, 0.0f), 0.0f);
+        const int photons = params.integer("photonsperiteration", -1, -1, 1 << 30);
+        if (photons > 0) { sppm.photonsPerPass = static_cast<uint32_t>(photons); }
+    } else if (kind != "path" && kind != "volpath" && kind != "ambientocclusion") {
+        context_.note(params.place(), "the integrator is path tracing", kind);
+    }
+    params.passOver({"lightsampler", "lightsamplestrategy", "regularize", "rrthreshold", "seed", "iterations",
+                     "imagewritefrequency", "visualizestrategies", "visualizeweights", "samplelights",
+                     "samplebsdf", "pixelbounds", "initialradius", "numiterations", "cossample",
+                     "maxdistance"});
+    params.finish();
+}
+
+void PbrtView::readFilm() {
+    Resolution& size = context_.scene.resolution;
+    size = {1280, 720};
+    exposure_ = 1.0f;
+    if (hasCamera_) {
+        const float seconds = camera_.number("shutterclose", 1.0f) - camera_.number("shutteropen", 0.0f);
+        exposure_ = seconds > 0.0f ? seconds : 1.0f;
+    }
+    if (!hasFilm_) { return; }
+    size.width = film_.integer("xresolution", 1280, 1, 32768);
+    size.height = film_.integer("yresolution", 720, 1, 32768);
+    if (film_.has("cropwindow") || film_.has("pixelbounds")) {
+        film_.approximated("approximated: the whole picture is shown, not the crop window");
+    }
+    exposure_ *= film_.number("iso", 100.0f, 1e-6f) / 100.0f;
+    if (film_.text("sensor", "cie1931") != "cie1931") {
+        film_.approximated("approximated: the film's sensor is the CIE's observer");
+    }
+    if (film_.number("whitebalance", 0.0f) > 0.0f) {
+        film_.approximated("approximated: the film does not balance white");
+    }
+    const float most = film_.number("maxcomponentvalue", 0.0f, 0.0f);
+    if (most > 0.0f && most < 1e18f) {
+        context_.scene.options.fireflyClamp = most;
+        context_.note(film_.place(),
+                      "samples brighter than the film's \"maxcomponentvalue\" are darkened to it");
+    }
+    film_.passOver({"filename", "diagonal", "savefp16", "maxsampleluminance", "lambdamin", "lambdamax",
+                    "nbuckets", "coordinatesystem", "scale", "exposuretime"});
+    film_.finish();
+}
+
+/// Half the width and height of the picture at distance 1 (of orthographic ones: anywhere).
+void PbrtView::readScreen(float aspect, Vec2* half) {
+    const float ratio = camera_.number("frameaspectratio", aspect, 1e-6f, 1e6f);
+    *half = ratio > 1.0f ? Vec2(ratio, 1.0f) : Vec2(1.0f, 1.0f / ratio);
+    const std::vector<float>& window = camera_.numbers("screenwindow", 4);
+    if (window.size() < 4) { return; }
+    const Vec2 low(window[0], window[2]), high(window[1], window[3]);
+    if (!(high.x > low.x && high.y > low.y)) {
+        camera_.fail("expected the screen window's least x, most x, least y and most y");
+        return;
+    }
+    *half = 0.5f * (high - low);
+    if (glm::length(high + low) > 1e-4f * glm::length(*half)) {
+        camera_.approximated("approximated: the screen window's middle is the picture's");
+    }
+}
+
+void PbrtView::finish() {
+    readFilm();
+    if (exposure_ != 1.0f) {
+        context_.note(film_.place(), "the film's exposure is in the strengths of the lights",
+                      fmt::format("{:g}", exposure_));
+    }
+    if (!hasCamera_ || context_.failed()) { return; }
+    const Resolution& size = context_.scene.resolution;
+    Vec2 half(1.0f);
+    readScreen(static_cast<float>(size.width) / static_cast<float>(size.height), &half);
+    placeCamera(half);
+    camera_.passOver({"shutteropen", "shutterclose"});
+    camera_.finish();
+}
+
+void PbrtView::placeCamera(const Vec2& half) {
+    const bool isOrthographic = cameraKind_ == "orthographic";
+    const double size = glm::determinant(cameraFromWorld_);
+    Affine toWorld =
+        affineOf(&context_, camera_.place(), size != 0.0 ? glm::inverse(cameraFromWorld_) : glm::dmat4(1.0));
+    if (size == 0.0 || !isInvertible(toWorld)) { camera_.fail("the camera's transform is flattened"); }
+    if (context_.failed()) { return; }
+    if (toWorld.determinant() > 0.0f) {
+        context_.world = kMirror;
+        context_.note(camera_.place(), "pbrt's camera is left-handed: the scene's x is turned over");
+    }
+    toWorld = context_.world * toWorld;
+    const Vec3 forward = toWorld.linear[2];
+    const float unit = glm::length(forward);
+    Camera& camera = context_.scene.camera;
+    camera.position = toWorld.translation;
+    camera.up = glm::normalize(toWorld.linear[1]);
+    float tangent = 1.0f;
+    camera.focalDistance = std::clamp(unit * camera_.number("focaldistance", 1e6f), 1e-6f, 1e9f);
+    camera.apertureDiameter = 2.0f * unit * camera_.number("lensradius", 0.0f, 0.0f);
+    if (cameraKind_ == "realistic") {
+        camera_.approximated("approximated: lenses of several glasses are one thin lens of 35 mm film");
+        constexpr float kFocalLength = 0.05f, kFilmDiagonal = 0.035f;
+        camera.apertureDiameter = 1e-3f * unit * camera_.number("aperturediameter", 1.0f, 0.0f);
+        camera.focalDistance = unit * camera_.number("focusdistance", 10.0f, 1e-6f, 1e9f);
+        tangent = 0.5f * kFilmDiagonal / (kFocalLength * glm::length(half));
+        camera_.passOver({"lensfile", "aperture", "scale"});
+    } else if (cameraKind_ == "perspective") {
+        const float fov =
+            camera_.has("halffov") ? 2.0f * camera_.number("halffov", 45.0f) : camera_.number("fov", 90.0f);
+        tangent = std::tan(0.5f * std::clamp(fov, 0.01f, 179.9f) / kDegrees);
+    } else if (!isOrthographic) {
+        camera_.approximated("approximated: cameras of another kind are perspective ones of 90 degrees");
+        camera_.passOver({"mapping"});
+    }
+    if (isOrthographic) {
+        constexpr float kHeightsAway = 1000.0f;
+        camera_.approximated("approximated: parallel rays are those of a camera a thousand heights away");
+        const float distance = kHeightsAway * 2.0f * half.y * glm::length(toWorld.linear[1]);
+        camera.position -= distance / unit * forward;
+        tangent = 1.0f / (kHeightsAway * 2.0f * half.y);
+        camera.focalDistance = distance;
+        camera.apertureDiameter = 0.0f;
+    }
+    const float height = tangent * half.y * (glm::length(toWorld.linear[1]) / unit);
+    const float width = tangent * half.x * (glm::length(toWorld.linear[0]) / unit);
+    const Resolution& size2 = context_.scene.resolution;
+    camera.verticalFovDeg = std::clamp(2.0f * std::atan(height) * kDegrees, 1e-3f, 179.99f);
+    const float stretch = width / height * static_cast<float>(size2.height) / static_cast<float>(size2.width);
+    camera.horizontalScale = std::fabs(stretch - 1.0f) < 1e-4f ? 1.0f : stretch;
+    const float reach = camera.focalDistance < 1e5f * unit ? camera.focalDistance : unit;
+    camera.target = camera.position + (reach / unit) * forward;
+}
+
+void scaleLight(float factor, SceneDescription* scene) {
+    if (factor == 1.0f) { return; }
+    for (Material& material : scene->materials) {
+        material.emissionStrength *= factor;
+    }
+    for (Light& light : scene->lights) {
+        light.strength *= factor;
+    }
+    scene->environment.strength *= factor;
+}
+
+}  // namespace glint

@@ -1,0 +1,43 @@
+// pbrt's cameras, films, filters and integrators as Glint's camera and options. Internal to the pbrt
+// importer.
+#pragma once
+
+#include "engine/io/pbrt_state.h"
+
+namespace glint {
+
+/// What stands before WorldBegin. Each of the directives may come first.
+class PbrtView {
+  public:
+    explicit PbrtView(PbrtContext* context) : context_(*context) {}
+
+    /// A Camera directive; false for other ones, a Film, PixelFilter or Integrator among them.
+    void setCamera(const std::string& kind, PbrtParams params, const glm::dmat4& cameraFromWorld);
+    void setFilm(const std::string& kind, PbrtParams params);
+    void setFilter(const std::string& kind, const PbrtParams& params);
+    void setIntegrator(const std::string& kind, const PbrtParams& params);
+
+    bool hasCamera() const { return hasCamera_; }
+    /// Sets the camera, the picture's size, and how the scene is placed (PbrtContext::world): pbrt's cameras
+    /// are left-handed, so that a scene is mirrored unless the file mirrors it.
+    void finish();
+    /// What the film makes of the scene's light: a factor.
+    float exposure() const { return exposure_; }
+
+  private:
+    void readFilm();
+    void readScreen(float aspect, Vec2* half);
+    void placeCamera(const Vec2& half);
+
+    PbrtContext& context_;
+    bool hasCamera_ = false, hasFilm_ = false;
+    std::string cameraKind_;
+    PbrtParams camera_, film_;
+    glm::dmat4 cameraFromWorld_{1.0};
+    float exposure_ = 1.0f;
+};
+
+/// Multiplies all that shines.
+void scaleLight(float factor, SceneDescription* scene);
+
+}  // namespace glint

@@ -1,0 +1,24 @@
+// pbrt-v4's equal-area maps of all directions as Glint's maps of longitude and latitude. Internal to the
+// pbrt importer.
+#pragma once
+
+#include "engine/math/transform.h"
+#include "engine/scene/image.h"
+
+namespace glint {
+
+/// Where a unit direction lies in the square [0, 1]^2, in which equal areas are equal solid angles: Clarberg
+/// 2008, "Fast Equal-Area Mapping of the (Hemi)Sphere using SIMD". +z lies in the middle.
+Vec2 equalAreaPoint(const Vec3& direction);
+/// The other way.
+Vec3 equalAreaDirection(const Vec2& point);
+
+/// A square map of that kind, laid out anew with `toWorld` turning its directions: up to 4096 columns, each
+/// texel the mean of what it covers. Irradiance stays.
+ImageF latLongOfEqualArea(const ImageF& map, const Affine& toWorld);
+/// pbrt-v3's map: rows from +z down, columns from +x to +y.
+ImageF latLongOfPbrt(const ImageF& map, const Affine& toWorld);
+/// What a surface that faces +z gets of an equal-area map, by luminance.
+double illuminanceOfEqualArea(const ImageF& map);
+
+}  // namespace glint

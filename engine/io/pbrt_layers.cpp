@@ -1,0 +1,192 @@
+// pbrt's materials of several layers or lobes, which Glint's models express in part.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "engine/io/pbrt_materials.h"
+#include "engine/math/color.h"
+
+namespace glint {
+namespace {
+
+/// What a half-space of scatterers of that single-scattering albedo reflects of diffuse light: van de Hulst
+/// 1980, "Multiple Light Scattering", volume 2.
+float halfSpaceAlbedo(float albedo) {
+    const float s = std::sqrt(1.0f - std::clamp(albedo, 0.0f, 1.0f));
+    return (1.0f - s) * (1.0f - 0.139f * s) / (1.0f + 1.17f * s);
+}
+
+/// The colour of hair that absorbs so much: Chiang et al. 2016, "A Practical and Controllable Hair and Fur
+/// Model for Production Path Tracing", for an azimuthal roughness of 0.3.
+Vec3 hairColor(const Vec3& absorption) {
+    constexpr float kScale =
+        5.969f - 0.215f * 0.3f + 2.532f * 0.09f - 10.73f * 0.027f + 5.574f * 0.0081f + 0.245f * 0.00243f;
+    return glm::exp(-kScale * glm::sqrt(glm::max(absorption, Vec3(0.0f))));
+}
+
+bool isPlainDiffuse(const PbrtSurface& surface) {
+    const Material& m = surface.material;
+    return surface.isThere && m.kind == MaterialKind::Diffuse && m.bump.texture < 0 &&
+           m.normalMap.texture < 0 && !surface.share.image && surface.share.value == Vec3(1.0f);
+}
+
+}  // namespace
+
+void PbrtMaterials::readCoatedDiffuse(const PbrtParams& params, PbrtSurface* out) {
+    Material& material = out->material;
+    material.kind = MaterialKind::Plastic;
+    material.color = reflectance(params, {"reflectance"}, 0.5f);
+    material.roughness = roughness(params, "", 0.0f);
+    const PbrtParam* eta = params.find("eta");
+    const Vec3 index = eta != nullptr ? pbrtColor(params, *eta, SpectrumRole::Index) : Vec3(1.5f);
+    material.ior.value = std::clamp(luminance(index), 1.0f, 100.0f);
+    params.passOver({"thickness", "maxdepth", "nsamples", "twosided", "g"});
+    if (const auto albedo = textures_.color(params, "albedo", SpectrumRole::Reflectance);
+        albedo && (albedo->image || !isZero(albedo->value))) {
+        params.approximated("approximated: nothing scatters within coats");
+    }
+}
+
+void PbrtMaterials::readCoatedConductor(const PbrtParams& params, PbrtSurface* out) {
+    Material& material = out->material;
+    params.approximated("approximated: coats over metals are left out");
+    material.kind = MaterialKind::Conductor;
+    material.color.value = Vec3(1.0f);
+    material.roughness = roughness(params, "conductor.", 0.0f);
+    if (const auto color = textures_.color(params, "reflectance", SpectrumRole::Reflectance)) {
+        material.metal.clear();
+        material.eta.value = Vec3(1e-3f);
+        material.k.value = Vec3(1e4f);
+        material.color = textures_.colorInput(*color);
+    } else {
+        readMetal(params, "conductor.", &material);
+    }
+    params.passOver({"interface.roughness", "interface.uroughness", "interface.vroughness", "interface.eta",
+                     "thickness", "maxdepth", "nsamples", "g", "albedo"});
+}
+
+void PbrtMaterials::readTransmission(const PbrtParams& params, PbrtSurface* out) {
+    params.approximated("approximated: diffuse transmitters reflect what they should let through");
+    const auto usual = PbrtValue{Vec3(0.25f)};
+    auto reflected = textures_.color(params, "reflectance", SpectrumRole::Reflectance);
+    auto passed = textures_.color(params, "transmittance", SpectrumRole::Reflectance);
+    const bool isOld = params.has("Kd") || params.has("reflect");
+    if (isOld) { reflected = textures_.color(params, "Kd", SpectrumRole::Reflectance); }
+    params.passOver({"Ks", "roughness", "reflect", "transmit", "remaproughness"});
+    const PbrtValue a = reflected.value_or(usual), b = isOld ? PbrtValue{Vec3(0.0f)} : passed.value_or(usual);
+    const float scale = params.number("scale", 1.0f, 0.0f);
+    if (!a.image && !b.image) {
+        out->material.color.value = glm::min(scale * (a.value + b.value), Vec3(1.0f));
+        return;
+    }
+    // The picture of one of them, as bright as both.
+    const PbrtValue& shown = a.image ? a : b;
+    const float own = luminance(textures_.meanOf(shown));
+    const float all = scale * (luminance(textures_.meanOf(a)) + luminance(textures_.meanOf(b)));
+    out->material.color =
+        textures_.colorInput(PbrtTextures::adjusted(shown, 0.0f, own > 0.0f ? all / own : 1.0f, 1.0f));
+}
+
+void PbrtMaterials::readMix(const PbrtParams& params, PbrtSurface* out) {
+    std::vector<std::string> names;
+    if (const PbrtParam* list = params.find("materials")) { names = list->texts; }
+    if (names.empty() && params.has("namedmaterial1")) {
+        names = {params.text("namedmaterial1"), params.text("namedmaterial2")};
+    }
+    if (names.size() != 2) {
+        params.fail("expected the names of two \"materials\" to mix");
+        return;
+    }
+    const PbrtSurface first = surfaceOf(numberOf(names[0], params.place())),
+                      second = surfaceOf(numberOf(names[1], params.place()));
+    const PbrtValue amount = textures_.number(params, "amount").value_or(PbrtValue{Vec3(0.5f)});
+    if (context_.failed()) { return; }
+    if (first.isThere != second.isThere) {
+        *out = first.isThere ? first : second;
+        out->share = first.isThere ? PbrtTextures::adjusted(amount, 1.0f, -1.0f, 1.0f) : amount;
+        return;
+    }
+    if (isPlainDiffuse(first) && isPlainDiffuse(second)) {
+        const auto valueOf = [&](const Material& material) {
+            PbrtValue value{material.color.value};
+            if (material.color.texture >= 0) {
+                value.image = context_.scene.textures[static_cast<size_t>(material.color.texture)];
+            }
+            return value;
+        };
+        out->material.color = textures_.colorInput(
+            textures_.mixed(params, valueOf(first.material), valueOf(second.material), amount));
+        return;
+    }
+    params.approximated("approximated: of mixed materials the one that weighs more is taken");
+    *out = luminance(textures_.meanOf(amount)) > 0.5f ? second : first;
+}
+
+void PbrtMaterials::readMeasured(const PbrtParams& params, PbrtSurface* out) {
+    params.approximated("approximated: measured materials are a rough grey plastic");
+    params.passOver({"filename"});
+    out->material.kind = MaterialKind::Plastic;
+    out->material.color.value = Vec3(0.3f);
+    out->material.roughness.value = 0.3f;
+}
+
+void PbrtMaterials::readHair(const PbrtParams& params, PbrtSurface* out) {
+    params.approximated("approximated: hair is diffuse, of its colour");
+    params.passOver({"eta", "beta_m", "beta_n", "alpha"});
+    const float eumelanin = meanNumber(params, "eumelanin", params.has("pheomelanin") ? 0.0f : 1.3f);
+    const float pheomelanin = meanNumber(params, "pheomelanin", 0.0f);
+    Vec3 absorption = eumelanin * Vec3(0.419f, 0.697f, 1.37f) + pheomelanin * Vec3(0.187f, 0.4f, 1.05f);
+    if (const auto given = textures_.color(params, "sigma_a", SpectrumRole::Index)) {
+        absorption = textures_.meanOf(*given);
+    }
+    out->material.color.value = hairColor(absorption);
+    if (const auto color = textures_.color(params, params.has("color") ? "color" : "reflectance",
+                                           SpectrumRole::Reflectance)) {
+        out->material.color = textures_.colorInput(*color);
+    }
+}
+
+void PbrtMaterials::readSubsurface(const PbrtParams& params, PbrtSurface* out) {
+    params.approximated("approximated: what scatters below its surface is plastic");
+    Material& material = out->material;
+    material.kind = MaterialKind::Plastic;
+    material.roughness = roughness(params, "", 0.0f);
+    material.ior.value = params.number("eta", 1.33f, 1.0f, 100.0f);
+    params.passOver({"mfp", "g", "scale", "Kr", "Kt"});
+    Vec3 absorbed(0.0011f, 0.0024f, 0.014f), scattered(2.55f, 3.21f, 3.77f);
+    if (params.has("name")) {
+        params.approximated("approximated: named media below surfaces are pbrt's default one");
+    }
+    const auto a = textures_.color(params, "sigma_a", SpectrumRole::Index);
+    const auto s = textures_.color(params, "sigma_s", SpectrumRole::Index);
+    if (a && s) {
+        absorbed = textures_.meanOf(*a);
+        scattered = textures_.meanOf(*s);
+    }
+    for (int c = 0; c < 3; ++c) {
+        material.color.value[c] = halfSpaceAlbedo(scattered[c] / maxf(scattered[c] + absorbed[c], 1e-9f));
+    }
+    const bool isKd = params.has("Kd");
+    if (const auto color = textures_.color(params, isKd ? "Kd" : "reflectance", SpectrumRole::Reflectance)) {
+        material.color = textures_.colorInput(*color);
+    }
+}
+
+void PbrtMaterials::readOldCoated(const PbrtParams& params, PbrtSurface* out) {
+    params.approximated("approximated: pbrt-v3's plastic, substrate, uber and disney are plastic");
+    Material& material = out->material;
+    material.kind = MaterialKind::Plastic;
+    material.color = reflectance(params, {"Kd", "color"}, 0.5f);
+    material.roughness = roughness(params, "", 0.1f);
+    params.passOver({"Ks", "Kr", "Kt", "metallic", "spectrans", "anisotropic", "clearcoat", "clearcoatgloss",
+                     "sheen", "sheentint", "speculartint", "flatness", "difftrans", "thin",
+                     "scatterdistance"});
+    const float eta = params.number(params.has("index") ? "index" : "eta", 1.5f, 1.0f, 100.0f);
+    material.ior.value = eta;
+    if (const auto opacity = textures_.color(params, "opacity", SpectrumRole::Reflectance)) {
+        out->share = {textures_.meanOf(*opacity)};
+    }
+}
+
+}  // namespace glint

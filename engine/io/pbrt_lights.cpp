@@ -1,0 +1,216 @@
+#include "engine/io/pbrt_lights.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "engine/io/baked_image.h"
+#include "engine/io/pbrt_environment.h"
+#include "engine/math/color.h"
+
+namespace glint {
+namespace {
+
+constexpr float kDegrees = 180.0f / kPi;
+
+}  // namespace
+
+Vec3 PbrtLights::colorOf(const PbrtParams& params, std::string_view name) {
+    const PbrtParam* param = params.find(name);
+    if (param != nullptr) { return pbrtColor(params, *param, SpectrumRole::Emission); }
+    return rgbOfSpace(params.colorSpace(), Vec3(1.0f), SpectrumRole::Emission);
+}
+
+Vec3 PbrtLights::meanOf(const PbrtParams& params) {
+    if (!params.has("filename") && !params.has("mapname")) { return Vec3(1.0f); }
+    return textures_.meanOf(
+        textures_.imageFile(params, params.has("filename") ? "filename" : "mapname", ColorEncoding::Srgb));
+}
+
+void PbrtLights::place(const std::string& kind, const PbrtParams& params, const PbrtState& state) {
+    const Affine toWorld = context_.world * affineOf(&context_, params.place(), state.transform);
+    if (context_.failed()) { return; }
+    if (!isInvertible(toWorld)) {
+        params.approximated("lights that are flattened are left out");
+        return;
+    }
+    struct Kind {
+        std::string_view name;
+        void (PbrtLights::*place)(const PbrtParams&, const Affine&);
+    };
+    static constexpr Kind kKinds[] = {
+        {"point", &PbrtLights::placePoint},           {"spot", &PbrtLights::placeSpot},
+        {"distant", &PbrtLights::placeDistant},       {"goniometric", &PbrtLights::placeGoniometric},
+        {"projection", &PbrtLights::placeProjection}, {"infinite", &PbrtLights::placeInfinite}};
+    const auto found = std::ranges::find(kKinds, kind, &Kind::name);
+    if (found == std::end(kKinds)) {
+        context_.refuse(params.place(), fmt::format("Glint has no light \"{}\"", kind));
+        return;
+    }
+    (this->*found->place)(params, toWorld);
+    params.passOver({"nsamples", "samples"});
+    params.finish();
+}
+
+/// `powerOfOne`: what leaves one of intensity 1.
+Light* PbrtLights::add(const PbrtParams& params, LightKind kind, const std::string& name, float powerOfOne) {
+    Light light;
+    light.name = name;
+    light.kind = kind;
+    light.color = colorOf(params, kind == LightKind::Directional ? "L" : "I");
+    // pbrt-v3's scale is a colour.
+    if (const PbrtParam* scale = params.find("scale"); scale != nullptr && scale->type == PbrtType::Rgb) {
+        light.color *= pbrtColor(params, *scale, SpectrumRole::Index);
+    } else {
+        light.strength = params.number("scale", 1.0f, 0.0f);
+    }
+    const float power = params.number("power", -1.0f);
+    if (power > 0.0f) { light.strength *= power / powerOfOne; }
+    context_.scene.lights.push_back(std::move(light));
+    return &context_.scene.lights.back();
+}
+
+void PbrtLights::placePoint(const PbrtParams& params, const Affine& toWorld) {
+    Light* light = add(params, LightKind::Point, "point", 4.0f * kPi);
+    light->position = toWorld.point(params.point("from", Vec3(0.0f)));
+}
+
+void PbrtLights::placeSpot(const PbrtParams& params, const Affine& toWorld) {
+    const float cone = params.number("coneangle", 30.0f, 0.01f, 90.0f);
+    const float inner = cone - params.number("conedeltaangle", 5.0f, 0.0f, cone);
+    const float a = std::cos(inner / kDegrees), b = std::cos(cone / kDegrees);
+    Light* light = add(params, LightKind::Spot, "spot", kTwoPi * ((1.0f - a) + 0.5f * (a - b)));
+    const Vec3 from = params.point("from", Vec3(0.0f)), to = params.point("to", Vec3(0, 0, 1));
+    light->position = toWorld.point(from);
+    light->direction = toWorld.vector(to - from);
+    light->coneAngleDeg = cone;
+    light->coneFalloffStartDeg = inner;
+    if (isZero(light->direction)) { params.fail("the light points nowhere"); }
+}
+
+void PbrtLights::placeDistant(const PbrtParams& params, const Affine& toWorld) {
+    Light* light = add(params, LightKind::Directional, "distant", 1.0f);
+    const float illuminance = params.number("illuminance", -1.0f);
+    if (illuminance > 0.0f) { light->strength *= illuminance; }
+    const Vec3 from = params.point("from", Vec3(0.0f)), to = params.point("to", Vec3(0, 0, 1));
+    light->direction = toWorld.vector(to - from);
+    if (isZero(light->direction)) { params.fail("the light has no direction"); }
+}
+
+void PbrtLights::placeGoniometric(const PbrtParams& params, const Affine& toWorld) {
+    params.approximated("approximated: goniometric lights shine alike in all directions");
+    Light* light = add(params, LightKind::Point, "goniometric", 4.0f * kPi);
+    if (!params.has("power")) { light->color *= meanOf(params); }
+    params.passOver({"filename", "mapname"});
+    light->position = toWorld.translation;
+}
+
+/// It lights a window of the plane at distance 1, `fov` wide on its shorter side; so does the spot, with as
+/// much light, in a circle of that area.
+void PbrtLights::placeProjection(const PbrtParams& params, const Affine& toWorld) {
+    params.approximated("approximated: projections are spots, without a picture");
+    const float side = 2.0f * std::tan(0.5f * params.number("fov", 90.0f, 0.1f, 179.0f) / kDegrees);
+    const float cone = std::atan(side / std::sqrt(kPi));
+    Light* light = add(params, LightKind::Spot, "projection", kTwoPi * (1.0f - std::cos(cone)));
+    if (!params.has("power")) { light->color *= meanOf(params); }
+    params.passOver({"filename", "mapname"});
+    light->position = toWorld.translation;
+    light->direction = toWorld.vector(Vec3(0, 0, 1));
+    light->coneAngleDeg = light->coneFalloffStartDeg = cone * kDegrees;
+}
+
+void PbrtLights::placeInfinite(const PbrtParams& params, const Affine& toWorld) {
+    Environment& environment = context_.scene.environment;
+    if (params.has("portal")) {
+        params.approximated("approximated: environments shine through all openings, not just their portals");
+    }
+    if (environment.emissive()) {
+        params.approximated("environments after the first are left out");
+        params.passOver({"L", "filename", "mapname", "scale", "illuminance"});
+        return;
+    }
+    const bool isLatLong = params.has("mapname");
+    environment.color = isLatLong || !params.has("filename") ? colorOf(params, "L") : Vec3(1.0f);
+    if (const PbrtParam* scale = params.find("scale"); scale != nullptr && scale->type == PbrtType::Rgb) {
+        environment.color *= pbrtColor(params, *scale, SpectrumRole::Index);
+    } else {
+        environment.strength = params.number("scale", 1.0f, 0.0f);
+    }
+    if (isLatLong || params.has("filename")) {
+        placeMap(params, toWorld, isLatLong);
+    } else if (const float illuminance = params.number("illuminance", -1.0f); illuminance > 0.0f) {
+        environment.strength *= illuminance / kPi;
+    }
+}
+
+void PbrtLights::placeMap(const PbrtParams& params, const Affine& toWorld, bool isLatLong) {
+    Environment& environment = context_.scene.environment;
+    const std::string file = context_.fileOf(params.place(), params.text(isLatLong ? "mapname" : "filename"));
+    std::vector<std::string> warnings;
+    const Result<SceneImage> read = assets_.environment(FileSource{file}, &warnings);
+    if (!read) {
+        context_.refuse(params.place(),
+                        fmt::format("the environment \"{}\" cannot be read: {}", file, read.error().message));
+        environment = {};
+        return;
+    }
+    const ImageF& map = *read->floats;
+    if (!isLatLong && map.width != map.height) {
+        params.fail(
+            fmt::format("the environment \"{}\" has {} x {} pixels; expected a square, in which equal "
+                        "areas are equal solid angles",
+                        file, map.width, map.height));
+        environment = {};
+        return;
+    }
+    const float illuminance = params.number("illuminance", -1.0f);
+    if (const double own = illuminance > 0.0f && !isLatLong ? illuminanceOfEqualArea(map) : 0.0; own > 0.0) {
+        environment.strength *= illuminance / static_cast<float>(own);
+    }
+    environment.image = static_cast<int>(context_.scene.environmentImages.size());
+    const ImageF laidOut = isLatLong ? latLongOfPbrt(map, toWorld) : latLongOfEqualArea(map, toWorld);
+    context_.scene.environmentImages.push_back({.source = bakedImage(laidOut, file, 0)});
+}
+
+int PbrtLights::defineArea(const std::string& kind, PbrtParams params) {
+    if (kind != "diffuse" && kind != "area") {
+        context_.refuse(params.place(), fmt::format("Glint has no area light \"{}\"", kind));
+        return -1;
+    }
+    areas_.push_back(std::move(params));
+    return static_cast<int>(areas_.size()) - 1;
+}
+
+PbrtEmission PbrtLights::emissionOf(int number, double area, size_t parts) {
+    const PbrtParams& params = areas_[static_cast<size_t>(number)];
+    PbrtEmission emission;
+    emission.isTwoSided = params.flag("twosided", false);
+    emission.color.value = colorOf(params, "L");
+    if (const PbrtParam* scale = params.find("scale"); scale != nullptr && scale->type == PbrtType::Rgb) {
+        emission.color.value *= pbrtColor(params, *scale, SpectrumRole::Index);
+    } else {
+        emission.strength = params.number("scale", 1.0f, 0.0f);
+    }
+    float mean = 1.0f;
+    if (params.has("filename")) {
+        const PbrtValue image = textures_.imageFile(params, "filename", ColorEncoding::Srgb);
+        mean = luminance(textures_.meanOf(image));
+        emission.color = textures_.colorInput(image);
+    }
+    const float power = params.number("power", -1.0f);
+    if (power > 0.0f && area > 0.0) {
+        if (parts > 2) {
+            params.approximated("approximated: the power of meshes is spread evenly over their area");
+        }
+        const double sides = emission.isTwoSided ? 2.0 : 1.0;
+        emission.strength *=
+            static_cast<float>(static_cast<double>(power) * static_cast<double>(parts) /
+                               (sides * area * static_cast<double>(kPi * maxf(mean, 1e-9f))));
+    }
+    params.passOver({"nsamples", "samples"});
+    params.finish();
+    return emission;
+}
+
+}  // namespace glint

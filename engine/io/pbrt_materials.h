@@ -1,0 +1,89 @@
+// pbrt's materials as Glint's. Internal to the pbrt importer. engine/io/README.md says what becomes what.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <string>
+#include <tuple>
+
+#include "engine/io/pbrt_textures.h"
+
+namespace glint {
+
+/// A material as it is on a shape, before the shape shines or is cut out.
+struct PbrtSurface {
+    Material material;
+    bool isThere = true;             ///< false: an interface, which lets all pass
+    PbrtValue share = {Vec3(1.0f)};  ///< of the surface that is there
+};
+
+/// Light that leaves a shape.
+struct PbrtEmission {
+    ColorInput color{Vec3(0.0f)};
+    float strength = 1.0f;
+    bool isTwoSided = false;
+};
+
+class PbrtMaterials {
+  public:
+    PbrtMaterials(PbrtContext* context, PbrtTextures* textures) : context_(*context), textures_(*textures) {}
+
+    /// A Material directive; its number.
+    int define(const std::string& kind, PbrtParams params);
+    /// MakeNamedMaterial.
+    void defineNamed(const std::string& name, PbrtParams params);
+    /// NamedMaterial; the number that the name has or will have.
+    int numberOf(const std::string& name, const PbrtPlace& at);
+
+    /// -1: pbrt's default, a diffuse grey.
+    const PbrtSurface& surfaceOf(int number);
+    /// The number in the scene of a surface of which `share` is there, with light or without.
+    int take(int number, const PbrtValue& share, const PbrtEmission& emission);
+
+  private:
+    struct Definition {
+        std::string kind;  ///< empty: only its name is known
+        std::string name;
+        PbrtParams params;
+        std::optional<PbrtSurface> surface = {};  ///< once it has been asked for
+        bool isOpen = false;                      ///< while it is
+    };
+    using Read = void (PbrtMaterials::*)(const PbrtParams&, PbrtSurface*);
+    struct Kind;
+
+    PbrtSurface read(const Definition& definition);
+    void readDiffuse(const PbrtParams& params, PbrtSurface* out);
+    void readCoatedDiffuse(const PbrtParams& params, PbrtSurface* out);
+    void readConductor(const PbrtParams& params, PbrtSurface* out);
+    void readCoatedConductor(const PbrtParams& params, PbrtSurface* out);
+    void readDielectric(const PbrtParams& params, PbrtSurface* out);
+    void readThinDielectric(const PbrtParams& params, PbrtSurface* out);
+    void readTransmission(const PbrtParams& params, PbrtSurface* out);
+    void readMix(const PbrtParams& params, PbrtSurface* out);
+    void readInterface(const PbrtParams& params, PbrtSurface* out);
+    void readMeasured(const PbrtParams& params, PbrtSurface* out);
+    void readHair(const PbrtParams& params, PbrtSurface* out);
+    void readSubsurface(const PbrtParams& params, PbrtSurface* out);
+    void readMirror(const PbrtParams& params, PbrtSurface* out);
+    void readOldCoated(const PbrtParams& params, PbrtSurface* out);
+
+    void readRelief(const PbrtParams& params, Material* material);
+    /// roughness, or what its parameters for u and v have in common.
+    NumberInput roughness(const PbrtParams& params, const std::string& prefix, float otherwise);
+    ColorInput reflectance(const PbrtParams& params, std::initializer_list<std::string_view> names,
+                           float otherwise);
+    /// eta and k of a metal.
+    void readMetal(const PbrtParams& params, const std::string& prefix, Material* material);
+    float meanNumber(const PbrtParams& params, std::string_view name, float otherwise);
+
+    PbrtContext& context_;
+    PbrtTextures& textures_;
+    std::deque<Definition> definitions_;
+    std::map<std::string, int> named_;
+    std::optional<PbrtSurface> usual_;
+    using Key = std::tuple<int, float, int, float, float, float, int, float, bool>;
+    std::map<Key, int> taken_;
+    int nesting_ = 0;
+};
+
+}  // namespace glint

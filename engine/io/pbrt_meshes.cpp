@@ -1,0 +1,188 @@
+#include "engine/io/pbrt_meshes.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "engine/io/file_path.h"
+#include "engine/io/gzip_file.h"
+#include "engine/io/mesh_normals.h"
+#include "engine/io/mitsuba_normals.h"
+#include "engine/io/pbrt_grid.h"
+#include "engine/io/ply_loader.h"
+
+namespace glint {
+namespace {
+
+/// pbrt's coordinates of a triangle that has none.
+void addUsualUvs(MeshData* mesh) {
+    partTriangles(mesh);
+    mesh->uvs.clear();
+    for (size_t i = 0; i < mesh->positions.size(); ++i) {
+        mesh->uvs.push_back(Vec2(i % 3 == 0 ? 0.0f : 1.0f, i % 3 == 2 ? 1.0f : 0.0f));
+    }
+}
+
+bool isFlat(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    const Vec3 u = b - a, v = c - a, w = d - a;
+    return std::fabs(glm::dot(glm::cross(u, v), w)) <=
+           1e-4f * glm::length(u) * glm::length(v) * glm::length(w);
+}
+
+}  // namespace
+
+PbrtMesh PbrtMeshes::add(std::string name, std::shared_ptr<MeshData> data, bool isReversed) {
+    if (context_.failed() || data->indices.empty()) { return {}; }
+    if (isReversed) { turnOver(data.get()); }
+    const PbrtMesh mesh{static_cast<int>(context_.scene.meshes.size()), data};
+    context_.scene.meshes.push_back(
+        {fmt::format("{} {}", name, mesh.index), {}, std::shared_ptr<const MeshData>(std::move(data))});
+    return mesh;
+}
+
+PbrtMeshes::Arrays PbrtMeshes::arraysOf(const PbrtParams& params) {
+    Arrays arrays;
+    arrays.positions = params.points("P");
+    arrays.normals = params.points("N");
+    const std::vector<float>& uvs = params.numbers(params.has("uv") ? "uv" : "st", 2);
+    for (size_t i = 0; i + 1 < uvs.size(); i += 2) {
+        arrays.uvs.push_back({uvs[i], uvs[i + 1]});
+    }
+    params.passOver({"uv", "st", "S", "faceIndices", "emissionfilename"});
+    if (arrays.positions.empty()) { params.fail("the mesh has no points \"P\""); }
+    if (!arrays.normals.empty() && arrays.normals.size() != arrays.positions.size()) {
+        params.approximated("normals that are not as many as points are left out");
+        arrays.normals.clear();
+    }
+    if (!arrays.uvs.empty() && arrays.uvs.size() != arrays.positions.size()) {
+        params.approximated("texture coordinates that are not as many as points are left out");
+        arrays.uvs.clear();
+    }
+    return arrays;
+}
+
+std::vector<uint32_t> PbrtMeshes::cornersOf(const PbrtParams& params, size_t group, size_t vertices,
+                                            size_t usual) {
+    const std::vector<int>& indices = params.integers("indices", group);
+    std::vector<uint32_t> corners(indices.size());
+    for (size_t i = 0; i < indices.size(); ++i) {
+        if (indices[i] < 0 || static_cast<size_t>(indices[i]) >= vertices) {
+            context_.fail(params.find("indices")->place,
+                          fmt::format("the index {} is none of the {} points' in \"P\", which count from 0",
+                                      indices[i], vertices));
+            return {};
+        }
+        corners[i] = static_cast<uint32_t>(indices[i]);
+    }
+    if (corners.empty() && vertices == usual) {
+        corners.resize(usual);
+        std::iota(corners.begin(), corners.end(), 0u);
+    } else if (corners.empty() && !context_.failed()) {
+        params.fail("the mesh has no \"indices\"");
+    }
+    return corners;
+}
+
+PbrtMesh PbrtMeshes::triangles(const PbrtParams& params, bool needsUvs, bool isReversed) {
+    Arrays arrays = arraysOf(params);
+    auto mesh = std::make_shared<MeshData>();
+    mesh->indices = cornersOf(params, 3, arrays.positions.size(), 3);
+    mesh->positions = std::move(arrays.positions);
+    mesh->normals = std::move(arrays.normals);
+    mesh->uvs = std::move(arrays.uvs);
+    if (context_.failed()) { return {}; }
+    turnByNormals(mesh.get());
+    if (needsUvs && mesh->uvs.empty()) { addUsualUvs(mesh.get()); }
+    return add("triangles", std::move(mesh), isReversed);
+}
+
+/// Corners stand at (0, 0), (1, 0), (0, 1) and (1, 1). What is bent gets 8 x 8 pieces.
+PbrtMesh PbrtMeshes::patches(const PbrtParams& params, bool isReversed) {
+    const Arrays arrays = arraysOf(params);
+    const std::vector<uint32_t> corners = cornersOf(params, 4, arrays.positions.size(), 4);
+    auto mesh = std::make_shared<MeshData>();
+    for (size_t i = 0; i + 3 < corners.size(); i += 4) {
+        const auto corner = [&](size_t k) { return arrays.positions[corners[i + k]]; };
+        const auto blended = [&](const auto& values, float u, float v) {
+            const auto at = [&](size_t k) { return values[corners[i + k]]; };
+            return glm::mix(glm::mix(at(0), at(1), u), glm::mix(at(2), at(3), u), v);
+        };
+        constexpr int kPieces = 8;
+        const int pieces = isFlat(corner(0), corner(1), corner(2), corner(3)) ? 1 : kPieces;
+        const auto patch = gridMesh(pieces, pieces, [&](float u, float v) {
+            const Vec3 du = glm::mix(corner(1) - corner(0), corner(3) - corner(2), v);
+            const Vec3 dv = glm::mix(corner(2) - corner(0), corner(3) - corner(1), u);
+            const Vec3 n = arrays.normals.empty() ? glm::cross(du, dv) : blended(arrays.normals, u, v);
+            return GridPoint{blended(arrays.positions, u, v), isZero(n) ? n : glm::normalize(n)};
+        });
+        for (Vec2& uv : patch->uvs) {
+            uv = arrays.uvs.empty() ? uv : blended(arrays.uvs, uv.x, uv.y);
+        }
+        const auto first = static_cast<uint32_t>(mesh->positions.size());
+        const auto append = [](const auto& from, auto* to) {
+            to->insert(to->end(), from.begin(), from.end());
+        };
+        append(patch->positions, &mesh->positions);
+        append(patch->normals, &mesh->normals);
+        append(patch->uvs, &mesh->uvs);
+        for (const uint32_t index : patch->indices) {
+            mesh->indices.push_back(first + index);
+        }
+    }
+    turnByNormals(mesh.get());
+    return add("patches", std::move(mesh), isReversed);
+}
+
+PbrtMesh PbrtMeshes::subdivided(const PbrtParams& params, bool isReversed) {
+    constexpr int kMostLevels = 12;
+    const int levels = params.integer(params.has("levels") ? "levels" : "nlevels", 3, 0, kMostLevels);
+    params.passOver({"scheme"});
+    std::vector<Vec3> positions = params.points("P");
+    std::vector<uint32_t> indices = cornersOf(params, 3, positions.size(), 3);
+    if (context_.failed()) { return {}; }
+    return add("subdivided", loopSubdivided(std::move(positions), std::move(indices), levels), isReversed);
+}
+
+PbrtMesh PbrtMeshes::file(const PbrtParams& params, bool needsUvs, bool isReversed) {
+    const std::string name = params.text("filename");
+    if (name.empty()) { params.fail("the shape has no \"filename\""); }
+    if (context_.failed()) { return {}; }
+    const std::string path = context_.findFile(params.place(), name);
+    const Key key{path, needsUvs, isReversed};
+    if (const auto known = files_.find(key); known != files_.end()) { return known->second; }
+    const Result<std::string> bytes = readUnpacked(path);
+    if (!bytes && !fileExists(path)) {
+        context_.refuse(params.place(),
+                        fmt::format("the file \"{}\" cannot be read: {}", path, bytes.error().message));
+        return files_[key] = {};
+    }
+    Result<MeshFile> file = bytes ? parsePly(*bytes, path) : Result<MeshFile>(bytes.error());
+    if (!file) {
+        context_.error = file.error();
+        return {};
+    }
+    context_.meshWarnings.insert(context_.meshWarnings.end(), file->warnings.begin(), file->warnings.end());
+    if (LoadCounts* counts = context_.options.counts; counts != nullptr) {
+        ++counts->meshFiles;
+        counts->meshFileBytes += bytes->size();
+    }
+    std::shared_ptr<MeshData> mesh = joinParts(file->parts);
+    const bool hasNormals = !mesh->normals.empty() && std::ranges::none_of(mesh->normals, isZero);
+    const bool lacksUvs = needsUvs && mesh->uvs.empty();
+    const bool isPacked = hasExtension(path, ".gz");
+    // Others Glint would read differently: it smooths what has no normals, and shows colours.
+    const bool staysFile = hasNormals && mesh->colors.empty() && !isReversed && !isPacked && !lacksUvs;
+    if (!hasNormals) { mesh->normals.clear(); }
+    mesh->colors.clear();
+    turnByNormals(mesh.get());
+    if (lacksUvs) { addUsualUvs(mesh.get()); }
+    const PbrtMesh out = add(std::filesystem::path(name).stem().string(), std::move(mesh), isReversed);
+    if (staysFile && out.index >= 0) {
+        context_.scene.meshes.back().source = FileSource{context_.fileOf(params.place(), name)};
+    }
+    return files_[key] = out;
+}
+
+}  // namespace glint
