@@ -15,11 +15,12 @@ const Affine kMirror{Mat3(-1, 0, 0, 0, 1, 0, 0, 0, 1), Vec3(0.0f)};
 
 }  // namespace
 
-void PbrtView::setCamera(const std::string& kind, PbrtParams params, const glm::dmat4& cameraFromWorld) {
+void PbrtView::setCamera(const std::string& kind, PbrtParams params, const PbrtState& state) {
     hasCamera_ = true;
     cameraKind_ = kind;
     camera_ = std::move(params);
-    cameraFromWorld_ = cameraFromWorld;
+    cameraFromWorld_ = state.transform;
+    look_ = state.look;
 }
 
 void PbrtView::setFilm(const std::string& kind, PbrtParams params) {
@@ -132,12 +133,43 @@ void PbrtView::finish() {
     camera_.finish();
 }
 
+float PbrtView::readLens(const Vec2& half, float unit) {
+    Camera& camera = context_.scene.camera;
+    camera.focalDistance = std::clamp(unit * camera_.number("focaldistance", 1e6f), 1e-6f, 1e9f);
+    camera.apertureDiameter = 2.0f * unit * camera_.number("lensradius", 0.0f, 0.0f);
+    if (cameraKind_ == "realistic") {
+        camera_.approximated("approximated: lenses of several glasses are one thin lens of 50 mm");
+        constexpr float kFocalLength = 0.05f, kFilmDiagonal = 0.035f;
+        camera.apertureDiameter = 1e-3f * unit * camera_.number("aperturediameter", 1.0f, 0.0f);
+        camera.focalDistance = unit * camera_.number("focusdistance", 10.0f, 1e-6f, 1e9f);
+        camera_.passOver({"lensfile", "aperture", "scale"});
+        return 0.5f * kFilmDiagonal / (kFocalLength * glm::length(half));
+    }
+    if (cameraKind_ == "orthographic") {
+        constexpr float kHeightsAway = 1000.0f;
+        camera_.approximated("approximated: parallel rays are those of a camera a thousand heights away");
+        const float distance = kHeightsAway * 2.0f * half.y;
+        camera.position -= distance * unit * glm::normalize(camera.target - camera.position);
+        camera.focalDistance = distance * unit;
+        camera.apertureDiameter = 0.0f;
+        return 1.0f / distance;
+    }
+    if (cameraKind_ == "perspective") {
+        const float fov =
+            camera_.has("halffov") ? 2.0f * camera_.number("halffov", 45.0f) : camera_.number("fov", 90.0f);
+        camera.verticalFovDeg = std::clamp(fov, 0.01f, 179.9f);
+        return std::tan(0.5f * camera.verticalFovDeg / kDegrees);
+    }
+    camera_.approximated("approximated: cameras of another kind are perspective ones of 90 degrees");
+    camera_.passOver({"mapping"});
+    return 1.0f;
+}
+
 void PbrtView::placeCamera(const Vec2& half) {
-    const bool isOrthographic = cameraKind_ == "orthographic";
     const double size = glm::determinant(cameraFromWorld_);
     Affine toWorld =
-        affineOf(&context_, camera_.place(), size != 0.0 ? glm::inverse(cameraFromWorld_) : glm::dmat4(1.0));
-    if (size == 0.0 || !isInvertible(toWorld)) { camera_.fail("the camera's transform is flattened"); }
+        affineOf(&context_, camera_.place(), size != 0.0 ? glm::inverse(cameraFromWorld_) : glm::dmat4(0.0));
+    if (!isInvertible(toWorld)) { camera_.fail("the camera's transform is flattened"); }
     if (context_.failed()) { return; }
     if (toWorld.determinant() > 0.0f) {
         context_.world = kMirror;
@@ -149,41 +181,33 @@ void PbrtView::placeCamera(const Vec2& half) {
     Camera& camera = context_.scene.camera;
     camera.position = toWorld.translation;
     camera.up = glm::normalize(toWorld.linear[1]);
-    float tangent = 1.0f;
-    camera.focalDistance = std::clamp(unit * camera_.number("focaldistance", 1e6f), 1e-6f, 1e9f);
-    camera.apertureDiameter = 2.0f * unit * camera_.number("lensradius", 0.0f, 0.0f);
-    if (cameraKind_ == "realistic") {
-        camera_.approximated("approximated: lenses of several glasses are one thin lens of 35 mm film");
-        constexpr float kFocalLength = 0.05f, kFilmDiagonal = 0.035f;
-        camera.apertureDiameter = 1e-3f * unit * camera_.number("aperturediameter", 1.0f, 0.0f);
-        camera.focalDistance = unit * camera_.number("focusdistance", 10.0f, 1e-6f, 1e9f);
-        tangent = 0.5f * kFilmDiagonal / (kFocalLength * glm::length(half));
-        camera_.passOver({"lensfile", "aperture", "scale"});
-    } else if (cameraKind_ == "perspective") {
-        const float fov =
-            camera_.has("halffov") ? 2.0f * camera_.number("halffov", 45.0f) : camera_.number("fov", 90.0f);
-        tangent = std::tan(0.5f * std::clamp(fov, 0.01f, 179.9f) / kDegrees);
-    } else if (!isOrthographic) {
-        camera_.approximated("approximated: cameras of another kind are perspective ones of 90 degrees");
-        camera_.passOver({"mapping"});
+    camera.target = camera.position + forward / unit;
+    const float tangent = readLens(half, unit);
+    // What rounding leaves of squares is 1.
+    const auto nearlyOne = [](float x) { return std::fabs(x - 1.0f) < 1e-4f ? 1.0f : x; };
+    const float height = half.y * nearlyOne(glm::length(toWorld.linear[1]) / unit);
+    const float width = half.x * nearlyOne(glm::length(toWorld.linear[0]) / unit);
+    const Resolution& pixels = context_.scene.resolution;
+    camera.horizontalScale =
+        nearlyOne(width / height * static_cast<float>(pixels.height) / static_cast<float>(pixels.width));
+    if (height != 1.0f || cameraKind_ != "perspective") {
+        camera.verticalFovDeg = std::clamp(2.0f * std::atan(tangent * height) * kDegrees, 1e-3f, 179.99f);
     }
-    if (isOrthographic) {
-        constexpr float kHeightsAway = 1000.0f;
-        camera_.approximated("approximated: parallel rays are those of a camera a thousand heights away");
-        const float distance = kHeightsAway * 2.0f * half.y * glm::length(toWorld.linear[1]);
-        camera.position -= distance / unit * forward;
-        tangent = 1.0f / (kHeightsAway * 2.0f * half.y);
-        camera.focalDistance = distance;
-        camera.apertureDiameter = 0.0f;
-    }
-    const float height = tangent * half.y * (glm::length(toWorld.linear[1]) / unit);
-    const float width = tangent * half.x * (glm::length(toWorld.linear[0]) / unit);
-    const Resolution& size2 = context_.scene.resolution;
-    camera.verticalFovDeg = std::clamp(2.0f * std::atan(height) * kDegrees, 1e-3f, 179.99f);
-    const float stretch = width / height * static_cast<float>(size2.height) / static_cast<float>(size2.width);
-    camera.horizontalScale = std::fabs(stretch - 1.0f) < 1e-4f ? 1.0f : stretch;
     const float reach = camera.focalDistance < 1e5f * unit ? camera.focalDistance : unit;
     camera.target = camera.position + (reach / unit) * forward;
+    if (cameraKind_ != "orthographic") { lookAsWritten(); }
+}
+
+/// A single LookAt says the camera's points themselves, which no rounding then changes.
+void PbrtView::lookAsWritten() {
+    if (look_.size() < 9) { return; }
+    const auto pointAt = [&](size_t i) {
+        return context_.world.vector(Vec3(glm::dvec3(look_[i], look_[i + 1], look_[i + 2])));
+    };
+    Camera& camera = context_.scene.camera;
+    camera.position = pointAt(0);
+    camera.target = pointAt(3);
+    camera.up = pointAt(6);
 }
 
 void scaleLight(float factor, SceneDescription* scene) {

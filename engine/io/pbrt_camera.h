@@ -11,8 +11,8 @@ class PbrtView {
   public:
     explicit PbrtView(PbrtContext* context) : context_(*context) {}
 
-    /// A Camera directive; false for other ones, a Film, PixelFilter or Integrator among them.
-    void setCamera(const std::string& kind, PbrtParams params, const glm::dmat4& cameraFromWorld);
+    /// `state`: its transform leads from the world to the camera.
+    void setCamera(const std::string& kind, PbrtParams params, const PbrtState& state);
     void setFilm(const std::string& kind, PbrtParams params);
     void setFilter(const std::string& kind, const PbrtParams& params);
     void setIntegrator(const std::string& kind, const PbrtParams& params);
@@ -28,12 +28,17 @@ class PbrtView {
     void readFilm();
     void readScreen(float aspect, Vec2* half);
     void placeCamera(const Vec2& half);
+    /// Sets the angle and the lens; gives back half the picture's height at distance 1 over that of the
+    /// screen.
+    float readLens(const Vec2& half, float unit);
+    void lookAsWritten();
 
     PbrtContext& context_;
     bool hasCamera_ = false, hasFilm_ = false;
     std::string cameraKind_;
     PbrtParams camera_, film_;
     glm::dmat4 cameraFromWorld_{1.0};
+    std::vector<double> look_;
     float exposure_ = 1.0f;
 };
 

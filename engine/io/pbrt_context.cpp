@@ -59,10 +59,14 @@ std::string PbrtContext::findFile(const PbrtPlace& at, std::string_view name) co
 }
 
 std::string PbrtContext::fileOf(const PbrtPlace& at, std::string_view name) const {
+    namespace fs = std::filesystem;
     const std::string found = findFile(at, name);
-    if (std::filesystem::path(name).is_absolute()) { return found; }
+    if (fs::path(name).is_absolute()) { return found; }
     std::error_code code;
-    return rebasePath(std::filesystem::absolute(found, code).string(), "", scene.path);
+    const fs::path absolute = fs::absolute(found, code).lexically_normal();
+    const fs::path folder = fs::absolute(scene.path, code).lexically_normal().parent_path();
+    const fs::path relative = absolute.lexically_relative(folder);
+    return relative.empty() ? found : relative.string();
 }
 
 }  // namespace glint

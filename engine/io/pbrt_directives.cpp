@@ -3,6 +3,7 @@
 #include <iterator>
 
 #include <fmt/format.h>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "engine/io/pbrt_reader.h"
 
@@ -45,6 +46,7 @@ void PbrtReader::end(PbrtDirective* directive) {
     stack_.pop_back();
     if (directive->name == "TransformEnd") {
         state_.transform = saved.state.transform;
+        state_.look = saved.state.look;
         state_.movesStart = saved.state.movesStart;
     } else {
         state_ = saved.state;
@@ -54,6 +56,10 @@ void PbrtReader::end(PbrtDirective* directive) {
 
 void PbrtReader::transform(PbrtDirective* directive) {
     if (!state_.movesStart) { return; }
+    const glm::dmat4 one(1.0);
+    const bool isFirst = state_.transform == one || state_.transform == glm::scale(one, glm::dvec3(-1, 1, 1));
+    state_.look.clear();
+    if (directive->name == "LookAt" && isFirst) { state_.look = directive->numbers; }
     if (directive->name == "Identity") {
         state_.transform = glm::dmat4(1.0);
         return;
@@ -72,6 +78,7 @@ void PbrtReader::recall(PbrtDirective* directive) {
         return;
     }
     state_.transform = found->second;
+    state_.look.clear();
 }
 
 void PbrtReader::activate(PbrtDirective* directive) {
@@ -124,6 +131,7 @@ void PbrtReader::beginWorld(PbrtDirective* directive) {
     view_.finish();
     isWorld_ = true;
     state_.transform = glm::dmat4(1.0);
+    state_.look.clear();
     state_.movesStart = true;
     coordinates_["world"] = state_.transform;
 }
@@ -139,7 +147,7 @@ void PbrtReader::setView(PbrtDirective* directive) {
         context_.remark(directive->place, "cameras, films and integrators within the world are left out");
     } else if (directive->name == "Camera") {
         coordinates_["camera"] = glm::inverse(state_.transform);
-        view_.setCamera(kind, std::move(params), state_.transform);
+        view_.setCamera(kind, std::move(params), state_);
     } else if (directive->name == "Film") {
         view_.setFilm(kind, std::move(params));
     } else if (directive->name == "PixelFilter") {

@@ -34,7 +34,7 @@ Edges edgesOf(const std::vector<uint32_t>& indices) {
         return indices[corner / 3 * 3 + (corner % 3 + further) % 3];
     };
     for (size_t i = 0; i < indices.size(); ++i) {
-        const auto [low, high] = std::minmax(indices[i], cornerOf(i, 1));
+        const auto [low, high] = std::minmax({indices[i], cornerOf(i, 1)});
         sides.push_back({uint64_t{low} << 32 | high, static_cast<uint32_t>(i)});
     }
     std::ranges::sort(sides, {}, [](const Side& s) { return std::pair(s.key, s.corner); });

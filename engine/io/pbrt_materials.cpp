@@ -266,8 +266,9 @@ void PbrtMaterials::readDielectric(const PbrtParams& params, PbrtSurface* out) {
         material.ior.value = meanNumber(params, eta->name, 1.5f);
     } else {
         const Vec3 index = pbrtColor(params, *eta, SpectrumRole::Index);
-        material.ior.value = luminance(index);
-        if (index.x != index.y || index.y != index.z) { material.iorRgb = index; }
+        const bool isGrey = index.x == index.y && index.y == index.z;
+        material.ior.value = isGrey ? index.x : luminance(index);
+        material.iorRgb = isGrey ? Vec3(0.0f) : index;
     }
     material.ior.value = std::clamp(material.ior.value, 0.01f, 100.0f);
 }

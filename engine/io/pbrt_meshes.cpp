@@ -69,9 +69,10 @@ std::vector<uint32_t> PbrtMeshes::cornersOf(const PbrtParams& params, size_t gro
     std::vector<uint32_t> corners(indices.size());
     for (size_t i = 0; i < indices.size(); ++i) {
         if (indices[i] < 0 || static_cast<size_t>(indices[i]) >= vertices) {
-            context_.fail(params.find("indices")->place,
-                          fmt::format("the index {} is none of the {} points' in \"P\", which count from 0",
-                                      indices[i], vertices));
+            context_.fail(
+                params.find("indices")->place,
+                fmt::format("the index {} is none of those of the {} points in \"P\", which count from 0",
+                            indices[i], vertices));
             return {};
         }
         corners[i] = static_cast<uint32_t>(indices[i]);
@@ -96,6 +97,22 @@ PbrtMesh PbrtMeshes::triangles(const PbrtParams& params, bool needsUvs, bool isR
     turnByNormals(mesh.get());
     if (needsUvs && mesh->uvs.empty()) { addUsualUvs(mesh.get()); }
     return add("triangles", std::move(mesh), isReversed);
+}
+
+std::optional<Affine> PbrtMeshes::rectangle(const PbrtParams& params) {
+    const std::vector<int>& order = params.integers("indices", 4);
+    if (params.has("N") || params.has("uv") || params.numbers("P", 3).size() != 12 ||
+        !(order.empty() || order == std::vector<int>{0, 1, 2, 3})) {
+        return std::nullopt;
+    }
+    const std::vector<Vec3> p = params.points("P");
+    const Vec3 u = 0.5f * (p[1] - p[0]), v = 0.5f * (p[2] - p[0]), bend = p[3] - p[2] - 2.0f * u;
+    const Vec3 normal = glm::cross(u, v);
+    const float size = std::sqrt(glm::length(normal));
+    if (!(size > 0.0f) || glm::length(bend) > 1e-6f * (glm::length(u) + glm::length(v))) {
+        return std::nullopt;
+    }
+    return Affine{Mat3(u, v, normal / size), p[0] + u + v};
 }
 
 /// Corners stand at (0, 0), (1, 0), (0, 1) and (1, 1). What is bent gets 8 x 8 pieces.

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <tuple>
 
@@ -23,6 +24,9 @@ class PbrtMeshes {
     /// `needsUvs`: a texture lies on it, so that it gets pbrt's usual coordinates where it has none.
     PbrtMesh triangles(const PbrtParams& params, bool needsUvs, bool isReversed);
     PbrtMesh patches(const PbrtParams& params, bool isReversed);
+    /// Where the unit rectangle is what a single patch of right or other parallel sides is, with its own u
+    /// and v; nothing: it is none.
+    static std::optional<Affine> rectangle(const PbrtParams& params);
     PbrtMesh subdivided(const PbrtParams& params, bool isReversed);
     /// A PLY file, packed or not. One that is missing is refused.
     PbrtMesh file(const PbrtParams& params, bool needsUvs, bool isReversed);

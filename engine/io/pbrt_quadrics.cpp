@@ -1,4 +1,4 @@
-// pbrt's spheres, disks, cylinders and curves. Whole ones are Glint's shapes, others meshes.
+// pbrt's rectangles, spheres, disks, cylinders and curves. Whole ones are Glint's shapes, others meshes.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -30,6 +30,16 @@ int columnsOf(float phiMax) {
 }
 
 }  // namespace
+
+PbrtShapes::Piece PbrtShapes::rectangle(const Affine& place, const Wish& wish) {
+    Piece piece;
+    piece.object.shape = ShapeKind::Rectangle;
+    piece.object.objectToWorld = wish.state.isReversed ? place * kTurnedOver : place;
+    const Affine toWorld = affineOf(&context_, wish.params.place(), wish.state.transform) * place;
+    piece.area = static_cast<double>(4.0f * glm::length(glm::cross(toWorld.linear[0], toWorld.linear[1])));
+    wish.params.passOver({"P", "indices", "emissionfilename"});
+    return piece;
+}
 
 PbrtShapes::Piece PbrtShapes::sphere(const Wish& wish) {
     const PbrtParams& params = wish.params;

@@ -75,6 +75,12 @@ void PbrtReader::obey(PbrtDirective* directive) {
         state_.isReversed = !state_.isReversed;
         return;
     }
+    const bool isOfWorld =
+        directive->name == "Shape" || directive->name == "LightSource" || directive->name == "ObjectInstance";
+    if (isOfWorld && !isWorld_ && view_.hasCamera()) {  // which decides how the world is placed
+        context_.fail(directive->place, fmt::format("expected WorldBegin before {}", directive->name));
+        return;
+    }
     const auto found = kKinds.find(directive->name);
     (this->*(found != kKinds.end() ? found->second : &PbrtReader::transform))(directive);
 }

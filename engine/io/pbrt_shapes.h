@@ -49,6 +49,7 @@ class PbrtShapes {
     };
 
     Piece pieceOf(const std::string& kind, const Wish& wish);
+    Piece rectangle(const Affine& place, const Wish& wish);
     Piece sphere(const Wish& wish);
     Piece disk(const Wish& wish);
     Piece cylinder(const Wish& wish);

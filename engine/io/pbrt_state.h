@@ -15,6 +15,8 @@ enum class PbrtTarget : uint8_t { Shape, Light, Material, Medium, Texture };
 
 struct PbrtState {
     glm::dmat4 transform{1.0};
+    /// The numbers of a LookAt that is all of the transform but for a mirrored x; empty: there is more.
+    std::vector<double> look = {};
     bool movesStart = true;  ///< false: directives move what stands at the end of the exposure only
     bool isReversed = false;
     int material = -1;   ///< a number of PbrtMaterials; -1: pbrt's default

@@ -79,6 +79,12 @@ TEST_F(MalformedPbrt, FilesGiveOneErrorThatNamesThePlace) {
     }
 }
 
+TEST_F(MalformedPbrt, CamerasComeBeforeTheirWorld) {
+    const auto scene = loadScene(folder.write("bad.pbrt", "Camera \"perspective\"\n Shape \"sphere\""));
+    ASSERT_FALSE(scene);
+    EXPECT_THAT(scene.error().format(), HasSubstr("bad.pbrt:2:2: expected WorldBegin before Shape"));
+}
+
 TEST_F(MalformedPbrt, DeepNestingIsNoMatter) {
     constexpr size_t kLevels = 100'000;
     const SceneDescription scene = load(repeated("AttributeBegin Translate 1 0 0 ", kLevels) +

@@ -31,10 +31,10 @@ class PbrtTest : public testing::Test {
   protected:
     /// A camera that mirrors nothing, at (0, 0, 5), then the world.
     static constexpr const char* kRightHanded =
-        "Scale -1 1 1 LookAt 0 0 5  0 0 0  0 1 0 Camera \"perspective\"\n";
+        "Scale -1 1 1 LookAt 0 0 5  0 0 0  0 1 0 Camera \"perspective\" ";
 
     static std::string sceneText(const std::string& world, const std::string& view = kRightHanded) {
-        return view + "WorldBegin\n" + world + "\n";
+        return view + "\nWorldBegin\n" + world + "\n";
     }
     SceneDescription load(const std::string& world, LoadOptions options = {}) {
         return loadText(sceneText(world), std::move(options));
@@ -54,14 +54,14 @@ class PbrtTest : public testing::Test {
     }
     Object onlyObject(const std::string& world) {
         const SceneDescription scene = load(world);
-        warnings = scene.warnings;
+        keepWarnings(scene);
         EXPECT_EQ(scene.objects.size(), 1u);
         return scene.objects.empty() ? Object() : scene.objects[0];
     }
     /// The triangles of a shape, in the world.
     MeshData meshOf(const std::string& world) {
         const SceneDescription scene = load(world);
-        warnings = scene.warnings;
+        keepWarnings(scene);
         EXPECT_EQ(scene.objects.size(), 1u);
         if (scene.objects.size() != 1 || scene.objects[0].shape != ShapeKind::Mesh) { return {}; }
         MeshData mesh = *scene.meshes[static_cast<size_t>(scene.objects[0].mesh)].data;
@@ -73,10 +73,17 @@ class PbrtTest : public testing::Test {
     /// Of a sphere.
     Material materialOf(const std::string& directives) {
         const SceneDescription scene = load(directives + " Shape \"sphere\"");
-        warnings = scene.warnings;
+        keepWarnings(scene);
         textures = scene.textures;
         return scene.objects.empty() ? Material()
                                      : scene.materials[static_cast<size_t>(scene.objects[0].material)];
+    }
+    /// But that nothing shines.
+    void keepWarnings(const SceneDescription& scene) {
+        warnings = scene.warnings;
+        std::erase_if(warnings, [](const std::string& line) {
+            return line.find("nothing shines") != std::string::npos;
+        });
     }
     static void expectNear(const Vec3& a, const Vec3& b, float tolerance) {
         for (int c = 0; c < 3; ++c) {

@@ -135,7 +135,7 @@ TEST_F(PbrtLightsTest, MapsTurnWithTheirTransform) {
                              -std::sin(theta) * std::cos(phi));
             const float* rgb = &laidOut.rgb[static_cast<size_t>(3 * (y * laidOut.width + x))];
             expectNear(Vec3(rgb[0], rgb[1], rgb[2]) - Vec3(1.0f), glm::normalize(inverse(turn).vector(world)),
-                       0.02f);
+                       0.04f);
         }
     }
     const ImageF half{kSize, kSize, std::vector<float>(size_t{3} * kSize * kSize, 2.0f)};

@@ -53,7 +53,7 @@ Shape "trianglemesh" "point3 P" [0 0 0 1 0 0 0 1 0])");
     EXPECT_EQ(mesh.uvs, (std::vector<Vec2>{{0, 0}, {1, 0}, {1, 1}}));
     EXPECT_THAT(
         errorOf("Shape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0] \"integer indices\" [0 1 3]"),
-        HasSubstr("bad.pbrt:3:57: the index 3 is none of the 3 points"));
+        HasSubstr("bad.pbrt:3:53: the index 3 is none of those of the 3 points"));
 }
 
 TEST_F(PbrtShapesTest, PlyMeshes) {
@@ -82,13 +82,20 @@ Shape "plymesh" "string filename" "smooth.ply" ReverseOrientation Shape "plymesh
             .warnings,
         Contains(HasSubstr("cannot be read")));
     folder.write("broken.ply", header + faces + "0 0 0\n");
-    EXPECT_THAT(errorOf("Shape \"plymesh\" \"string filename\" \"broken.ply\""), HasSubstr("broken.ply:10"));
+    EXPECT_THAT(errorOf("Shape \"plymesh\" \"string filename\" \"broken.ply\""),
+                HasSubstr("broken.ply:3:16"));
 }
 
 TEST_F(PbrtShapesTest, BilinearMeshesAreSplit) {
-    MeshData mesh = meshOf("Shape \"bilinearmesh\" \"point3 P\" [0 0 0  2 0 0  0 1 0  2 1 0]");
+    const Object rectangle = onlyObject("Shape \"bilinearmesh\" \"point3 P\" [0 0 0  2 0 0  0 1 0  2 1 0]");
+    EXPECT_EQ(rectangle.shape, ShapeKind::Rectangle);
+    expectNear(rectangle.objectToWorld.point(Vec3(-1, -1, 0)), Vec3(0, 0, 0), 1e-6f);
+    expectNear(rectangle.objectToWorld.point(Vec3(1, -1, 0)), Vec3(2, 0, 0), 1e-6f);
+    expectNear(rectangle.objectToWorld.point(Vec3(-1, 1, 0)), Vec3(0, 1, 0), 1e-6f);
+    EXPECT_GT(rectangle.objectToWorld.determinant(), 0.0f);
+    MeshData mesh = meshOf("Shape \"bilinearmesh\" \"point3 P\" [0 0 0  2 0 0  0 1 0  3 1 0]");
     EXPECT_EQ(mesh.triangleCount(), 2u);
-    EXPECT_NEAR(areaOf(mesh), 2.0, 1e-6);
+    EXPECT_NEAR(areaOf(mesh), 2.5, 1e-6);
     EXPECT_EQ(faceNormal(mesh), Vec3(0, 0, 1));
     EXPECT_EQ(mesh.uvs.at(3), Vec2(1, 1));
     mesh = meshOf("Shape \"bilinearmesh\" \"point3 P\" [0 0 0  1 0 0  0 1 0  1 1 1]");
