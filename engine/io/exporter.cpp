@@ -19,10 +19,10 @@ constexpr Exporter kExportJson{"Glint JSON", ".json", saveJson, isGlintJson};
 
 }  // namespace
 
-extern const Exporter kExportMitsuba;
+extern const Exporter kExportMitsuba, kExportPbrt;
 
 std::span<const Exporter> exporters() {
-    static const Exporter kAll[] = {kExportJson, kExportMitsuba};
+    static const Exporter kAll[] = {kExportJson, kExportMitsuba, kExportPbrt};
     return kAll;
 }
 

@@ -177,14 +177,14 @@ void PbrtView::placeCamera(const Vec2& half) {
     }
     toWorld = context_.world * toWorld;
     const Vec3 forward = toWorld.linear[2];
-    const float unit = glm::length(forward);
+    // What rounding leaves of squares and lengths is 1.
+    const auto nearlyOne = [](float x) { return std::fabs(x - 1.0f) < 1e-4f ? 1.0f : x; };
+    const float unit = nearlyOne(glm::length(forward));
     Camera& camera = context_.scene.camera;
     camera.position = toWorld.translation;
     camera.up = glm::normalize(toWorld.linear[1]);
     camera.target = camera.position + forward / unit;
     const float tangent = readLens(half, unit);
-    // What rounding leaves of squares is 1.
-    const auto nearlyOne = [](float x) { return std::fabs(x - 1.0f) < 1e-4f ? 1.0f : x; };
     const float height = half.y * nearlyOne(glm::length(toWorld.linear[1]) / unit);
     const float width = half.x * nearlyOne(glm::length(toWorld.linear[0]) / unit);
     const Resolution& pixels = context_.scene.resolution;

@@ -116,6 +116,34 @@ ImageF latLongOfPbrt(const ImageF& map, const Affine& toWorld) {
     });
 }
 
+ImageF equalAreaOfLatLong(const ImageF& map, float rotationDeg) {
+    constexpr int kMostSize = 2048;
+    const int size = std::clamp(map.width / 2, 16, kMostSize);
+    const int samples = 2 * std::max(1, (map.width + 2 * size - 1) / (2 * size));
+    const float c = std::cos(rotationDeg * kPi / 180.0f), s = std::sin(rotationDeg * kPi / 180.0f);
+    ImageF out{size, size, {}};
+    out.rgb.resize(size_t{3} * static_cast<size_t>(size) * static_cast<size_t>(size));
+    const float perSample = 1.0f / static_cast<float>(size * samples);
+#pragma omp parallel for
+    for (int y = 0; y < size; ++y) {
+        for (int x = 0; x < size; ++x) {
+            Vec3 sum(0.0f);
+            for (int k = 0; k < samples * samples; ++k) {
+                const Vec2 at(static_cast<float>(x * samples + k % samples) + 0.5f,
+                              static_cast<float>(y * samples + k / samples) + 0.5f);
+                const Vec3 w = equalAreaDirection(perSample * at);
+                const Vec3 d(c * w.x - s * w.z, w.y, s * w.x + c * w.z);
+                const Vec2 uv(0.5f + std::atan2(d.x, -d.z) / kTwoPi,
+                              std::acos(clampf(d.y, -1.0f, 1.0f)) / kPi);
+                sum += bilinear(map, uv, latLongTexel);
+            }
+            const Vec3 mean = sum / static_cast<float>(samples * samples);
+            std::copy_n(&mean.x, 3, &out.rgb[static_cast<size_t>(3 * (y * size + x))]);
+        }
+    }
+    return out;
+}
+
 double illuminanceOfEqualArea(const ImageF& map) {
     double sum = 0.0;
     for (int y = 0; y < map.height; ++y) {

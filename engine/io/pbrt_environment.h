@@ -18,6 +18,8 @@ Vec3 equalAreaDirection(const Vec2& point);
 ImageF latLongOfEqualArea(const ImageF& map, const Affine& toWorld);
 /// pbrt-v3's map: rows from +z down, columns from +x to +y.
 ImageF latLongOfPbrt(const ImageF& map, const Affine& toWorld);
+/// Glint's map, turned by `rotationDeg` about +y (scene/light.h), as a square one of up to 2048 columns.
+ImageF equalAreaOfLatLong(const ImageF& map, float rotationDeg);
 /// What a surface that faces +z gets of an equal-area map, by luminance.
 double illuminanceOfEqualArea(const ImageF& map);
 

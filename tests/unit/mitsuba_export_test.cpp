@@ -125,7 +125,8 @@ TEST(Exporters, AreToldByTheirEndings) {
     EXPECT_EQ(exporterOf("a.json")->name, "Glint JSON");
     EXPECT_EQ(exporterOf("a.XML")->name, "Mitsuba 3");
     EXPECT_EQ(exporterOf("a.obj"), nullptr);
-    EXPECT_EQ(listExporters(), "Glint JSON (.json) or Mitsuba 3 (.xml)");
+    EXPECT_EQ(exporterOf("a.pbrt")->name, "pbrt-v4");
+    EXPECT_EQ(listExporters(), "Glint JSON (.json), Mitsuba 3 (.xml) or pbrt-v4 (.pbrt)");
 }
 
 }  // namespace

@@ -1,0 +1,101 @@
+// Scenes written as pbrt-v4: opened again they show the same picture, bit for bit where nothing is
+// approximated.
+#include "engine/io/exporter.h"
+#include "tests/support/film_bits.h"
+#include "tests/support/pbrt_test.h"
+#include "tests/support/render_scene.h"
+
+namespace glint::test {
+namespace {
+
+using testing::Contains;
+using testing::IsEmpty;
+
+class PbrtExport : public PbrtTest {
+  protected:
+    /// The scene as it is opened from its export.
+    SceneDescription exported(const SceneDescription& scene) {
+        const std::string path = folder.path("out.pbrt");
+        warnings.clear();
+        const Status saved = exporterOf(path)->save(scene, path, &warnings);
+        EXPECT_TRUE(saved) << saved.error().format();
+        const auto opened = loadScene(path);
+        EXPECT_TRUE(opened) << opened.error().format();
+        return opened ? *opened : SceneDescription();
+    }
+    void expectSamePicture(SceneDescription scene) {
+        scene.resolution = {40, 30};
+        scene.options.filter = FilterKind::Box;
+        scene.options.filterRadius = 0.5f;
+        const SceneDescription opened = exported(scene);
+        EXPECT_THAT(warnings, IsEmpty());
+        expectSameBits(renderPasses(scene, 3, 2), renderPasses(opened, 3, 2));
+    }
+    SceneDescription repositoryScene(const std::string& name) {
+        const auto scene = loadScene(std::string(GLINT_SOURCE_DIR) + "/scenes/" + name);
+        EXPECT_TRUE(scene) << scene.error().format();
+        return scene ? *scene : SceneDescription();
+    }
+};
+
+TEST_F(PbrtExport, GlintScenesKeepTheirBits) {
+    expectSamePicture(repositoryScene("cornell.json"));
+    SceneDescription glass = repositoryScene("sppm_glass_mesh.json");
+    glass.options.integrator = IntegratorKind::PathTracing;
+    expectSamePicture(std::move(glass));
+}
+
+TEST_F(PbrtExport, PbrtScenesKeepTheirBits) {
+    expectSamePicture(loadText(sceneText(
+        R"(LightSource "point" "point3 from" [2 3 2] "rgb I" [3 3 3]
+LightSource "infinite" "rgb L" [0.2 0.3 0.4] "float scale" 0.5
+LightSource "spot" "point3 from" [0 4 0] "point3 to" [0 0 1] "float scale" 9
+LightSource "distant" "point3 to" [1 -2 -1]
+Texture "board" "spectrum" "checkerboard" "rgb tex1" [0.9 0.2 0.1] "float uscale" 8 "float vscale" 4
+Material "diffuse" "texture reflectance" "board" Translate 0 -1 0 Rotate -90 1 0 0
+Shape "bilinearmesh" "point3 P" [-3 -3 0 3 -3 0 -3 3 0 3 3 0] Shape "sphere" "float radius" 0.8
+Material "coateddiffuse" "rgb reflectance" [0.1 0.5 0.2] "float roughness" 0.01 Translate 1.5 0 1 Shape "cylinder" "float radius" 0.3
+Material "conductor" "float roughness" 0.04 Translate -3 0 0
+Shape "trianglemesh" "point3 P" [0 0 0 1 0 0 0 1 2] "normal N" [0 0 1 0 1 1 1 0 1]
+Material "dielectric" "spectrum eta" "glass-SF11" Shape "sphere" "float radius" 0.5 "float alpha" 0.75
+AreaLightSource "diffuse" "rgb L" [5 4 3] "bool twosided" true Translate 0 0 3 Shape "disk" "float radius" 0.4)",
+        std::string("Scale -1 1 1 LookAt 1 2 6  0 0 0  0 1 0 Camera \"perspective\" \"float fov\" 50 \"float "
+                    "lensradius\" 0.05 \"float focaldistance\" 6 "))));
+}
+
+/// What is laid out anew keeps its light.
+TEST_F(PbrtExport, EnvironmentsKeepTheirLight) {
+    SceneDescription scene = repositoryScene("cornell.json");
+    scene = load("LightSource \"infinite\" Shape \"sphere\"");
+    auto sky = std::make_shared<ImageF>(ImageF{64, 32, std::vector<float>(size_t{3} * 64 * 32, 0.1f)});
+    for (size_t i = 0; i < 64; ++i) {  // a bright patch
+        sky->rgb[3 * (8 * 64 + 20 + i % 8 + i / 8 * 64)] = 20.0f;
+    }
+    scene.environmentImages = {{.source = {}, .bytes = {}, .floats = sky}};
+    scene.environment.image = 0;
+    scene.environment.rotationDeg = 40.0f;
+    scene.resolution = {16, 16};
+    const SceneDescription opened = exported(scene);
+    EXPECT_THAT(warnings, Contains("approximated: the environment is laid out anew"));
+    const Estimate before = meanLuminance(renderFilm(scene, 256)),
+                   after = meanLuminance(renderFilm(opened, 256));
+    EXPECT_TRUE(agree(before, after, 0.02)) << before.mean << " " << after.mean;
+}
+
+TEST_F(PbrtExport, WhatPbrtDoesNotHaveIsSaid) {
+    SceneDescription scene = repositoryScene("cornell_glass_mirror.json");
+    scene.options.filter = FilterKind::BlackmanHarris;
+    scene.camera.apertureDiameter = 0.1f;
+    scene.camera.apertureBlades = 6;
+    scene.materials[0].kind = MaterialKind::Mixture;
+    scene.materials[0].name = "a \"name\"";
+    const SceneDescription opened = exported(scene);
+    EXPECT_THAT(warnings, Contains("approximated: the filter is a Gaussian"));
+    EXPECT_THAT(warnings, Contains("approximated: the aperture is round"));
+    EXPECT_THAT(warnings, Contains("approximated: mixtures are their heaviest part"));
+    EXPECT_THAT(warnings, Contains("approximated: mirrors are metals of their colour"));
+    EXPECT_EQ(opened.objects.size(), scene.objects.size());
+}
+
+}  // namespace
+}  // namespace glint::test
