@@ -239,8 +239,8 @@ void PbrtParams::passOver(std::initializer_list<std::string_view> names) const {
 void PbrtParams::finish() const {
     for (const PbrtParam& param : params_) {
         if (param.isUsed || param.isDefault) { continue; }
-        context_->remark(param.place,
-                         context_->sentence(fmt::format("\"{}\" of {} is left out", param.name, owner_)));
+        context_->remark(param.place, context_->sentence(fmt::format("\"{}\" of {} \"{}\" is left out",
+                                                                     param.name, directive_, name_)));
     }
 }
 

@@ -38,8 +38,11 @@ class PbrtParams {
     void addDefaults(const PbrtParams& defaults);
     /// Whether there are more than 64, or one has more than 64 values.
     bool isLong() const;
-    /// For messages: "shape \"sphere\"".
-    void setOwner(std::string owner) { owner_ = std::move(owner); }
+    /// For messages: the directive and its name.
+    void setOwner(std::string directive, std::string name) {
+        directive_ = std::move(directive);
+        name_ = std::move(name);
+    }
 
     PbrtContext& context() const { return *context_; }
     const PbrtPlace& place() const { return place_; }
@@ -64,7 +67,7 @@ class PbrtParams {
     /// Parameters that change no picture, or nothing here.
     void passOver(std::initializer_list<std::string_view> names) const;
     /// A warning that is told once: "approximated: …".
-    void approximated(std::string_view sentence) const { context_->remark(place_, sentence, owner_); }
+    void approximated(std::string_view sentence) const { context_->remark(place_, sentence, name_); }
     void fail(std::string message) const { context_->fail(place_, std::move(message)); }
     /// Remarks on what nobody has asked for.
     void finish() const;
@@ -75,7 +78,7 @@ class PbrtParams {
     PbrtContext* context_ = nullptr;
     PbrtPlace place_;
     PbrtColorSpace space_ = PbrtColorSpace::Srgb;
-    std::string owner_;
+    std::string directive_, name_;
     std::vector<PbrtParam> params_;
 };
 

@@ -174,8 +174,7 @@ bool PbrtParser::readArguments(PbrtText* text, PbrtDirective* out) {
     if (form.name == "ActiveTransform") { out->texts.emplace_back(text->word()); }
     if (form.hasParams) {
         out->params = readPbrtParams(&context_, text, out->place, space_);
-        out->params.setOwner(out->texts.empty() ? std::string(form.name)
-                                                : fmt::format("{} \"{}\"", form.name, out->texts.back()));
+        out->params.setOwner(std::string(form.name), out->texts.empty() ? "" : out->texts.back());
     }
     return !context_.failed();
 }

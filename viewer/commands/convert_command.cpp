@@ -47,8 +47,8 @@ int runConvert(const ConvertOptions& options) {
 }  // namespace
 
 void addConvertCommand(const Command& program) {
-    const Command command =
-        program.subcommand("convert", "Writes any readable scene as Glint's own JSON, as Mitsuba XML or as pbrt-v4");
+    const Command command = program.subcommand(
+        "convert", "Writes any readable scene as Glint's own JSON, as Mitsuba XML or as pbrt-v4");
     const auto options = std::make_shared<ConvertOptions>();
     command.option("in", &options->in, "The scene to read").required().typeName("IN");
     command.option("out", &options->out, "The file to write, OUT.json or OUT.xml").required().typeName("OUT");
