@@ -73,6 +73,11 @@ constexpr NamedColor kIndices[] = {{"glass-BAF10", Vec3(1.670f)}, {"glass-FK51A"
                                    {"metal-MgO-k", Vec3(0.0f)},   {"metal-TiO2-eta", Vec3(2.613f)},
                                    {"metal-TiO2-k", Vec3(0.0f)}};
 
+// Fluorescent lamps F1 to F12: CIE 15: 2004, table T.7.
+constexpr glm::dvec2 kLamps[] = {{0.3131, 0.3371}, {0.3721, 0.3751}, {0.4091, 0.3941}, {0.4402, 0.4031},
+                                 {0.3138, 0.3452}, {0.3779, 0.3882}, {0.3129, 0.3292}, {0.3458, 0.3586},
+                                 {0.3741, 0.3727}, {0.3458, 0.3588}, {0.3805, 0.3769}, {0.4370, 0.4042}};
+
 /// Illuminants of daylight by their temperature: CIE 15: 2004, section 3.1.
 glm::dvec2 daylight(double kelvin) {
     const double t = 1e3 / kelvin;
@@ -86,17 +91,21 @@ Vec3 ofLuminanceOne(const Vec3& color) {
     return y > 0.0f ? color / y : Vec3(0.0f);
 }
 
+/// "stdillum-D50", "stdillum-F2", "stdillum-A" and "illum-acesD60".
 Vec3 namedIlluminant(const PbrtParams& params, std::string_view name) {
     if (name == "stdillum-A") { return ofLuminanceOne(rgbOfBlackbody(2856.0)); }
     if (name == "illum-acesD60") { return rgbOfXyz(xyzOf(kSpaces[2].white)); }
-    double kelvin = 0.0;
-    if (name.starts_with("stdillum-D")) {
-        std::from_chars(name.data() + 10, name.data() + name.size(), kelvin);
+    constexpr size_t kPrefix = 10;
+    size_t number = 0;
+    if (name.size() > kPrefix) { std::from_chars(name.data() + kPrefix, name.data() + name.size(), number); }
+    if (name.starts_with("stdillum-D") && number >= 40 && number <= 250) {
+        // Planck's second constant has changed since their temperatures were named.
+        return rgbOfXyz(xyzOf(daylight(100.0 * static_cast<double>(number) * 1.4388 / 1.4380)));
     }
-    if (kelvin >= 40.0 && kelvin <= 250.0) {
-        return rgbOfXyz(xyzOf(daylight(100.0 * kelvin * 1.4388 / 1.4380)));
+    if (name.starts_with("stdillum-F") && number >= 1 && number <= std::size(kLamps)) {
+        return rgbOfXyz(xyzOf(kLamps[number - 1]));
     }
-    params.context().remark(params.place(), "approximated: light of a lamp's spectrum is white", name);
+    params.context().remark(params.place(), "approximated: light of a lamp that is not known is white", name);
     return Vec3(1.0f);
 }
 
