@@ -100,6 +100,7 @@ std::map<std::string, std::string> metadata(const FilmSnapshot& snapshot, const 
                                            {"relativeError", fmt::to_string(snapshot.relativeError)},
                                            {"relativeErrorLow", fmt::to_string(snapshot.relativeErrorLow)},
                                            {"relativeErrorHigh", fmt::to_string(snapshot.relativeErrorHigh)}};
+    if (snapshot.isDenoised) { out["denoised"] = "yes"; }
     for (const Setting& setting : renderSettings(scene)) {
         out["setting." + setting.name] = setting.value;
     }

@@ -27,7 +27,8 @@ struct ImageOptions {
 /// EXR layers: R G B (radiance), albedo.R/G/B, normal.X/Y/Z, geometricNormal.X/Y/Z, depth.Z (float),
 /// objectId.id and materialId.id (32-bit integers, 0: nothing), and standardError.Y, bias.Y (SPPM) and
 /// errorBound.Y where the snapshot has them (snapshot.h). Text attributes: glintVersion, sceneHash, passes,
-/// renderSeconds, relativeError, relativeErrorLow, relativeErrorHigh, and one setting.NAME for
+/// renderSeconds, relativeError, relativeErrorLow, relativeErrorHigh (of the film as it was rendered),
+/// denoised (yes; else it is not there), and one setting.NAME for
 /// each of renderSettings().
 Status saveImage(const std::string& path, const FilmSnapshot& snapshot, const SceneDescription& scene,
                  const ImageOptions& options);

@@ -35,7 +35,7 @@ struct ConvergenceReport {
 /// What the seconds are: said in every output but the CSV files, which hold numbers only.
 constexpr const char* kSecondsMeaning =
     "Seconds are render seconds: the passes alone. Loading, building the scene, adding a pass to the film, "
-    "evaluating the error and saving are not in them.";
+    "evaluating the error and saving are not in them; taking out noise is, where a variant does.";
 
 /// Everything that a reader has to know before trusting a number: the reference's remarks, marks on variants,
 /// interruptions, failures.

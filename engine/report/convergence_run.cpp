@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "engine/render/denoised_snapshot.h"
+#include "engine/render/session_clock.h"
 #include "engine/render/snapshot.h"
 #include "engine/report/convergence_schedule.h"
 #include "engine/report/metrics.h"
@@ -114,16 +116,28 @@ class VariantRunner {
         return Outcome::Reached;
     }
 
-    /// Adds a point to the last curve; returns its seconds.
+    /// Where noise is taken out, that belongs to the seconds.
+    std::shared_ptr<FilmSnapshot> pictureOf(const SessionCapture& capture) const {
+        const int threads = result.settings.threads;
+        auto snapshot = makeSnapshot(capture, {.standardError = result.settings.denoise}, threads);
+        if (!result.settings.denoise) { return snapshot; }
+        snapshot->aovs = std::make_shared<AovFilm>(capture.aovs);
+        const auto began = SessionClock::now();
+        auto denoised = denoisedSnapshot(*snapshot, DenoiseQuality::Careful, threads);
+        denoised->renderSeconds += secondsSince(began);
+        return denoised;
+    }
+
+    /// Adds a point to the last curve; returns the film's seconds.
     double measure(MeasuredSession& session) {
         const auto capture = session.capture();
-        const auto snapshot = makeSnapshot(*capture, {}, result.settings.threads);
+        const auto snapshot = pictureOf(*capture);
         ImageF image{snapshot->width, snapshot->height, std::move(snapshot->radiance)};
         MeasuredPoint point{snapshot->passes, snapshot->renderSeconds, evaluate(image)};
         result.curves.back().points.push_back(point);
         if (result.curves.size() == 1) { keep(point, image); }
         last_ = std::move(image);
-        return point.seconds;
+        return capture->renderSeconds;
     }
 
     ErrorValues evaluate(const ImageF& image) const {

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "engine/render/denoised_snapshot.h"
+
 namespace glint {
 namespace {
 
@@ -43,14 +45,16 @@ Result<std::unique_ptr<MeasuredSession>> MeasuredSession::start(const SceneDescr
     auto own = std::make_shared<SceneDescription>(scene);
     own->options = settings.options;
     own->sppm = settings.sppm;
-    return std::unique_ptr<MeasuredSession>(
+    std::unique_ptr<MeasuredSession> session(
         new MeasuredSession(std::move(own), host, std::move(*backend), settings.threads));
+    if (settings.denoise) { session->aovs_ = kDenoisingAovs; }
+    return session;
 }
 
 MeasuredSession::Outcome MeasuredSession::runTo(const StopLimits& limits, const std::string& progressPrefix) {
     // Also here: work may come in pieces so small that none of them is waited for below.
     if (host_.mustStop()) { return Outcome::Interrupted; }
-    session_->request({.limits = limits});
+    session_->request({.limits = limits, .aovs = aovs_, .aovsEndWithFilm = true});
     if (posted_ == 0) { posted_ = session_->post({scene_, EditKind::Everything}); }
     for (;;) {
         const SessionState state = session_->wait(kPollSeconds);

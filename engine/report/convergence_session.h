@@ -54,6 +54,7 @@ class MeasuredSession {
     std::shared_ptr<const SceneDescription> scene_;
     const ConvergenceHost& host_;
     std::unique_ptr<RenderSession> session_;
+    uint32_t aovs_ = 0;      ///< that captures carry
     EditTicket posted_ = 0;  ///< of the newest edit
 };
 

@@ -34,6 +34,10 @@ bool setKernel(std::string_view value, VariantSettings* s) {
     s->fullKernel = value == "full";
     return value == "full" || value == "specialised";
 }
+bool setDenoise(std::string_view value, VariantSettings* s) {
+    s->denoise = value == "on";
+    return value == "on" || value == "off";
+}
 /// The fields that are variants, and what a run has beside them.
 const std::vector<VariantKey>& variantKeys() {
     static const std::vector<VariantKey> kKeys = [] {
@@ -48,6 +52,7 @@ const std::vector<VariantKey>& variantKeys() {
         }
         keys.push_back({"threads", {}, "a whole number from 1 to 1024", setThreads});
         keys.push_back({"backend", {}, "cpu or cuda", setBackend});
+        keys.push_back({"denoise", {}, "on or off, the picture with or without its noise", setDenoise});
         keys.push_back({"kernel", {}, "specialised or full", setKernel});
         return keys;
     }();

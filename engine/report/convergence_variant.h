@@ -20,6 +20,7 @@ struct VariantSettings {
     SppmOptions sppm;
     int threads = 0;  ///< 0: all
     std::string backend = "cpu";
+    bool denoise = false;     ///< measure the picture without its noise (denoised_snapshot.h)
     bool fullKernel = false;  ///< the kernel that does everything instead of the smallest that will do
 };
 

@@ -16,7 +16,8 @@ SEES = {
     "engine/io": "base math scene",
     "engine/examples": "base math scene io",
     "engine/builders": "base math scene io kernels",
-    "engine/render": "base math scene io kernels builders",
+    "engine/denoise": "base math",
+    "engine/render": "base math scene io kernels builders denoise",
     "engine/report": "base math scene io kernels builders render",
 }
 VIEWER_SEES = {

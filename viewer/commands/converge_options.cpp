@@ -23,6 +23,8 @@ Examples:
       --integrators sppm:radius=auto:1,sppm:radius=auto:4,sppm:radius=auto:16
   glint converge scenes/cornell.json --make-reference 60 --out kernels
       --integrators path,path:kernel=full,path:threads=1
+  glint converge scenes/cornell.json --make-reference 60 --out denoised
+      --passes 64 --integrators path,path:denoise=on
 Seconds are render seconds: evaluating, saving and building take none. OUT gets index.html, plot.svg, plot.png,
 curve.csv, summary.csv, summary.json, reference.exr and pictures/. Ctrl-C writes them with what has been measured.)";
 

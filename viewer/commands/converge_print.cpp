@@ -1,5 +1,6 @@
 #include "viewer/commands/converge_print.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -48,6 +49,33 @@ void printVariant(const MeasuredVariant& variant, const VariantSummary& summary)
     put("\n");
 }
 
+bool isSameButDenoised(const MeasuredVariant& noisy, const MeasuredVariant& denoised) {
+    std::vector<std::pair<std::string, std::string>> settings = denoised.variant.assignments;
+    std::erase_if(settings, [](const auto& each) { return each.first == "denoise"; });
+    return !noisy.settings.denoise && noisy.variant.integrator == denoised.variant.integrator &&
+           noisy.variant.assignments == settings;
+}
+
+/// What taking out the noise gains, at the most passes that both variants have.
+void printGain(const ConvergenceReport& report, size_t denoised) {
+    const auto& variants = report.result.variants;
+    const auto noisy = std::ranges::find_if(
+        variants, [&](const MeasuredVariant& each) { return isSameButDenoised(each, variants[denoised]); });
+    if (!variants[denoised].settings.denoise || noisy == variants.end()) { return; }
+    const std::vector<SummaryPoint>& before =
+        report.summary.variants[static_cast<size_t>(noisy - variants.begin())].points;
+    const std::vector<SummaryPoint>& after = report.summary.variants[denoised].points;
+    for (auto point = after.rbegin(); point != after.rend(); ++point) {
+        const auto same = std::ranges::find(before, point->passes, &SummaryPoint::passes);
+        if (same == before.end()) { continue; }
+        const double from = same->errors[static_cast<size_t>(ErrorMeasure::RelMse)].mean;
+        const double to = point->errors[static_cast<size_t>(ErrorMeasure::RelMse)].mean;
+        put("{}: relMSE {:.3g} instead of {:.3g} at {} passes, {:.3g} times less\n",
+            variants[denoised].variant.name, to, from, point->passes, from / to);
+        return;
+    }
+}
+
 }  // namespace
 
 PartLine::PartLine() : terminal_(isatty(STDERR_FILENO) == 1) {}
@@ -78,6 +106,9 @@ void printReport(const ConvergenceReport& report) {
     put("\n");
     for (size_t i = 0; i < report.result.variants.size(); ++i) {
         printVariant(report.result.variants[i], report.summary.variants[i]);
+    }
+    for (size_t i = 0; i < report.result.variants.size(); ++i) {
+        printGain(report, i);
     }
     put("{}\n", kSecondsMeaning);
     put("seconds to an error: ~ not reached, predicted by the fit; < already at the first measurement\n");

@@ -73,6 +73,12 @@ void addImageOptions(const Command& command, RenderCommandOptions* o) {
         .typeName("NAME,...")
         .commaSeparated()
         .group(group);
+    command
+        .flag(
+            "--denoise", &o->denoise,
+            "Take the noise out of the picture, guided by albedo, normals, depth and the pixels' variances; "
+            "checkpoints keep the film as it is")
+        .group(group);
     command.flag("--exr-float", &o->exrFloat, "EXR: 32-bit instead of 16-bit colours").group(group);
 }
 
@@ -156,6 +162,11 @@ Result<SaveInterval> parseSaveInterval(const std::string& text) {
             {}};
     }
     return interval;
+}
+
+std::string numberedPath(const std::string& path, uint32_t passes) {
+    const size_t dot = path.rfind('.');
+    return fmt::format("{}-{:06}{}", path.substr(0, dot), passes, path.substr(dot));
 }
 
 Result<Vec2i> parsePair(const std::string& text, char separator, const char* what) {

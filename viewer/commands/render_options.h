@@ -26,6 +26,7 @@ struct RenderCommandOptions {
     bool exrFloat = false;
     std::optional<float> exposure;  ///< nothing: chosen by the picture
     bool noAutoExposure = false;
+    bool denoise = false;
     std::string tone;  ///< empty: sRGB, or the original's
     std::string checkpoint;
     std::string checkpointEvery;
@@ -70,6 +71,9 @@ struct SaveInterval {
 };
 /// "50" (passes), "60s" (seconds) or nothing. Error: anything else, or not above zero.
 Result<SaveInterval> parseSaveInterval(const std::string& text);
+
+/// "out.png" after 10 passes: "out-000010.png".
+std::string numberedPath(const std::string& path, uint32_t passes);
 
 /// "WxH" or "x,y" with the given separator. Error: anything else.
 Result<Vec2i> parsePair(const std::string& text, char separator, const char* what);

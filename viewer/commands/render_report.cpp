@@ -35,6 +35,9 @@ void printSummary(const RenderReport& r, const ErrorEstimate& error) {
         put("exposure {:+.2f} stops: the picture is {} without (--exposure, --no-auto-exposure)\n",
             r.exposureStops, r.exposureStops < 0.0f ? "white" : "black");
     }
+    if (r.denoiseSeconds) {
+        put("denoised in {:.2f} s; the relative error is that of the film\n", *r.denoiseSeconds);
+    }
     if (const SppmState* photons = asSppm(r.capture.statistics.get())) {
         const auto emitted = static_cast<double>(photons->emittedPhotons);
         put("photons: {} a pass, {:.4g} in all ({:.3f} M/s)\n", r.photonsPerPass, emitted,
@@ -126,6 +129,7 @@ nlohmann::ordered_json jsonReport(const RenderReport& r, const ErrorEstimate& er
                                        {"negative", film.faultCounts()[3]}}},
                                      {"dropped_samples", faults},
                                      {"firefly_clamp", r.capture.scene->options.fireflyClamp}};
+    if (r.denoiseSeconds) { report["denoise_seconds"] = *r.denoiseSeconds; }
     if (const SppmState* photons = asSppm(r.capture.statistics.get())) {
         report["sppm"] = {{"photons_per_pass", r.photonsPerPass},
                           {"photons_asked", r.capture.scene->sppm.photonsPerPass},

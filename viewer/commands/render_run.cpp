@@ -12,6 +12,7 @@
 #include "engine/base/parallel.h"
 #include "engine/render/auto_exposure.h"
 #include "engine/render/checkpoint.h"
+#include "engine/render/denoised_snapshot.h"
 #include "engine/render/image_file.h"
 #include "engine/render/snapshot.h"
 #include "engine/render/sppm_state.h"
@@ -41,7 +42,7 @@ class BatchRender {
           saves_(parseSaveInterval(options.checkpointEvery).value()),
           loadSeconds_(loadSeconds),
           limits_(finalLimits(options)),
-          reserve_(savingBytes(*scene_, !options.aovs.empty())) {
+          reserve_(savingBytes(*scene_, options.denoise || !options.aovs.empty())) {
         const uint32_t asked = scene_->sppm.photonsPerPass;
         photonsPerPass_ = isSppm() ? planSppmMemory(*scene_).photonsPerPass : 0;
         if (isSppm() && photonsPerPass_ < asked) {
@@ -100,7 +101,7 @@ class BatchRender {
         session.threads = options_.threads;
         session_ = std::make_unique<RenderSession>(std::move(*backend), session);
         request_ = {.limits = limitsUntilNextImage(startPasses_),
-                    .aovs = aovs_.aovs,
+                    .aovs = aovs_.aovs | (options_.denoise ? kDenoisingAovs : 0),
                     .aovsEndWithFilm = true,
                     .standardError = aovs_.standardError};
         session_->request(request_);
@@ -124,7 +125,7 @@ class BatchRender {
         if (!capture) { return reportError(Error{"nothing was rendered", {}}, kExitFailed); }
         if (const Status saved = save(*capture); !saved) { return reportError(saved.error(), kExitFailed); }
         const Status reported = reportRender({options_, *capture, session_->status(), loadSeconds_,
-                                              photonsPerPass_, exposure_.value_or(0.0f)});
+                                              photonsPerPass_, exposure_.value_or(0.0f), denoiseSeconds_});
         if (status.state == SessionState::Failed || end == End::OutOfMemory) { return kExitFailed; }
         if (!reported) { return reportError(reported.error(), kExitFailed); }
         return end == End::Done ? kExitDone : kExitInterrupted;
@@ -226,9 +227,11 @@ class BatchRender {
     }
 
     Status writeImage(const SessionCapture& capture, const std::string& path) {
-        auto snapshot = makeSnapshot(
-            capture, {.standardError = aovs_.standardError, .errorMaps = aovs_.errorMaps}, options_.threads);
+        const SnapshotRequest request{.standardError = aovs_.standardError || options_.denoise,
+                                      .errorMaps = aovs_.errorMaps};
+        auto snapshot = makeSnapshot(capture, request, options_.threads);
         snapshot->aovs = std::make_shared<AovFilm>(capture.aovs);
+        if (options_.denoise) { denoise(&snapshot); }
         ImageOptions image;
         image.exposureStops = exposureOf(*snapshot);
         image.toneMap = toneMapOf(options_);
@@ -237,6 +240,19 @@ class BatchRender {
         image.aovs = capture.aovs.passes() > 0 ? aovs_.aovs : 0;
         image.threads = options_.threads;
         return saveImage(path, *snapshot, *capture.scene, image);
+    }
+
+    /// A failure may come before the layers are rendered; the picture is worth saving with its noise.
+    void denoise(std::shared_ptr<FilmSnapshot>* snapshot) {
+        const auto began = Clock::now();
+        if (auto denoised = denoisedSnapshot(**snapshot, DenoiseQuality::Careful, options_.threads)) {
+            *snapshot = std::move(denoised);
+        } else {
+            logWarning("{} is not denoised: its albedo, normals and depth were not rendered",
+                       options_.output);
+        }
+        denoiseSeconds_ = std::chrono::duration<double>(Clock::now() - began).count();
+        if (!aovs_.standardError) { (*snapshot)->standardError.clear(); }
     }
 
     Status save(const SessionCapture& capture) {
@@ -268,6 +284,7 @@ class BatchRender {
     uint32_t startPasses_ = 0;     ///< that the checkpoint brought
     uint32_t nextImage_ = 0;       ///< pass count of the next numbered picture; 0: none before the end
     std::optional<float> exposure_ = statedExposure(options_);  ///< of PNGs
+    std::optional<double> denoiseSeconds_;                      ///< that the last picture took
     RenderRequest request_;
     InterruptGuard interrupt_;
     MemoryReserve reserve_;
@@ -275,11 +292,6 @@ class BatchRender {
 };
 
 }  // namespace
-
-std::string numberedPath(const std::string& path, uint32_t passes) {
-    const size_t dot = path.rfind('.');
-    return fmt::format("{}-{:06}{}", path.substr(0, dot), passes, path.substr(dot));
-}
 
 int runRender(std::shared_ptr<const SceneDescription> scene, const RenderCommandOptions& options,
               const RunFiles& files, double loadSeconds) {

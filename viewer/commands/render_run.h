@@ -13,9 +13,6 @@ namespace glint {
 int runRender(std::shared_ptr<const SceneDescription> scene, const RenderCommandOptions& options,
               const RunFiles& files, double loadSeconds);
 
-/// "out.png" after 10 passes: "out-000010.png".
-std::string numberedPath(const std::string& path, uint32_t passes);
-
 /// Prints the path of options.pixel in options.replayPass. Returns an exit code.
 int runReplay(const SceneDescription& scene, const RenderCommandOptions& options);
 

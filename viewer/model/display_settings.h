@@ -35,6 +35,7 @@ struct DisplaySettings {
     bool autoExposure = true;  ///< a scene that is opened gets the exposure that its first picture needs
     float chosenExposureStops = 0.0f;  ///< for the scene that is open
     ToneMap toneMap = ToneMap::Srgb;
+    bool denoises = false;  ///< the radiance is shown and saved without its noise
     ShownImage shown = ShownImage::Radiance;
     ImageFraming framing;
     bool split = false;    ///< two integrators beside each other, at equal render time

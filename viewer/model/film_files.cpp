@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "engine/render/checkpoint.h"
+#include "engine/render/denoised_snapshot.h"
 #include "engine/render/image_file.h"
 #include "engine/render/snapshot.h"
 #include "viewer/base/checkpoint_file.h"
@@ -16,10 +17,13 @@
 namespace glint {
 namespace {
 
-std::shared_ptr<FilmSnapshot> snapshotOf(const SessionCapture& capture, bool errorMaps) {
+/// As it is shown, which is with its noise where the layers to take it out were not rendered.
+std::shared_ptr<FilmSnapshot> snapshotOf(const SessionCapture& capture, bool denoises,
+                                         bool errorMaps = false) {
     auto snapshot = makeSnapshot(capture, {.standardError = true, .errorMaps = errorMaps}, 0);
     if (capture.aovs.passes() > 0) { snapshot->aovs = std::make_shared<const AovFilm>(capture.aovs); }
-    return snapshot;
+    auto denoised = denoises ? denoisedSnapshot(*snapshot, DenoiseQuality::Careful, 0) : nullptr;
+    return denoised ? denoised : snapshot;
 }
 
 ImageOptions optionsOf(const DisplaySettings& display) {
@@ -79,18 +83,20 @@ void FilmFiles::startSave(const std::string& path, Save save) {
 }
 
 void FilmFiles::savePng(const DisplaySettings& display) {
-    saveCaptured(png, [path = png, options = optionsOf(display)](const SessionCapture& capture) {
-        return saveImage(path, *snapshotOf(capture, false), *capture.scene, options);
+    saveCaptured(png, [path = png, options = optionsOf(display),
+                       denoises = display.denoises](const SessionCapture& capture) {
+        return saveImage(path, *snapshotOf(capture, denoises), *capture.scene, options);
     });
 }
 
 Status FilmFiles::saveNow(const std::string& path, const DisplaySettings& display) {
     const auto capture = render_->capture();
     if (!capture) { return Error{"there is no picture to save", {.file = path}}; }
-    return saveImage(path, *snapshotOf(*capture, false), *capture->scene, optionsOf(display));
+    return saveImage(path, *snapshotOf(*capture, display.denoises), *capture->scene, optionsOf(display));
 }
 
-void FilmFiles::saveExr() {
+void FilmFiles::saveExr(const DisplaySettings& display) {
+    exrDenoises_ = display.denoises;
     if (exrLayers && render_->status().aovPasses == 0) {
         isExrPending_ = true;  // refresh() goes on when the session has made them
         notice_->show("Waiting for the layers…");
@@ -104,8 +110,9 @@ void FilmFiles::startExr() {
     ImageOptions options;
     options.exrColor = exrFloat ? ExrPixelType::Float : ExrPixelType::Half;
     if (exrLayers) { options.aovs = kAllAovs; }
-    saveCaptured(exr, [path = exr, options, layers = exrLayers](const SessionCapture& capture) {
-        return saveImage(path, *snapshotOf(capture, layers), *capture.scene, options);
+    saveCaptured(exr, [path = exr, options, denoises = exrDenoises_,
+                       layers = exrLayers](const SessionCapture& capture) {
+        return saveImage(path, *snapshotOf(capture, denoises, layers), *capture.scene, options);
     });
 }
 

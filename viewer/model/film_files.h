@@ -47,7 +47,7 @@ class FilmFiles {
     /// The same into the file `path`; blocks.
     Status saveNow(const std::string& path, const DisplaySettings& display);
     /// Waits for the layers first, where they are wanted.
-    void saveExr();
+    void saveExr(const DisplaySettings& display);
     /// Not over a longer film, which is an error.
     void saveCheckpointFile();
     /// With the scene that the checkpoint holds where it is not of the one that is open.
@@ -78,6 +78,7 @@ class FilmFiles {
     OverwriteGuard* guard_;
     Resume resume_;
     bool isExrPending_ = false;
+    bool exrDenoises_ = false;  ///< of the file that is pending
     double lastAutosave_ = 0.0;
 };
 

@@ -222,6 +222,7 @@ std::string noteInstead(const FilmSnapshot& snapshot, ShownImage wanted, const L
     if (info.isOfSecondPass && snapshot.passes < 2 && snapshot.previewScale == 1) {
         return "Known from the second pass on";
     }
+    if (info.isRadiance() && snapshot.isDenoised) { return "Denoised"; }
     if (info.isOf(snapshot.integrator)) { return ""; }
     return fmt::format("{} has no {}: its radiance", integratorInfo(snapshot.integrator).displayName,
                        info.lacking);

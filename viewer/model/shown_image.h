@@ -86,8 +86,8 @@ std::optional<ShownImage> imageNamed(std::string_view name);
 /// reference is missing or of another size.
 ShownImage availableImage(const FilmSnapshot& snapshot, ShownImage wanted, const LoadedReference* reference);
 
-/// What a snapshot shows instead of `wanted`, and why, for the image's corner; "" when it shows what is
-/// wanted.
+/// What a snapshot shows instead of `wanted`, and why, for the image's corner; that it is denoised; "" when
+/// it shows what is wanted as it was rendered.
 std::string noteInstead(const FilmSnapshot& snapshot, ShownImage wanted, const LoadedReference* reference);
 
 /// The snapshot holds what `wanted` is made of, or never will.

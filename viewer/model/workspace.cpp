@@ -193,9 +193,11 @@ void Workspace::refresh() {
     if (const auto& reference = convergence.reference.loaded()) {
         inputs.reads("the reference picture", reference->path);
     }
+    const bool rests = render.status().state != SessionState::Rendering && !render.awaitsImage();
+    denoised.refresh(wantsDenoised() ? render.snapshot() : nullptr, rests);
     filmFiles.refresh(busy());
     backup.refresh();
-    if (snapshots.takeKeep() && !snapshots.keep(render.snapshot(), document.posted(), display)) {
+    if (snapshots.takeKeep() && !snapshots.keep(livePicture(), document.posted(), display)) {
         notice.show("There is no picture at full resolution yet");
     }
     refreshDifference();
@@ -258,6 +260,10 @@ void Workspace::sendRequest() {
     request.aovs = filmFiles.needsLayers() ? kAllAovs : 0;
     request.standardError = request.errorMaps = request.integratorMaps = false;
     if (const auto ask = infoOf(display.shown).ask) { ask(&request); }
+    if (display.denoises) {
+        request.aovs |= kDenoisingAovs;
+        request.standardError = true;
+    }
     if (std::exchange(inspector.isOpen, false)) { request.standardError = request.integratorMaps = true; }
     request.region = region.wanted();
     request.compare.clear();

@@ -15,6 +15,7 @@
 #include "viewer/model/camera_bookmarks.h"
 #include "viewer/model/convergence_watch.h"
 #include "viewer/model/curve_export.h"
+#include "viewer/model/denoised_picture.h"
 #include "viewer/model/display_settings.h"
 #include "viewer/model/edit_history.h"
 #include "viewer/model/example_scenes.h"
@@ -71,6 +72,7 @@ class Workspace {
     FaultFinder faults;
     Snapshots snapshots;
     PictureDifference difference;
+    DenoisedPicture denoised;
     WindowLayout layout;
     /// Set by who draws: what is on the screen is not of the newest snapshots yet.
     bool displayIsBehind = false;
@@ -111,6 +113,9 @@ class Workspace {
     bool ownIsRight() const;
 
   private:
+    bool wantsDenoised() const;
+    /// As it is shown.
+    const std::shared_ptr<const FilmSnapshot>& livePicture() const;
     void sendRequest();
     void addObjectsOf(SceneDescription scene);
     FirstHit hitAt(Vec2i pixel) const;

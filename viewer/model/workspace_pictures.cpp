@@ -3,9 +3,18 @@
 
 namespace glint {
 
+/// Two integrators are compared as they are.
+bool Workspace::wantsDenoised() const {
+    return display.denoises && !display.split && infoOf(display.shown).isRadiance();
+}
+
+const std::shared_ptr<const FilmSnapshot>& Workspace::livePicture() const {
+    return wantsDenoised() && denoised.picture() ? denoised.picture() : render.snapshot();
+}
+
 const std::shared_ptr<const FilmSnapshot>& Workspace::ownPicture() const {
     const KeptPicture* right = snapshots.isComparing() ? snapshots.find(snapshots.right) : nullptr;
-    return right != nullptr ? right->picture : render.snapshot();
+    return right != nullptr ? right->picture : livePicture();
 }
 
 const std::shared_ptr<const FilmSnapshot>& Workspace::otherPicture() const {

@@ -30,7 +30,9 @@ void drawImages(FilmFiles* files, FileDialog* dialog, const DisplaySettings& dis
     ui::text("EXR file", &files->exr, "render.exr", "Linear radiance");
     ui::toggle("32-bit float", &files->exrFloat, "Otherwise 16-bit half");
     ui::toggle("Layers", &files->exrLayers, "Albedo, normals, depth, ids, bias and the bound at 90 % too");
-    if (ui::button("Save EXR", ui::buttonWidth(1), "Without exposure and tone map")) { files->saveExr(); }
+    if (ui::button("Save EXR", ui::buttonWidth(1), "Without exposure and tone map")) {
+        files->saveExr(display);
+    }
 }
 
 void drawCheckpoint(FilmFiles* files) {

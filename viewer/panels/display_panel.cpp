@@ -86,6 +86,10 @@ void draw(DisplaySettings* display, const SceneDocument* document, const Converg
     if (ui::choice("Tone map", &toneMap, kToneMaps, "From radiance to the screen; never restarts")) {
         display->toneMap = static_cast<ToneMap>(toneMap);
     }
+    ui::toggle(
+        "Denoise", &display->denoises,
+        "Shows and saves the radiance without its noise, guided by albedo, normals and depth: quickly while "
+        "it renders, carefully once it rests. The film and its error stay as they are");
     drawShown(display);
     if (const std::string why = missing(*display, own, *convergence); !why.empty()) { ui::hint(why.c_str()); }
     drawComparison(display, own);

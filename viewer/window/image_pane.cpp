@@ -58,8 +58,9 @@ void ImagePanes::show(Workspace* workspace) {
         if (workspace->snapshots.isComparing() && !isThere) { wanted.shown = ShownImage::Radiance; }
         other.source.show(wanted, &own.source, other.display.get());
     }
-    workspace->displayIsBehind = workspace->focusOverlay.isBehind() || own.source.isBehind() ||
-                                 workspace->difference.isBehind() || (isComparing && other.source.isBehind());
+    workspace->displayIsBehind = workspace->denoised.isBehind() || workspace->focusOverlay.isBehind() ||
+                                 own.source.isBehind() || workspace->difference.isBehind() ||
+                                 (isComparing && other.source.isBehind());
     own.drawn = workspace->render.snapshot();
     other.drawn = workspace->render.otherSnapshot();
 }
@@ -68,7 +69,7 @@ bool ImagePanes::areOld(const Workspace& workspace) {
     return workspace.render.snapshot() != own.drawn || workspace.render.otherSnapshot() != other.drawn ||
            workspace.focusOverlay.version() != overlayVersion || workspace.focusOverlay.isBehind() ||
            workspace.difference.made() != differenceOf || workspace.difference.isBehind() ||
-           own.source.isReady() || other.source.isReady();
+           workspace.denoised.isBehind() || own.source.isReady() || other.source.isReady();
 }
 
 }  // namespace glint

@@ -194,7 +194,9 @@ void Shell::drawStatusLine(const Workspace& workspace, float y) {
     std::string right = "F1: help";
     if (workspace.document.isOpen()) {
         left = imageText(workspace);
-        right = fmt::format("{}    {}    {} {}    F1: help", passCount(status.passes),
+        const auto& shown = workspace.ownPicture();
+        right = fmt::format("{}{}    {}    {} {}    F1: help",
+                            shown && shown->isDenoised ? "denoised    " : "", passCount(status.passes),
                             duration(status.renderSeconds), status.region ? "region's error" : "error",
                             status.passes > 1 ? percent(status.relativeError) : "–");
     }

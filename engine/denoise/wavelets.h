@@ -1,0 +1,10 @@
+// The quick filter's candidate, which also guides the careful one's weights. Used by denoise.cpp alone.
+#pragma once
+
+#include "engine/denoise/planes.h"
+
+namespace glint {
+
+Candidate waveletFilter(const Planes& planes, int threads);
+
+}  // namespace glint
