@@ -35,11 +35,12 @@ void draw(SceneDocument* document, CameraBookmarks* bookmarks) {
     // Dragging feels alike in a doll's house and in a cathedral.
     const float speed = std::max(targetDistance(*camera) * 0.002f, 1e-6f);
     ui::vector3("Position", &camera->position,
-                {.format = "%.3f", .speed = speed, .tooltip = "x, y, z in metres"});
+                {.format = "%.3f", .speed = speed, .tooltip = "x, y, z in metres", .unit = "m"});
     ui::vector3("Target", &camera->target,
                 {.format = "%.3f",
                  .speed = speed,
-                 .tooltip = "What the camera looks at and orbits around, in metres"});
+                 .tooltip = "What the camera looks at and orbits around, in metres",
+                 .unit = "m"});
     Vec3 up = camera->up;
     if (ui::vector3("Up", &up, {.format = "%.3f", .speed = 0.005f, .tooltip = "What is up in the picture"}) &&
         lengthSquared(up) > 0.0f) {

@@ -51,7 +51,8 @@ void drawLight(Light* light, float speed) {
     ui::number("Strength", &light->strength,
                {.format = "× %.3f", .speed = std::max(light->strength * 0.01f, 0.01f), .max = 1e6f});
     if (!directional) {
-        ui::vector3("Position", &light->position, {.format = "%.3f", .speed = speed, .tooltip = "Metres"});
+        ui::vector3("Position", &light->position,
+                    {.format = "%.3f", .speed = speed, .tooltip = "Metres", .unit = "m"});
     }
     if (light->kind != LightKind::Point) {
         Vec3 direction = light->direction;

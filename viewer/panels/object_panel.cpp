@@ -44,8 +44,9 @@ void drawMaterial(const SceneDescription& scene, Object* object) {
 void drawPlacement(Object* object, float speed) {
     const PlacementNumbers before = numbersOf(object->objectToWorld);
     PlacementNumbers after = before;
-    bool isEdited = ui::vector3("Position", &after.position,
-                                {.format = "%.3f", .speed = speed, .tooltip = "Of its origin, metres"});
+    bool isEdited =
+        ui::vector3("Position", &after.position,
+                    {.format = "%.3f", .speed = speed, .tooltip = "Of its origin, metres", .unit = "m"});
     isEdited |= ui::vector3("Turned", &after.rotationDeg,
                             {.format = "%.1f°", .speed = 0.5f, .tooltip = "About x, then y, then z"});
     isEdited |= ui::vector3("Size", &after.scale,

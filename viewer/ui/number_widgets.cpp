@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "viewer/base/units.h"
+#include "viewer/base/quantity.h"
 #include "viewer/ui/typed_number.h"
 #include "viewer/ui/widget_row.h"
 #include "viewer/ui/widgets.h"
@@ -16,20 +16,25 @@
 namespace glint::ui {
 namespace {
 
+std::string_view unitOf(const NumberStyle& style) {
+    return style.unit != nullptr ? style.unit : unitOfFormat(style.format);
+}
+
 float clamped(float value, const NumberStyle& style) {
     return style.min < style.max ? std::clamp(value, style.min, style.max) : value;
 }
 
 /// What a script assigns: `count` numbers.
-std::optional<std::array<double, 3>> takeNumbers(std::string_view label, int count, bool areWhole) {
+std::optional<std::array<double, 3>> takeNumbers(std::string_view label, int count, std::string_view unit,
+                                                 bool areWhole = false) {
     const auto words = frameRegistry()->takeAssignment(label);
     if (!words) { return std::nullopt; }
     std::array<double, 3> numbers{};
     bool good = static_cast<int>(words->size()) == count;
     for (int i = 0; good && i < count; ++i) {
-        const std::optional<double> number = parseNumber((*words)[static_cast<size_t>(i)]);
+        const Result<double> number = parseQuantity((*words)[static_cast<size_t>(i)], unit);
         good = number && (!areWhole || *number == std::round(*number));
-        numbers[static_cast<size_t>(i)] = number.value_or(0.0);
+        numbers[static_cast<size_t>(i)] = number ? *number : 0.0;
     }
     if (good) { return numbers; }
     const char* kind = areWhole ? "whole number" : "number";
@@ -39,7 +44,7 @@ std::optional<std::array<double, 3>> takeNumbers(std::string_view label, int cou
 }
 
 bool assignNumbers(std::string_view label, float* values, int count, const NumberStyle& style) {
-    const auto numbers = takeNumbers(label, count, false);
+    const auto numbers = takeNumbers(label, count, unitOf(style));
     bool changed = false;
     for (int i = 0; numbers && i < count; ++i) {
         const float next = clamped(static_cast<float>((*numbers)[static_cast<size_t>(i)]), style);
@@ -59,7 +64,7 @@ int clampedInteger(double value, const NumberStyle& style) {
 /// Typed numbers keep the bounds that dragged ones have.
 bool dragField(const char* id, float* value, const NumberStyle& style) {
     if (isTyped(id)) {
-        const auto typed = typedNumber(id);
+        const auto typed = typedNumber(id, unitOf(style));
         const float next = clamped(typed ? static_cast<float>(*typed) : *value, style);
         return std::exchange(*value, next) != next;
     }
@@ -79,7 +84,7 @@ bool dragField(const char* id, float* value, const NumberStyle& style) {
 
 bool dragInteger(const char* id, int* value, const NumberStyle& style) {
     if (isTyped(id)) {
-        const int next = clampedInteger(typedNumber(id, true).value_or(*value), style);
+        const int next = clampedInteger(typedNumber(id, unitOf(style), true).value_or(*value), style);
         return std::exchange(*value, next) != next;
     }
     const char* format = *value == 0 && style.zeroText != nullptr ? style.zeroText : style.format;
@@ -122,7 +127,7 @@ bool number(const char* label, float* value, const NumberStyle& style) {
 
 bool integer(const char* label, int* value, const NumberStyle& style) {
     beginRow(label, style.tooltip);
-    const auto assigned = takeNumbers(label, 1, true);
+    const auto assigned = takeNumbers(label, 1, unitOf(style), true);
     const int next = assigned ? clampedInteger((*assigned)[0], style) : *value;
     bool changed = std::exchange(*value, next) != next;
     changed |= dragInteger("##value", value, style);

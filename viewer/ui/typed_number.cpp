@@ -9,7 +9,7 @@
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
-#include "viewer/base/units.h"
+#include "viewer/base/quantity.h"
 #include "viewer/ui/theme.h"
 
 namespace glint::ui {
@@ -51,19 +51,17 @@ void begin(ImGuiID field, double value) {
 }
 
 /// The text's number, unless it is as it was.
-std::optional<double> finish(ImGuiID field, bool isWhole) {
+std::optional<double> finish(ImGuiID field, std::string_view unit, bool isWhole) {
     typing.field = 0;
     ImGui::ClearActiveID();
     if (typing.text == typing.before) { return std::nullopt; }
-    std::optional<double> number = parseNumber(typing.text);
-    if (number && isWhole && *number != std::round(*number)) { number.reset(); }
-    if (!number) {
-        note = {
-            field,
-            fmt::format("\"{}\" is no {}number; the old value stays", typing.text, isWhole ? "whole " : ""),
+    const Result<double> number = parseQuantity(typing.text, unit);
+    if (number && (!isWhole || *number == std::round(*number))) { return *number; }
+    note = {field,
+            fmt::format("\"{}\" {}; the old value stays", typing.text,
+                        number ? "is no whole number" : number.error().message),
             ImGui::GetTime() + kNoteSeconds};
-    }
-    return number;
+    return std::nullopt;
 }
 
 void drawNote(ImGuiID field) {
@@ -82,7 +80,7 @@ bool isTyped(const char* id) {
     return typing.field != 0;
 }
 
-std::optional<double> typedNumber(const char* id, bool isWhole) {
+std::optional<double> typedNumber(const char* id, std::string_view unit, bool isWhole) {
     const ImGuiID field = ImGui::GetID(id);
     const Drawn previous = std::exchange(lastDrawn, {field, 0.0});
     typing.seenAtFrame = ImGui::GetFrameCount();
@@ -93,12 +91,12 @@ std::optional<double> typedNumber(const char* id, bool isWhole) {
     const bool isBackTab = ImGui::GetIO().KeyShift && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab));
     if (isTab || isBackTab) {
         std::erase(typing.text, '\t');
-        const std::optional<double> number = finish(field, isWhole);
+        const std::optional<double> number = finish(field, unit, isWhole);
         typing.nextFieldBegins = isTab;
         if (!isTab && previous.field != 0) { begin(previous.field, previous.value); }
         return number;
     }
-    return typing.wasActive && !ImGui::IsItemActive() ? finish(field, isWhole) : std::nullopt;
+    return typing.wasActive && !ImGui::IsItemActive() ? finish(field, unit, isWhole) : std::nullopt;
 }
 
 bool offerTyping(const char* id, double value) {

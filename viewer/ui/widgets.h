@@ -38,6 +38,7 @@ struct NumberStyle {
     const char* zeroText = nullptr;  ///< shown instead of 0: "off"
     bool slider = false;             ///< a slider between min and max instead of a dragged field
     const char* tooltip = nullptr;
+    const char* unit = nullptr;  ///< of what is typed, "m", where the format shows none
 };
 bool number(const char* label, float* value, const NumberStyle& style);
 bool integer(const char* label, int* value, const NumberStyle& style);
