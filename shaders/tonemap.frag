@@ -5,6 +5,9 @@
 uniform sampler2D radiance;   // linear Rec.709; row 0 is the picture's top row
 uniform float exposureStops;
 uniform int toneMap;          // same order as ToneMap
+uniform bool isNeutral;       // white stays what it is
+uniform mat3 balance;         // whiteBalanceMatrix()
+uniform bool dithers;
 
 out vec4 displayColor;
 
@@ -56,8 +59,17 @@ float toneInput(float value) {
     return exposed > 0.0 ? min(exposed, kMaxToneInput) : 0.0;
 }
 
+// ditherOffset() / 255: the framebuffer rounds.
+float ditherOffset(ivec2 pixel, int channel) {
+    float along = 0.06711056 * float(pixel.x + 23 * channel) + 0.00583715 * float(pixel.y + 47 * channel);
+    float scaled = 52.9829189 * (along - floor(along));
+    return (scaled - floor(scaled) - 0.5) / 255.0;
+}
+
 void main() {
-    vec3 value = texelFetch(radiance, ivec2(gl_FragCoord.xy), 0).rgb;
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec3 value = texelFetch(radiance, pixel, 0).rgb;
+    if (!isNeutral) { value = balance * value; }
     vec3 rgb = vec3(toneInput(value.r), toneInput(value.g), toneInput(value.b));
     if (toneMap == 0) {
         rgb = clamp(rgb, 0.0, 1.0);
@@ -69,6 +81,11 @@ void main() {
         rgb = encoded(reinhard(rgb));
     } else {
         rgb = encoded(softHighlights(rgb));
+    }
+    if (dithers) {
+        rgb = clamp(rgb, 0.0, 1.0);
+        vec3 offset = vec3(ditherOffset(pixel, 0), ditherOffset(pixel, 1), ditherOffset(pixel, 2));
+        rgb += offset * vec3(greaterThan(rgb, vec3(0.0)));
     }
     displayColor = vec4(rgb, 1.0);
 }

@@ -149,8 +149,7 @@ Status saveImage(const std::string& path, const FilmSnapshot& snapshot, const Sc
     return format->save(path, {.display =
                                    [&] {
                                        return toneMapImage(snapshot.radiance.data(), snapshot.width,
-                                                           snapshot.height, options.exposureStops,
-                                                           options.toneMap, options.threads);
+                                                           snapshot.height, options.look, options.threads);
                                    },
                                .radiance =
                                    [&] {

@@ -14,8 +14,7 @@
 namespace glint {
 
 struct ImageOptions {
-    float exposureStops = 0.0f;                  ///< PNG only
-    ToneMap toneMap = ToneMap::Srgb;             ///< PNG only
+    DisplayLook look{};                          ///< PNG only
     ExrPixelType exrColor = ExrPixelType::Half;  ///< Half or Float, for radiance, albedo and normals
     uint32_t aovs = 0;  ///< EXR only: bits of Aov; those the snapshot does not carry are an error
     int threads = 0;

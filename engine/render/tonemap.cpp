@@ -48,19 +48,21 @@ Vec3 toneMapped(Vec3 radiance, float exposureStops, ToneMap map) {
     return x;
 }
 
-Image8 toneMapImage(const float* radianceRgb, int width, int height, float exposureStops, ToneMap map,
-                    int threads) {
+Image8 toneMapImage(const float* radianceRgb, int width, int height, const DisplayLook& look, int threads) {
     Image8 out{.width = width, .height = height, .rgb = {}};
     out.rgb.resize(size_t{3} * static_cast<size_t>(width) * static_cast<size_t>(height));
+    const ToneMapper toned(look);
     parallelChunks(height, 16, threads, [&](int64_t beginRow, int64_t endRow) {
-        const size_t rowSize = size_t{3} * static_cast<size_t>(width);
-        for (size_t i = static_cast<size_t>(beginRow) * rowSize; i < static_cast<size_t>(endRow) * rowSize;
-             i += 3) {
-            const Vec3 display =
-                toneMapped({radianceRgb[i], radianceRgb[i + 1], radianceRgb[i + 2]}, exposureStops, map);
-            out.rgb[i] = displayByte(display.x);
-            out.rgb[i + 1] = displayByte(display.y);
-            out.rgb[i + 2] = displayByte(display.z);
+        for (int y = static_cast<int>(beginRow); y < static_cast<int>(endRow); ++y) {
+            for (int x = 0; x < width; ++x) {
+                const size_t i =
+                    3 * (static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x));
+                const Vec3 display = toned({radianceRgb[i], radianceRgb[i + 1], radianceRgb[i + 2]});
+                for (int c = 0; c < 3; ++c) {
+                    const float offset = look.dithers ? ditherOffset(x, y, c) : 0.0f;
+                    out.rgb[i + static_cast<size_t>(c)] = displayByte(display[c], offset);
+                }
+            }
         }
     });
     return out;

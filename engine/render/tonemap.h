@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "engine/math/color.h"
+#include "engine/render/white_balance.h"
 #include "engine/scene/image.h"
 
 namespace glint {
@@ -84,14 +85,49 @@ constexpr float kMaxToneInput = 1e6f;
 /// becomes 0), then the operator.
 Vec3 toneMapped(Vec3 radiance, float exposureStops, ToneMap map);
 
-/// The byte that is stored for a display value: floor(255 v + 0.5) with v cut to [0, 1]; 0 for NaN.
-inline uint8_t displayByte(float v) {
-    return v > 0.0f ? static_cast<uint8_t>(std::floor(255.0f * std::min(v, 1.0f) + 0.5f)) : uint8_t{0};
+/// All that stands between radiance and the bytes of a screen.
+struct DisplayLook {
+    float exposureStops = 0.0f;
+    ToneMap toneMap = ToneMap::Srgb;
+    WhiteBalance white{};
+    bool dithers = false;  ///< of pictures alone: bytes are rounded by ditherOffset()
+
+    bool operator==(const DisplayLook&) const = default;
+};
+
+/// toneMapped() of many pixels, after the look's white balance.
+class ToneMapper {
+  public:
+    explicit ToneMapper(const DisplayLook& look)
+        : look_(look), isNeutral_(look.white.isNeutral()), balance_(whiteBalanceMatrix(look.white)) {}
+    Vec3 operator()(const Vec3& radiance) const {
+        return toneMapped(isNeutral_ ? radiance : balance_ * radiance, look_.exposureStops, look_.toneMap);
+    }
+
+  private:
+    DisplayLook look_;
+    bool isNeutral_;
+    Mat3 balance_;
+};
+
+/// What is added to 255 times the display value of a pixel's channel before it is rounded, in [-0.5, 0.5):
+/// interleaved gradient noise (Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced
+/// Warfare"), so that gradients show no steps. 0 and 1 stay what they are.
+inline float ditherOffset(int x, int y, int channel) {
+    const float along = 0.06711056f * static_cast<float>(x + 23 * channel) +
+                        0.00583715f * static_cast<float>(y + 47 * channel);
+    const float scaled = 52.9829189f * (along - std::floor(along));
+    return scaled - std::floor(scaled) - 0.5f;
+}
+
+/// The byte that is stored for a display value: floor(255 v + 0.5 + offset) with v cut to [0, 1]; 0 for NaN.
+inline uint8_t displayByte(float v, float offset = 0.0f) {
+    return v > 0.0f ? static_cast<uint8_t>(std::floor(255.0f * std::min(v, 1.0f) + 0.5f + offset))
+                    : uint8_t{0};
 }
 
 /// The whole picture, 3 floats a pixel, row 0 at the top, on `threads` threads (0: all).
-Image8 toneMapImage(const float* radianceRgb, int width, int height, float exposureStops, ToneMap map,
-                    int threads);
+Image8 toneMapImage(const float* radianceRgb, int width, int height, const DisplayLook& look, int threads);
 
 /// False colours, in [0, 1]. A unit vector: 0.5 v + 0.5, and black for the zero vector (nothing hit).
 Vec3 normalColor(const Vec3& unitOrZero);

@@ -75,7 +75,7 @@ class ImageFolder {
 
     Status save(const std::string& name, const ImageF& image) const {
         return savePng(path(name), toneMapImage(image.rgb.data(), image.width, image.height,
-                                                static_cast<float>(plan_.exposureStops), ToneMap::Srgb, 0));
+                                                {static_cast<float>(plan_.exposureStops)}, 0));
     }
 
     Status saveMap(const std::string& name, const ErrorMap& map) const {

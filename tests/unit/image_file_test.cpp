@@ -84,7 +84,7 @@ TEST(ImageFile, PngAndHdrAndRefusals) {
     const TempFolder folder;
     const FilmSnapshot snapshot = someSnapshot();
     const SceneDescription scene = someScene();
-    ASSERT_TRUE(saveImage(folder.path("a.png"), snapshot, scene, {.toneMap = ToneMap::Clamp}));
+    ASSERT_TRUE(saveImage(folder.path("a.png"), snapshot, scene, {.look = {.toneMap = ToneMap::Clamp}}));
     const auto png = loadImage8(folder.path("a.png"));
     ASSERT_TRUE(png);
     EXPECT_EQ((*png)->rgb[5], 128);   // 0.5 * 255 + 0.5

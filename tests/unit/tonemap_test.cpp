@@ -89,8 +89,8 @@ TEST(ToneMap, ImageEqualsPixelsOnAnyNumberOfThreads) {
         radiance.push_back(0.001f * static_cast<float>((i * 7919) % 3001));
     }
     for (const ToneMap map : kAll) {
-        const Image8 one = toneMapImage(radiance.data(), kWidth, kHeight, 0.5f, map, 1);
-        EXPECT_EQ(toneMapImage(radiance.data(), kWidth, kHeight, 0.5f, map, 3).rgb, one.rgb);
+        const Image8 one = toneMapImage(radiance.data(), kWidth, kHeight, {0.5f, map}, 1);
+        EXPECT_EQ(toneMapImage(radiance.data(), kWidth, kHeight, {0.5f, map}, 3).rgb, one.rgb);
         for (size_t i = 0; i < one.rgb.size(); i += 3) {
             const Vec3 expected = toneMapped({radiance[i], radiance[i + 1], radiance[i + 2]}, 0.5f, map);
             for (int c = 0; c < 3; ++c) {

@@ -18,7 +18,7 @@ TEST(Histogram, CountsWhatIsShown) {
     snapshot.height = 1;
     // Black, white, a red that is cut, and half of white, linear.
     snapshot.radiance = {0, 0, 0, 1, 1, 1, 9, 0, 0, 0.5f, 0.5f, 0.5f};
-    const Histogram histogram = histogramOf(snapshot, 0.0f, ToneMap::Clamp);
+    const Histogram histogram = histogramOf(snapshot, {0.0f, ToneMap::Clamp});
     EXPECT_FLOAT_EQ(histogram.black, 0.25f);
     EXPECT_FLOAT_EQ(histogram.white, 0.5f);
     EXPECT_FLOAT_EQ(histogram.bins[0].front(), 0.25f);
@@ -26,10 +26,10 @@ TEST(Histogram, CountsWhatIsShown) {
     EXPECT_FLOAT_EQ(histogram.bins[0].back(), 0.5f);
     EXPECT_FLOAT_EQ(histogram.bins[2][32], 0.25f);
     // A stop more cuts the grey too.
-    EXPECT_FLOAT_EQ(histogramOf(snapshot, 1.0f, ToneMap::Clamp).white, 0.75f);
+    EXPECT_FLOAT_EQ(histogramOf(snapshot, {1.0f, ToneMap::Clamp}).white, 0.75f);
     FilmSnapshot large;
     large.radiance.assign(size_t{3} << 20, 0.2f);
-    EXPECT_NEAR(histogramOf(large, 0.0f, ToneMap::Clamp).bins[0][12], 1.0f, 1e-3f)
+    EXPECT_NEAR(histogramOf(large, {0.0f, ToneMap::Clamp}).bins[0][12], 1.0f, 1e-3f)
         << "all pixels have a share";
 }
 

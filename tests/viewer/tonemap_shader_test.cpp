@@ -42,9 +42,9 @@ TEST(ToneMapShader, AgreesWithTheProcessorsToOneStep) {
     for (int map = 0; map < kToneMapCount; ++map) {
         for (const float stops : {-10.0f, -1.5f, 0.0f, 0.3333f, 3.0f, 10.0f}) {
             const auto toneMap = static_cast<ToneMap>(map);
-            (*display)->update({stops, toneMap});
+            (*display)->update({.exposureStops = stops, .toneMap = toneMap});
             const std::vector<uint8_t> shown = (*display)->readBack();
-            const Image8 saved = toneMapImage(image.data(), kWidth, kHeight, stops, toneMap, 1);
+            const Image8 saved = toneMapImage(image.data(), kWidth, kHeight, {stops, toneMap}, 1);
             ASSERT_EQ(shown.size(), saved.rgb.size());
             int largest = 0;
             for (size_t i = 0; i < shown.size(); ++i) {
@@ -53,6 +53,33 @@ TEST(ToneMapShader, AgreesWithTheProcessorsToOneStep) {
             EXPECT_LE(largest, 1) << toneMapName(toneMap) << " at " << stops << " stops";
             EXPECT_NE(*std::max_element(shown.begin(), shown.end()), 0);
         }
+    }
+}
+
+TEST(ToneMapShader, BalancesAndDithersAsTheProcessorDoes) {
+    const auto surface = makeHeadlessSurface({.width = 64, .height = 64});
+    ASSERT_TRUE(surface) << surface.error().format();
+    const auto display = ImageDisplay::create((*surface)->gl());
+    ASSERT_TRUE(display) << display.error().format();
+    const std::vector<float> image = testImage();
+    (*display)->upload(image.data(), kWidth, kHeight, false);
+    for (const DisplayLook& look :
+         {DisplayLook{.white = {3000.0f, 20.0f}}, DisplayLook{.white = {12000.0f, -60.0f}},
+          DisplayLook{.exposureStops = 1.0f, .dithers = true}}) {
+        (*display)->update(look);
+        const std::vector<uint8_t> shown = (*display)->readBack();
+        const Image8 saved = toneMapImage(image.data(), kWidth, kHeight, look, 1);
+        const Image8 plain = toneMapImage(image.data(), kWidth, kHeight, {look.exposureStops}, 1);
+        int largest = 0;
+        size_t like = 0, likePlain = 0;
+        for (size_t i = 0; i < shown.size(); ++i) {
+            largest = std::max(largest, std::abs(shown[i] - saved.rgb[i]));
+            like += shown[i] == saved.rgb[i] ? 1 : 0;
+            likePlain += shown[i] == plain.rgb[i] ? 1 : 0;
+        }
+        EXPECT_LE(largest, 1);
+        EXPECT_GT(like, likePlain);
+        EXPECT_GT(like, shown.size() * 9 / 10);
     }
 }
 
@@ -66,10 +93,10 @@ TEST(ToneMapShader, ColorsPassUnchangedAndRadianceComesBack) {
     const std::vector<float> radiance{1.0f, 1.0f, 1.0f, 0.0f, 0.0f, 0.0f};
     for (int turn = 0; turn < 2; ++turn) {
         (*display)->uploadColors(rgba.data(), 2, 1, false);
-        (*display)->update({5.0f, ToneMap::Filmic});
+        (*display)->update({.exposureStops = 5.0f, .toneMap = ToneMap::Filmic});
         EXPECT_THAT((*display)->readBack(), testing::ElementsAre(0, 64, 255, 128, 191, 26));
         (*display)->upload(radiance.data(), 2, 1, false);
-        (*display)->update({0.0f, ToneMap::Clamp});
+        (*display)->update({.toneMap = ToneMap::Clamp});
         EXPECT_THAT((*display)->readBack(), testing::ElementsAre(255, 255, 255, 0, 0, 0));
     }
 }

@@ -67,6 +67,20 @@ void addImageOptions(const Command& command, RenderCommandOptions* o) {
         .oneOf({"clamp", "srgb", "filmic", "reinhard", "soft"})
         .group(group);
     command
+        .option(
+            "--white-balance", &o->white.kelvin,
+            "PNG: temperature of the light that is shown white, in K; by default 6504, which changes nothing")
+        .between(kLeastKelvin, kMostKelvin)
+        .typeName("K")
+        .group(group);
+    command.option("--tint", &o->white.tint, "PNG: above 0 takes green out of the white, below 0 adds it")
+        .between(-kMostTint, kMostTint)
+        .group(group);
+    command
+        .flag("--dither", &o->dither,
+              "PNG: round to 8 bits by a fine pattern, so that gradients show no steps")
+        .group(group);
+    command
         .option("--aov", &o->aovs,
                 "EXR: more layers: albedo, normal, geometric-normal, depth, object-id, material-id, "
                 "boxes-tested, triangles-tested, newton-steps, standard-error, bias, error-bound")

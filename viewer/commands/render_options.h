@@ -27,6 +27,8 @@ struct RenderCommandOptions {
     std::optional<float> exposure;  ///< nothing: chosen by the picture
     bool noAutoExposure = false;
     bool denoise = false;
+    WhiteBalance white{};
+    bool dither = false;
     std::string tone;  ///< empty: sRGB, or the original's
     std::string checkpoint;
     std::string checkpointEvery;

@@ -4,6 +4,13 @@
 
 namespace glint {
 
+void DisplaySettings::take(const DisplayLook& look) {
+    exposureStops = look.exposureStops;
+    toneMap = look.toneMap;
+    white = look.white;
+    dithers = look.dithers;
+}
+
 IntegratorKind DisplaySettings::otherOf(IntegratorKind own) const {
     if (comparedWith && *comparedWith != own) { return *comparedWith; }
     const auto isOther = [own](const IntegratorInfo& info) { return info.kind != own; };

@@ -35,6 +35,8 @@ struct DisplaySettings {
     bool autoExposure = true;  ///< a scene that is opened gets the exposure that its first picture needs
     float chosenExposureStops = 0.0f;  ///< for the scene that is open
     ToneMap toneMap = ToneMap::Srgb;
+    WhiteBalance white{};
+    bool dithers = false;
     bool denoises = false;  ///< the radiance is shown and saved without its noise
     ShownImage shown = ShownImage::Radiance;
     ImageFraming framing;
@@ -46,6 +48,8 @@ struct DisplaySettings {
     /// one of the table.
     std::optional<IntegratorKind> comparedWith{};
 
+    DisplayLook look() const { return {exposureStops, toneMap, white, dithers}; }
+    void take(const DisplayLook& look);
     IntegratorKind otherOf(IntegratorKind own) const;
     ComparedPair pairOf(IntegratorKind own) const;
 };

@@ -148,13 +148,13 @@ std::vector<uint8_t> falseColors(const FilmSnapshot& snapshot, ShownImage shown,
     return colors.take();
 }
 
-std::vector<uint8_t> toneMappedColors(const FilmSnapshot& snapshot, float exposureStops, ToneMap map) {
-    ColorWriter colors(snapshot.radiance.size() / 3);
-    for (size_t i = 0; i + 2 < snapshot.radiance.size(); i += 3) {
-        const Vec3 radiance(snapshot.radiance[i], snapshot.radiance[i + 1], snapshot.radiance[i + 2]);
-        colors.add(toneMapped(radiance, exposureStops, map));
+std::vector<uint8_t> toneMappedColors(const FilmSnapshot& snapshot, const DisplayLook& look) {
+    const Image8 image = toneMapImage(snapshot.radiance.data(), snapshot.width, snapshot.height, look, 1);
+    std::vector<uint8_t> rgba(image.rgb.size() / 3 * 4, 255);
+    for (size_t i = 0; 3 * i < image.rgb.size(); ++i) {
+        std::copy_n(&image.rgb[3 * i], 3, &rgba[4 * i]);
     }
-    return colors.take();
+    return rgba;
 }
 
 }  // namespace glint

@@ -28,6 +28,6 @@ std::vector<uint8_t> falseColors(const FilmSnapshot& snapshot, ShownImage shown,
 std::vector<uint8_t> mapColors(const std::vector<float>& values, MapColors how, MapScale* scale);
 
 /// The radiance as the shader shows it, 4 bytes a pixel.
-std::vector<uint8_t> toneMappedColors(const FilmSnapshot& snapshot, float exposureStops, ToneMap map);
+std::vector<uint8_t> toneMappedColors(const FilmSnapshot& snapshot, const DisplayLook& look);
 
 }  // namespace glint

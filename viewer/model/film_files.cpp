@@ -26,9 +26,7 @@ std::shared_ptr<FilmSnapshot> snapshotOf(const SessionCapture& capture, bool den
     return denoised ? denoised : snapshot;
 }
 
-ImageOptions optionsOf(const DisplaySettings& display) {
-    return {.exposureStops = display.exposureStops, .toneMap = display.toneMap};
-}
+ImageOptions optionsOf(const DisplaySettings& display) { return {.look = display.look()}; }
 
 double secondsNow() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();

@@ -7,7 +7,8 @@ constexpr size_t kMostPixels = 1 << 16;  // about 3 ms
 
 }  // namespace
 
-Histogram histogramOf(const FilmSnapshot& snapshot, float exposureStops, ToneMap map) {
+Histogram histogramOf(const FilmSnapshot& snapshot, const DisplayLook& look) {
+    const ToneMapper toned(look);
     Histogram histogram;
     const size_t pixels = snapshot.radiance.size() / 3;
     const size_t step = pixels / kMostPixels + 1;
@@ -15,7 +16,7 @@ Histogram histogramOf(const FilmSnapshot& snapshot, float exposureStops, ToneMap
     const float share = count > 0 ? 1.0f / static_cast<float>(count) : 0.0f;
     for (size_t i = 0; i < pixels; i += step) {
         const float* rgb = snapshot.radiance.data() + 3 * i;
-        const Vec3 shown = toneMapped({rgb[0], rgb[1], rgb[2]}, exposureStops, map);
+        const Vec3 shown = toned({rgb[0], rgb[1], rgb[2]});
         int sum = 0;
         bool isWhite = false;
         for (int c = 0; c < 3; ++c) {

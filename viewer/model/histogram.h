@@ -17,6 +17,6 @@ struct Histogram {
 };
 
 /// Of the radiance as it is shown; of large pictures some of the pixels, evenly spread.
-Histogram histogramOf(const FilmSnapshot& snapshot, float exposureStops, ToneMap map);
+Histogram histogramOf(const FilmSnapshot& snapshot, const DisplayLook& look);
 
 }  // namespace glint

@@ -17,8 +17,7 @@ struct Inspector {
     // The histogram, and what it is of.
     Histogram histogram{};
     std::shared_ptr<const FilmSnapshot> histogramOf{};
-    float exposureStops = 0.0f;
-    ToneMap toneMap = ToneMap::Srgb;
+    DisplayLook look{};
 };
 
 }  // namespace glint

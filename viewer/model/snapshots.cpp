@@ -24,14 +24,12 @@ std::string summaryOf(const FilmSnapshot& picture) {
 bool Snapshots::keep(const std::shared_ptr<const FilmSnapshot>& picture,
                      std::shared_ptr<const SceneDescription> scene, const DisplaySettings& display) {
     if (!picture || picture->radiance.empty() || picture->previewScale > 1) { return false; }
-    kept_.push_back(
-        {.number = ++lastNumber_,
-         .summary = summaryOf(*picture),
-         .picture = picture,
-         .scene = std::move(scene),
-         .exposureStops = display.exposureStops,
-         .toneMap = display.toneMap,
-         .thumbnail = makeThumbnail(*picture, display.exposureStops, display.toneMap, kThumbnailSide)});
+    kept_.push_back({.number = ++lastNumber_,
+                     .summary = summaryOf(*picture),
+                     .picture = picture,
+                     .scene = std::move(scene),
+                     .look = display.look(),
+                     .thumbnail = makeThumbnail(*picture, display.look(), kThumbnailSide)});
     return true;
 }
 

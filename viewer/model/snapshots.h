@@ -19,8 +19,7 @@ struct KeptPicture {
     std::string summary;  ///< integrator, passes, time and error
     std::shared_ptr<const FilmSnapshot> picture;
     std::shared_ptr<const SceneDescription> scene;
-    float exposureStops = 0.0f;
-    ToneMap toneMap = ToneMap::Srgb;
+    DisplayLook look{};
     Thumbnail thumbnail;
     unsigned int texture = 0;  ///< of the thumbnail, made by who draws; 0: not yet
 

@@ -18,7 +18,8 @@ Vec3 meanOf(const FilmSnapshot& picture, int x0, int y0, int x1, int y1) {
 
 }  // namespace
 
-Thumbnail makeThumbnail(const FilmSnapshot& picture, float exposureStops, ToneMap toneMap, int side) {
+Thumbnail makeThumbnail(const FilmSnapshot& picture, const DisplayLook& look, int side) {
+    const ToneMapper toned(look);
     const int longest = std::max(picture.width, picture.height);
     const auto scaled = [&](int length) { return std::max(1, length * std::min(side, longest) / longest); };
     Thumbnail out{scaled(picture.width), scaled(picture.height), {}};
@@ -27,7 +28,7 @@ Thumbnail makeThumbnail(const FilmSnapshot& picture, float exposureStops, ToneMa
             const Vec3 mean =
                 meanOf(picture, x * picture.width / out.width, y * picture.height / out.height,
                        (x + 1) * picture.width / out.width, (y + 1) * picture.height / out.height);
-            const Vec3 shown = toneMapped(mean, exposureStops, toneMap);
+            const Vec3 shown = toned(mean);
             for (int c = 0; c < 3; ++c) {
                 out.rgba.push_back(displayByte(shown[c]));
             }

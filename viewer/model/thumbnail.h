@@ -16,6 +16,6 @@ struct Thumbnail {
 };
 
 /// Means of the picture's pixels, in a square of that side.
-Thumbnail makeThumbnail(const FilmSnapshot& picture, float exposureStops, ToneMap toneMap, int side);
+Thumbnail makeThumbnail(const FilmSnapshot& picture, const DisplayLook& look, int side);
 
 }  // namespace glint

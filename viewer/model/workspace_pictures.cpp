@@ -36,8 +36,7 @@ void Workspace::refreshDifference() {
 
 /// The scene of a picture that was kept, as an edit or as another scene that is opened.
 void Workspace::openSceneOf(const KeptPicture& kept) {
-    display.exposureStops = kept.exposureStops;
-    display.toneMap = kept.toneMap;
+    display.take(kept.look);
     if (kept.scene->path == document.draft().path) {
         document.draft() = *kept.scene;
         document.nameEdit("Back to " + kept.name());

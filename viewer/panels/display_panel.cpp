@@ -86,6 +86,19 @@ void draw(DisplaySettings* display, const SceneDocument* document, const Converg
     if (ui::choice("Tone map", &toneMap, kToneMaps, "From radiance to the screen; never restarts")) {
         display->toneMap = static_cast<ToneMap>(toneMap);
     }
+    ui::number("White", &display->white.kelvin,
+               {.format = "%.0f K",
+                .min = kLeastKelvin,
+                .max = kMostKelvin,
+                .slider = true,
+                .tooltip = "Temperature of the light that is shown white; 6504 K changes nothing"});
+    ui::number("Tint", &display->white.tint,
+               {.format = "%+.0f",
+                .min = -kMostTint,
+                .max = kMostTint,
+                .slider = true,
+                .tooltip = "To the right less green, to the left more"});
+    ui::toggle("Dither", &display->dithers, "Rounds to 8 bits by a fine pattern: gradients show no steps");
     ui::toggle(
         "Denoise", &display->denoises,
         "Shows and saves the radiance without its noise, guided by albedo, normals and depth: quickly while "

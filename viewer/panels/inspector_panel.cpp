@@ -49,13 +49,13 @@ std::string nameOf(const std::vector<Item>& items, uint32_t number, const char* 
 
 void drawColors(const FilmSnapshot& snapshot, const DisplaySettings& display, Vec2i pixel) {
     const auto [linear, index] = colorAt(snapshot, pixel);
-    const Vec3 shown = toneMapped(linear, display.exposureStops, display.toneMap);
+    const Vec3 shown = ToneMapper(display.look())(linear);
     const std::array<int, 3> bytes{displayByte(shown.x), displayByte(shown.y), displayByte(shown.z)};
     ui::value("Linear", numbersText(linear), "Radiance, Rec.709 primaries, W/(sr m²)");
     ui::value("Shown",
               fmt::format("{} {} {}   #{:02x}{:02x}{:02x}", bytes[0], bytes[1], bytes[2], bytes[0], bytes[1],
                           bytes[2]),
-              "With exposure and tone map");
+              "With white balance, exposure and tone map");
     const float l = luminance(linear);
     const bool hasError =
         index < snapshot.standardError.size() && std::isfinite(snapshot.standardError[index]);
@@ -85,14 +85,11 @@ void drawHit(const RenderControl& render, const SceneDescription& scene, Vec2i p
 
 void refreshHistogram(const RenderControl& render, const DisplaySettings& display, Inspector* inspector) {
     const auto& snapshot = render.snapshot();
-    const bool isSame = inspector->histogramOf == snapshot &&
-                        inspector->exposureStops == display.exposureStops &&
-                        inspector->toneMap == display.toneMap;
-    if (isSame) { return; }
+    const DisplayLook look = display.look();
+    if (inspector->histogramOf == snapshot && inspector->look == look) { return; }
     inspector->histogramOf = snapshot;
-    inspector->exposureStops = display.exposureStops;
-    inspector->toneMap = display.toneMap;
-    inspector->histogram = histogramOf(*snapshot, display.exposureStops, display.toneMap);
+    inspector->look = look;
+    inspector->histogram = histogramOf(*snapshot, look);
 }
 
 /// Roots, so that little is seen too.

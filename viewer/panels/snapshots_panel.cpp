@@ -48,7 +48,7 @@ void drawKept(const KeptPicture& kept, const SceneDocument& document, Snapshots*
         const size_t count = listDifferences(*kept.scene, *document.posted()).size();
         const std::string differs =
             count == 1 ? "1 setting differs" : fmt::format("{} settings differ", count);
-        ui::hint(fmt::format("{:+.2f} stops, {} from the scene as it is now", kept.exposureStops,
+        ui::hint(fmt::format("{:+.2f} stops, {} from the scene as it is now", kept.look.exposureStops,
                              count == 0 ? "nothing differs" : differs)
                      .c_str());
     }

@@ -50,6 +50,7 @@ namespace glint {
     X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)         \
     X(PFNGLUNIFORM1FPROC, Uniform1f)                           \
     X(PFNGLUNIFORM1IPROC, Uniform1i)                           \
+    X(PFNGLUNIFORMMATRIX3FVPROC, UniformMatrix3fv)             \
     X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)               \
     X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)         \
     X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)               \

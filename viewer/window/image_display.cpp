@@ -82,6 +82,9 @@ Status ImageDisplay::init() {
     program_ = *program;
     exposureLocation_ = gl_.GetUniformLocation(program_, "exposureStops");
     toneMapLocation_ = gl_.GetUniformLocation(program_, "toneMap");
+    isNeutralLocation_ = gl_.GetUniformLocation(program_, "isNeutral");
+    balanceLocation_ = gl_.GetUniformLocation(program_, "balance");
+    dithersLocation_ = gl_.GetUniformLocation(program_, "dithers");
     gl_.GenVertexArrays(1, &vertexArray_);
     gl_.GenFramebuffers(1, &framebuffer_);
     radianceTexture_ = makeTexture(gl_, GL_NEAREST);
@@ -135,7 +138,7 @@ void ImageDisplay::uploadColors(const uint8_t* rgba, int width, int height, bool
     hasRadiance_ = false;
 }
 
-void ImageDisplay::update(const Look& look) {
+void ImageDisplay::update(const DisplayLook& look) {
     if (!hasRadiance_ || (!stale_ && look == look_)) { return; }
     look_ = look;
     stale_ = false;
@@ -147,6 +150,10 @@ void ImageDisplay::update(const Look& look) {
     gl_.UseProgram(program_);
     gl_.Uniform1f(exposureLocation_, look.exposureStops);
     gl_.Uniform1i(toneMapLocation_, static_cast<int>(look.toneMap));
+    gl_.Uniform1i(isNeutralLocation_, look.white.isNeutral() ? 1 : 0);
+    const Mat3 balance = whiteBalanceMatrix(look.white);
+    gl_.UniformMatrix3fv(balanceLocation_, 1, GL_FALSE, &balance[0][0]);
+    gl_.Uniform1i(dithersLocation_, look.dithers ? 1 : 0);
     gl_.ActiveTexture(GL_TEXTURE0);
     gl_.BindTexture(GL_TEXTURE_2D, radianceTexture_);
     gl_.BindVertexArray(vertexArray_);

@@ -29,14 +29,8 @@ class ImageDisplay {
     /// Colours as the screen shows them, 4 bytes a pixel; the look does not touch them.
     void uploadColors(const uint8_t* rgba, int width, int height, bool smooth);
 
-    /// How the texture becomes display values.
-    struct Look {
-        float exposureStops = 0.0f;
-        ToneMap toneMap = ToneMap::Srgb;
-        bool operator==(const Look&) const = default;
-    };
     /// Draws the tone-mapped copy if the radiance or the look is new.
-    void update(const Look& look);
+    void update(const DisplayLook& look);
 
     /// Texture name of the tone-mapped copy; its first row is the picture's top row. 0 before the
     /// first upload.
@@ -62,6 +56,9 @@ class ImageDisplay {
     unsigned int displayTexture_ = 0;
     int exposureLocation_ = -1;
     int toneMapLocation_ = -1;
+    int isNeutralLocation_ = -1;
+    int balanceLocation_ = -1;
+    int dithersLocation_ = -1;
     int width_ = 0;
     int height_ = 0;
     int radianceWidth_ = 0;  ///< of the float texture
@@ -69,7 +66,7 @@ class ImageDisplay {
     bool isSoftware_ = false;
     bool stale_ = false;        ///< the float texture is newer than its copy
     bool hasRadiance_ = false;  ///< what is shown comes from the float texture
-    Look look_;
+    DisplayLook look_;
 };
 
 }  // namespace glint

@@ -46,10 +46,8 @@ void ImagePanes::takeColors(Workspace* workspace) {
 void ImagePanes::show(Workspace* workspace) {
     const DisplaySettings& settings = workspace->display;
     const bool isComparing = workspace->isComparing();
-    ShownImageSource::Wanted wanted{workspace->ownPicture(),
-                                    settings.shown,
-                                    workspace->convergence.usableReference(),
-                                    {settings.exposureStops, settings.toneMap}};
+    ShownImageSource::Wanted wanted{workspace->ownPicture(), settings.shown,
+                                    workspace->convergence.usableReference(), settings.look()};
     own.source.show(wanted, nullptr, own.display.get());
     if (isComparing) {
         wanted.snapshot = workspace->otherPicture();

@@ -29,8 +29,7 @@ bool isSame(const MapScale& a, const MapScale& b) {
 ShownImageSource::Colors ShownImageSource::colored(Wanted of, ShownImage image, MapScale scale) {
     Colors colors{std::move(of), image, scale, {}};
     if (image == ShownImage::Radiance) {
-        const ImageDisplay::Look& look = colors.of.look;
-        colors.rgba = toneMappedColors(*colors.of.snapshot, look.exposureStops, look.toneMap);
+        colors.rgba = toneMappedColors(*colors.of.snapshot, colors.of.look);
     } else {
         colors.rgba = falseColors(*colors.of.snapshot, image, colors.of.reference.get(), &colors.scale);
     }

@@ -21,7 +21,7 @@ class ShownImageSource {
         std::shared_ptr<const FilmSnapshot> snapshot;
         ShownImage shown = ShownImage::Radiance;
         std::shared_ptr<const LoadedReference> reference;
-        ImageDisplay::Look look;
+        DisplayLook look;
     };
 
     /// Once a frame; uploads only what is new. A null snapshot leaves the picture as it is. `alongside`:
