@@ -43,7 +43,9 @@ PbrtShapes::Piece PbrtShapes::pieceOf(const std::string& kind, const Wish& wish)
         return ofMesh(meshes_.triangles(wish.params, wish.isTextured, isReversed), wish);
     }
     if (kind == "plymesh") { return ofMesh(meshes_.file(wish.params, wish.isTextured, isReversed), wish); }
-    if (const auto place = kind == "bilinearmesh" ? PbrtMeshes::rectangle(wish.params) : std::nullopt) {
+    // Glint's rectangles turn their textures over with them.
+    const bool mayBeRectangle = kind == "bilinearmesh" && !(isReversed && wish.isTextured);
+    if (const auto place = mayBeRectangle ? PbrtMeshes::rectangle(wish.params) : std::nullopt) {
         return rectangle(*place, wish);
     }
     if (kind == "bilinearmesh") { return ofMesh(meshes_.patches(wish.params, isReversed), wish); }

@@ -93,7 +93,13 @@ TEST_F(PbrtShapesTest, BilinearMeshesAreSplit) {
     expectNear(rectangle.objectToWorld.point(Vec3(1, -1, 0)), Vec3(2, 0, 0), 1e-6f);
     expectNear(rectangle.objectToWorld.point(Vec3(-1, 1, 0)), Vec3(0, 1, 0), 1e-6f);
     EXPECT_GT(rectangle.objectToWorld.determinant(), 0.0f);
-    MeshData mesh = meshOf("Shape \"bilinearmesh\" \"point3 P\" [0 0 0  2 0 0  0 1 0  3 1 0]");
+    // A picture keeps its place when its rectangle's front is the other side.
+    MeshData mesh =
+        meshOf(R"(Texture "t" "spectrum" "checkerboard" Material "diffuse" "texture reflectance" "t"
+ReverseOrientation Shape "bilinearmesh" "point3 P" [0 0 0  2 0 0  0 1 0  2 1 0])");
+    EXPECT_EQ(faceNormal(mesh), Vec3(0, 0, -1));
+    EXPECT_EQ(mesh.uvs.at(1), Vec2(1, 0));
+    mesh = meshOf("Shape \"bilinearmesh\" \"point3 P\" [0 0 0  2 0 0  0 1 0  3 1 0]");
     EXPECT_EQ(mesh.triangleCount(), 2u);
     EXPECT_NEAR(areaOf(mesh), 2.5, 1e-6);
     EXPECT_EQ(faceNormal(mesh), Vec3(0, 0, 1));
