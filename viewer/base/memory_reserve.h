@@ -6,6 +6,8 @@
 
 #include <sys/mman.h>
 
+#include "engine/render/checkpoint.h"
+
 namespace glint {
 
 class MemoryReserve {
@@ -29,5 +31,15 @@ class MemoryReserve {
     void* place_;
     size_t bytes_;
 };
+
+/// What saving a picture and a checkpoint takes at most: a copy of the film, and its forms on the way into a
+/// file.
+inline size_t bytesToSave(const SceneDescription& scene, bool hasLayers) {
+    const Resolution& size = scene.resolution;
+    const size_t pixels = static_cast<size_t>(size.width) * static_cast<size_t>(size.height);
+    const size_t bytesPerPixel = hasLayers ? 500 : 100;
+    return 2 * checkpointBytes(size.width, size.height, scene.options.integrator) + bytesPerPixel * pixels +
+           (size_t{16} << 20);
+}
 
 }  // namespace glint

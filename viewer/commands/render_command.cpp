@@ -11,6 +11,7 @@
 #include "viewer/base/run_files.h"
 #include "viewer/commands/command_line.h"
 #include "viewer/commands/commands.h"
+#include "viewer/commands/render_frames.h"
 #include "viewer/commands/render_run.h"
 
 namespace glint {
@@ -60,6 +61,7 @@ Status checkOutputs(const RenderCommandOptions& o, RunFiles* files) {
     files->reads("the scene", o.scene);
     // A checkpoint that is gone on from may become the longer one.
     if (!isSameFile(o.resume, o.checkpoint)) { files->reads("the checkpoint to go on from", o.resume); }
+    if (rendersFrames(o)) { return checkFrames(o, files); }
     for (const std::string& output : {o.output, o.checkpoint, o.json}) {
         if (Status writable = files->writes(output); !writable) { return writable; }
     }
@@ -88,7 +90,9 @@ int runCommand(const RenderCommandOptions& options) {
         return reportError(applied.error(), kExitBadInput);
     }
     if (!options.pixel.empty()) { return runReplay(*loaded, options); }
-    return runRender(std::make_shared<SceneDescription>(std::move(*loaded)), options, files, loadSeconds);
+    if (rendersFrames(options)) { return runFrames(*loaded, options, files, loadSeconds); }
+    return runRender(std::make_shared<SceneDescription>(std::move(*loaded)), options, files, loadSeconds)
+        .exitCode;
 }
 
 }  // namespace

@@ -114,6 +114,22 @@ void addCheckpointOptions(const Command& command, RenderCommandOptions* o) {
         .group(group);
 }
 
+void addFrameOptions(const Command& command, RenderCommandOptions* o) {
+    const std::string group = "Several pictures (OUT-000001.png ...), each with the limits above";
+    command.option("--turntable", &o->turntable, "N pictures of a whole turn around the camera's target")
+        .range(1u, 100000u)
+        .typeName("N")
+        .group(group);
+    command
+        .option(
+            "--flight", &o->flight,
+            "N pictures on a smooth way through the views that were bookmarked for the scene in the window")
+        .range(2u, 100000u)
+        .typeName("N")
+        .excludes("--turntable")
+        .group(group);
+}
+
 }  // namespace
 
 std::optional<float> statedExposure(const RenderCommandOptions& options) {
@@ -147,6 +163,7 @@ void addRenderOptions(const Command& command, RenderCommandOptions* o) {
     addLimits(command, o);
     addSceneOverrides(command, &o->overrides);
     addCheckpointOptions(command, o);
+    addFrameOptions(command, o);
     addLoadOptions(command, &o->load);
     command.option("--threads", &o->threads, "Render threads; all by default").range(1, 1024);
     command.option("--backend", &o->backend, "cpu or cuda");

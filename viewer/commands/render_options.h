@@ -26,6 +26,8 @@ struct RenderCommandOptions {
     bool exrFloat = false;
     std::optional<float> exposure;  ///< nothing: chosen by the picture
     bool noAutoExposure = false;
+    uint32_t turntable = 0;  ///< frames of a turn around the target; 0: one picture
+    uint32_t flight = 0;     ///< frames from bookmark to bookmark; 0: one picture
     bool denoise = false;
     WhiteBalance white{};
     bool dither = false;

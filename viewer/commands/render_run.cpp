@@ -42,7 +42,7 @@ class BatchRender {
           saves_(parseSaveInterval(options.checkpointEvery).value()),
           loadSeconds_(loadSeconds),
           limits_(finalLimits(options)),
-          reserve_(savingBytes(*scene_, options.denoise || !options.aovs.empty())) {
+          reserve_(bytesToSave(*scene_, options.denoise || !options.aovs.empty())) {
         const uint32_t asked = scene_->sppm.photonsPerPass;
         photonsPerPass_ = isSppm() ? planSppmMemory(*scene_).photonsPerPass : 0;
         if (isSppm() && photonsPerPass_ < asked) {
@@ -55,6 +55,8 @@ class BatchRender {
                        kMostPhotonScatterings, depth);
         }
     }
+
+    std::optional<float> exposure() const { return exposure_; }
 
     int run() {
         if (const int code = start(); code != kExitDone) { return code; }
@@ -262,15 +264,6 @@ class BatchRender {
         return saved ? kept : saved;
     }
 
-    /// What saving takes at most: a copy of the film, and its forms on the way into a file.
-    static size_t savingBytes(const SceneDescription& scene, bool hasLayers) {
-        const Resolution& size = scene.resolution;
-        const size_t pixels = static_cast<size_t>(size.width) * static_cast<size_t>(size.height);
-        const size_t bytesPerPixel = hasLayers ? 500 : 100;
-        return 2 * checkpointBytes(size.width, size.height, scene.options.integrator) +
-               bytesPerPixel * pixels + (size_t{16} << 20);
-    }
-
     std::shared_ptr<const SceneDescription> scene_;
     const RenderCommandOptions& options_;
     const RunFiles& files_;
@@ -292,9 +285,11 @@ class BatchRender {
 
 }  // namespace
 
-int runRender(std::shared_ptr<const SceneDescription> scene, const RenderCommandOptions& options,
-              const RunFiles& files, double loadSeconds) {
-    return BatchRender(std::move(scene), options, files, loadSeconds).run();
+RenderOutcome runRender(std::shared_ptr<const SceneDescription> scene, const RenderCommandOptions& options,
+                        const RunFiles& files, double loadSeconds) {
+    BatchRender render(std::move(scene), options, files, loadSeconds);
+    const int exitCode = render.run();
+    return {exitCode, render.exposure()};
 }
 
 }  // namespace glint

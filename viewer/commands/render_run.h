@@ -8,10 +8,15 @@
 
 namespace glint {
 
+struct RenderOutcome {
+    int exitCode;
+    std::optional<float> exposureStops;  ///< of its PNGs; nothing: there was none
+};
+
 /// Renders `scene` as `options` say and writes everything they name, but over none of the `files` that are
-/// read. Prints its own messages. Returns an exit code.
-int runRender(std::shared_ptr<const SceneDescription> scene, const RenderCommandOptions& options,
-              const RunFiles& files, double loadSeconds);
+/// read. Prints its own messages.
+RenderOutcome runRender(std::shared_ptr<const SceneDescription> scene, const RenderCommandOptions& options,
+                        const RunFiles& files, double loadSeconds);
 
 /// Prints the path of options.pixel in options.replayPass. Returns an exit code.
 int runReplay(const SceneDescription& scene, const RenderCommandOptions& options);

@@ -49,17 +49,6 @@ void removeFile(const std::string& file, int lock) {
 
 }  // namespace
 
-std::string SessionBackup::stateFolder() {
-    const auto variable = [](const char* name) {
-        const char* value = std::getenv(name);
-        return fs::path(value != nullptr ? value : "");
-    };
-    const fs::path state = variable("XDG_STATE_HOME");
-    // A relative one is to be ignored (XDG Base Directory Specification 0.8).
-    const fs::path base = state.is_absolute() ? state : variable("HOME") / ".local" / "state";
-    return (base / "glint").string();
-}
-
 void SessionBackup::begin(const std::string& folder, double seconds) {
     std::error_code problem;
     fs::create_directories(folder, problem);

@@ -44,9 +44,6 @@ class SessionBackup {
     std::string takeOver();
     void discard();
 
-    /// What the program keeps for the user from session to session (XDG): "~/.local/state/glint".
-    static std::string stateFolder();
-
   private:
     struct Locked {
         Leftover info;

@@ -9,10 +9,10 @@
 #include <string>
 
 #include "engine/render/first_hits.h"
+#include "viewer/base/camera_bookmarks.h"
 #include "viewer/base/job_queue.h"
 #include "viewer/base/run_files.h"
 #include "viewer/model/asset_reader.h"
-#include "viewer/model/camera_bookmarks.h"
 #include "viewer/model/convergence_watch.h"
 #include "viewer/model/curve_export.h"
 #include "viewer/model/denoised_picture.h"

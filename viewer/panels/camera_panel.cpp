@@ -4,7 +4,7 @@
 
 #include <imgui.h>
 
-#include "viewer/model/camera_bookmarks.h"
+#include "viewer/base/camera_bookmarks.h"
 #include "viewer/model/camera_controller.h"
 #include "viewer/model/scene_document.h"
 #include "viewer/panels/panel.h"

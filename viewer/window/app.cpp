@@ -15,6 +15,7 @@
 #include "engine/io/image_io.h"
 #include "viewer/base/interrupt.h"
 #include "viewer/base/progress.h"
+#include "viewer/base/state_folder.h"
 #include "viewer/ui/theme.h"
 #include "viewer/ui/widgets.h"
 #include "viewer/window/frame_pacer.h"
@@ -114,13 +115,12 @@ Status App::open(std::optional<SceneDescription> scene) {
     uint32_t& passLimit = workspace_.render.request.limits.passes;
     passLimit = options_.passes;
     if (options_.headless && !options_.script) {
-        if (passLimit == 0) { passLimit = kHeadlessPasses; }
+        passLimit = passLimit > 0 ? passLimit : kHeadlessPasses;
         progress_.emplace();
     }
     workspace_.sceneFiles.dialog.usesDesktop = !options_.headless;
     workspace_.display.autoExposure = !options_.noAutoExposure;
-    if (options_.recoverySeconds > 0.0) {
-        const std::string folder = SessionBackup::stateFolder();
+    if (const std::string folder = stateFolder(); options_.recoverySeconds > 0.0) {
         workspace_.backup.begin(folder + "/sessions", options_.recoverySeconds);
         workspace_.sceneFiles.recent.begin(folder + "/recent");
         workspace_.layout.begin(folder + "/layout");

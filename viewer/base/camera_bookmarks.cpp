@@ -1,4 +1,4 @@
-#include "viewer/model/camera_bookmarks.h"
+#include "viewer/base/camera_bookmarks.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,0 +1,73 @@
+#include "viewer/commands/render_frames.h"
+
+#include <memory>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "engine/scene/camera_path.h"
+#include "viewer/base/camera_bookmarks.h"
+#include "viewer/base/state_folder.h"
+#include "viewer/commands/commands.h"
+#include "viewer/commands/render_run.h"
+
+namespace glint {
+namespace {
+
+uint32_t frameCount(const RenderCommandOptions& o) { return o.turntable > 0 ? o.turntable : o.flight; }
+
+std::vector<Camera> bookmarkedViews(const std::string& scene) {
+    CameraBookmarks bookmarks;
+    bookmarks.begin(stateFolder() + "/views");
+    std::vector<Camera> views;
+    for (const CameraBookmarks::Bookmark& each : bookmarks.of(scene)) {
+        views.push_back(each.camera);
+    }
+    return views;
+}
+
+}  // namespace
+
+bool rendersFrames(const RenderCommandOptions& options) { return frameCount(options) > 0; }
+
+Status checkFrames(const RenderCommandOptions& o, RunFiles* files) {
+    if (!o.checkpoint.empty() || !o.resume.empty() || !o.checkpointEvery.empty() || !o.json.empty()) {
+        return Error{"--turntable and --flight write pictures alone; expected no checkpoint and no --json",
+                     {}};
+    }
+    if (o.flight > 0 && bookmarkedViews(o.scene).size() < 2) {
+        return Error{
+            fmt::format(
+                "--flight goes from bookmark to bookmark, and {} has fewer than two; expected some from "
+                "glint view, Camera, Bookmark this view",
+                o.scene),
+            {}};
+    }
+    for (uint32_t frame = 1; frame <= frameCount(o); ++frame) {
+        if (Status writable = files->writes(numberedPath(o.output, frame)); !writable) { return writable; }
+    }
+    return {};
+}
+
+int runFrames(const SceneDescription& scene, const RenderCommandOptions& options, const RunFiles& files,
+              double loadSeconds) {
+    const uint32_t frames = frameCount(options);
+    const std::vector<Camera> views =
+        options.flight > 0 ? bookmarkedViews(options.scene) : std::vector<Camera>{};
+    RenderCommandOptions ofFrame = options;
+    for (uint32_t frame = 0; frame < frames; ++frame) {
+        auto moved = std::make_shared<SceneDescription>(scene);
+        const auto done = static_cast<float>(frame);
+        moved->camera = views.empty()
+                            ? turnedCamera(scene.camera, done / static_cast<float>(frames))
+                            : cameraBetween(views, done * static_cast<float>(views.size() - 1) /
+                                                       static_cast<float>(std::max(1u, frames - 1)));
+        ofFrame.output = numberedPath(options.output, frame + 1);
+        const RenderOutcome outcome = runRender(std::move(moved), ofFrame, files, loadSeconds);
+        if (outcome.exitCode != kExitDone) { return outcome.exitCode; }
+        ofFrame.exposure = outcome.exposureStops;
+    }
+    return kExitDone;
+}
+
+}  // namespace glint
