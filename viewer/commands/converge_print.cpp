@@ -41,7 +41,7 @@ void printVariant(const MeasuredVariant& variant, const VariantSummary& summary)
     const std::string slope = summary.fit ? fmt::format("{:.3f} ({:.3f} ... {:.3f})", summary.fit->slope,
                                                         summary.fit->slopeLow, summary.fit->slopeHigh)
                                           : "-";
-    put("{:<34}{:>8}{:>9.3g}{:>10}   {:<26}", name, last.passes, last.seconds.mean, inPercent(error.mean),
+    put("{:<34}{:>8}{:>9.3g} {:>10}   {:<26}", name, last.passes, last.seconds.mean, inPercent(error.mean),
         slope);
     for (const TimeToReach& time : summary.targets) {
         put("{:>9}", shortTime(time));
@@ -99,7 +99,7 @@ void PartLine::finish() {
 }
 
 void printReport(const ConvergenceReport& report) {
-    put("{:<34}{:>8}{:>9}{:>10}   {:<26}", "variant", "passes", "seconds", "error", "slope (95 % interval)");
+    put("{:<34}{:>8}{:>9} {:>10}   {:<26}", "variant", "passes", "seconds", "error", "slope (95 % interval)");
     for (const double target : kTargetErrors) {
         put("{:>9}", fmt::format("to {:g} %", 100.0 * target));
     }
