@@ -33,6 +33,7 @@ constexpr auto kTypes = std::to_array<TypeName>({{"float", PbrtType::Float},
                                                  {"blackbody", PbrtType::Blackbody}});
 
 constexpr float kLargest = 1e18f;
+constexpr std::string_view kBlanks = " \t\r\n";
 
 bool readValue(PbrtText* text, PbrtParam* param) {
     switch (param->type) {
@@ -74,11 +75,11 @@ bool readParam(PbrtContext* context, PbrtText* text, PbrtParams* out) {
         context->fail(param.place, "the string has no closing quote");
         return false;
     }
-    const size_t begin = std::min(declaration.find_first_not_of(" \t"), declaration.size());
-    const size_t gap = std::min(declaration.find_first_of(" \t", begin), declaration.size());
-    const size_t name = std::min(declaration.find_first_not_of(" \t", gap), declaration.size());
+    const size_t begin = std::min(declaration.find_first_not_of(kBlanks), declaration.size());
+    const size_t gap = std::min(declaration.find_first_of(kBlanks, begin), declaration.size());
+    const size_t name = std::min(declaration.find_first_not_of(kBlanks, gap), declaration.size());
     const std::string type = declaration.substr(begin, gap - begin);
-    param.name = declaration.substr(name, declaration.find_first_of(" \t", name) - name);
+    param.name = declaration.substr(name, declaration.find_first_of(kBlanks, name) - name);
     if (param.name.empty()) {
         context->fail(param.place, fmt::format("\"{}\" declares no parameter; expected its type and its name",
                                                declaration.substr(0, 40)));

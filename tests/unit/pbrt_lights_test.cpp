@@ -191,6 +191,36 @@ TEST_F(PbrtLightsTest, Environments) {
                 HasSubstr("cannot be read"));
 }
 
+/// A small white floor of albedo 1/2 reflects E / (2 pi) of an irradiance E.
+TEST_F(PbrtLightsTest, FloorsReflectTheirIrradiance) {
+    const auto irradiance = [this](const std::string& light) {
+        const SceneDescription scene = loadText(sceneText(
+            light +
+                R"( Material "diffuse" "rgb reflectance" [0.5 0.5 0.5] Shape "bilinearmesh" "point3 P" [-0.1 -0.1 0 0.1
+-0.1 0 -0.1 0.1 0 0.1 0.1 0])",
+            R"(LookAt 0 -1 1 0 0 0 0 0 1 Camera "perspective" "float fov" 1 Film "rgb" "integer xresolution" 4 "integer
+yresolution" 4 PixelFilter "box" Integrator "path" "integer maxdepth" 1 )"));
+        return 2.0 * 3.14159265 * meanLuminance(renderFilm(scene, 256)).mean;
+    };
+    EXPECT_NEAR(irradiance("LightSource \"point\" \"point3 from\" [0 0 2] \"rgb I\" [8 8 8]"), 2.0, 1e-3);
+    EXPECT_NEAR(irradiance("LightSource \"point\" \"point3 from\" [0 0 2] \"float power\" 100"),
+                100.0 / (4.0 * 3.14159265 * 4.0), 1e-3);
+    EXPECT_NEAR(
+        irradiance("LightSource \"spot\" \"point3 from\" [0 0 2] \"point3 to\" [0 0 0] \"rgb I\" [8 8 8]"),
+        2.0, 1e-3);
+    EXPECT_NEAR(
+        irradiance("LightSource \"distant\" \"point3 from\" [0 1 1] \"point3 to\" [0 0 0] \"float scale\" 3"),
+        3.0 / std::sqrt(2.0), 1e-3);
+    EXPECT_NEAR(irradiance("LightSource \"infinite\" \"float illuminance\" 5"), 5.0, 1e-2);
+    // A disk of radius 1 at a height of 2: pi L sin^2 of its half angle.
+    EXPECT_NEAR(irradiance("AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [3 3 3] Translate 0 0 2 "
+                           "ReverseOrientation Shape \"disk\" AttributeEnd"),
+                3.0 * 3.14159265 / 5.0, 0.02);
+    EXPECT_EQ(
+        irradiance("AttributeBegin AreaLightSource \"diffuse\" Translate 0 0 2 Shape \"disk\" AttributeEnd"),
+        0.0);
+}
+
 /// In a closed sphere of albedo a that shines with L everywhere, radiance is L (1 + a + ... + a^n).
 TEST_F(PbrtLightsTest, AFurnaceHasItsRadiance) {
     const SceneDescription scene = loadText(sceneText(
