@@ -92,14 +92,18 @@ PbrtValue PbrtTextures::ofNumbers(const PbrtParams& at, const Texture& texture) 
     const auto pixels = pixelsOf(at, texture);
     if (!pixels) { return {}; }
     ImageF means = *pixels;
-    bool areGrey = true;
+    bool areGrey = true, areZeroOrOne = true;
     for (size_t i = 0; i + 2 < means.rgb.size(); i += 3) {
         const float* rgb = &pixels->rgb[i];
         areGrey = areGrey && rgb[0] == rgb[1] && rgb[1] == rgb[2];
+        areZeroOrOne = areZeroOrOne && (rgb[0] == 0.0f || rgb[0] == 1.0f);
         std::fill_n(&means.rgb[i], 3, (rgb[0] + rgb[1] + rgb[2]) / 3.0f);
     }
-    const bool isRaw = texture.encoding == ColorEncoding::Linear || image->floats;
-    return areGrey && isRaw ? PbrtValue{Vec3(0.5f), texture} : baked(texture, means);
+    // Glint reads numbers as they are stored, which 0 and 1 are in every encoding.
+    const bool isPlain = texture.base == 0.0f && texture.gain == 1.0f && texture.exponent == 1.0f;
+    const bool isStored =
+        texture.encoding == ColorEncoding::Linear || image->floats || (areZeroOrOne && isPlain);
+    return areGrey && isStored ? PbrtValue{Vec3(0.5f), texture} : baked(texture, means);
 }
 
 std::shared_ptr<const ImageF> PbrtTextures::pixelsOf(const PbrtParams& at, const Texture& texture) {
