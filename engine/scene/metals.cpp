@@ -56,4 +56,10 @@ std::vector<std::string_view> metalNames() {
     return names;
 }
 
+std::vector<std::string_view> listedMetals() {
+    std::vector<std::string_view> names = metalNames();
+    std::erase(names, "aluminum");
+    return names;
+}
+
 }  // namespace glint

@@ -17,7 +17,9 @@ struct MetalConstants {
 /// The constants of "gold", "silver", "copper", "aluminium", …; nothing for an unknown name.
 std::optional<MetalConstants> findMetal(std::string_view name);
 
-/// All known names in alphabetical order.
+/// All known names in alphabetical order, both spellings of aluminium among them.
 std::vector<std::string_view> metalNames();
+/// Each metal once.
+std::vector<std::string_view> listedMetals();
 
 }  // namespace glint

@@ -58,6 +58,7 @@ TEST(Metals, NamesAreSortedAndKnown) {
         EXPECT_GT(minComponent(metal->eta), 0.0f);
         EXPECT_GT(minComponent(metal->k), 0.0f);
     }
+    EXPECT_EQ(listedMetals().size() + 1, names.size()) << "aluminium has two spellings";
     EXPECT_FALSE(findMetal("unobtainium"));
     EXPECT_EQ(findMetal("aluminum")->eta, findMetal("aluminium")->eta);
 }

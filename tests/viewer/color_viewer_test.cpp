@@ -86,6 +86,33 @@ print "Lights/Radiance"
     EXPECT_EQ(colorOf(colors[0]), (std::array{20.0f, 10.0f, 0.0f}));
 }
 
+TEST(ColorPicker, PicksAColourOfThePicture) {
+    // The corner of the picture shows the environment, whose radiance is 1; the material's colour is 0.5.
+    expectPlayed(play(R"(
+wait picture
+open "Materials"
+wait frames 2
+click "Colour patch"
+wait frames 3
+click "Pick from the picture"
+wait frames 3
+expect no-widget "Colour hex"
+click 30 40
+wait frames 3
+expect "Materials/Colour" "1 1 1"
+set "Colour" 0.25 0.25 0.25
+wait picture
+click "Colour patch"
+wait frames 3
+click "Pick from the picture"
+wait frames 3
+key escape
+click 30 40
+wait frames 3
+expect "Materials/Colour" "0.25 0.25 0.25"
+)"));
+}
+
 TEST(ColorPicker, WhatAScreenCanShowIsMixedWithoutStrength) {
     expectPlayed(play(R"(
 wait picture

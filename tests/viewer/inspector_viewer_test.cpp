@@ -1,8 +1,11 @@
 // One pixel in numbers, the histogram, and the outliner: parts and scripts.
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/viewer/play_script.h"
+#include "viewer/model/area_statistics.h"
 #include "viewer/model/histogram.h"
 #include "viewer/model/outliner.h"
 
@@ -31,6 +34,42 @@ TEST(Histogram, CountsWhatIsShown) {
     large.radiance.assign(size_t{3} << 20, 0.2f);
     EXPECT_NEAR(histogramOf(large, {0.0f, ToneMap::Clamp}).bins[0][12], 1.0f, 1e-3f)
         << "all pixels have a share";
+}
+
+TEST(AreaStatistics, OfTheAreaAloneAndInPreviewsToo) {
+    FilmSnapshot snapshot;
+    snapshot.width = 3;
+    snapshot.height = 2;
+    snapshot.radiance = {9, 9, 9, 1, 2, 3, 3, 2, 1, 9, 9, 9, 5, 2, 2, std::nanf(""), 0, 0};
+    const AreaStatistics few = statisticsOf(snapshot, {1, 0, 3, 2});
+    EXPECT_EQ(few.pixels, 3u) << "one is not a number";
+    EXPECT_EQ(few.mean, Vec3(3.0f, 2.0f, 2.0f));
+    EXPECT_EQ(few.deviation, Vec3(2.0f, 0.0f, 1.0f));
+    snapshot.previewScale = 4;
+    EXPECT_EQ(statisticsOf(snapshot, {4, 0, 12, 8}).mean, few.mean);
+    EXPECT_EQ(statisticsOf(snapshot, {4, 0, 1000, 1}).pixels, 2u);
+    EXPECT_EQ(statisticsOf(snapshot, {100, 100, 200, 200}).pixels, 0u);
+}
+
+TEST(InspectorViewer, MeasuresAnArea) {
+    expectPlayed(play(R"(
+wait finished
+mark
+open "Inspector"
+wait frames 3
+expect no-widget "Area mean"
+click "Measure an area…"
+drag 30 40 200 80
+wait frames 3
+expect widget "Measured area"
+expect "Area mean" "1  1  1"
+expect "Area deviation" "0  0  0"
+expect restarts 0
+click "Forget the area"
+wait frames 3
+expect no-widget "Measured area"
+)",
+                      "--passes 4"));
 }
 
 TEST(Outliner, FindsByPartsOfNamesInAnyCase) {

@@ -36,7 +36,7 @@ Material ofKind(MaterialKind kind) {
 MaterialPresetGroup metals() {
     MaterialPresetGroup group{"Metals", {}};
     for (const float roughness : {0.0f, kBrushed}) {
-        for (const std::string_view name : metalNames()) {
+        for (const std::string_view name : listedMetals()) {
             Material metal = ofKind(MaterialKind::Conductor);
             metal.metal = name;
             metal.roughness.value = roughness;

@@ -182,18 +182,23 @@ std::vector<ShownImageInfo> allImages() {
     return images;
 }
 
-size_t indexOf(const FilmSnapshot& snapshot, Vec2i filmPixel) {
-    const Vec2i last(snapshot.width - 1, snapshot.height - 1);
-    const Vec2i at = glm::clamp(filmPixel / snapshot.previewScale, Vec2i(0), last);
-    return static_cast<size_t>(at.y) * static_cast<size_t>(snapshot.width) + static_cast<size_t>(at.x);
-}
-
 bool isComparable(const LoadedReference* reference, const FilmSnapshot& snapshot) {
     return reference != nullptr && reference->image.width == snapshot.width &&
            reference->image.height == snapshot.height;
 }
 
 }  // namespace
+
+size_t indexOf(const FilmSnapshot& snapshot, Vec2i filmPixel) {
+    const Vec2i last(snapshot.width - 1, snapshot.height - 1);
+    const Vec2i at = glm::clamp(filmPixel / snapshot.previewScale, Vec2i(0), last);
+    return static_cast<size_t>(at.y) * static_cast<size_t>(snapshot.width) + static_cast<size_t>(at.x);
+}
+
+Vec3 colorAt(const FilmSnapshot& snapshot, Vec2i filmPixel) {
+    const float* rgb = snapshot.radiance.data() + 3 * indexOf(snapshot, filmPixel);
+    return {rgb[0], rgb[1], rgb[2]};
+}
 
 std::span<const ShownImageInfo> shownImages() {
     static const std::vector<ShownImageInfo> kImages = allImages();

@@ -93,6 +93,11 @@ std::string noteInstead(const FilmSnapshot& snapshot, ShownImage wanted, const L
 /// The snapshot holds what `wanted` is made of, or never will.
 bool carries(const FilmSnapshot& snapshot, ShownImage wanted);
 
+/// Of a pixel that counts in full resolution and is clamped to the picture, which must have one: its place in
+/// the snapshot's lists, and its linear radiance.
+size_t indexOf(const FilmSnapshot& snapshot, Vec2i filmPixel);
+Vec3 colorAt(const FilmSnapshot& snapshot, Vec2i filmPixel);
+
 /// The value under the mouse, in the terms of the image that is shown: the status line's text. `filmPixel`
 /// counts in full resolution and is clamped to the image. "" where the snapshot does not carry that image
 /// (yet). `reference` may be null.

@@ -23,21 +23,6 @@ namespace {
 
 constexpr float kHistogramUnits = 72.0f;
 
-struct PixelColor {
-    Vec3 linear{0.0f};
-    size_t index = 0;
-};
-
-/// `pixel` counts in full resolution.
-PixelColor colorAt(const FilmSnapshot& snapshot, Vec2i pixel) {
-    const Vec2i last(snapshot.width - 1, snapshot.height - 1);
-    const Vec2i at = glm::clamp(pixel / snapshot.previewScale, Vec2i(0), last);
-    const size_t index =
-        static_cast<size_t>(at.y) * static_cast<size_t>(snapshot.width) + static_cast<size_t>(at.x);
-    const float* rgb = snapshot.radiance.data() + 3 * index;
-    return {{rgb[0], rgb[1], rgb[2]}, index};
-}
-
 std::string numbersText(const Vec3& v) { return fmt::format("{:.4g}  {:.4g}  {:.4g}", v.x, v.y, v.z); }
 
 template <class Item>
@@ -48,7 +33,8 @@ std::string nameOf(const std::vector<Item>& items, uint32_t number, const char* 
 }
 
 void drawColors(const FilmSnapshot& snapshot, const DisplaySettings& display, Vec2i pixel) {
-    const auto [linear, index] = colorAt(snapshot, pixel);
+    const Vec3 linear = colorAt(snapshot, pixel);
+    const size_t index = indexOf(snapshot, pixel);
     const Vec3 shown = ToneMapper(display.look())(linear);
     const std::array<int, 3> bytes{displayByte(shown.x), displayByte(shown.y), displayByte(shown.z)};
     ui::value("Linear", numbersText(linear), "Radiance, Rec.709 primaries, W/(sr m²)");
@@ -90,6 +76,28 @@ void refreshHistogram(const RenderControl& render, const DisplaySettings& displa
     inspector->histogramOf = snapshot;
     inspector->look = look;
     inspector->histogram = histogramOf(*snapshot, look);
+}
+
+void drawMeasured(const std::shared_ptr<const FilmSnapshot>& snapshot, Inspector* inspector) {
+    const char* label = inspector->picksArea ? "Drag on the picture…"
+                        : inspector->area    ? "Forget the area"
+                                             : "Measure an area…";
+    if (ui::button(label, ui::buttonWidth(1),
+                   "The next drag on the picture draws it: its mean and deviation")) {
+        inspector->picksArea = !inspector->picksArea && !inspector->area;
+        inspector->area.reset();
+    }
+    if (!inspector->area) { return; }
+    const FilmRegion& area = *inspector->area;
+    if (inspector->statisticsOf != snapshot) {
+        inspector->statisticsOf = snapshot;
+        inspector->statistics = statisticsOf(*snapshot, area);
+    }
+    const AreaStatistics& measured = inspector->statistics;
+    ui::value("Area", fmt::format("{} × {} px", area.x1 - area.x0, area.y1 - area.y0));
+    ui::value("Area mean", numbersText(measured.mean), "Linear radiance");
+    ui::value("Area deviation", numbersText(measured.deviation),
+              "From pixel to pixel, of the linear radiance");
 }
 
 /// Roots, so that little is seen too.
@@ -134,12 +142,13 @@ void draw(RenderControl* render, const DisplaySettings* display, const SceneDocu
         if (const auto& other = render->otherSnapshot();
             display->split && other && !other->radiance.empty()) {
             ui::value(inCapitals(integratorInfo(other->integrator).alias).c_str(),
-                      numbersText(colorAt(*other, pixel).linear), "The same pixel of what is compared");
+                      numbersText(colorAt(*other, pixel)), "The same pixel of what is compared");
         }
         drawHit(*render, document->draft(), pixel);
     } else {
         ui::hint("Move the mouse over the picture.");
     }
+    drawMeasured(snapshot, inspector);
     refreshHistogram(*render, *display, inspector);
     drawHistogram(inspector->histogram);
 }

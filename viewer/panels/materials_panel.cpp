@@ -142,12 +142,15 @@ bool drawMeasured(const char* label, const char* own, const std::vector<std::str
 
 void drawMetal(Material* material) {
     const auto shown = findMetal(material->metal);
-    if (drawMeasured("Metal", kOwnMetal, metalNames(), &material->metal,
-                     "Measured constants, or eta and k of one's own") &&
-        shown) {
-        // One's own constants begin with those of the metal that was shown.
-        material->eta.value = shown->eta;
-        material->k.value = shown->k;
+    std::string metal = material->metal == "aluminum" ? "aluminium" : material->metal;
+    if (drawMeasured("Metal", kOwnMetal, listedMetals(), &metal,
+                     "Measured constants, or eta and k of one's own")) {
+        material->metal = metal;
+        if (shown) {
+            // One's own constants begin with those of the metal that was shown.
+            material->eta.value = shown->eta;
+            material->k.value = shown->k;
+        }
     }
     if (!material->metal.empty()) { return; }
     ui::vector3("Eta", &material->eta.value,

@@ -11,6 +11,7 @@
 #include <imgui.h>
 
 #include "engine/math/color.h"
+#include "viewer/ui/eyedropper.h"
 #include "viewer/ui/widget_row.h"
 #include "viewer/ui/widgets.h"
 
@@ -81,7 +82,7 @@ bool drawHex(const char* label) {
 }
 
 /// Esc gives back what was there; a click elsewhere keeps what was made.
-bool drawPicker(const char* label, Vec3* value, float max) {
+bool drawPicker(const char* label, Vec3* value, float max, ImGuiID field) {
     ImGui::SetNextWindowSize({kPickerUnits * scale(), 0.0f});
     if (!ImGui::BeginPopup("picker")) { return false; }
     if (ImGui::IsWindowAppearing()) { picker.before = *value; }
@@ -98,6 +99,11 @@ bool drawPicker(const char* label, Vec3* value, float max) {
                          .max = max,
                          .tooltip = "Multiplies the shade. What is above 1 stays while the shade changes"});
     if (isChanged) { *value = picker.made = picker.strength * picker.shade; }
+    if (button("Pick from the picture", buttonWidth(1),
+               "The next click on the picture takes its colour; Esc does not")) {
+        waitForColor(field);
+        ImGui::CloseCurrentPopup();
+    }
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
         isChanged = true;
         *value = picker.before;
@@ -119,7 +125,13 @@ bool color(const char* label, Vec3* value, float max, const char* tooltip) {
         ImGui::OpenPopup("picker");
     }
     record(WidgetKind::Button, fmt::format("{} patch", label), "");
-    bool changed = drawPicker(label, value, max);
+    const ImGuiID field = ImGui::GetID("##swatch");
+    bool changed = drawPicker(label, value, max, field);
+    if (const auto given = takeGivenColor(field)) {
+        // Of what is too bright the shade stays.
+        *value = *given * std::min(1.0f, max / std::max(maxComponent(*given), 1e-20f));
+        changed = true;
+    }
     const float spacing = ImGui::GetStyle().ItemInnerSpacing.x;
     ImGui::SameLine(0.0f, spacing);
     changed |= dragFields3(label, value, style, kSuffixes, ImGui::GetContentRegionAvail().x);

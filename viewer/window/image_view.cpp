@@ -9,6 +9,7 @@
 #include <imgui.h>
 
 #include "viewer/model/camera_controller.h"
+#include "viewer/ui/eyedropper.h"
 #include "viewer/ui/theme.h"
 #include "viewer/ui/widgets.h"
 #include "viewer/window/gallery_view.h"
@@ -137,6 +138,14 @@ void ImageView::findPixel(const Workspace& workspace, const ImageArea& area) {
                    onRight != workspace.ownIsRight();
 }
 
+/// A click gives the colour that is under the mouse to the field that waits for one.
+void ImageView::giveColor(const Workspace& workspace, bool isClick) const {
+    const auto& snapshot = hoversOther_ ? workspace.otherPicture() : workspace.ownPicture();
+    if (!hoveredPixel_ || !snapshot || snapshot->radiance.empty()) { return; }
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (isClick) { ui::giveColor(colorAt(*snapshot, *hoveredPixel_)); }
+}
+
 /// Focuses by Ctrl + click, by a click once the panel asked for one, or by T; any other click selects.
 void ImageView::pick(Workspace* workspace, bool isClick) {
     const ImGuiIO& io = ImGui::GetIO();
@@ -202,7 +211,11 @@ bool ImageView::draw(Workspace* workspace, const ImagePanes& panes, Vec2 min, Ve
         region_.draw(*workspace, placed_);
         gizmo_.draw();
         if (hovered) { findPixel(*workspace, area); }
-        if (!draws) { pick(workspace, isClick); }
+        if (ui::waitsForColor()) {
+            giveColor(*workspace, isClick);
+        } else if (!draws) {
+            pick(workspace, isClick);
+        }
     } else {
         workspace->sceneFiles.opening() ? drawHint(min, max, "Opening…") : drawGallery(workspace, min, max);
     }

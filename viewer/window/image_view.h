@@ -24,6 +24,7 @@ class ImageView {
 
   private:
     void findPixel(const Workspace& workspace, const ImageArea& area);
+    void giveColor(const Workspace& workspace, bool isClick) const;
     void pick(Workspace* workspace, bool isClick);
     void drawOverlay(const FocusOverlay& overlay, const ImageDisplay& display) const;
     Vec2 dragged(bool held);

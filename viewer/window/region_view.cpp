@@ -14,16 +14,18 @@ namespace {
 
 constexpr int kLeastSide = 2;  // pixels: less is a click
 
-void drawFrame(const FilmRegion& region, const PlacedImage& placed, const std::string& label) {
+constexpr ImU32 kRegionColor = IM_COL32(255, 200, 80, 255);
+constexpr ImU32 kAreaColor = IM_COL32(120, 200, 255, 255);
+
+void drawFrame(const char* name, const FilmRegion& region, const PlacedImage& placed, ImU32 color) {
     const Vec2 min = placed.min + Vec2(region.x0, region.y0) * placed.unitsPerPixel;
     const Vec2 max = placed.min + Vec2(region.x1, region.y1) * placed.unitsPerPixel;
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const float line = ui::scale();
     draw->AddRect({min.x - line, min.y - line}, {max.x + line, max.y + line}, IM_COL32(0, 0, 0, 160), 0.0f, 0,
                   3.0f * line);
-    draw->AddRect({min.x - line, min.y - line}, {max.x + line, max.y + line}, IM_COL32(255, 200, 80, 255),
-                  0.0f, 0, line);
-    ui::area("Region", min, max, label);
+    draw->AddRect({min.x - line, min.y - line}, {max.x + line, max.y + line}, color, 0.0f, 0, line);
+    ui::area(name, min, max, fmt::format("{} {} {} {}", region.x0, region.y0, region.x1, region.y1));
 }
 
 }  // namespace
@@ -36,7 +38,8 @@ bool RegionView::handle(Workspace* workspace, const PlacedImage& placed, const s
         hovered && !io.WantTextInput && !io.KeyCtrl && !io.KeyAlt && ImGui::IsKeyDown(GLFW_KEY_V);
     tool.spot.reset();
     if (isSpot) { tool.spot = spotAround(*hovered, workspace->document.draft().resolution.height); }
-    if (!tool.picks) {
+    Inspector& inspector = workspace->inspector;
+    if (!tool.picks && !inspector.picksArea) {
         began_.reset();
         return false;
     }
@@ -50,8 +53,13 @@ bool RegionView::handle(Workspace* workspace, const PlacedImage& placed, const s
         const auto region = clipped(regionBetween(*began, at_), size.width, size.height);
         const bool isLarge =
             region && region->x1 - region->x0 >= kLeastSide && region->y1 - region->y0 >= kLeastSide;
-        if (isLarge) { tool.drawn = region; }
-        tool.picks = false;
+        if (isLarge && inspector.picksArea) {
+            inspector.area = region;
+            inspector.statisticsOf.reset();
+        } else if (isLarge) {
+            tool.drawn = region;
+        }
+        tool.picks = inspector.picksArea = false;
     }
     return true;
 }
@@ -59,10 +67,13 @@ bool RegionView::handle(Workspace* workspace, const PlacedImage& placed, const s
 void RegionView::draw(const Workspace& workspace, const PlacedImage& placed) const {
     const RegionTool& tool = workspace.region;
     const Resolution& size = workspace.document.draft().resolution;
+    if (workspace.inspector.area) {
+        drawFrame("Measured area", *workspace.inspector.area, placed, kAreaColor);
+    }
     const auto wanted = began_ ? std::optional(regionBetween(*began_, at_)) : tool.wanted();
     const auto region = wanted ? clipped(*wanted, size.width, size.height) : std::nullopt;
     if (!region) { return; }
-    drawFrame(*region, placed, fmt::format("{} {} {} {}", region->x0, region->y0, region->x1, region->y1));
+    drawFrame("Region", *region, placed, kRegionColor);
 }
 
 }  // namespace glint

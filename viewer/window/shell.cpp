@@ -12,6 +12,7 @@
 #include "viewer/base/units.h"
 #include "viewer/model/object_edits.h"
 #include "viewer/panels/panels.h"
+#include "viewer/ui/eyedropper.h"
 #include "viewer/ui/theme.h"
 #include "viewer/ui/widgets.h"
 
@@ -82,7 +83,9 @@ void Shell::handleKeys(Workspace* workspace) {
     DisplaySettings& display = workspace->display;
     if (isPressed(GLFW_KEY_F1)) { helpShown_ = !helpShown_; }
     if (isPressed(GLFW_KEY_ESCAPE)) {
-        helpShown_ = workspace->lens.picksFocus = workspace->region.picks = false;
+        helpShown_ = workspace->lens.picksFocus = workspace->region.picks = workspace->inspector.picksArea =
+            false;
+        ui::stopWaitingForColor();
     }
     if (io.WantTextInput) { return; }
     if (io.KeyCtrl) {
