@@ -3,9 +3,10 @@
 
 namespace glint {
 
-/// Two integrators are compared as they are.
+/// Two integrators are compared as they are; what failed gets no layers any more.
 bool Workspace::wantsDenoised() const {
-    return display.denoises && !display.split && infoOf(display.shown).isRadiance();
+    return display.denoises && !display.split && infoOf(display.shown).isRadiance() &&
+           render.status().state != SessionState::Failed;
 }
 
 const std::shared_ptr<const FilmSnapshot>& Workspace::livePicture() const {
