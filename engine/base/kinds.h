@@ -18,6 +18,12 @@ enum class ShapeKind : uint8_t {
     Revolved,   ///< a profile, turned about the y axis
 };
 
+/// How a camera makes a picture of space.
+enum class ProjectionKind : uint8_t {
+    Perspective,   ///< rays through one point, or through a lens around it
+    Orthographic,  ///< parallel rays: a thing's size does not depend on its distance
+};
+
 /// How the points of a profile make a curve.
 enum class CurveKind : uint8_t {
     Bezier,   ///< pieces of one degree, each beginning where the one before ends

@@ -18,6 +18,12 @@ Status checkCamera(const Camera& camera, float aspect) {
             "the camera's vertical field of view is {} degrees; expected more than 0, less than 180",
             camera.verticalFovDeg));
     }
+    if (!(camera.viewHeight > 0.0f && std::isfinite(camera.viewHeight))) {
+        return bad(fmt::format("the camera's view is {} m high; expected more than 0", camera.viewHeight));
+    }
+    if (!std::isfinite(camera.shift.x) || !std::isfinite(camera.shift.y)) {
+        return bad("the camera's shift must be finite numbers");
+    }
     if (!(camera.horizontalScale > 0.0f && std::isfinite(camera.horizontalScale))) {
         return bad(
             fmt::format("the camera's horizontal scale is {}; expected more than 0", camera.horizontalScale));
@@ -43,40 +49,28 @@ Status checkCamera(const Camera& camera, float aspect) {
     return {};
 }
 
-/// v / |v| in double, also where |v|^2 overflows or underflows; zero stays zero.
-glm::dvec3 unit(const glm::dvec3& v) {
-    const double largest = std::fmax(std::fabs(v.x), std::fmax(std::fabs(v.y), std::fabs(v.z)));
-    return largest > 0.0 ? glm::normalize(v / largest) : glm::dvec3(0.0);
-}
-
-/// Image right for a unit view direction.
-glm::dvec3 rightOf(const glm::dvec3& view, const glm::dvec3& up) {
-    // Less than this and `up` says nothing but rounding errors about which way is up.
-    constexpr double kLeastSine = 1e-6;
-    for (const glm::dvec3& candidate : {unit(up), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)}) {
-        const glm::dvec3 right = glm::cross(view, candidate);
-        if (glm::length(right) > kLeastSine) { return glm::normalize(right); }
-    }
-    return {1, 0, 0};  // unreachable: a view cannot be along both y and z
-}
-
 }  // namespace
 
 Result<CameraData> buildCamera(const Camera& camera, float aspect) {
     if (const Status status = checkCamera(camera, aspect); !status) { return status.error(); }
-    const glm::dvec3 view = unit(glm::dvec3(camera.target) - glm::dvec3(camera.position));
-    if (view == glm::dvec3(0.0)) {
+    if (camera.position == camera.target) {
         return Error{"the camera's position and target are the same point; expected a view direction", {}};
     }
-    const glm::dvec3 right = rightOf(view, glm::dvec3(camera.up));
-    const double tanHalfFov = std::tan(0.5 * glm::radians(static_cast<double>(camera.verticalFovDeg)));
+    const CameraAxes axes = axesOf(camera);
+    const bool isOrthographic = camera.kind == ProjectionKind::Orthographic;
+    const double halfHeight = isOrthographic
+                                  ? 0.5 * static_cast<double>(camera.viewHeight)
+                                  : std::tan(0.5 * glm::radians(static_cast<double>(camera.verticalFovDeg)));
 
     CameraData data;
     data.position = camera.position;
-    data.frame = {Vec3(right), Vec3(glm::cross(right, view)), Vec3(-view)};
-    data.tanHalfFovY = static_cast<float>(tanHalfFov);
-    data.tanHalfFovX = static_cast<float>(tanHalfFov * static_cast<double>(aspect) *
-                                          static_cast<double>(camera.horizontalScale));
+    data.frame = {axes.right, axes.up, -axes.forward};
+    data.isOrthographic = isOrthographic;
+    data.halfHeight = static_cast<float>(halfHeight);
+    data.halfWidth = static_cast<float>(halfHeight * static_cast<double>(aspect) *
+                                        static_cast<double>(camera.horizontalScale));
+    data.middle = Vec2(glm::dvec2(camera.shift) * 2.0 * halfHeight);
+    data.middle.x *= camera.horizontalScale;
     data.lensRadius = 0.5f * camera.apertureDiameter;
     // What a pinhole does not look at is not taken over, so that editing it changes nothing.
     if (data.lensRadius > 0.0f) {

@@ -7,10 +7,9 @@
 
 namespace glint {
 
-/// `aspect` is the picture's width over its height. An up vector that is zero or along the view is replaced
-/// by the world axis farthest from the view (y, else z). Error: no view direction (position and target
+/// `aspect` is the picture's width over its height. Error: no view direction (position and target
 /// coincide), a number that is not finite, a field of view outside (0, 180) degrees, a negative aperture, 1
-/// or 2 blades, a focal distance or a horizontal scale that is not positive.
+/// or 2 blades, a height of view, a focal distance or a horizontal scale that is not positive.
 Result<CameraData> buildCamera(const Camera& camera, float aspect);
 
 }  // namespace glint

@@ -24,7 +24,9 @@ FeatureMask objectFeatures(const SceneDescription& scene, const Object& object) 
 }  // namespace
 
 FeatureMask scanFeatures(const SceneDescription& scene, const MaterialTable& materials) {
-    FeatureMask mask = scene.camera.apertureDiameter > 0.0f ? kFeatureDepthOfField : 0u;
+    const bool hasArea =
+        scene.camera.apertureDiameter > 0.0f || scene.camera.kind == ProjectionKind::Orthographic;
+    FeatureMask mask = hasArea ? kFeatureCameraArea : 0u;
     for (const Object& object : scene.objects) {
         mask |= objectFeatures(scene, object);
     }

@@ -187,7 +187,7 @@ class SceneBuild {
             mask |= scanFeatures(*scene_, *built_->materials);
             report_.featuresScanned = true;
         }
-        if (built_->camera.lensRadius > 0.0f) { mask |= kFeatureDepthOfField; }
+        if (built_->camera.hasArea()) { mask |= kFeatureCameraArea; }
         if (scene_->options.accelerator != AcceleratorKind::Bvh) { mask |= kFeatureAccelerators; }
         built_->features = mask | built_->lights->features();
         return {};

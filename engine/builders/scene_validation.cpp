@@ -37,6 +37,13 @@ Status checkCamera(const Camera& camera) {
             fmt::format("the vertical field of view is {} degrees; expected more than 0 and less than 180",
                         camera.verticalFovDeg));
     }
+    if (!inRange(camera.viewHeight, 1e-30f, 1e30f)) {
+        return fault("camera", fmt::format("the view is {} m high; expected more than 0", camera.viewHeight));
+    }
+    if (!inRange(camera.shift.x, -1e6f, 1e6f) || !inRange(camera.shift.y, -1e6f, 1e6f)) {
+        return fault("camera", fmt::format("the shift is {}, {} heights of the picture; expected at most 1e6",
+                                           camera.shift.x, camera.shift.y));
+    }
     if (!inRange(camera.horizontalScale, 1e-6f, 1e6f)) {
         return fault("camera", fmt::format("the horizontal scale is {}; expected a positive number",
                                            camera.horizontalScale));

@@ -18,6 +18,21 @@ namespace {
 
 constexpr size_t kMaxObjects = 4'000'000;  ///< instances cost a file next to nothing
 
+/// What kind of picture the camera makes, and its width over its height; 0: unknown. False: it makes no
+/// sense.
+bool setLens(const tinygltf::Camera& from, Camera* camera, double* aspect) {
+    if (from.type == "orthographic") {
+        const double width = from.orthographic.xmag, height = from.orthographic.ymag;
+        camera->kind = ProjectionKind::Orthographic;
+        camera->viewHeight = static_cast<float>(2.0 * height);
+        *aspect = width / height;
+        return width > 0.0 && height > 0.0 && std::isfinite(camera->viewHeight) && std::isfinite(*aspect);
+    }
+    camera->verticalFovDeg = static_cast<float>(from.perspective.yfov) * (180.0f / kPi);
+    *aspect = from.perspective.aspectRatio;
+    return from.type == "perspective" && camera->verticalFovDeg > 0.0f && camera->verticalFovDeg < 180.0f;
+}
+
 class GltfReader {
   public:
     GltfReader(GltfFile* file, bool noStudio)
@@ -176,19 +191,15 @@ class GltfReader {
 
     void useCamera(const PlacedCamera& placed) {
         const auto& cameras = file_.model.cameras;
-        if (static_cast<size_t>(placed.camera) >= cameras.size() ||
-            cameras[static_cast<size_t>(placed.camera)].type != "perspective") {
-            file_.remark("the camera is not a perspective one: the default view takes its place");
-            return;
-        }
-        const auto& from = cameras[static_cast<size_t>(placed.camera)].perspective;
         const Vec3 forward = placed.toWorld.vector({0, 0, -1}), position = placed.toWorld.translation;
-        const float fov = static_cast<float>(from.yfov) * (180.0f / kPi);
-        if (isZero(forward) || !isFinite(forward) || !isFinite(position) || !(fov > 0.0f && fov < 180.0f)) {
+        Camera camera = scene_.camera;
+        double aspect = 0.0;
+        if (static_cast<size_t>(placed.camera) >= cameras.size() ||
+            !setLens(cameras[static_cast<size_t>(placed.camera)], &camera, &aspect) || isZero(forward) ||
+            !isFinite(forward) || !isFinite(position)) {
             file_.remark("the camera makes no sense: the default view takes its place");
             return;
         }
-        Camera& camera = scene_.camera;
         // The orbit centre is where the model's middle is closest to the line of sight.
         const Vec3 unit = glm::normalize(forward);
         const float distance = glm::dot(camera.target - position, unit);
@@ -196,11 +207,10 @@ class GltfReader {
         camera.target = position + camera.focalDistance * unit;
         camera.position = position;
         camera.up = placed.toWorld.vector({0, 1, 0});
-        camera.verticalFovDeg = fov;
-        if (from.aspectRatio > 0.0) {
-            scene_.resolution.width =
-                static_cast<int>(std::clamp(std::round(600.0 * from.aspectRatio), 60.0, 6000.0));
+        if (aspect > 0.0) {
+            scene_.resolution.width = static_cast<int>(std::clamp(std::round(600.0 * aspect), 60.0, 6000.0));
         }
+        scene_.camera = camera;
     }
 
     GltfFile& file_;

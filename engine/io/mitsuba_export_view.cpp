@@ -38,16 +38,18 @@ void writeFilm(const SceneDescription& scene, MitsubaWriter* out, std::vector<st
     out->close();
 }
 
-}  // namespace
+void writePlace(const Camera& camera, const Vec3& offset, MitsubaWriter* out) {
+    out->element("lookat",
+                 fmt::format("origin=\"{}\" target=\"{}\" up=\"{}\"", xmlNumbers(camera.position + offset),
+                             xmlNumbers(camera.target + offset), xmlNumbers(camera.up)));
+}
 
-void writeMitsubaView(const SceneDescription& scene, MitsubaWriter* out, std::vector<std::string>* warnings) {
-    writeIntegrator(scene.options, out, warnings);
-    const Camera& camera = scene.camera;
+void writePerspective(const Camera& camera, float aspect, MitsubaWriter* out,
+                      std::vector<std::string>* warnings) {
     const bool hasLens = camera.apertureDiameter > 0.0f;
     out->open("sensor", fmt::format("type=\"{}\"", hasLens ? "thinlens" : "perspective"));
     out->open("transform", "name=\"to_world\"");
-    out->element("lookat", fmt::format("origin=\"{}\" target=\"{}\" up=\"{}\"", xmlNumbers(camera.position),
-                                       xmlNumbers(camera.target), xmlNumbers(camera.up)));
+    writePlace(camera, Vec3(0.0f), out);
     out->close();
     out->string("fov_axis", "y");
     out->number("fov", camera.verticalFovDeg);
@@ -57,6 +59,38 @@ void writeMitsubaView(const SceneDescription& scene, MitsubaWriter* out, std::ve
         if (camera.apertureBlades > 0) { warnOnce("approximated: the aperture is round", warnings); }
     }
     if (camera.horizontalScale != 1.0f) { warnOnce("approximated: pixels are square", warnings); }
+    if (camera.shift == Vec2(0.0f)) { return; }
+    if (hasLens) { return warnOnce("approximated: the lens is not shifted", warnings); }
+    out->number("principal_point_offset_x", camera.shift.x / aspect);
+    out->number("principal_point_offset_y", -camera.shift.y);
+}
+
+/// A shift of parallel rays is a step aside.
+void writeParallel(const Camera& camera, float aspect, MitsubaWriter* out,
+                   std::vector<std::string>* warnings) {
+    out->open("sensor", "type=\"orthographic\"");
+    out->open("transform", "name=\"to_world\"");
+    const float half = 0.5f * camera.viewHeight * aspect;
+    out->element("scale", fmt::format("x=\"{}\" y=\"{}\"", half * camera.horizontalScale, half));
+    const CameraAxes axes = axesOf(camera);
+    const Vec2 aside = camera.viewHeight * camera.shift * Vec2(camera.horizontalScale, 1.0f);
+    writePlace(camera, axes.right * aside.x + axes.up * aside.y, out);
+    out->close();
+    if (camera.apertureDiameter > 0.0f) { warnOnce("approximated: all is in focus", warnings); }
+}
+
+}  // namespace
+
+void writeMitsubaView(const SceneDescription& scene, MitsubaWriter* out, std::vector<std::string>* warnings) {
+    writeIntegrator(scene.options, out, warnings);
+    const Camera& camera = scene.camera;
+    const float aspect =
+        static_cast<float>(scene.resolution.width) / static_cast<float>(scene.resolution.height);
+    if (camera.kind == ProjectionKind::Orthographic) {
+        writeParallel(camera, aspect, out, warnings);
+    } else {
+        writePerspective(camera, aspect, out, warnings);
+    }
     writeFilm(scene, out, warnings);
     out->close();
 }

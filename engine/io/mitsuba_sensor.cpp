@@ -36,25 +36,42 @@ void readFilter(MitsubaContext* context, const MitsubaElement* filter) {
     object.finish();
 }
 
-void readFilm(MitsubaContext* context, const MitsubaElement* film) {
-    Resolution& size = context->scene.resolution;
-    size = {768, 576};
+/// The picture that a camera looks at, and where the window lies whose pixels alone are there.
+struct FilmWindow {
+    Resolution whole{768, 576};
+    Resolution shown{768, 576};
+    int left = 0, top = 0;
+
+    float aspect() const { return static_cast<float>(whole.width) / static_cast<float>(whole.height); }
+};
+
+FilmWindow readFilm(MitsubaContext* context, const MitsubaElement* film) {
+    FilmWindow window;
     if (film == nullptr) {
         readFilter(context, nullptr);
-        return;
+        return window;
     }
     MitsubaObject object(context, *film);
-    size.width = object.integer("width", 768, 1, 32768);
-    size.height = object.integer("height", 576, 1, 32768);
-    const bool isCropped = object.property("crop_width") != nullptr ||
-                           object.property("crop_height") != nullptr ||
-                           object.property("crop_offset_x") != nullptr;
-    if (isCropped) { object.approximated("approximated: the whole picture is shown, not the crop window"); }
-    object.passOver({"crop_offset_y", "pixel_format", "component_format", "file_format", "banner", "gamma",
-                     "exposure", "key", "burn", "tonemap_method", "attach_log", "high_quality_edges",
-                     "sample_border", "compensate", "channel_format", "variable", "digits"});
+    Resolution& whole = window.whole;
+    whole.width = object.integer("width", 768, 1, 32768);
+    whole.height = object.integer("height", 576, 1, 32768);
+    window.shown.width = object.integer("crop_width", whole.width, 1, 32768);
+    window.shown.height = object.integer("crop_height", whole.height, 1, 32768);
+    window.left = object.integer("crop_offset_x", 0, 0, 32768);
+    window.top = object.integer("crop_offset_y", 0, 0, 32768);
+    if (window.left + window.shown.width > whole.width || window.top + window.shown.height > whole.height) {
+        context->fail(
+            *film, fmt::format("the crop window of {} x {} pixels at {}, {} reaches beyond the picture of {} "
+                               "x {}",
+                               window.shown.width, window.shown.height, window.left, window.top, whole.width,
+                               whole.height));
+    }
+    object.passOver({"pixel_format", "component_format", "file_format", "banner", "gamma", "exposure", "key",
+                     "burn", "tonemap_method", "attach_log", "high_quality_edges", "sample_border",
+                     "compensate", "channel_format", "variable", "digits"});
     readFilter(context, object.next({"rfilter"}));
     object.finish();
+    return window;
 }
 
 /// The angle of view across the picture's height.
@@ -80,23 +97,39 @@ float verticalFovDeg(MitsubaObject* object, float aspect) {
     return std::clamp(2.0f * std::atan(vertical) * kDegrees, 1e-3f, 179.99f);
 }
 
-/// Parallel rays as those of a camera a thousand widths away.
-void moveAway(MitsubaObject* object, float halfWidth, float aspect, Camera* camera) {
-    constexpr float kWidthsAway = 1000.0f;
-    object->approximated("approximated: parallel rays are those of a camera a thousand widths away");
-    const Vec3 forward = camera->target - camera->position;
-    const float distance = 2.0f * kWidthsAway * halfWidth;
-    camera->position = camera->target - distance * forward;
-    camera->focalDistance = distance;
-    camera->verticalFovDeg = 2.0f * std::atan(halfWidth / (aspect * distance)) * kDegrees;
+/// Parallel rays: the whole picture is two units wide, which the camera's transform stretches.
+void setParallel(const Vec3& x, const Vec3& up, float aspect, Camera* camera) {
+    const float width = glm::length(x), height = glm::length(up);
+    camera->kind = ProjectionKind::Orthographic;
+    camera->viewHeight = 2.0f * height / aspect;
+    if (std::fabs(width - height) > 1e-6f * height) { camera->horizontalScale = width / height; }
 }
 
-/// A single <lookat> says the camera's points themselves, which no rounding then changes.
-void lookAsWritten(MitsubaContext* context, const MitsubaElement* transform, Camera* camera) {
-    if (transform == nullptr || transform->children.size() != 1 || transform->children[0].tag != "lookat") {
+/// The window of a camera whose principal point, the middle of the whole picture, was moved by these shares
+/// of its width and height.
+void showWindow(const FilmWindow& window, const Vec2& principal, Camera* camera) {
+    const Vec2 whole(window.whole.width, window.whole.height);
+    const Vec2 shown(window.shown.width, window.shown.height);
+    const Vec2 middle = Vec2(window.left, window.top) + 0.5f * (shown - whole) + principal * whole;
+    camera->shift = (Vec2(middle.x, 0.0f) - Vec2(0.0f, middle.y)) / shown.y;
+    if (window.shown.height == window.whole.height) { return; }
+    const float share = shown.y / whole.y;
+    camera->viewHeight *= share;
+    camera->verticalFovDeg =
+        2.0f * std::atan(share * std::tan(0.5f * camera->verticalFovDeg / kDegrees)) * kDegrees;
+}
+
+/// A <lookat> that nothing but scales of the picture comes before says the camera's points themselves, which
+/// no rounding then changes.
+void lookAsWritten(MitsubaContext* context, const MitsubaElement* transform, Camera* read) {
+    if (transform == nullptr || transform->children.empty()) { return; }
+    const MitsubaElement& look = transform->children.back();
+    const auto isScale = [](const MitsubaElement& each) { return each.tag == "scale"; };
+    if (look.tag != "lookat" ||
+        !std::all_of(transform->children.begin(), transform->children.end() - 1, isScale)) {
         return;
     }
-    const MitsubaElement& look = transform->children[0];
+    Camera written = *read, *camera = &written;
     const auto point = [&](std::string_view name, Vec3* out) {
         if (!look.has(name)) { return; }
         const auto v = mitsubaNumbers(context, look, look.attribute(name), {3});
@@ -105,13 +138,19 @@ void lookAsWritten(MitsubaContext* context, const MitsubaElement* transform, Cam
     point("origin", &camera->position);
     point("target", &camera->target);
     if (look.has("up")) { point("up", &camera->up); }
+    // Scales below zero turn the picture over.
+    if (glm::dot(axesOf(written).forward, axesOf(*read).forward) > 0.0f &&
+        glm::dot(axesOf(written).up, axesOf(*read).up) > 0.0f) {
+        *read = written;
+    }
 }
 
 }  // namespace
 
 void readMitsubaSensor(MitsubaContext* context, const MitsubaElement& sensor) {
     MitsubaObject object(context, sensor);
-    readFilm(context, object.next({"film"}));
+    const FilmWindow window = readFilm(context, object.next({"film"}));
+    context->scene.resolution = window.shown;
     const std::string_view type = object.type();
     const bool isOrthographic = type == "orthographic", hasLens = type == "thinlens";
     if (!isOrthographic && !hasLens && type != "perspective") {
@@ -131,8 +170,6 @@ void readMitsubaSensor(MitsubaContext* context, const MitsubaElement& sensor) {
         context->note(sensor, "the camera mirrors: the scene is mirrored in its place");
     }
     const Vec3 x = toWorld.linear[0], up = toWorld.linear[1], forward = toWorld.linear[2];
-    const Resolution& size = context->scene.resolution;
-    const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
     const float length = glm::length(forward);
     Camera& camera = context->scene.camera;
     camera.position = toWorld.translation;
@@ -142,17 +179,17 @@ void readMitsubaSensor(MitsubaContext* context, const MitsubaElement& sensor) {
     camera.focalDistance = unit * object.number("focus_distance", 1.0f, 1e-6f);
     camera.target = camera.position + forward / length;
     if (isOrthographic) {
-        moveAway(&object, glm::length(x), aspect, &camera);
+        setParallel(x, up, window.aspect(), &camera);
     } else {
-        camera.verticalFovDeg = verticalFovDeg(&object, aspect);
+        camera.verticalFovDeg = verticalFovDeg(&object, window.aspect());
         camera.apertureDiameter = hasLens ? 2.0f * unit * object.number("aperture_radius", 0.0f, 0.0f) : 0.0f;
         camera.target = camera.position + (camera.focalDistance / length) * forward;
-        lookAsWritten(context, object.property("to_world"), &camera);
     }
-    if (object.number("principal_point_offset_x", 0.0f) != 0.0f ||
-        object.number("principal_point_offset_y", 0.0f) != 0.0f) {
-        object.approximated("approximated: the principal point is the picture's middle");
-    }
+    lookAsWritten(context, object.property("to_world"), &camera);
+    showWindow(window,
+               {object.number("principal_point_offset_x", 0.0f, -1e4f, 1e4f),
+                object.number("principal_point_offset_y", 0.0f, -1e4f, 1e4f)},
+               &camera);
     if (object.property("near_clip") != nullptr || object.property("far_clip") != nullptr) {
         object.passOver({"near_clip", "far_clip"});
         context->note(sensor, "near and far planes do not cut");

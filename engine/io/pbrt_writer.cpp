@@ -107,13 +107,17 @@ std::string pbrtView(const SceneDescription& scene, std::vector<std::string>* wa
     if (options.fireflyClamp > 0.0f) { out += pbrtNumber("maxcomponentvalue", options.fireflyClamp); }
     const Camera& camera = scene.camera;
     const auto look = [](const Vec3& v) { return fmt::format("{} {} {}", v.x, v.y, v.z); };
-    out += fmt::format("\nScale -1 1 1\nLookAt {}  {}  {}\nCamera \"perspective\"", look(camera.position),
-                       look(camera.target), look(camera.up));
+    const bool isParallel = camera.kind == ProjectionKind::Orthographic;
+    out += fmt::format("\nScale -1 1 1\nLookAt {}  {}  {}\nCamera \"{}\"", look(camera.position),
+                       look(camera.target), look(camera.up), isParallel ? "orthographic" : "perspective");
     const float aspect =
         static_cast<float>(scene.resolution.width) / static_cast<float>(scene.resolution.height);
-    const float half = aspect * camera.horizontalScale;
-    out += pbrtNumber("fov", camera.verticalFovDeg) +
-           fmt::format(" \"float screenwindow\" [{} {} -1 1]", -half, half);
+    const Vec2 half(aspect * camera.horizontalScale, 1.0f);
+    const Vec2 middle = 2.0f * camera.shift * Vec2(camera.horizontalScale, 1.0f);
+    const float unit = isParallel ? 0.5f * camera.viewHeight : 1.0f;
+    const Vec2 low = unit * (middle - half), high = unit * (middle + half);
+    if (!isParallel) { out += pbrtNumber("fov", camera.verticalFovDeg); }
+    out += fmt::format(" \"float screenwindow\" [{} {} {} {}]", low.x, high.x, low.y, high.y);
     if (camera.apertureDiameter > 0.0f) {
         out += pbrtNumber("lensradius", 0.5f * camera.apertureDiameter) +
                pbrtNumber("focaldistance", camera.focalDistance);

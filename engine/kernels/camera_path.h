@@ -14,7 +14,7 @@ GLINT_HD inline Ray pixelRay(const CameraData& camera, const PassParams& params,
     const Vec2 uFilter = get2D<kMask>(sampler, dimension(CameraDimension::PixelFilter));
     const Vec2 offset = sampleFilter(params.filter, params.filterRadius, uFilter);
     Vec2 uLens(0.0f);
-    if constexpr (hasFeature<kMask>(kFeatureDepthOfField)) {
+    if constexpr (hasFeature<kMask>(kFeatureCameraArea)) {
         if (camera.lensRadius > 0.0f) { uLens = get2D<kMask>(sampler, dimension(CameraDimension::Lens)); }
     }
     return cameraRay<kMask>(camera, pixelToNdc(params.width, params.height, x, y, offset), uLens);

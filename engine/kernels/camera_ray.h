@@ -1,5 +1,5 @@
-// From a place in the picture to a ray: pinhole or thin lens. Host and device. Called by the path and
-// AOV kernels.
+// From a place in the picture to a ray: pinhole, thin lens or parallel rays. Host and device. Called by the
+// path and AOV kernels.
 //
 // Left out: lens distortion, vignetting (cos^4 of the film), motion of the camera.
 #pragma once
@@ -28,20 +28,23 @@ GLINT_HD inline Vec2 sampleLens(const CameraData& camera, Vec2 uLens) {
 
 /// The ray through picture coordinates `ndc` (pixelToNdc) and the lens point chosen by uLens. All rays of one
 /// ndc meet in the plane at focalDistance along the view axis. Its direction has unit length. Every ray
-/// weighs the same.
+/// weighs the same. Masks without kFeatureCameraArea know of pinholes only.
 template <FeatureMask kMask>
 GLINT_HD Ray cameraRay(const CameraData& camera, Vec2 ndc, Vec2 uLens) {
-    const Vec3 axial(ndc.x * camera.tanHalfFovX, ndc.y * camera.tanHalfFovY, -1.0f);
-    if constexpr (hasFeature<kMask>(kFeatureDepthOfField)) {
-        if (camera.lensRadius > 0.0f) {
-            const Vec2 lens = camera.lensRadius * sampleLens(camera, uLens);
-            const Vec3 lensPoint(lens, 0.0f);
-            const Vec3 direction = axial - lensPoint / camera.focalDistance;
-            return {camera.position + camera.frame.toWorld(lensPoint),
-                    glm::normalize(camera.frame.toWorld(direction))};
+    const Vec2 place(ndc.x * camera.halfWidth + camera.middle.x, ndc.y * camera.halfHeight + camera.middle.y);
+    if constexpr (hasFeature<kMask>(kFeatureCameraArea)) {
+        if (camera.hasArea()) {
+            Vec3 lens(0.0f);
+            if (camera.lensRadius > 0.0f) {
+                lens = Vec3(camera.lensRadius * sampleLens(camera, uLens), 0.0f);
+            }
+            const Vec3 axial(camera.isOrthographic ? Vec2(0.0f) : place, -1.0f);
+            const Vec3 start = camera.isOrthographic ? lens + Vec3(place, 0.0f) : lens;
+            return {camera.position + camera.frame.toWorld(start),
+                    glm::normalize(camera.frame.toWorld(axial - lens / camera.focalDistance))};
         }
     }
-    return {camera.position, glm::normalize(camera.frame.toWorld(axial))};
+    return {camera.position, glm::normalize(camera.frame.toWorld(Vec3(place, -1.0f)))};
 }
 
 }  // namespace glint

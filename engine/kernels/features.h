@@ -33,7 +33,7 @@ enum Feature : FeatureMask {
     kFeatureEnvironmentConstant = 1u << 17,
     kFeatureEnvironmentImage = 1u << 18,
     kFeatureManyLights = 1u << 19,  ///< the light tree is used; otherwise a table of powers is enough
-    kFeatureDepthOfField = 1u << 20,
+    kFeatureCameraArea = 1u << 20,  ///< camera rays begin in more than one point: a lens, parallel rays
     kFeatureIndependentSampler = 1u << 21,
     kFeatureInputTextures = 1u << 22,  ///< textures on inputs of materials other than the colour
     /// turned, moved, clamped or mirrored textures, nearest texels, changed values, other channels

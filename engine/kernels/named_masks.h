@@ -17,10 +17,10 @@ constexpr FeatureMask kFewLightKinds = kFeatureAreaLights | kFeatureDeltaLights 
 constexpr FeatureMask kMaskDiffuseShapes =
     kAnalyticShapes | kFeatureFrontOnly | kFeatureDiffuse | kFewLightKinds;
 /// The same with glass and mirrors, and a lens.
-constexpr FeatureMask kMaskSmoothShapes = kMaskDiffuseShapes | kSmoothMaterials | kFeatureDepthOfField;
+constexpr FeatureMask kMaskSmoothShapes = kMaskDiffuseShapes | kSmoothMaterials | kFeatureCameraArea;
 /// A scan, a model from a file, architecture: diffuse meshes beside analytic shapes.
 constexpr FeatureMask kMaskDiffuseMeshes = kMaskDiffuseShapes | kMeshes | kFeatureTransforms |
-                                           kFeatureTextures | kFeatureManyLights | kFeatureDepthOfField;
+                                           kFeatureTextures | kFeatureManyLights | kFeatureCameraArea;
 /// Everything with one sampler, but for what few scenes have: textures on inputs other than the colour,
 /// placed and mip-mapped ones, surfaces of revolution, bumps, cut-outs, dispersion and other
 /// acceleration structures.

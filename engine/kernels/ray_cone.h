@@ -1,8 +1,8 @@
 // How wide a pixel is along a path: a cone around its rays (Amanatides 1984, "Ray Tracing with Cones"), for
 // mip maps alone. Host and device.
 //
-// It widens by the pixel's angle, and after a rough surface by a part of the width of the lobe that was
-// sampled. Left out: what curved mirrors and lenses do to it.
+// It widens by the pixel's angle, where rays are not parallel, and after a rough surface by a part of the
+// width of the lobe that was sampled. Left out: what curved mirrors and lenses do to it.
 #pragma once
 
 #include "engine/kernels/shading_view.h"
@@ -21,7 +21,8 @@ struct RayCone {
 
 /// Of a camera ray of a picture with so many rows.
 GLINT_HD inline RayCone pixelCone(const CameraData& camera, int height) {
-    return {0.0f, 2.0f * camera.tanHalfFovY / static_cast<float>(height)};
+    const float pixel = 2.0f * camera.halfHeight / static_cast<float>(height);
+    return camera.isOrthographic ? RayCone{pixel, 0.0f} : RayCone{0.0f, pixel};
 }
 
 }  // namespace glint

@@ -102,16 +102,23 @@ struct TextureView {
     float base = 0.0f, gain = 1.0f, exponent = 1.0f;
 };
 
-/// A pinhole or thin lens, ready for rays: see camera_ray.h.
+/// A pinhole, a thin lens or parallel rays, ready for use: see camera_ray.h.
 struct CameraData {
     Vec3 position;
     Frame frame;  ///< s: image right, t: image up, n: backwards (against the view direction)
-    float tanHalfFovX = 1.0f;
-    float tanHalfFovY = 1.0f;
+    /// half of what the picture shows, and its middle right of and above the view axis: in the plane at a
+    /// distance of 1 or, with parallel rays, anywhere
+    float halfWidth = 1.0f;
+    float halfHeight = 1.0f;
+    Vec2 middle{0.0f};
+    bool isOrthographic = false;
     float lensRadius = 0.0f;
     float focalDistance = 1.0f;
     int blades = 0;
     float bladeRotationRad = 0.0f;
+
+    /// Whether rays begin in more than one point.
+    GLINT_HD bool hasArea() const { return lensRadius > 0.0f || isOrthographic; }
 
     bool operator==(const CameraData&) const = default;
 };

@@ -63,7 +63,8 @@ GLINT_HD bool followToVisiblePoint(const SceneView& view, const SppmParams& para
         const float uLobe = get1D<kMask>(sampler, dimension(BounceDimension::Lobe, path->depth));
         if (stored.contains(uLobe)) {
             *point = makeVisiblePoint(surface, wo, *path, stored.probability());
-            point->footprint = distance * 2.0f * view.camera.tanHalfFovY / static_cast<float>(pass.height);
+            const float reach = view.camera.isOrthographic ? 1.0f : distance;
+            point->footprint = reach * 2.0f * view.camera.halfHeight / static_cast<float>(pass.height);
             if (hasFeature<kMask>(kFeatureMipmaps) && surface.uvWidth > 0.0f) {
                 point->footprint = withUvWidth(point->footprint, surface.uvWidth);
             }

@@ -9,7 +9,9 @@ namespace {
 
 FirstHit hitOf(const SceneView& view, int width, int height, int x, int y) {
     const Vec2 ndc = pixelToNdc(width, height, x, y, Vec2(0.0f));
-    const Ray ray = cameraRay<FeatureMask{0}>(view.camera, ndc, Vec2(0.0f));
+    CameraData camera = view.camera;
+    camera.lensRadius = 0.0f;
+    const Ray ray = cameraRay<kFeatureCameraArea>(camera, ndc, Vec2(0.0f));
     Hit hit;
     if (!intersect<kAllFeatures>(view, ray, &hit)) { return {}; }
     const SurfacePoint surface = surfaceAt<kAllFeatures>(view, ray, hit);

@@ -145,6 +145,7 @@ SceneDescription scaledScene(const SceneDescription& scene, float factor, Stress
     scaled.camera.target *= factor;
     scaled.camera.apertureDiameter *= factor;
     scaled.camera.focalDistance *= factor;
+    scaled.camera.viewHeight *= factor;
     for (Light& light : scaled.lights) {
         light.position *= factor;
         if (light.kind != LightKind::Directional) { light.color *= factor * factor; }

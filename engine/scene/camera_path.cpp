@@ -45,7 +45,8 @@ Camera cameraBetween(std::span<const Camera> views, float along) {
     camera.position = between(four, t, &Camera::position);
     camera.target = between(four, t, &Camera::target);
     camera.up = between(four, t, &Camera::up);
-    for (float Camera::*member : {&Camera::verticalFovDeg, &Camera::horizontalScale,
+    camera.shift = between(four, t, &Camera::shift);
+    for (float Camera::*member : {&Camera::verticalFovDeg, &Camera::viewHeight, &Camera::horizontalScale,
                                   &Camera::apertureDiameter, &Camera::focalDistance}) {
         // A curve through its ends may leave their range, where an aperture would be negative.
         const auto [low, high] = std::minmax(four[1]->*member, four[2]->*member);

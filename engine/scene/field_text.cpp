@@ -1,5 +1,6 @@
 #include "engine/scene/field_text.h"
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 
@@ -29,17 +30,17 @@ bool parseWhole(std::string_view text, const NumberRange& range, int64_t* out) {
     return true;
 }
 
-bool parseVector(std::string_view text, const NumberRange& range, Vec3* out) {
+bool parseVector(std::string_view text, const NumberRange& range, int count, float* out) {
     Vec3 vector(0.0f);
-    for (int axis = 0; axis < 3; ++axis) {
+    for (int axis = 0; axis < count; ++axis) {
         const size_t comma = std::min(text.find(','), text.size());
-        if ((comma < text.size()) != (axis < 2) ||
+        if ((comma < text.size()) != (axis < count - 1) ||
             !parseNumber(text.substr(0, comma), range, &vector[axis])) {
             return false;
         }
         text.remove_prefix(std::min(comma + 1, text.size()));
     }
-    *out = vector;
+    std::copy_n(&vector.x, count, out);
     return true;
 }
 

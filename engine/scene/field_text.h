@@ -15,8 +15,8 @@ namespace glint {
 /// Reads a whole text as a number in `range`. False, and *out untouched, for anything else.
 bool parseNumber(std::string_view text, const NumberRange& range, float* out);
 bool parseWhole(std::string_view text, const NumberRange& range, int64_t* out);
-/// "x,y,z".
-bool parseVector(std::string_view text, const NumberRange& range, Vec3* out);
+/// "x,y,z": `count` numbers, at most three.
+bool parseVector(std::string_view text, const NumberRange& range, int count, float* out);
 
 /// "half the filter's width (pixels)", in lower case or not.
 std::string describeField(const FieldTraits& traits, bool capitalised);
@@ -31,6 +31,8 @@ std::string fieldText(const Field<Owner, Member>& field, const Owner& owner) {
         return std::string(value ? field.traits.whenTrue : field.traits.whenFalse);
     } else if constexpr (std::is_same_v<Member, Vec3>) {
         return fmt::format("{},{},{}", value.x, value.y, value.z);
+    } else if constexpr (std::is_same_v<Member, Vec2>) {
+        return fmt::format("{},{}", value.x, value.y);
     } else {
         return fmt::to_string(value);
     }
@@ -54,7 +56,9 @@ bool setFromText(const Field<Owner, Member>& field, std::string_view text, Owner
         value = static_cast<Member>(number);
         return true;
     } else if constexpr (std::is_same_v<Member, Vec3>) {
-        return parseVector(text, traits.range, &value);
+        return parseVector(text, traits.range, 3, &value.x);
+    } else if constexpr (std::is_same_v<Member, Vec2>) {
+        return parseVector(text, traits.range, 2, &value.x);
     } else {
         return parseNumber(text, traits.range, &value);
     }
@@ -71,6 +75,8 @@ std::string expectedText(const Field<Owner, Member>& field) {
         return field.traits.range.wholeNumbers();
     } else if constexpr (std::is_same_v<Member, Vec3>) {
         return "three numbers such as 0,1,5";
+    } else if constexpr (std::is_same_v<Member, Vec2>) {
+        return "two numbers such as 0,0.5";
     } else {
         return std::string(field.traits.range.expected);
     }

@@ -17,6 +17,13 @@ std::span<const KindName<ShapeKind>> kindNames<ShapeKind>() {
 }
 
 template <>
+std::span<const KindName<ProjectionKind>> kindNames<ProjectionKind>() {
+    static constexpr KindName<ProjectionKind> kNames[] = {{"perspective", ProjectionKind::Perspective},
+                                                          {"orthographic", ProjectionKind::Orthographic}};
+    return kNames;
+}
+
+template <>
 std::span<const KindName<CurveKind>> kindNames<CurveKind>() {
     static constexpr KindName<CurveKind> kNames[] = {{"bezier", CurveKind::Bezier},
                                                      {"bspline", CurveKind::Bspline}};

@@ -26,6 +26,8 @@ std::span<const KindName<Kind>> kindNames();
 template <>
 std::span<const KindName<ShapeKind>> kindNames<ShapeKind>();
 template <>
+std::span<const KindName<ProjectionKind>> kindNames<ProjectionKind>();
+template <>
 std::span<const KindName<CurveKind>> kindNames<CurveKind>();
 template <>
 std::span<const KindName<MaterialKind>> kindNames<MaterialKind>();

@@ -181,8 +181,10 @@ TEST(Filter, EndsAreFinite) {
 }
 
 /// All rays through one point of the picture meet in the plane in focus, wherever they cross the lens.
-TEST(Camera, RaysMeetInThePlaneInFocus) {
+void expectToMeetInFocus(ProjectionKind kind, const Vec2& shift) {
     Camera camera;
+    camera.kind = kind;
+    camera.shift = shift;
     camera.position = Vec3(1.0f, 2.0f, 3.0f);
     camera.target = Vec3(-2.0f, 1.0f, -4.0f);
     camera.apertureDiameter = 0.5f;
@@ -191,14 +193,23 @@ TEST(Camera, RaysMeetInThePlaneInFocus) {
     Random random(40);
     for (int i = 0; i < 1000; ++i) {
         const Vec2 ndc = 2.0f * random.uniform2() - 1.0f;
-        const Ray pinhole = cameraRay<kFeatureDiffuse>(data, ndc, Vec2(0.5f));
-        const Ray ray = cameraRay<kFeatureDepthOfField>(data, ndc, random.uniform2());
+        CameraData stopped = data;
+        stopped.lensRadius = 0.0f;
+        const Ray pinhole = cameraRay<kFeatureCameraArea>(stopped, ndc, Vec2(0.5f));
+        const Ray ray = cameraRay<kFeatureCameraArea>(data, ndc, random.uniform2());
         const Vec3 axis = -data.frame.n;
         const Vec3 focus = pinhole.at(6.0f / glm::dot(pinhole.direction, axis));
         const Vec3 reached = ray.at(6.0f / glm::dot(ray.direction, axis));
         ASSERT_LT(glm::length(focus - reached), 2e-5f);
-        ASSERT_LE(glm::length(ray.origin - data.position), 0.25f + 1e-6f);
+        ASSERT_LE(glm::length(ray.origin - pinhole.origin), 0.25f + 1e-6f);
         ASSERT_NEAR(glm::length(ray.direction), 1.0f, 1e-6f);
+    }
+}
+
+TEST(Camera, RaysMeetInThePlaneInFocus) {
+    for (const ProjectionKind kind : {ProjectionKind::Perspective, ProjectionKind::Orthographic}) {
+        expectToMeetInFocus(kind, Vec2(0.0f));
+        expectToMeetInFocus(kind, Vec2(0.4f, -1.1f));
     }
 }
 

@@ -13,7 +13,7 @@
 namespace glint {
 namespace {
 
-constexpr FeatureMask kMask = kFeatureDepthOfField;
+constexpr FeatureMask kMask = kFeatureCameraArea;
 constexpr int kWidth = 29;
 constexpr int kHeight = 19;
 
@@ -21,8 +21,8 @@ CameraData cameraWith(float lensRadius, int blades) {
     CameraData camera;
     camera.position = {1.0f, -2.0f, 3.5f};
     camera.frame = Frame::fromNormal(glm::normalize(Vec3(0.3f, 0.2f, 0.9f)));
-    camera.tanHalfFovX = 0.6f;
-    camera.tanHalfFovY = 0.4f;
+    camera.halfWidth = 0.6f;
+    camera.halfHeight = 0.4f;
     camera.lensRadius = lensRadius;
     camera.focalDistance = 4.0f;
     camera.blades = blades;
@@ -64,7 +64,11 @@ void expectTilesLikePixels(const CameraData& camera, const PassParams& params) {
 
 TEST(CameraRays, TilesAreLikePixels) {
     for (const FilterKind filter : {FilterKind::Box, FilterKind::Gaussian, FilterKind::BlackmanHarris}) {
-        for (const CameraData& camera : {cameraWith(0.0f, 0), cameraWith(0.2f, 0), cameraWith(0.2f, 6)}) {
+        for (CameraData camera : {cameraWith(0.0f, 0), cameraWith(0.2f, 0), cameraWith(0.2f, 6)}) {
+            expectTilesLikePixels(camera, paramsWith(filter));
+            camera.middle = {0.31f, -0.17f};
+            expectTilesLikePixels(camera, paramsWith(filter));
+            camera.isOrthographic = true;
             expectTilesLikePixels(camera, paramsWith(filter));
         }
     }

@@ -197,6 +197,23 @@ TEST_F(Gltf, CamerasAndLights) {
     EXPECT_FALSE(scene.environment.emissive()) << "it brings its own light";
 }
 
+TEST_F(Gltf, OrthographicCamerasAreThat) {
+    const auto withCamera = [&](const std::string& lens) {
+        return load(gltf(material("") + R"(, "cameras": [{"type": "orthographic", "orthographic": {)" + lens +
+                             R"(, "znear": 0.1, "zfar": 9}}])",
+                         kMesh, R"("nodes": [{"mesh": 0}, {"camera": 0, "translation": [0, 0, 5]}])"));
+    };
+    const SceneDescription scene = withCamera(R"("xmag": 3, "ymag": 1.5)");
+    EXPECT_EQ(scene.camera.kind, ProjectionKind::Orthographic);
+    EXPECT_EQ(scene.camera.viewHeight, 3.0f);
+    EXPECT_EQ(scene.resolution, (Resolution{1200, 600}));
+    EXPECT_EQ(scene.camera.position, Vec3(0, 0, 5));
+    EXPECT_TRUE(scene.warnings.empty());
+    const SceneDescription flat = withCamera(R"("xmag": 3, "ymag": 0)");
+    EXPECT_EQ(flat.camera.kind, ProjectionKind::Perspective) << "the default view";
+    EXPECT_EQ(flat.warnings.size(), 1u);
+}
+
 TEST_F(Gltf, ModelsWithoutLampsGetTheStudio) {
     const auto hasGround = [&](const std::string& members) {
         const auto scene = loadScene(folder.write("a.gltf", gltf(material(members))));

@@ -70,6 +70,35 @@ value="0.2"/><bsdf type="dielectric"/></shape>
 <emitter type="constant"><rgb name="radiance" value="0.2 0.3 0.4"/></emitter>)"));
 }
 
+TEST_F(MitsubaExport, CamerasKeepTheirProjection) {
+    SceneDescription scene = repositoryScene("cornell.json");
+    scene.resolution = {40, 30};
+    scene.options.filter = FilterKind::Box;
+    scene.camera.shift = {0.3f, -0.7f};
+    SceneDescription opened = exported(scene);
+    EXPECT_THAT(warnings, IsEmpty());
+    EXPECT_NEAR(opened.camera.shift.x, 0.3f, 1e-6f);
+    EXPECT_NEAR(opened.camera.shift.y, -0.7f, 1e-6f);
+    scene.camera.kind = ProjectionKind::Orthographic;
+    scene.camera.viewHeight = 2.4f;
+    scene.camera.horizontalScale = 1.5f;
+    opened = exported(scene);
+    EXPECT_THAT(warnings, IsEmpty());
+    EXPECT_EQ(opened.camera.kind, ProjectionKind::Orthographic);
+    EXPECT_NEAR(opened.camera.viewHeight, 2.4f, 1e-5f);
+    EXPECT_NEAR(opened.camera.horizontalScale, 1.5f, 1e-5f);
+    // A step aside takes the place of the shift.
+    const CameraAxes axes = axesOf(scene.camera);
+    const Vec3 aside = opened.camera.position - scene.camera.position;
+    EXPECT_NEAR(glm::dot(aside, axes.right), 0.3f * 2.4f * 1.5f, 1e-5f);
+    EXPECT_NEAR(glm::dot(aside, axes.up), -0.7f * 2.4f, 1e-5f);
+    EXPECT_NEAR(glm::dot(aside, axes.forward), 0.0f, 1e-5f);
+    scene.camera.kind = ProjectionKind::Perspective;
+    scene.camera.apertureDiameter = 0.1f;
+    exported(scene);
+    EXPECT_THAT(warnings, Contains("approximated: the lens is not shifted"));
+}
+
 TEST_F(MitsubaExport, WhatMitsubaDoesNotHaveIsSaid) {
     SceneDescription scene = repositoryScene("cornell.json");
     scene.options.filter = FilterKind::BlackmanHarris;

@@ -137,6 +137,40 @@ TEST_F(MitsubaScene, AnglesOfViewAreOfTheirAxis) {
                 1e-3f);
 }
 
+TEST_F(MitsubaScene, CropWindowsAndPrincipalPointsShiftThePicture) {
+    const SceneDescription scene = load(
+        sensor("<float name='fov' value='90'/><float name='principal_point_offset_x' value='0.1'/><float "
+               "name='principal_point_offset_y' value='0.05'/>",
+               "<integer name='crop_width' value='50'/><integer name='crop_height' value='40'/><integer "
+               "name='crop_offset_x' value='30'/><integer name='crop_offset_y' value='10'/>"));
+    EXPECT_THAT(scene.warnings, testing::Not(Contains(HasSubstr("approximated"))));
+    EXPECT_EQ(scene.resolution, (Resolution{50, 40}));
+    // 40 of 200 pixels; the window's middle is 45 pixels left of and 20 above the picture's, and the
+    // principal point puts 20 right of and 5 below it in the picture's middle.
+    EXPECT_NEAR(scene.camera.verticalFovDeg, 2.0f * std::atan(0.2f) * 180.0f / kPi, 1e-4f);
+    EXPECT_NEAR(scene.camera.shift.x, (-45.0f + 20.0f) / 40.0f, 1e-6f);
+    EXPECT_NEAR(scene.camera.shift.y, (20.0f - 5.0f) / 40.0f, 1e-6f);
+    EXPECT_THAT(errorOf(sensor("", "<integer name='crop_offset_x' value='10'/>")),
+                HasSubstr("reaches beyond the picture of 200 x 100"));
+}
+
+TEST_F(MitsubaScene, OrthographicPicturesAreTwoUnitsWide) {
+    const SceneDescription scene = load(
+        "<sensor type='orthographic'><transform name='to_world'><scale x='3' y='3'/><lookat origin='1,2,9' "
+        "target='1,2,0' up='0,1,0'/></transform><film type='hdrfilm'><integer name='width' value='200'/>"
+        "<integer name='height' value='100'/><integer name='crop_width' value='100'/><integer "
+        "name='crop_height' value='50'/></film></sensor>");
+    EXPECT_THAT(scene.warnings, testing::Not(Contains(HasSubstr("approximated"))));
+    const Camera& camera = scene.camera;
+    EXPECT_EQ(camera.kind, ProjectionKind::Orthographic);
+    EXPECT_NEAR(camera.viewHeight, 1.5f, 1e-5f) << "6 m are 200 pixels, of which 50 are seen";
+    EXPECT_NEAR(camera.shift.x, -1.0f, 1e-6f);
+    EXPECT_NEAR(camera.shift.y, 0.5f, 1e-6f);
+    EXPECT_EQ(camera.horizontalScale, 1.0f);
+    EXPECT_EQ(camera.position, Vec3(1, 2, 9));
+    EXPECT_EQ(camera.target, Vec3(1, 2, 0));
+}
+
 TEST_F(MitsubaScene, CamerasLookAlongZ) {
     const Camera camera = cameraOf(
         "<sensor type='thinlens'><float name='aperture_radius' value='0.5'/><float name='focus_distance' "

@@ -82,7 +82,7 @@ TEST_F(SceneBuilder, CameraAndSizeRebuildNothing) {
     EXPECT_EQ(after.scene->lights, before->lights);
     EXPECT_EQ(after.scene->meshes, before->meshes);
     EXPECT_NE(after.scene->camera.position, before->camera.position);
-    EXPECT_NE(after.scene->camera.tanHalfFovX, before->camera.tanHalfFovX);
+    EXPECT_NE(after.scene->camera.halfWidth, before->camera.halfWidth);
     EXPECT_FALSE(after.report.featuresScanned);
 }
 

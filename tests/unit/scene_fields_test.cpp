@@ -56,6 +56,7 @@ SceneImage sky(float sunElevationDeg) {
 SceneDescription fullScene() {
     SceneDescription scene;
     scene.warnings = scene.notes = {"something"};
+    scene.camera.kind = ProjectionKind::Orthographic;
     scene.camera.apertureBlades = 5;
     scene.options.integrator = IntegratorKind::Sppm;
     scene.textures = {textureFrom("a.png"), textureFrom("b.png"), checkerboard()};

@@ -195,7 +195,7 @@ TEST(FeatureScan, NamesExactlyWhatIsNeeded) {
     scene.camera.apertureDiameter = 0.1f;
     scene.options.sampler = SamplerKind::Independent;
     scene.objects[0].frontOnly = true;
-    const FeatureMask needed = kFeatureCurved | kFeatureSpecular | kFeatureDepthOfField | kFeatureFrontOnly;
+    const FeatureMask needed = kFeatureCurved | kFeatureSpecular | kFeatureCameraArea | kFeatureFrontOnly;
     EXPECT_EQ(featuresOf(scene), needed);
     EXPECT_EQ(neededFeatures(needed, SamplerKind::Independent), needed | kFeatureIndependentSampler);
     EXPECT_EQ(neededFeatures(needed, SamplerKind::Sobol), needed);
@@ -226,8 +226,8 @@ TEST(CameraBuilder, LooksWhereItShould) {
     EXPECT_LT(glm::length(data.frame.s - Vec3(1, 0, 0)), 1e-6f) << "right";
     EXPECT_LT(glm::length(data.frame.t - Vec3(0, 1, 0)), 1e-6f) << "up";
     EXPECT_LT(glm::length(data.frame.n - Vec3(0, 0, 1)), 1e-6f) << "backwards";
-    EXPECT_NEAR(data.tanHalfFovY, 1.0f, 1e-6f);
-    EXPECT_NEAR(data.tanHalfFovX, 1.0f, 1e-6f);
+    EXPECT_NEAR(data.halfHeight, 1.0f, 1e-6f);
+    EXPECT_NEAR(data.halfWidth, 1.0f, 1e-6f);
 }
 
 TEST(CameraBuilder, SurvivesUpsThatSayNothing) {

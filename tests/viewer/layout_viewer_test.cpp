@@ -78,14 +78,22 @@ TEST(LayoutViewer, ViewsAreKeptForTheirScene) {
 wait picture
 set "Camera/Position" 1 2 6
 set "Aperture" 20
+set "Projection" "Orthographic"
+wait picture
+set "View height" 3
+set "Shift up" 0.25
 wait picture
 click "Bookmark this view"
 key home
 wait picture
 expect "Camera/Position" "0 1 4"
+expect "Projection" "Perspective"
 click "View 1"
 wait picture
 expect "Camera/Position" "1 2 6"
+expect "Projection" "Orthographic"
+expect "View height" 3
+expect "Shift up" 0.25
 expect "Aperture" 20
 click "Bookmark this view"
 click "Forget View 1"

@@ -63,7 +63,7 @@ TEST(Lens, CirclesOfConfusionAreThoseOfTheRays) {
             CameraData edge = data;
             edge.position = data.position + data.frame.s * data.lensRadius;
             const Vec3 inFocus = data.position +
-                                 data.frame.s * (static_cast<float>(middle) * data.tanHalfFovX * 2.0f) -
+                                 data.frame.s * (static_cast<float>(middle) * data.halfWidth * 2.0f) -
                                  data.frame.n * camera.focalDistance;
             const Vec3 direction = inFocus - edge.position;
             const float across = data.lensRadius + glm::dot(direction, data.frame.s) * depth /
@@ -73,6 +73,29 @@ TEST(Lens, CirclesOfConfusionAreThoseOfTheRays) {
         const double circle = 2.0 * low * 0.5 * kHeight;
         EXPECT_NEAR(blurPixels(camera, depth, kHeight), circle, 1e-3 * std::fabs(circle) + 1e-3) << depth;
     }
+}
+
+/// As wide as what the rays of the picture's middle meet at that depth.
+TEST(Lens, ParallelRaysHaveCirclesOfConfusion) {
+    Camera camera = someCamera();
+    camera.kind = ProjectionKind::Orthographic;
+    camera.viewHeight = 0.8f;
+    const CameraData data = *buildCamera(camera, 1.0f);
+    for (const float depth : {0.5f, 1.9f, 2.1f, 5.0f}) {
+        float radius = 0.0f;
+        for (int i = 0; i < 4096; ++i) {
+            const Vec2 uLens((static_cast<float>(i % 64) + 0.5f) / 64.0f,
+                             (static_cast<float>(i / 64) + 0.5f) / 64.0f);
+            const Ray ray = cameraRay<kFeatureCameraArea>(data, Vec2(0.0f), uLens);
+            const Vec3 met = ray.at(depth / -glm::dot(ray.direction, data.frame.n)) - data.position;
+            radius = std::max(radius, std::hypot(glm::dot(met, data.frame.s), glm::dot(met, data.frame.t)));
+        }
+        const float circle = 2.0f * radius / camera.viewHeight * 720.0f;
+        EXPECT_NEAR(std::fabs(blurPixels(camera, depth, 720)), circle, 0.02f * circle) << depth;
+    }
+    const SharpRange range = sharpRange(camera, 3.0f, 720);
+    EXPECT_NEAR(blurPixels(camera, range.nearLimit, 720), -3.0f, 1e-3f);
+    EXPECT_NEAR(blurPixels(camera, range.farLimit, 720), 3.0f, 1e-3f);
 }
 
 TEST(Lens, LimitsAreWhereTheCircleIsThatLarge) {

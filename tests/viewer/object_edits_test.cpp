@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "engine/builders/camera_builder.h"
+#include "engine/kernels/camera_ray.h"
 #include "viewer/model/gizmo.h"
 #include "viewer/model/material_presets.h"
 #include "viewer/model/placement.h"
@@ -66,7 +68,54 @@ TEST(Gizmo, ProjectsAsTheCameraSees) {
     for (const Vec3 point : {Vec3(1, 2, -1), Vec3(-0.4f, 0.3f, 1)}) {
         const auto at = screen.view().project(point);
         const Vec3 towards = glm::normalize(point - screen.camera.position);
-        EXPECT_LT(glm::length(screen.view().directionAt(*at) - towards), 1e-5f);
+        EXPECT_LT(glm::length(screen.view().rayAt(*at).direction - towards), 1e-5f);
+    }
+}
+
+/// A point's place on the screen is where the picture shows it: the camera's ray through that place meets it.
+TEST(Gizmo, ProjectsAsTheRendererSees) {
+    OnScreen screen;
+    Camera& camera = screen.camera;
+    camera.target = {0.3f, 0.2f, -1};
+    camera.horizontalScale = 1.2f;
+    camera.viewHeight = 3.0f;
+    for (const ProjectionKind kind : {ProjectionKind::Perspective, ProjectionKind::Orthographic}) {
+        for (const Vec3 up : {Vec3(0.2f, 1, 0), camera.position - camera.target}) {
+            for (const Vec2 shift : {Vec2(0.0f), Vec2(0.25f, -0.6f)}) {
+                camera.kind = kind;
+                camera.up = up;
+                camera.shift = shift;
+                const CameraData data = *buildCamera(camera, 800.0f / 600.0f);
+                for (const Vec3 point : {Vec3(1, 2, -1), Vec3(-0.4f, 0.3f, 1)}) {
+                    const Vec2 at = *screen.view().project(point);
+                    const Vec2 ndc(at.x / 400.0f - 1.0f, 1.0f - at.y / 300.0f);
+                    const Ray ray = cameraRay<kFeatureCameraArea>(data, ndc, Vec2(0.0f));
+                    const float t = glm::dot(point - ray.origin, ray.direction);
+                    EXPECT_LT(glm::length(ray.at(t) - point), 2e-5f);
+                    const Ray own = screen.view().rayAt(at);
+                    EXPECT_LT(glm::length(own.origin - ray.origin), 1e-5f);
+                    EXPECT_LT(glm::length(own.direction - ray.direction), 1e-5f);
+                }
+            }
+        }
+    }
+}
+
+TEST(Gizmo, HandlesFollowTheMouseUnderParallelRays) {
+    OnScreen screen;
+    screen.camera.kind = ProjectionKind::Orthographic;
+    screen.camera.shift = {0.1f, 0.2f};
+    const Affine placed = translate({0.2f, 1, 0});
+    GizmoSettings settings{.mode = GizmoMode::Move};
+    Gizmo gizmo;
+    const auto handles = gizmo.handles(placed, settings, screen.view(), 80.0f);
+    EXPECT_NEAR(glm::length(handles[0].line.back() - handles[0].line.front()), 80.0f, 0.1f);
+    for (const GizmoHandle& handle : {handles[1], handles[3]}) {
+        const Vec2 from = handle.line.back();
+        gizmo.begin(handle, placed, settings, screen.view(), from);
+        const Affine moved = gizmo.drag(settings, screen.view(), from + Vec2(0, 60), false);
+        EXPECT_NEAR(moved.translation.y, 1.0f - 60.0f / 600.0f * screen.camera.viewHeight, 1e-5f);
+        EXPECT_NEAR(moved.translation.x, 0.2f, 1e-5f);
     }
 }
 

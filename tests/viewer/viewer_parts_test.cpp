@@ -8,6 +8,8 @@
 #include <sys/stat.h>
 
 #include "engine/scene/scene_diff.h"
+#include "tests/support/temp_folder.h"
+#include "viewer/base/camera_bookmarks.h"
 #include "viewer/model/camera_controller.h"
 #include "viewer/model/display_settings.h"
 #include "viewer/model/scene_document.h"
@@ -168,6 +170,52 @@ TEST(CameraController, DollyNeverReachesTheTarget) {
     dolly(&other, 1.0f);
     dolly(&other, -1.0f);
     EXPECT_NEAR(targetDistance(other), 5.0f, 1e-4f);
+}
+
+TEST(CameraController, ProjectionsShowAsMuchOfTheTarget) {
+    Camera camera;
+    camera.shift = {0.3f, 0.1f};
+    const float height = heightOfView(camera, 5.0f);
+    setProjection(&camera, ProjectionKind::Orthographic);
+    EXPECT_FLOAT_EQ(camera.viewHeight, height);
+    EXPECT_EQ(heightOfView(camera, 50.0f), camera.viewHeight);
+    dolly(&camera, 1.0f);
+    EXPECT_LT(camera.viewHeight, 0.95f * height);
+    EXPECT_EQ(targetDistance(camera), 5.0f);
+    dolly(&camera, -1.0f);
+    const Vec3 target = camera.target;
+    pan(&camera, {0.0f, 40.0f}, 400.0f);
+    EXPECT_NEAR(camera.target.y - target.y, 0.1f * height, 1e-5f);
+    setProjection(&camera, ProjectionKind::Perspective);
+    EXPECT_NEAR(camera.verticalFovDeg, 40.0f, 1e-3f);
+    setProjection(&camera, ProjectionKind::Orthographic);
+    frameBounds(&camera, {Vec3(9.0f), Vec3(11.0f)}, 0.5f);
+    EXPECT_GE(0.5f * camera.viewHeight, 2.0f * std::sqrt(3.0f));
+    EXPECT_LE(camera.viewHeight, 4.8f * std::sqrt(3.0f));
+    EXPECT_GT(targetDistance(camera), std::sqrt(3.0f)) << "nothing is behind it";
+    EXPECT_EQ(camera.shift, Vec2(0.0f));
+}
+
+TEST(CameraBookmarks, KeepProjectionsAndReadOlderFiles) {
+    const test::TempFolder folder;
+    const std::string file = folder.write("views", "/s.json\nView 1\n1 2 3 0 0 0 0 1 0 35 1 0.1 4 6 20 \n");
+    CameraBookmarks old;
+    old.begin(file);
+    ASSERT_EQ(old.of("/s.json").size(), 1u);
+    EXPECT_EQ(old.of("/s.json")[0].camera.kind, ProjectionKind::Perspective);
+    EXPECT_EQ(old.of("/s.json")[0].camera.bladeRotationDeg, 20.0f);
+    Camera camera;
+    camera.kind = ProjectionKind::Orthographic;
+    camera.viewHeight = 7.5f;
+    camera.shift = {0.25f, -0.5f};
+    old.add("/s.json", camera);
+    CameraBookmarks read;
+    read.begin(file);
+    ASSERT_EQ(read.of("/s.json").size(), 2u);
+    const Camera& kept = read.of("/s.json")[1].camera;
+    EXPECT_EQ(kept.kind, ProjectionKind::Orthographic);
+    EXPECT_EQ(kept.viewHeight, 7.5f);
+    EXPECT_EQ(kept.shift, Vec2(0.25f, -0.5f));
 }
 
 TEST(CameraController, FramePutsTheWholeSphereInTheImage) {

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "engine/io/atomic_file.h"
+#include "engine/scene/kind_names.h"
 
 namespace glint {
 namespace {
@@ -37,6 +38,14 @@ void forEachNumber(AnyCamera& camera, const Visit& visit) {
     visit(camera.bladeRotationDeg);
 }
 
+/// At the end of the line; files from before cameras had it are read, too.
+void readProjection(std::istringstream& words, Camera* camera) {
+    std::string name;
+    if (!(words >> name)) { return; }
+    words >> camera->viewHeight >> camera->shift.x >> camera->shift.y;
+    camera->kind = kindNamed<ProjectionKind>(name).value_or(ProjectionKind::Perspective);
+}
+
 }  // namespace
 
 void CameraBookmarks::begin(const std::string& file) {
@@ -47,8 +56,11 @@ void CameraBookmarks::begin(const std::string& file) {
     for (std::string numbers;
          std::getline(in, read.scene) && std::getline(in, read.name) && std::getline(in, numbers);) {
         std::istringstream words(numbers);
+        read.camera = {};
         forEachNumber(read.camera, [&](auto& number) { words >> number; });
-        if (words) { all_.push_back(read); }
+        if (!words) { continue; }
+        readProjection(words, &read.camera);
+        all_.push_back(read);
     }
 }
 
@@ -82,7 +94,8 @@ void CameraBookmarks::save() const {
         if (each.scene.find('\n') != std::string::npos) { continue; }
         text += each.scene + "\n" + each.name + "\n";
         forEachNumber(each.camera, [&](const auto& number) { text += fmt::format("{} ", number); });
-        text += "\n";
+        text += fmt::format("{} {} {} {}\n", nameOf(each.camera.kind), each.camera.viewHeight,
+                            each.camera.shift.x, each.camera.shift.y);
     }
     std::error_code problem;
     fs::create_directories(fs::path(file_).parent_path(), problem);

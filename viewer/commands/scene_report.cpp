@@ -50,7 +50,7 @@ constexpr std::array<FeatureName, 29> kFeatureNames{
      {kFeatureEnvironmentConstant, "constant environment"},
      {kFeatureEnvironmentImage, "environment image"},
      {kFeatureManyLights, "light tree"},
-     {kFeatureDepthOfField, "depth of field"},
+     {kFeatureCameraArea, "depth of field or parallel rays"},
      {kFeatureRevolved, "surfaces of revolution"},
      {kFeatureAccelerators, "kd-trees, boxes, no acceleration structure"},
      {kFeatureIndependentSampler, "independent sampler"}}};

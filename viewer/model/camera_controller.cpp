@@ -10,26 +10,10 @@ constexpr float kPoleMarginRad = 0.02f;
 constexpr float kDollyShare = 0.12f;  // of the distance, each wheel step
 constexpr float kFrameMargin = 1.08f;
 
-struct Axes {
-    Vec3 right, up, forward;
-};
-
 Vec3 anyPerpendicular(const Vec3& v) {
     const Vec3 helper = std::fabs(v.x) < 0.9f ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
     return glm::normalize(glm::cross(v, helper));
 }
-
-Axes axesOf(const Camera& camera) {
-    const Vec3 towards = camera.target - camera.position;
-    const float distance = glm::length(towards);
-    const Vec3 forward = distance > 0.0f ? towards / distance : Vec3{0, 0, -1};
-    const Vec3 sideways = glm::cross(forward, camera.up);
-    const Vec3 right =
-        lengthSquared(sideways) > 1e-12f ? glm::normalize(sideways) : anyPerpendicular(forward);
-    return {right, glm::cross(right, forward), forward};
-}
-
-float tanHalfFov(const Camera& camera) { return std::tan(camera.verticalFovDeg * kPi / 360.0f); }
 
 /// Turns `direction` about `up` by the drag's x, and towards or away from `up` by its y, short of the poles.
 Vec3 turned(const Camera& camera, const Vec3& direction, Vec2 angles) {
@@ -63,9 +47,8 @@ void lookAround(Camera* camera, Vec2 dragPixels, float imageHeight) {
 }
 
 void pan(Camera* camera, Vec2 dragPixels, float imageHeight) {
-    const Axes axes = axesOf(*camera);
-    const float metresPerPixel =
-        2.0f * targetDistance(*camera) * tanHalfFov(*camera) / std::max(imageHeight, 1.0f);
+    const CameraAxes axes = axesOf(*camera);
+    const float metresPerPixel = heightOfView(*camera, targetDistance(*camera)) / std::max(imageHeight, 1.0f);
     const Vec3 shift =
         axes.right * (-dragPixels.x * metresPerPixel) + axes.up * (dragPixels.y * metresPerPixel);
     camera->position += shift;
@@ -74,11 +57,15 @@ void pan(Camera* camera, Vec2 dragPixels, float imageHeight) {
 
 void dolly(Camera* camera, float steps) {
     const float factor = std::pow(1.0f - kDollyShare, clampf(steps, -20.0f, 20.0f));
-    camera->position = camera->target + (camera->position - camera->target) * factor;
+    if (camera->kind == ProjectionKind::Orthographic) {
+        camera->viewHeight *= factor;
+    } else {
+        camera->position = camera->target + (camera->position - camera->target) * factor;
+    }
 }
 
 void fly(Camera* camera, const Vec3& amount) {
-    const Axes axes = axesOf(*camera);
+    const CameraAxes axes = axesOf(*camera);
     const Vec3 shift =
         (axes.right * amount.x + axes.up * amount.y + axes.forward * amount.z) * targetDistance(*camera);
     camera->position += shift;
@@ -88,12 +75,31 @@ void fly(Camera* camera, const Vec3& amount) {
 void frameBounds(Camera* camera, const Bounds& bounds, float aspect) {
     if (bounds.empty()) { return; }
     const float radius = std::max(0.5f * glm::length(bounds.extent()), 1e-6f);
-    const float tanVertical = tanHalfFov(*camera);
-    const float tanSmallest = std::min(tanVertical, tanVertical * aspect * camera->horizontalScale);
-    const float distance = kFrameMargin * radius / std::sin(std::atan(tanSmallest));
+    const float width = aspect * camera->horizontalScale;
+    float distance = 2.0f * radius;  // all of it is before the camera
+    if (camera->kind == ProjectionKind::Orthographic) {
+        camera->viewHeight = 2.0f * kFrameMargin * radius / std::min(1.0f, width);
+    } else {
+        const float tanVertical = 0.5f * heightOfView(*camera, 1.0f);
+        const float tanSmallest = std::min(tanVertical, tanVertical * width);
+        distance = kFrameMargin * radius / std::sin(std::atan(tanSmallest));
+    }
     const Vec3 forward = axesOf(*camera).forward;
+    camera->shift = Vec2(0.0f);
     camera->target = bounds.center();
     camera->position = camera->target - forward * distance;
+}
+
+void setProjection(Camera* camera, ProjectionKind kind) {
+    if (camera->kind == kind) { return; }
+    const float distance = targetDistance(*camera);
+    if (kind == ProjectionKind::Orthographic) {
+        camera->viewHeight = heightOfView(*camera, distance);
+    } else {
+        camera->verticalFovDeg =
+            clampf(2.0f * std::atan(0.5f * camera->viewHeight / distance) * 180.0f / kPi, 0.1f, 170.0f);
+    }
+    camera->kind = kind;
 }
 
 }  // namespace glint

@@ -13,14 +13,18 @@ namespace glint {
 void orbit(Camera* camera, Vec2 dragPixels, float imageHeight);
 /// Shifts position and target in the picture's plane so that the target stays under the mouse.
 void pan(Camera* camera, Vec2 dragPixels, float imageHeight);
-/// Moves towards the target (steps > 0) by a fixed share of the distance; never reaches it.
+/// Moves towards the target (steps > 0) by a fixed share of the distance; never reaches it. With parallel
+/// rays, shows so much less instead.
 void dolly(Camera* camera, float steps);
 /// Moves position and target together: x right, y up, z forwards, in units of the target's distance.
 void fly(Camera* camera, const Vec3& amount);
 /// Looks around from where the camera stands: turns the target about the position.
 void lookAround(Camera* camera, Vec2 dragPixels, float imageHeight);
-/// Keeps the direction and moves so that `bounds` fill the picture. Does nothing for empty bounds.
+/// Keeps the direction and moves so that `bounds` fill the picture, which is no longer shifted. Does nothing
+/// for empty bounds.
 void frameBounds(Camera* camera, const Bounds& bounds, float aspect);
+/// Another projection that shows as much at the target's distance.
+void setProjection(Camera* camera, ProjectionKind kind);
 
 /// Metres from the position to the target.
 float targetDistance(const Camera& camera);

@@ -49,9 +49,13 @@ bool isCut(float depth, float next, float focus) {
     return isBetween && depth > 0.0f && next > 0.0f && std::fabs(depth - next) < kSmoothStep * focus;
 }
 
-bool seesTheSame(const CameraData& a, const CameraData& b) {
-    return a.position == b.position && a.frame.s == b.frame.s && a.frame.t == b.frame.t &&
-           a.tanHalfFovX == b.tanHalfFovX && a.tanHalfFovY == b.tanHalfFovY;
+/// Through the middle of the lens.
+bool seesTheSame(CameraData a, const CameraData& b) {
+    a.lensRadius = b.lensRadius;
+    a.focalDistance = b.focalDistance;
+    a.blades = b.blades;
+    a.bladeRotationRad = b.bladeRotationRad;
+    return a == b;
 }
 
 int scaleFor(const Resolution& size, int mostDepths) {
@@ -65,8 +69,9 @@ int scaleFor(const Resolution& size, int mostDepths) {
 bool isSameLens(const FocusOverlay::Wanted& a, const FocusOverlay::Wanted& b) {
     return a.kind == b.kind && a.sharpPixels == b.sharpPixels &&
            a.camera.apertureDiameter == b.camera.apertureDiameter &&
-           a.camera.focalDistance == b.camera.focalDistance &&
-           a.camera.verticalFovDeg == b.camera.verticalFovDeg && a.resolution.height == b.resolution.height;
+           a.camera.focalDistance == b.camera.focalDistance && a.camera.kind == b.camera.kind &&
+           a.camera.verticalFovDeg == b.camera.verticalFovDeg && a.camera.viewHeight == b.camera.viewHeight &&
+           a.resolution.height == b.resolution.height;
 }
 
 }  // namespace

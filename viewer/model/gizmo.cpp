@@ -36,37 +36,36 @@ float distanceTo(const std::vector<Vec2>& line, Vec2 at) {
 }  // namespace
 
 ScreenView::ScreenView(const Camera& camera, Vec2i picture, const PlacedImage& placed)
-    : position_(camera.position), placed_(placed) {
-    const Vec3 view = camera.target - camera.position;
-    forward_ = isZero(view) ? Vec3(0, 0, -1) : glm::normalize(view);
-    Vec3 sideways = glm::cross(forward_, camera.up);
-    if (lengthSquared(sideways) < 1e-12f) {
-        sideways = glm::cross(forward_, std::fabs(forward_.x) < 0.9f ? Vec3(1, 0, 0) : Vec3(0, 1, 0));
-    }
-    right_ = glm::normalize(sideways);
-    up_ = glm::cross(right_, forward_);
-    tangent_.y = std::tan(camera.verticalFovDeg * kPi / 360.0f);
-    tangent_.x = tangent_.y * camera.horizontalScale * static_cast<float>(picture.x) /
-                 static_cast<float>(std::max(picture.y, 1));
+    : position_(camera.position),
+      view_(axesOf(camera)),
+      isParallel_(camera.kind == ProjectionKind::Orthographic),
+      placed_(placed) {
+    half_.y = 0.5f * heightOfView(camera, 1.0f);
+    half_.x = half_.y * camera.horizontalScale * static_cast<float>(picture.x) /
+              static_cast<float>(std::max(picture.y, 1));
+    middle_ = 2.0f * half_.y * camera.shift * Vec2(camera.horizontalScale, 1.0f);
 }
 
 std::optional<Vec2> ScreenView::project(const Vec3& point) const {
     const Vec3 away = point - position_;
-    const float depth = glm::dot(away, forward_);
+    const float depth = glm::dot(away, view_.forward);
     if (!(depth > 0.0f)) { return std::nullopt; }
-    const Vec2 share(0.5f + 0.5f * glm::dot(away, right_) / (depth * tangent_.x),
-                     0.5f - 0.5f * glm::dot(away, up_) / (depth * tangent_.y));
-    return placed_.min + share * (placed_.max - placed_.min);
+    const float reach = isParallel_ ? 1.0f : depth;
+    const Vec2 ndc = (Vec2(glm::dot(away, view_.right), glm::dot(away, view_.up)) / reach - middle_) / half_;
+    return placed_.min + (0.5f + 0.5f * ndc * Vec2(1.0f, -1.0f)) * (placed_.max - placed_.min);
 }
 
-Vec3 ScreenView::directionAt(Vec2 screen) const {
+Ray ScreenView::rayAt(Vec2 screen) const {
     const Vec2 share = (screen - placed_.min) / (placed_.max - placed_.min) * 2.0f - 1.0f;
-    return glm::normalize(forward_ + right_ * (share.x * tangent_.x) - up_ * (share.y * tangent_.y));
+    const Vec2 place = share * Vec2(1.0f, -1.0f) * half_ + middle_;
+    const Vec3 offset = view_.right * place.x + view_.up * place.y;
+    return isParallel_ ? Ray{position_ + offset, view_.forward}
+                       : Ray{position_, glm::normalize(view_.forward + offset)};
 }
 
 float ScreenView::metresPer(float units, const Vec3& point) const {
-    const float depth = glm::dot(point - position_, forward_);
-    return depth * 2.0f * tangent_.y * units / (placed_.max.y - placed_.min.y);
+    const float depth = glm::dot(point - position_, view_.forward);
+    return (isParallel_ ? 1.0f : depth) * 2.0f * half_.y * units / (placed_.max.y - placed_.min.y);
 }
 
 std::vector<GizmoHandle> Gizmo::handles(const Affine& placed, const GizmoSettings& settings,
@@ -112,22 +111,22 @@ std::optional<GizmoHandle> Gizmo::nearest(const std::vector<GizmoHandle>& handle
 /// The axis's point that is nearest to the mouse's ray, in metres from the origin.
 float Gizmo::along(const ScreenView& view, Vec2 mouse) const {
     const Vec3 axis = axes_[held_.axis];
-    const Vec3 ray = view.directionAt(mouse);
-    const Vec3 between = start_.translation - view.position();
-    const float b = glm::dot(axis, ray);
+    const Ray ray = view.rayAt(mouse);
+    const Vec3 between = start_.translation - ray.origin;
+    const float b = glm::dot(axis, ray.direction);
     const float denominator = 1.0f - b * b;
     if (denominator < 1e-5f) { return startParameter_; }
-    return (b * glm::dot(ray, between) - glm::dot(axis, between)) / denominator;
+    return (b * glm::dot(ray.direction, between) - glm::dot(axis, between)) / denominator;
 }
 
 /// About the axis, from where the mouse's ray meets the ring's plane.
 float Gizmo::angle(const ScreenView& view, Vec2 mouse) const {
     const Vec3 axis = axes_[held_.axis];
-    const Vec3 ray = view.directionAt(mouse);
-    const float slope = glm::dot(ray, axis);
+    const Ray ray = view.rayAt(mouse);
+    const float slope = glm::dot(ray.direction, axis);
     if (std::fabs(slope) < 0.05f) { return startParameter_; }
-    const Vec3 between = start_.translation - view.position();
-    const Vec3 hit = ray * (glm::dot(between, axis) / slope) - between;
+    const Vec3 between = start_.translation - ray.origin;
+    const Vec3 hit = ray.direction * (glm::dot(between, axis) / slope) - between;
     return std::atan2(glm::dot(hit, axes_[(held_.axis + 2) % 3]), glm::dot(hit, axes_[(held_.axis + 1) % 3]));
 }
 
@@ -151,8 +150,8 @@ Affine Gizmo::moved(const GizmoSettings& settings, const ScreenView& view, Vec2 
         return out;
     }
     const Vec3 origin = start_.translation;
-    const float depth = glm::length(origin - view.position());
-    const Vec3 way = (view.directionAt(mouse) - view.directionAt(from_)) * depth;
+    const float distance = glm::length(origin - view.position());
+    const Vec3 way = view.rayAt(mouse).at(distance) - view.rayAt(from_).at(distance);
     for (int i = 0; i < 3; ++i) {
         out.translation[i] += snapped(way[i], settings.moveStep, snaps);
     }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/math/ray.h"
 #include "engine/math/transform.h"
 #include "engine/scene/camera.h"
 #include "viewer/model/image_framing.h"
@@ -29,15 +30,18 @@ class ScreenView {
     ScreenView(const Camera& camera, Vec2i picture, const PlacedImage& placed);
     /// Nothing for what is behind the camera.
     std::optional<Vec2> project(const Vec3& point) const;
-    /// Of unit length, from the camera through that place of the screen.
-    Vec3 directionAt(Vec2 screen) const;
+    /// From the camera through that place of the screen; its direction has unit length.
+    Ray rayAt(Vec2 screen) const;
     const Vec3& position() const { return position_; }
     /// Metres at the point's depth that `units` of the screen are.
     float metresPer(float units, const Vec3& point) const;
 
   private:
-    Vec3 position_, right_, up_, forward_;
-    Vec2 tangent_{1.0f};
+    Vec3 position_;
+    CameraAxes view_;
+    /// half of what the picture shows, and its middle off the axis: at a depth of 1, or of parallel rays
+    Vec2 half_{1.0f}, middle_{0.0f};
+    bool isParallel_ = false;
     PlacedImage placed_;
 };
 

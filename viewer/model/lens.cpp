@@ -16,12 +16,11 @@ constexpr auto kSensors = std::to_array<SensorSize>({{"Full frame, 36 × 24 mm",
                                                      {"Medium format, 43.8 × 32.9 mm", 32.9f},
                                                      {"Custom", 0.0f}});
 
-float tanHalfFov(const Camera& camera) { return std::tan(camera.verticalFovDeg * kPi / 360.0f); }
-
 /// Pixels of a metre across in the distance of a metre, times the aperture: the circle of a point at half
-/// the focal distance, times that distance.
+/// the focal distance, times that distance. With parallel rays: the circle of a point at twice the focal
+/// distance.
 float blurFactor(const Camera& camera, int imageHeight) {
-    return camera.apertureDiameter * static_cast<float>(imageHeight) / (2.0f * tanHalfFov(camera));
+    return camera.apertureDiameter * static_cast<float>(imageHeight) / heightOfView(camera, 1.0f);
 }
 
 }  // namespace
@@ -29,7 +28,7 @@ float blurFactor(const Camera& camera, int imageHeight) {
 std::span<const SensorSize> sensorSizes() { return kSensors; }
 
 float focalLengthMm(const Camera& camera, float sensorHeightMm) {
-    return 0.5f * sensorHeightMm / tanHalfFov(camera);
+    return 0.5f * sensorHeightMm / std::tan(camera.verticalFovDeg * kPi / 360.0f);
 }
 
 float fovDegForFocalLength(float focalLength, float sensorHeightMm) {
@@ -52,14 +51,22 @@ float fStopInThirds(float stop, int thirds) {
 }
 
 float blurPixels(const Camera& camera, float depth, int imageHeight) {
-    return blurFactor(camera, imageHeight) * (1.0f / camera.focalDistance - 1.0f / depth);
+    const float factor = blurFactor(camera, imageHeight);
+    return camera.kind == ProjectionKind::Orthographic
+               ? factor * (depth / camera.focalDistance - 1.0f)
+               : factor * (1.0f / camera.focalDistance - 1.0f / depth);
 }
 
 SharpRange sharpRange(const Camera& camera, float pixels, int imageHeight) {
     const float factor = blurFactor(camera, imageHeight);
     if (factor <= 0.0f) { return {.nearLimit = 0.0f, .farLimit = kInfinity, .hyperfocal = 0.0f}; }
-    const float inFocus = 1.0f / camera.focalDistance;
     const float slack = pixels / factor;
+    if (camera.kind == ProjectionKind::Orthographic) {
+        return {.nearLimit = camera.focalDistance * std::max(1.0f - slack, 0.0f),
+                .farLimit = camera.focalDistance * (1.0f + slack),
+                .hyperfocal = kInfinity};
+    }
+    const float inFocus = 1.0f / camera.focalDistance;
     return {.nearLimit = 1.0f / (inFocus + slack),
             .farLimit = inFocus > slack ? 1.0f / (inFocus - slack) : kInfinity,
             .hyperfocal = factor / pixels};

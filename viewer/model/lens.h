@@ -37,7 +37,8 @@ float blurPixels(const Camera& camera, float depth, int imageHeight);
 struct SharpRange {
     float nearLimit = 0.0f;
     float farLimit = 0.0f;    ///< infinite from the hyperfocal distance on
-    float hyperfocal = 0.0f;  ///< the nearest focus that is sharp to infinity; 0 for a pinhole
+    float hyperfocal = 0.0f;  ///< the nearest focus that is sharp to infinity; 0 for a pinhole, infinite for
+                              ///< parallel rays
 };
 /// Where circles of confusion have at most `pixels`. A pinhole is sharp everywhere.
 SharpRange sharpRange(const Camera& camera, float pixels, int imageHeight);

@@ -30,6 +30,40 @@ void drawBookmarks(SceneDocument* document, CameraBookmarks* bookmarks) {
     }
 }
 
+void drawProjection(Camera* camera, float speed) {
+    static constexpr ui::KindLabel<ProjectionKind> kProjections[]{
+        {ProjectionKind::Perspective, "Perspective"}, {ProjectionKind::Orthographic, "Orthographic"}};
+    ProjectionKind kind = camera->kind;
+    if (ui::kindChoice("Projection", &kind, kProjections,
+                       "Orthographic: parallel rays, nothing is smaller for being far away")) {
+        setProjection(camera, kind);
+    }
+    if (camera->kind == ProjectionKind::Orthographic) {
+        ui::number("View height", &camera->viewHeight,
+                   {.format = "%.3f m",
+                    .speed = speed,
+                    .min = 1e-6f,
+                    .max = 1e9f,
+                    .tooltip = "From the picture's bottom to its top"});
+    } else {
+        ui::number("Field of view", &camera->verticalFovDeg,
+                   {.format = "%.1f°",
+                    .speed = 0.1f,
+                    .min = 1.0f,
+                    .max = 170.0f,
+                    .tooltip = "Vertical, full angle"});
+    }
+    const ui::NumberStyle shift{.format = "%.3f",
+                                .speed = 0.002f,
+                                .min = -100.0f,
+                                .max = 100.0f,
+                                .tooltip =
+                                    "The picture's middle off the view axis, in heights of the picture: "
+                                    "verticals stay upright while a house's top comes into the picture"};
+    ui::number("Shift right", &camera->shift.x, shift);
+    ui::number("Shift up", &camera->shift.y, shift);
+}
+
 void draw(SceneDocument* document, CameraBookmarks* bookmarks) {
     Camera* camera = &document->draft().camera;
     // Dragging feels alike in a doll's house and in a cathedral.
@@ -46,9 +80,7 @@ void draw(SceneDocument* document, CameraBookmarks* bookmarks) {
         lengthSquared(up) > 0.0f) {
         camera->up = up;
     }
-    ui::number(
-        "Field of view", &camera->verticalFovDeg,
-        {.format = "%.1f°", .speed = 0.1f, .min = 1.0f, .max = 170.0f, .tooltip = "Vertical, full angle"});
+    drawProjection(camera, speed);
     const float width = ui::buttonWidth(2);
     if (ui::button("Frame", width, "Moves back or closer until everything is in the picture (Shift + F)")) {
         document->frameScene();

@@ -58,6 +58,7 @@ void drawAperture(Camera* camera, float sensorMm) {
                     .tooltip = "Diameter of the lens opening. 0: everything is sharp"})) {
         camera->apertureDiameter = diameterMm / 1000.0f;
     }
+    if (camera->kind == ProjectionKind::Orthographic) { return; }  // no focal length
     const bool isPinhole = camera->apertureDiameter <= 0.0f;
     float stop = std::min(fStop(*camera, sensorMm), kLargestFStop);
     if (ui::number("f-stop", &stop,
@@ -170,7 +171,7 @@ void drawBlades(Camera* camera) {
 
 void draw(SceneDocument* document, LensSettings* lens) {
     Camera* camera = &document->draft().camera;
-    drawFocalLength(camera, lens);
+    if (camera->kind == ProjectionKind::Perspective) { drawFocalLength(camera, lens); }
     drawAperture(camera, lens->sensorHeightMm());
     drawFocus(document, lens);
     drawSharpness(document->draft(), lens);
