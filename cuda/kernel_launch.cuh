@@ -15,7 +15,7 @@ constexpr uint32_t kBlockThreads = 128;
 
 /// A bit that is no feature. It gives every kernel function compiled here a name of its own, so that the
 /// linker takes neither the CPU's copies for these nor these for the CPU's.
-constexpr FeatureMask kCompiledForGpu = 1u << 30;
+constexpr FeatureMask kCompiledForGpu = FeatureMask{1} << 62;
 static_assert((kAllFeatures & kCompiledForGpu) == 0);
 
 template <class Body, class Launch>

@@ -31,12 +31,13 @@ enum class CurveKind : uint8_t {
 };
 
 enum class MaterialKind : uint8_t {
-    Diffuse,     ///< Lambert
-    Mirror,      ///< perfect reflection tinted by the colour
-    Conductor,   ///< Fresnel reflection of a metal, smooth or GGX
-    Dielectric,  ///< glass, smooth or GGX; thin: a sheet of no thickness, light passes straight
-    Plastic,     ///< diffuse base under a dielectric coat, smooth or GGX
-    Mixture,     ///< stochastic choice of diffuse, mirror and smooth dielectric by weights
+    Diffuse,      ///< Lambert
+    Mirror,       ///< perfect reflection tinted by the colour
+    Conductor,    ///< Fresnel reflection of a metal, smooth or GGX
+    Dielectric,   ///< glass, smooth or GGX; thin: a sheet of no thickness, light passes straight
+    Plastic,      ///< diffuse base under a dielectric coat, smooth or GGX
+    Mixture,      ///< stochastic choice of diffuse, mirror and smooth dielectric by weights
+    Translucent,  ///< a thin sheet: diffuse reflection and diffuse transmission
 };
 
 /// Lights without a shape. Shapes shine through their material.

@@ -211,7 +211,7 @@ void addSelection(LightTable* table) {
 }  // namespace
 
 FeatureMask LightTable::features() const {
-    FeatureMask mask = usesTree ? kFeatureManyLights : 0u;
+    FeatureMask mask = usesTree ? kFeatureManyLights : FeatureMask{0};
     if (std::any_of(firstEmitter.begin(), firstEmitter.end(), [](uint32_t e) { return e != kNone; })) {
         mask |= kFeatureAreaLights;
     }

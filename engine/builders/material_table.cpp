@@ -202,6 +202,7 @@ Status setOwn(const Material& material, MaterialData* data) {
         case MaterialKind::Conductor:
             return setMetal(material, data);
         case MaterialKind::Dielectric:
+            data->absorption = absorptionOf(material);
             return setGlass(material, data);
         case MaterialKind::Mixture:
             if (const Status status = checkMixture(material); !status) { return status; }
@@ -210,6 +211,7 @@ Status setOwn(const Material& material, MaterialData* data) {
             return checkCoat(material);
         case MaterialKind::Diffuse:
         case MaterialKind::Mirror:
+        case MaterialKind::Translucent:
             break;
     }
     return {};
@@ -237,7 +239,7 @@ bool sameMaterial(const MaterialData& a, const MaterialData& b) {
                 a.normalTexture == b.normalTexture && a.normalCode == b.normalCode &&
                 a.normalStrength == b.normalStrength && a.opacity == b.opacity &&
                 a.opacityTexture == b.opacityTexture && a.alphaTexture == b.alphaTexture &&
-                a.dispersion == b.dispersion;
+                a.dispersion == b.dispersion && a.absorption == b.absorption;
     forEachModelInput([&](const InputInfo&, const auto& x, const auto& y, const TextureSlot& s,
                           const TextureSlot& t) { same = same && x == y && s.index == t.index; },
                       a.inputs, b.inputs, a.textures, b.textures);

@@ -146,6 +146,10 @@ Status checkMaterial(const SceneDescription& scene, size_t index) {
     if (!notNegative(material.iorRgb) || !inRange(material.abbeNumber, 0.0f, 1e6f)) {
         return fault(who, "iorRgb and the Abbe number must not be negative");
     }
+    if (!notNegative(material.attenuationColor) || maxComponent(material.attenuationColor) > 1.0f ||
+        !inRange(material.attenuationDistance, 1e-30f, 1e30f)) {
+        return fault(who, "the attenuation colour must be 0 to 1 and its distance more than 0");
+    }
     if (!notNegative(material.eta.value) || !notNegative(material.k.value)) {
         return fault(who, "eta and k must not be negative");
     }

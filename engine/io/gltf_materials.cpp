@@ -9,22 +9,11 @@
 
 #include "engine/io/file_path.h"
 #include "engine/io/gltf_accessor.h"
+#include "engine/io/gltf_surface.h"
 #include "engine/io/image_io.h"
 
 namespace glint {
 namespace {
-
-float number(double value, double least, double most) {
-    return static_cast<float>(std::isfinite(value) ? std::clamp(value, least, most) : least);
-}
-
-Vec3 colorOf(const std::vector<double>& factor, double most = 1.0) {
-    Vec3 color(1.0f);
-    for (size_t c = 0; c < 3 && c < factor.size(); ++c) {
-        color[static_cast<int>(c)] = number(factor[c], 0.0, most);
-    }
-    return color;
-}
 
 WrapMode wrapOf(int mode) {
     return mode == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE     ? WrapMode::Clamp
@@ -39,12 +28,12 @@ void place(const tinygltf::Value* transform, Texture* texture) {
     const auto pair = [transform](const char* key, Vec2 otherwise) {
         const tinygltf::Value& value = transform->Get(key);
         if (!value.IsArray() || value.ArrayLen() != 2) { return otherwise; }
-        return Vec2(number(value.Get(0).GetNumberAsDouble(), -1e6, 1e6),
-                    number(value.Get(1).GetNumberAsDouble(), -1e6, 1e6));
+        return Vec2(gltfNumber(value.Get(0).GetNumberAsDouble(), -1e6, 1e6),
+                    gltfNumber(value.Get(1).GetNumberAsDouble(), -1e6, 1e6));
     };
     texture->scale = pair("scale", Vec2(1.0f));
     texture->offset = pair("offset", Vec2(0.0f));
-    texture->rotationDeg = number(numberOf(transform, "rotation", 0.0), -1e4, 1e4) * (180.0f / kPi);
+    texture->rotationDeg = gltfNumber(numberOf(transform, "rotation", 0.0), -1e4, 1e4) * (180.0f / kPi);
 }
 
 /// The percent-encoded characters of a URI.
@@ -62,35 +51,6 @@ std::string decodedUri(const std::string& uri) {
         i += isEncoded ? 2 : 0;
     }
     return out;
-}
-
-/// KHR_materials_pbrSpecularGlossiness, which older files have, as a rough dielectric.
-tinygltf::PbrMetallicRoughness surfaceOf(const tinygltf::Material& material) {
-    const auto* older = extensionOf(material, "KHR_materials_pbrSpecularGlossiness");
-    if (older == nullptr) { return material.pbrMetallicRoughness; }
-    tinygltf::PbrMetallicRoughness surface;
-    const tinygltf::Value& color = older->Get("diffuseFactor");
-    for (size_t c = 0; c < 4 && color.ArrayLen() == 4; ++c) {
-        surface.baseColorFactor[c] = color.Get(static_cast<int>(c)).GetNumberAsDouble();
-    }
-    const tinygltf::Value& map = older->Get("diffuseTexture");
-    if (map.IsObject()) {
-        surface.baseColorTexture.index = static_cast<int>(numberOf(&map, "index", -1.0));
-        surface.baseColorTexture.texCoord = static_cast<int>(numberOf(&map, "texCoord", 0.0));
-    }
-    surface.metallicFactor = 0.0;
-    surface.roughnessFactor = 1.0 - numberOf(older, "glossinessFactor", 1.0);
-    return surface;
-}
-
-/// A conductor of nearly this reflectance at normal incidence (mtl_loader.h), times its colour.
-void makeMetal(const Vec3& color, bool isTextured, Material* out) {
-    out->kind = MaterialKind::Conductor;
-    out->metal.clear();
-    const Vec3 r = isTextured ? Vec3(0.999f) : glm::clamp(color, Vec3(0.0f), Vec3(0.999f));
-    out->eta.value = (Vec3(1.0f) - r) / (Vec3(1.0f) + r);
-    out->k.value = 2.0f * glm::sqrt(r) / (Vec3(1.0f) + r);
-    out->color.value = Vec3(1.0f);
 }
 
 }  // namespace
@@ -182,8 +142,9 @@ Result<Vec3> GltfMaterials::meanOf(int index) {
 }
 
 Status GltfMaterials::takeSurface(const tinygltf::Material& from, Material* out) {
-    const tinygltf::PbrMetallicRoughness pbr = surfaceOf(from);
-    float roughness = number(pbr.roughnessFactor, 0.0, 1.0), metallic = number(pbr.metallicFactor, 0.0, 1.0);
+    const tinygltf::PbrMetallicRoughness pbr = gltfSurface(from);
+    float roughness = gltfNumber(pbr.roughnessFactor, 0.0, 1.0),
+          metallic = gltfNumber(pbr.metallicFactor, 0.0, 1.0);
     if (pbr.metallicRoughnessTexture.index >= 0) {
         const Result<Vec3> mean = meanOf(pbr.metallicRoughnessTexture.index);
         if (!mean) { return mean.error(); }
@@ -191,7 +152,7 @@ Status GltfMaterials::takeSurface(const tinygltf::Material& from, Material* out)
         metallic *= mean->z;
     }
     out->roughness.value = roughness * roughness;
-    out->ior.value = number(numberOf(extensionOf(from, "KHR_materials_ior"), "ior", 1.5), 0.01, 100.0);
+    out->ior.value = gltfNumber(numberOf(extensionOf(from, "KHR_materials_ior"), "ior", 1.5), 0.01, 100.0);
     const auto* transmission = extensionOf(from, "KHR_materials_transmission");
     const double passing = numberOf(transmission, "transmissionFactor", 0.0);
     if (extensionOf(from, "KHR_materials_unlit") != nullptr) {
@@ -202,9 +163,13 @@ Status GltfMaterials::takeSurface(const tinygltf::Material& from, Material* out)
         file_.remark("unlit materials are taken for surfaces that shine", from.name);
     } else if (passing >= 0.5) {
         out->kind = MaterialKind::Dielectric;
-        out->thin = !(numberOf(extensionOf(from, "KHR_materials_volume"), "thicknessFactor", 0.0) > 0.0);
+        takeVolume(extensionOf(from, "KHR_materials_volume"), out);
     } else if (metallic >= 0.5f) {
         makeMetal(out->color.value, out->color.texture >= 0, out);
+    } else if (const auto* sheet = extensionOf(from, "KHR_materials_diffuse_transmission");
+               numberOf(sheet, "diffuseTransmissionFactor", 0.0) > 0.0) {
+        takeSheet(*sheet, out);
+        file_.remark("sheets that light passes diffusely have no highlights", from.name);
     } else {
         out->kind = MaterialKind::Plastic;
     }
@@ -216,8 +181,8 @@ Status GltfMaterials::takeSurface(const tinygltf::Material& from, Material* out)
 }
 
 void GltfMaterials::takeAlpha(const tinygltf::Material& from, int colorTexture, Material* out) {
-    const float factor = number(surfaceOf(from).baseColorFactor[3], 0.0, 1.0);
-    const float limit = number(from.alphaCutoff, 0.0, 1e3);
+    const float factor = gltfNumber(gltfSurface(from).baseColorFactor[3], 0.0, 1.0);
+    const float limit = gltfNumber(from.alphaCutoff, 0.0, 1e3);
     const bool isMask = from.alphaMode == "MASK";
     out->alphaCutsOut = from.alphaMode == "BLEND";
     if (out->alphaCutsOut) { out->opacity = {factor, out->color.texture < 0 ? colorTexture : -1}; }
@@ -240,12 +205,9 @@ void GltfMaterials::remarkLeftOut(const tinygltf::Material& from) {
     for (const auto& [name, value] : from.extensions) {
         const bool isRead = name == "KHR_materials_ior" || name == "KHR_materials_pbrSpecularGlossiness" ||
                             name == "KHR_materials_unlit" || name == "KHR_materials_emissive_strength" ||
-                            name == "KHR_materials_transmission";
-        if (name == "KHR_materials_volume" && value.Has("attenuationDistance")) {
-            file_.remark("attenuation in glass is left out", from.name);
-        } else if (!isRead && name != "KHR_materials_volume") {
-            file_.remark("extensions of materials are left out", name);
-        }
+                            name == "KHR_materials_transmission" || name == "KHR_materials_volume" ||
+                            name == "KHR_materials_diffuse_transmission";
+        if (!isRead) { file_.remark("extensions of materials are left out", name); }
     }
 }
 
@@ -259,23 +221,23 @@ Result<GltfMaterial> GltfMaterials::take(int index) {
     const tinygltf::Material& from = index >= 0 ? materials[static_cast<size_t>(index)] : kDefault;
     Material out;
     out.name = !from.name.empty() ? from.name : index >= 0 ? fmt::format("material {}", index) : "default";
-    const tinygltf::PbrMetallicRoughness pbr = surfaceOf(from);
+    const tinygltf::PbrMetallicRoughness pbr = gltfSurface(from);
     const Result<Map> color = takeTexture(pbr.baseColorTexture, ColorEncoding::Srgb);
     if (!color) { return color.error(); }
-    out.color = {colorOf(pbr.baseColorFactor), color->texture};
+    out.color = {gltfColor(pbr.baseColorFactor), color->texture};
     GltfMaterial taken{.index = static_cast<int>(scene_.materials.size()), .uvSet = color->uvSet};
     if (color->texture >= 0) { taken.vertexFactor = out.color.value; }
     if (Status surface = takeSurface(from, &out); !surface) { return surface.error(); }
     const Result<Map> normal = takeTexture(from.normalTexture, ColorEncoding::Linear);
     if (!normal) { return normal.error(); }
     out.normalMap.texture = normal->texture;
-    out.normalStrength = number(from.normalTexture.scale, 0.0, 1e3);
+    out.normalStrength = gltfNumber(from.normalTexture.scale, 0.0, 1e3);
     if (color->texture < 0 && normal->texture >= 0) { taken.uvSet = normal->uvSet; }
     const Result<Map> emission = takeTexture(from.emissiveTexture, ColorEncoding::Srgb);
     if (!emission) { return emission.error(); }
-    const Vec3 factor = from.emissiveFactor.empty() ? Vec3(0.0f) : colorOf(from.emissiveFactor, 1e6);
+    const Vec3 factor = from.emissiveFactor.empty() ? Vec3(0.0f) : gltfColor(from.emissiveFactor, 1e6);
     const auto* strength = extensionOf(from, "KHR_materials_emissive_strength");
-    const float times = number(numberOf(strength, "emissiveStrength", 1.0), 0.0, 1e9);
+    const float times = gltfNumber(numberOf(strength, "emissiveStrength", 1.0), 0.0, 1e9);
     if (maxComponent(factor) > 0.0f) {
         out.emission = {factor, emission->texture};
         out.emissionStrength = times * (emission->texture >= 0 ? maxComponent(factor) : 1.0f);

@@ -114,6 +114,9 @@ class MaterialWriter {
                 roughness();
                 color("specular_reflectance", material_.color);
                 color("specular_transmittance", material_.color);
+                if (material_.attenuationColor != Vec3(1.0f)) {
+                    warn("approximated: glass absorbs nothing on the way inside");
+                }
                 return;
             case MaterialKind::Plastic:
                 begin(rough("plastic"), open);
@@ -127,6 +130,11 @@ class MaterialWriter {
                 return;
             case MaterialKind::Mixture:
                 mixture(open);
+                return;
+            case MaterialKind::Translucent:
+                warn("approximated: translucent sheets let nothing through");
+                begin("diffuse", open);
+                diffuseColor();
                 return;
         }
     }

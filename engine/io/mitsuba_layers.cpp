@@ -143,7 +143,7 @@ void MitsubaMaterials::readBlend(MitsubaObject* object, UvOrigin origin, Mitsuba
 }
 
 void MitsubaMaterials::readPrincipled(MitsubaObject* object, UvOrigin origin, MitsubaSurface* out) {
-    object->approximated("approximated: the principled model is a conductor, glass or plastic");
+    object->approximated("approximated: the principled model is a conductor, glass, plastic or a sheet");
     Material& material = out->material;
     material.color.value = Vec3(0.5f);
     const auto color = mitsubaInput(object, {"base_color"}, SpectrumRole::Reflectance);
@@ -153,10 +153,10 @@ void MitsubaMaterials::readPrincipled(MitsubaObject* object, UvOrigin origin, Mi
     const float specular = meanNumber(object, "specular", 0.5f);
     const float eta = meanNumber(object, "eta", 0.0f);
     const float roughness = std::clamp(meanNumber(object, "roughness", 0.5f), 0.0f, 1.0f);
+    const float share = 0.5f * std::clamp(meanNumber(object, "diff_trans", 0.0f), 0.0f, 2.0f);
     object->passOver({"anisotropic", "clearcoat", "clearcoat_gloss", "sheen", "sheen_tint", "spec_tint",
-                      "flatness", "diff_trans", "diffuse_reflectance_sampling_rate",
-                      "specular_reflectance_sampling_rate", "main_specular_sampling_rate",
-                      "clearcoat_sampling_rate"});
+                      "flatness", "diffuse_reflectance_sampling_rate", "specular_reflectance_sampling_rate",
+                      "main_specular_sampling_rate", "clearcoat_sampling_rate"});
     material.roughness.value = square(roughness);
     const float root = std::sqrt(0.08f * std::clamp(specular, 0.0f, 10.0f));
     material.ior.value = eta > 0.0f ? std::clamp(eta, 1.0f, 100.0f) : (1.0f + root) / (1.0f - root);
@@ -164,6 +164,13 @@ void MitsubaMaterials::readPrincipled(MitsubaObject* object, UvOrigin origin, Mi
     if (passes >= 0.5f) {
         material.kind = MaterialKind::Dielectric;
         material.thin = object->type() == "principledthin";
+        return;
+    }
+    if (share > 0.0f && metallic < 0.5f) {
+        const MitsubaInput base = color.value_or(MitsubaInput{Vec3(0.5f), nullptr});
+        material.kind = MaterialKind::Translucent;
+        material.color = colorOf(base, origin, [share](const Vec3& c) { return (1.0f - share) * c; });
+        material.transmission = colorOf(base, origin, [share](const Vec3& c) { return share * c; });
         return;
     }
     material.kind = metallic >= 0.5f ? MaterialKind::Conductor : MaterialKind::Plastic;

@@ -188,9 +188,12 @@ void MitsubaMaterials::readDiffuse(MitsubaObject* object, UvOrigin origin, Mitsu
 }
 
 void MitsubaMaterials::readTransmitter(MitsubaObject* object, UvOrigin origin, MitsubaSurface* out) {
-    object->approximated("approximated: diffuse transmitters reflect what they should let through");
+    Material& material = out->material;
+    material.kind = MaterialKind::Translucent;
+    material.color.value = Vec3(0.0f);
+    material.transmission.value = Vec3(0.5f);
     if (const auto color = mitsubaInput(object, {"transmittance"}, SpectrumRole::Reflectance)) {
-        out->material.color = colorOf(*color, origin);
+        material.transmission = colorOf(*color, origin);
     }
     out->isTwoSided = true;
 }

@@ -55,7 +55,12 @@ std::vector<Object> MitsubaShapes::objectsOf(const MitsubaElement& element) {
     }
     if (type == "instance") { return instancesOf(&object); }
     if (type == "merge") { return groupOf(&object); }
-    Shape shape{&object, object.next({"bsdf"}), object.next({"emitter"}), object.transform(), false};
+    Shape shape{&object, object.next({"bsdf"}),      object.next({"emitter"}), object.transform(),
+                false,   object.property("interior")};
+    if (shape.interior != nullptr && !isGlassBody(shape.bsdf)) {
+        context_.remark(element, "media are left out");
+        shape.interior = nullptr;
+    }
     std::vector<Object> out;
     if (type == "obj" || type == "ply" || type == "serialized") {
         out = meshOf(&shape);
@@ -118,8 +123,49 @@ bool MitsubaShapes::isTextured(const MitsubaElement* bsdf) {
     return !usedTextures(materials_.surfaceOf(bsdf, UvOrigin::Top).material).empty();
 }
 
+/// Per metre.
+Vec3 MitsubaShapes::absorptionOf(const MitsubaElement& element) {
+    MitsubaObject medium(&context_, element);
+    if (medium.type() != "homogeneous") {
+        context_.remark(element, "media are left out");
+        return Vec3(0.0f);
+    }
+    const auto color = [&](std::string_view name, float otherwise) {
+        const auto input = mitsubaInput(&medium, {name}, SpectrumRole::Index);
+        return input && input->texture == nullptr ? input->color : Vec3(otherwise);
+    };
+    const bool isApart = medium.property("sigma_a") != nullptr || medium.property("sigma_s") != nullptr;
+    const Vec3 first = color(isApart ? "sigma_a" : "sigma_t", isApart ? 0.0f : 1.0f);
+    const Vec3 second = color(isApart ? "sigma_s" : "albedo", isApart ? 0.0f : 0.75f);
+    if (!isZero(second)) { medium.approximated("approximated: media absorb and scatter nothing"); }
+    medium.passOver({"sample_emitters", "has_spectral_extinction"});
+    const float scale = medium.number("scale", 1.0f, 0.0f);
+    medium.finish();
+    return glm::max(scale * (isApart ? first : first * (Vec3(1.0f) - second)), Vec3(0.0f));
+}
+
+bool MitsubaShapes::isGlassBody(const MitsubaElement* bsdf) {
+    const MitsubaSurface& surface = materials_.surfaceOf(bsdf, UvOrigin::Top);
+    return surface.isThere && surface.material.kind == MaterialKind::Dielectric && !surface.material.thin;
+}
+
+int MitsubaShapes::glassOf(const Shape& shape, UvOrigin origin) {
+    MitsubaSurface surface = materials_.surfaceOf(shape.bsdf, origin);
+    const auto [known, isNew] = glasses_.try_emplace({shape.bsdf, shape.interior, origin}, 0);
+    if (!isNew) { return known->second; }
+    const Vec3 absorption = absorptionOf(*shape.interior);
+    const float most = maxComponent(absorption);
+    if (most > 0.0f) {
+        surface.material.attenuationDistance = 1.0f / most;
+        surface.material.attenuationColor = glm::exp(-absorption / most);
+    }
+    return known->second = materials_.add(surface, {Vec3(0.0f)}, false);
+}
+
 int MitsubaShapes::materialOf(const Shape& shape, UvOrigin origin) {
-    if (shape.emitter == nullptr) { return materials_.take(shape.bsdf, origin); }
+    if (shape.emitter == nullptr) {
+        return shape.interior != nullptr ? glassOf(shape, origin) : materials_.take(shape.bsdf, origin);
+    }
     MitsubaObject emitter(&context_, *shape.emitter);
     if (emitter.type() != "area") {
         context_.refuse(*shape.emitter,
@@ -151,7 +197,7 @@ std::vector<Object> MitsubaShapes::finish(const Shape& shape, Object object, UvO
         object.material = materialOf(shape, origin);
     } else {
         shape.object->approximated("approximated: what shines and is not there is black");
-        object.material = materialOf({shape.object, nullptr, shape.emitter, {}, false}, origin);
+        object.material = materialOf({shape.object, nullptr, shape.emitter, {}, false, nullptr}, origin);
         context_.scene.materials[static_cast<size_t>(object.material)].color.value = Vec3(0.0f);
     }
     const bool hasBack =

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <tuple>
 #include <vector>
 
 #include "engine/io/mitsuba_materials.h"
@@ -25,6 +26,7 @@ class MitsubaShapes {
         const MitsubaElement* emitter;
         Affine toWorld;
         bool isFlipped;
+        const MitsubaElement* interior;  ///< a medium; null: none
     };
 
     std::vector<Object> objectsOf(const MitsubaElement& shape);
@@ -38,11 +40,16 @@ class MitsubaShapes {
     std::vector<Object> cylinderOf(const Shape& shape);
     bool isTextured(const MitsubaElement* bsdf);
     int materialOf(const Shape& shape, UvOrigin origin);
+    bool isGlassBody(const MitsubaElement* bsdf);
+    /// Of a glass body, whose inside absorbs: a material of its own.
+    int glassOf(const Shape& shape, UvOrigin origin);
+    Vec3 absorptionOf(const MitsubaElement& medium);
 
     MitsubaContext& context_;
     MitsubaMaterials& materials_;
     MitsubaMeshes& meshes_;
     std::map<const MitsubaElement*, std::vector<Object>> groups_;
+    std::map<std::tuple<const MitsubaElement*, const MitsubaElement*, UvOrigin>, int> glasses_;
 };
 
 }  // namespace glint

@@ -31,6 +31,10 @@ class MaterialWriter {
             case MaterialKind::Plastic:
                 return pbrtString("type", "coateddiffuse") + pbrtColorInput("reflectance", material_.color) +
                        pbrtNumber("eta", index()) + rough;
+            case MaterialKind::Translucent:
+                return pbrtString("type", "diffusetransmission") +
+                       pbrtColorInput("reflectance", material_.color) +
+                       pbrtColorInput("transmittance", material_.transmission);
             case MaterialKind::Mixture:
                 break;
         }
@@ -94,6 +98,9 @@ class MaterialWriter {
     std::string dielectric() {
         if (material_.color.texture >= 0 || material_.color.value != Vec3(1.0f)) {
             warn("approximated: glass has no tint");
+        }
+        if (!isZero(absorptionOf(material_))) {
+            warn("approximated: glass absorbs nothing on the way inside");
         }
         const std::string out = pbrtString("type", material_.thin ? "thindielectric" : "dielectric");
         for (const std::string_view glass : {"BK7", "LASF9", "SF10", "SF11"}) {

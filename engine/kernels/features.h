@@ -10,7 +10,7 @@
 
 namespace glint {
 
-using FeatureMask = uint32_t;
+using FeatureMask = uint64_t;
 
 enum Feature : FeatureMask {
     kFeatureCurved = 1u << 0,  ///< sphere
@@ -44,16 +44,19 @@ enum Feature : FeatureMask {
     kFeatureMipmaps = 1u << 27,       ///< textures that are filtered by a pixel's width
     kFeatureDispersion = 1u << 28,    ///< glass whose index depends on the wavelength
     kFeatureAccelerators = 1u << 29,  ///< acceleration structures other than bounding volume hierarchies
+    kFeatureAttenuation = 1u << 30,   ///< glass that absorbs light on its way inside
+    kFeatureTranslucent = 1u << 31,   ///< sheets that let light through diffusely
     /// every surface point has dpdu and dpdv, not only those whose material needs them: for tests
-    kFeatureTangents = 1u << 31,
+    kFeatureTangents = 1ull << 63,
     /// any of these makes shading normals differ from geometric ones
     kFeatureShadingNormals = kFeatureMeshNormals | kFeatureBumps,
 };
 
 /// All that a scene can ask for.
-constexpr FeatureMask kAllFeatures = (1u << 30) - 1;
+constexpr FeatureMask kAllFeatures = (1ull << 32) - 1;
 constexpr FeatureMask kMaterialFeatures = kFeatureDiffuse | kFeatureSpecular | kFeatureDielectric |
-                                          kFeatureGlossy | kFeaturePlastic | kFeatureMixture;
+                                          kFeatureGlossy | kFeaturePlastic | kFeatureMixture |
+                                          kFeatureTranslucent;
 
 /// Whether the mask has the feature, or any of several.
 template <FeatureMask kMask>

@@ -22,11 +22,11 @@ constexpr FeatureMask kMaskSmoothShapes = kMaskDiffuseShapes | kSmoothMaterials 
 constexpr FeatureMask kMaskDiffuseMeshes = kMaskDiffuseShapes | kMeshes | kFeatureTransforms |
                                            kFeatureTextures | kFeatureManyLights | kFeatureCameraArea;
 /// Everything with one sampler, but for what few scenes have: textures on inputs other than the colour,
-/// placed and mip-mapped ones, surfaces of revolution, bumps, cut-outs, dispersion and other
-/// acceleration structures.
+/// placed and mip-mapped ones, surfaces of revolution, bumps, cut-outs, dispersion, glass that absorbs,
+/// translucent sheets and other acceleration structures.
 constexpr FeatureMask kMaskOneSampler =
-    kAllFeatures &
-    ~(kFeatureIndependentSampler | kFeatureInputTextures | kFeaturePlacedTextures | kFeatureMipmaps |
-      kFeatureRevolved | kFeatureBumps | kFeatureCutouts | kFeatureDispersion | kFeatureAccelerators);
+    kAllFeatures & ~(kFeatureIndependentSampler | kFeatureInputTextures | kFeaturePlacedTextures |
+                     kFeatureMipmaps | kFeatureRevolved | kFeatureBumps | kFeatureCutouts |
+                     kFeatureDispersion | kFeatureAttenuation | kFeatureTranslucent | kFeatureAccelerators);
 
 }  // namespace glint

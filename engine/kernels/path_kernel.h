@@ -2,163 +2,14 @@
 // sampling (Veach and Guibas 1995), and Russian roulette. Host and device; called by the backends for each
 // pixel of a pass.
 //
-// Unbiased up to the maximum depth. Left out: volumes. Nothing is clamped unless
+// Unbiased up to the maximum depth. Left out: volumes that scatter. Nothing is clamped unless
 // fireflyClamp asks for it.
 #pragma once
 
-#include "engine/kernels/bsdf/bsdf.h"
 #include "engine/kernels/camera_path.h"
-#include "engine/kernels/emitted_radiance.h"
-#include "engine/kernels/intersect.h"
-#include "engine/kernels/light_sampling.h"
-#include "engine/kernels/path_log.h"
-#include "engine/kernels/ray_cone.h"
-#include "engine/kernels/spectrum.h"
-#include "engine/kernels/surface.h"
+#include "engine/kernels/path_light.h"
 
 namespace glint {
-
-/// A path on its way. The context and the density belong to the vertex that the current ray left.
-struct PathState {
-    Ray ray;
-    Vec3 throughput{1.0f};
-    Vec3 radiance{0.0f};
-    RayCone cone;  ///< looked at by masks with mip maps only
-    LightContext context;
-    Wavelength wavelength;
-    float pdfBsdf = 0.0f;
-    /// undoes refraction's squared index ratio for the roulette, which it says nothing about
-    float etaScale = 1.0f;
-    int depth = 0;  ///< scattering events so far
-    /// light sampling could not find the ray: it left the camera or a specular vertex
-    bool specularBounce = true;
-    uint32_t rays = 0;
-};
-
-/// Power heuristic with exponent 2 (Veach and Guibas 1995), in a form that does not overflow.
-GLINT_HD inline float powerHeuristic(float pdfUsed, float pdfOther) {
-    const float ratio = pdfOther / pdfUsed;
-    return 1.0f / (1.0f + ratio * ratio);
-}
-
-/// Weight of light that the path ran into and light sampling would have found with density pdfLight
-/// (0: never).
-GLINT_HD inline float hitLightWeight(const PassParams& params, const PathState& path, float pdfLight) {
-    if (path.specularBounce || !(pdfLight > 0.0f) || params.directLight == DirectLightTag::BsdfOnly) {
-        return 1.0f;
-    }
-    return params.directLight == DirectLightTag::LightOnly ? 0.0f : powerHeuristic(path.pdfBsdf, pdfLight);
-}
-
-template <class Log>
-GLINT_HD inline void addHitLight(const PassParams& params, const Vec3& radiance, float pdfLight,
-                                 PathEventKind kind, PathState* path, Log* log) {
-    const float weight = hitLightWeight(params, *path, pdfLight);
-    const Vec3 value = path->throughput * radiance * weight;
-    path->radiance += value;
-    if constexpr (Log::kEnabled) {
-        PathEvent event;
-        event.kind = kind;
-        event.depth = path->depth;
-        event.value = value;
-        event.throughput = path->throughput;
-        event.pdfLight = pdfLight;
-        event.pdfBsdf = path->pdfBsdf;
-        event.weight = weight;
-        event.direction = path->ray.direction;
-        log->add(event);
-    }
-}
-
-/// The environment behind a ray that hit nothing.
-template <FeatureMask kMask, class Log>
-GLINT_HD inline void addEnvironment(const SceneView& view, const PassParams& params, PathState* path,
-                                    Log* log) {
-    if constexpr (hasFeature<kMask>(kFeatureEnvironmentConstant) ||
-                  hasFeature<kMask>(kFeatureEnvironmentImage)) {
-        const bool isHidden = view.lights.environmentIsSeenOnly && path->depth > 0;
-        const Vec3 radiance = isHidden ? Vec3(0.0f) : environmentRadiance<kMask>(view, path->ray.direction);
-        const float pdfLight = path->specularBounce
-                                   ? 0.0f
-                                   : pdfLightEnvironment<kMask>(view, path->context, path->ray.direction);
-        addHitLight(params, radiance, pdfLight, PathEventKind::Escape, path, log);
-    } else if constexpr (Log::kEnabled) {
-        addHitLight(params, Vec3(0.0f), 0.0f, PathEventKind::Escape, path, log);
-    }
-}
-
-/// What the surface that the path has met sends out by itself.
-template <FeatureMask kMask, class Log>
-GLINT_HD inline void addEmission(const SceneView& view, const PassParams& params, const SurfacePoint& surface,
-                                 const Vec3& wo, PathState* path, Log* log) {
-    // Where light sampling finds the same light, both see it alike.
-    const float uvWidth = path->specularBounce ? surface.uvWidth : 0.0f;
-    const Vec3 radiance = emittedRadiance<kMask>(view, surface, wo, uvWidth);
-    if (isZero(radiance)) { return; }
-    float pdfLight = 0.0f;
-    if constexpr (hasFeature<kMask>(kFeatureAreaLights)) {
-        if (!path->specularBounce) {
-            const uint32_t emitter = emitterOf(view, surface.instance, surface.primitive);
-            pdfLight = pdfLightSurface<kMask>(view, path->context, emitter, surface.p);
-        }
-    }
-    addHitLight(params, radiance, pdfLight, PathEventKind::Emission, path, log);
-}
-
-/// Whether the light of a sample reaches the surface.
-template <FeatureMask kMask>
-GLINT_HD inline bool lightArrives(const SceneView& view, const SurfacePoint& surface,
-                                  const LightSample& light) {
-    const Ray ray = light.isInfinite
-                        ? spawnRay(surface, light.wiWorld)
-                        : spawnShadowRay(surface, light.point, light.pointError, light.pointNormal);
-    return !occluded<kMask>(view, ray);
-}
-
-/// Next-event estimation: one light, one point on it, one shadow ray.
-template <FeatureMask kMask, class Log>
-GLINT_HD inline void addSampledLight(const SceneView& view, const PassParams& params, const Sampler& sampler,
-                                     const SurfacePoint& surface, const Bsdf<kMask>& bsdf, PathState* path,
-                                     Log* log) {
-    if (view.lights.emitters.empty()) { return; }
-    const float uChoice = view.lights.emitters.count > 1
-                              ? get1D<kMask>(sampler, dimension(BounceDimension::LightChoice, path->depth))
-                              : 0.0f;
-    const Vec2 uPoint = get2D<kMask>(sampler, dimension(BounceDimension::LightPoint, path->depth));
-    const LightSample light = sampleLight<kMask>(view, path->context, uChoice, uPoint);
-    if (!(light.pdfSolidAngle > 0.0f) || isZero(light.radiance)) { return; }
-    if (params.directLight == DirectLightTag::BsdfOnly && !light.isDelta) { return; }
-    const BsdfValue scattered = evaluateWithPdf(bsdf, light.wiWorld);
-    if (isZero(scattered.value)) { return; }
-    ++path->rays;
-    const bool arrives = lightArrives<kMask>(view, surface, light);
-    if (!arrives && !Log::kEnabled) { return; }
-
-    const bool alone = light.isDelta || params.directLight == DirectLightTag::LightOnly;
-    const float pdfBsdf = alone ? 0.0f : scattered.pdfSolidAngle;
-    const float weight = alone ? 1.0f : powerHeuristic(light.pdfSolidAngle, pdfBsdf);
-    Vec3 value(0.0f);
-    if (arrives) {
-        value = path->throughput * scattered.value * light.radiance * (weight / light.pdfSolidAngle);
-    }
-    path->radiance += value;
-    if constexpr (Log::kEnabled) {
-        PathEvent event;
-        event.kind = PathEventKind::Light;
-        event.depth = path->depth;
-        event.position = light.point;
-        event.normal = light.pointNormal;
-        event.direction = light.wiWorld;
-        event.value = value;
-        event.throughput = path->throughput;
-        event.pdfLight = light.pdfSolidAngle;
-        event.pdfBsdf = pdfBsdf;
-        event.weight = weight;
-        event.emitter = light.emitter;
-        event.flag = !arrives;
-        log->add(event);
-    }
-}
 
 /// Russian roulette on the throughput. False: the path ends.
 template <FeatureMask kMask, class Log>
@@ -185,8 +36,9 @@ GLINT_HD inline bool survivesRoulette(const PassParams& params, const Sampler& s
 
 /// Samples the next direction, its lobe chosen by uLobe, and sets out along it. False: the path ends.
 template <FeatureMask kMask, class Log>
-GLINT_HD inline bool scatterBy(const PassParams& params, const Sampler& sampler, const SurfacePoint& surface,
-                               const Bsdf<kMask>& bsdf, float uLobe, PathState* path, Log* log) {
+GLINT_HD inline bool scatterBy(const SceneView& view, const PassParams& params, const Sampler& sampler,
+                               const SurfacePoint& surface, const Bsdf<kMask>& bsdf, float uLobe,
+                               PathState* path, Log* log) {
     const Vec2 u = get2D<kMask>(sampler, dimension(BounceDimension::Direction, path->depth));
     const BsdfSample next = sample(bsdf, uLobe, u);
     if constexpr (Log::kEnabled) {
@@ -206,6 +58,9 @@ GLINT_HD inline bool scatterBy(const PassParams& params, const Sampler& sampler,
     path->specularBounce = next.isSpecular;
     path->etaScale *= next.etaScale;
     path->ray = spawnRay(surface, next.wi);
+    if (hasFeature<kMask>(kFeatureAttenuation) && next.isTransmission) {
+        passSurface(view, surface.material, glm::dot(next.wi, surface.ng) < 0.0f, &path->glasses);
+    }
     if (hasFeature<kMask>(kFeatureMipmaps) && !next.isSpecular) { path->cone.scatter(next.pdfSolidAngle); }
     const bool goesOn = survivesRoulette<kMask>(params, sampler, path, log);
     ++path->depth;
@@ -214,13 +69,14 @@ GLINT_HD inline bool scatterBy(const PassParams& params, const Sampler& sampler,
 
 /// The same with a lobe drawn here.
 template <FeatureMask kMask, class Log>
-GLINT_HD inline bool scatter(const PassParams& params, const Sampler& sampler, const SurfacePoint& surface,
-                             const Bsdf<kMask>& bsdf, PathState* path, Log* log) {
+GLINT_HD inline bool scatter(const SceneView& view, const PassParams& params, const Sampler& sampler,
+                             const SurfacePoint& surface, const Bsdf<kMask>& bsdf, PathState* path,
+                             Log* log) {
     float uLobe = 0.0f;
     if constexpr (usesLobeChoice<kMask>()) {
         uLobe = get1D<kMask>(sampler, dimension(BounceDimension::Lobe, path->depth));
     }
-    return scatterBy<kMask>(params, sampler, surface, bsdf, uLobe, path, log);
+    return scatterBy<kMask>(view, params, sampler, surface, bsdf, uLobe, path, log);
 }
 
 template <class Log>
@@ -265,11 +121,13 @@ GLINT_HD inline void followPath(const SceneView& view, const PassParams& params,
         Hit hit;
         ++path->rays;
         if (!intersect<kMask>(view, path->ray, &hit)) {
+            attenuate<kMask>(view, nullptr, kInfinity, path);
             addEnvironment<kMask>(view, params, path, log);
             return;
         }
         const SurfacePoint surface = surfaceOf<kMask>(view, hit, path);
         const Vec3 wo = -path->ray.direction;
+        attenuate<kMask>(view, &surface, hit.t, path);
         logVertex(*path, surface, log);
         addEmission<kMask>(view, params, surface, wo, path, log);
         if (path->depth >= params.maxDepth) { return; }
@@ -281,7 +139,7 @@ GLINT_HD inline void followPath(const SceneView& view, const PassParams& params,
         if (!isSpecularOnly(bsdf)) {
             addSampledLight<kMask>(view, params, sampler, surface, bsdf, path, log);
         }
-        if (!scatter<kMask>(params, sampler, surface, bsdf, path, log)) { return; }
+        if (!scatter<kMask>(view, params, sampler, surface, bsdf, path, log)) { return; }
     }
 }
 

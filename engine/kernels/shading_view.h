@@ -58,6 +58,7 @@ struct MaterialData {
     ShadingInputs inputs;                               ///< constants; what textures replace is not looked at
     MaterialInputs<TextureSlot, TextureSlot> textures;  ///< none in masks without kFeatureInputTextures
     Dispersion dispersion;
+    Vec3 absorption{0.0f};                    ///< of glass: per metre of a way inside
     uint32_t coatTable = TextureSlot::kNone;  ///< plastic with textures: first row in SceneView::coats
     /// radiance, strength included; with a texture: the strength, which multiplies it
     Vec3 emission{0.0f};

@@ -42,11 +42,13 @@ GLINT_HD bool followToVisiblePoint(const SceneView& view, const SppmParams& para
         Hit hit;
         ++path->rays;
         if (!intersect<kMask>(view, path->ray, &hit)) {
+            attenuate<kMask>(view, nullptr, kInfinity, path);
             addEnvironment<kMask>(view, pass, path, &log);
             return rests;
         }
         const SurfacePoint surface = surfaceOf<kMask>(view, hit, path);
         const Vec3 wo = -path->ray.direction;
+        attenuate<kMask>(view, &surface, hit.t, path);
         addEmission<kMask>(view, pass, surface, wo, path, &log);
         if (rests || path->depth >= pass.maxDepth) { return rests; }
         distance += hit.t;
@@ -73,7 +75,7 @@ GLINT_HD bool followToVisiblePoint(const SceneView& view, const SppmParams& para
             // One more ray, for light that the sampled direction finds: the other half of multiple
             // importance sampling.
         }
-        if (!scatterBy<kMask>(pass, sampler, surface, bsdf, uLobe, path, &log)) { return rests; }
+        if (!scatterBy<kMask>(view, pass, sampler, surface, bsdf, uLobe, path, &log)) { return rests; }
     }
 }
 

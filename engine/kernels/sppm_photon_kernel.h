@@ -6,6 +6,7 @@
 #pragma once
 
 #include "engine/kernels/bsdf/importance.h"
+#include "engine/kernels/glass_stack.h"
 #include "engine/kernels/intersect.h"
 #include "engine/kernels/photon_emission.h"
 #include "engine/kernels/photon_surface.h"
@@ -47,22 +48,45 @@ GLINT_HD Photon makePhoton(const SceneView& view, const SppmParams& params, cons
     return photon;
 }
 
+/// A photon on its way.
+struct PhotonPath {
+    Ray ray;
+    Vec3 flux{0.0f};
+    GlassStack glasses;  ///< looked at by masks with attenuation only
+    float left = 1.0f;   ///< the largest share of a channel that glass left on the last way
+};
+
+/// What glass absorbs on the way to the surface that the photon has met.
+template <FeatureMask kMask>
+GLINT_HD void attenuatePhoton(const SceneView& view, const SurfacePoint& surface, float distance,
+                              PhotonPath* photon) {
+    if constexpr (hasFeature<kMask>(kFeatureAttenuation)) {
+        const Vec3 absorption = absorptionBefore(view, photon->glasses, surface, -photon->ray.direction);
+        const Vec3 left = transmittance(absorption, distance);
+        photon->flux *= left;
+        photon->left = maxComponent(left);
+    }
+}
+
 /// Scatters the photon; false: it was absorbed. The roulette keeps its flux about constant.
 template <FeatureMask kMask>
 GLINT_HD bool scatterPhoton(const SceneView& view, const Sampler& sampler, const SurfacePoint& surface,
-                            const Bsdf<kMask>& bsdf, const Vec3& wo, int depth, Ray* ray, Vec3* flux) {
+                            const Bsdf<kMask>& bsdf, const Vec3& wo, int depth, PhotonPath* photon) {
     const float uLobe = get1D<kMask>(sampler, dimension(BounceDimension::Lobe, depth));
     const Vec2 u = get2D<kMask>(sampler, dimension(BounceDimension::Direction, depth));
     const BsdfSample next = sampleImportance<kMask>(view, surface, bsdf, wo, uLobe, u);
     if (!next.valid) { return false; }
-    const Vec3 scattered = *flux * next.weight;
-    const float chance = minf(1.0f, maxComponent(scattered) / maxComponent(*flux));
+    const Vec3 scattered = photon->flux * next.weight;
+    const float chance = minf(1.0f, maxComponent(scattered) / maxComponent(photon->flux) * photon->left);
     if (!(chance > 0.0f)) { return false; }
     if (chance < 1.0f && get1D<kMask>(sampler, dimension(BounceDimension::Roulette, depth)) >= chance) {
         return false;
     }
-    *flux = scattered * (1.0f / chance);
-    *ray = spawnRay(surface, next.wi);
+    photon->flux = scattered * (1.0f / chance);
+    photon->ray = spawnRay(surface, next.wi);
+    if (hasFeature<kMask>(kFeatureAttenuation) && next.isTransmission) {
+        passSurface(view, surface.material, glm::dot(next.wi, surface.ng) < 0.0f, &photon->glasses);
+    }
     return true;
 }
 
@@ -85,9 +109,11 @@ GLINT_HD PhotonTally tracePhoton(const SceneView& view, const PowerDistributionV
                           get2D<kMask>(sampler, dimension(EmissionDimension::Point)),
                           get2D<kMask>(sampler, dimension(EmissionDimension::Direction)));
     PhotonTally tally;
-    Vec3 flux = emitted.flux;
+    PhotonPath path;
+    path.ray = emitted.ray;
+    path.flux = emitted.flux;
+    Vec3& flux = path.flux;
     Wavelength wavelength;
-    Ray ray = emitted.ray;
     tally.emitted = luminance(flux);
     const int firstStored = params.sampleDirectLight ? 1 : 0;
     // The visible point's own scattering is the last of maxDepth.
@@ -99,13 +125,14 @@ GLINT_HD PhotonTally tracePhoton(const SceneView& view, const PowerDistributionV
         Hit hit;
         ++tally.rays;
         // Without the feature, backs of one-sided surfaces are hit, too.
-        if (!intersect<kMask & ~kFeatureFrontOnly>(view, ray, &hit)) {
+        if (!intersect<kMask & ~kFeatureFrontOnly>(view, path.ray, &hit)) {
             tally.escaped = luminance(flux);
             return tally;
         }
-        const SurfacePoint surface = surfaceAt<kMask>(view, ray, hit);
-        const Vec3 wo = -ray.direction;
+        const SurfacePoint surface = surfaceAt<kMask>(view, path.ray, hit);
+        const Vec3 wo = -path.ray.direction;
         if (hitsHiddenBack<kMask>(view, surface, wo)) { return tally; }
+        attenuatePhoton<kMask>(view, surface, hit.t, &path);
         const Vec3 arriving = flux;
         const uint32_t band = wavelength.band;
         disperse<kMask>(view, sampler, surface.material, &wavelength, &flux);
@@ -113,7 +140,7 @@ GLINT_HD PhotonTally tracePhoton(const SceneView& view, const PowerDistributionV
         if (depth >= firstStored && visiblePointLobes(bsdf, params.storeAlpha).probability() > 0.0f) {
             store(makePhoton<kMask>(view, params, surface, wo, arriving, depth, band));
         }
-        if (!scatterPhoton<kMask>(view, sampler, surface, bsdf, wo, depth, &ray, &flux)) { return tally; }
+        if (!scatterPhoton<kMask>(view, sampler, surface, bsdf, wo, depth, &path)) { return tally; }
     }
     return tally;
 }

@@ -23,6 +23,8 @@ struct MaterialInputs {
     Number roughness{0.0f};
     /// mixture: diffuse, mirror, refractive; not negative, not all zero
     Color mixtureWeights{Vec3(1.0f, 0.0f, 0.0f)};
+    /// translucent: what passes, diffusely; with the colour at most 1
+    Color transmission{Vec3(0.25f)};
 };
 
 /// What is true of an input whatever its value.
@@ -57,6 +59,7 @@ GLINT_HD constexpr auto withModelInputs(const Combine& combine) {
     constexpr uint32_t kDielectric = kindBit(MaterialKind::Dielectric);
     constexpr uint32_t kPlastic = kindBit(MaterialKind::Plastic);
     constexpr uint32_t kMixture = kindBit(MaterialKind::Mixture);
+    constexpr uint32_t kTranslucent = kindBit(MaterialKind::Translucent);
     constexpr float kMost = 1e18f;
     return combine(ModelInput{InputInfo{"eta", 0.0f, kMost, kConductor, true},
                               [](auto& set) -> decltype(auto) { return (set.eta); }},
@@ -67,7 +70,9 @@ GLINT_HD constexpr auto withModelInputs(const Combine& combine) {
                    ModelInput{InputInfo{"roughness", 0.0f, 1.0f, kConductor | kDielectric | kPlastic},
                               [](auto& set) -> decltype(auto) { return (set.roughness); }},
                    ModelInput{InputInfo{"weights", 0.0f, kMost, kMixture},
-                              [](auto& set) -> decltype(auto) { return (set.mixtureWeights); }});
+                              [](auto& set) -> decltype(auto) { return (set.mixtureWeights); }},
+                   ModelInput{InputInfo{"transmission", 0.0f, 1.0f, kTranslucent},
+                              [](auto& set) -> decltype(auto) { return (set.transmission); }});
 }
 
 /// Calls visit(info, input...) for each input, with that of each of the `sets`.

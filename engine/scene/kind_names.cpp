@@ -38,7 +38,9 @@ std::span<const KindName<MaterialKind>> kindNames<MaterialKind>() {
         {"conductor", MaterialKind::Conductor, "A metal, by its name or by its constants."},
         {"dielectric", MaterialKind::Dielectric, "Glass."},
         {"plastic", MaterialKind::Plastic, "A diffuse base under a clear coat."},
-        {"mixture", MaterialKind::Mixture, "A random choice of diffuse, mirror and refractive scattering."}};
+        {"mixture", MaterialKind::Mixture, "A random choice of diffuse, mirror and refractive scattering."},
+        {"translucent", MaterialKind::Translucent,
+         "A thin sheet that reflects and lets through diffusely, on both sides alike: a leaf, paper."}};
     return kNames;
 }
 

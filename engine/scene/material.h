@@ -1,6 +1,6 @@
 // Editable materials. Plain data: what the panels edit and the scene files hold.
 //
-// Deliberately left out: node graphs, layers beyond one coat, subsurface and volumes.
+// Deliberately left out: node graphs, layers beyond one coat, subsurface and volumes that scatter.
 #pragma once
 
 #include <cstdint>
@@ -37,8 +37,9 @@ struct Material : MaterialInputs<ColorInput, NumberInput> {
     std::string name;
     MaterialKind kind = MaterialKind::Diffuse;
 
-    /// Diffuse, plastic: albedo. Mirror: reflectance. Dielectric: tint of what passes and reflects. Mixture:
-    /// all three. Conductor: a factor on the Fresnel reflectance, 1 by default. Range [0, 1].
+    /// Diffuse, plastic: albedo. Translucent: what it reflects. Mirror: reflectance. Dielectric: tint of what
+    /// passes and reflects. Mixture: all three. Conductor: a factor on the Fresnel reflectance, 1 by default.
+    /// Range [0, 1].
     ColorInput color;
 
     std::string metal = "gold";  ///< conductor: measured constants by name (metals.h); empty: use eta and k
@@ -48,6 +49,10 @@ struct Material : MaterialInputs<ColorInput, NumberInput> {
     /// dielectric, mixture: Abbe number of `ior`, by how much colours are bent alike; 0: all are
     float abbeNumber = 0.0f;
     bool thin = false;  ///< dielectric only
+    /// dielectric that is not thin: the share of light that is left after attenuationDistance inside, per
+    /// channel. A millionth at least
+    Vec3 attenuationColor{1.0f};
+    float attenuationDistance = 1.0f;  ///< metres, > 0
 
     NumberInput bump;          ///< height map: a texture; a constant height changes nothing
     float bumpHeight = 0.01f;  ///< metres that a height of 1 stands for; negative: valleys
@@ -76,6 +81,17 @@ constexpr bool kIsInput = std::is_same_v<Value, ColorInput> || std::is_same_v<Va
 /// Whether it has the fields of a glass that colours pass alike or apart.
 inline bool hasGlass(const Material& material) {
     return material.kind == MaterialKind::Dielectric || material.kind == MaterialKind::Mixture;
+}
+
+/// What a glass absorbs per metre of a way inside; a millionth of the light is the least that is left after
+/// the attenuation distance.
+inline Vec3 absorptionOf(const Material& material) {
+    Vec3 absorption(0.0f);
+    for (int channel = 0; channel < 3 && !material.thin; ++channel) {
+        const float left = clampf(material.attenuationColor[channel], 1e-6f, 1.0f);
+        if (left < 1.0f) { absorption[channel] = -std::log(left) / material.attenuationDistance; }
+    }
+    return absorption;
 }
 
 /// Whether something else than `ior` says what its index is.

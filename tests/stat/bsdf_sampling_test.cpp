@@ -88,6 +88,7 @@ TEST(BsdfSampling, FollowsItsDensityWithBentShadingNormals) {
     TestSurface surface;
     surface.ns = glm::normalize(Vec3(0.5f, -0.2f, 0.8f));
     const std::vector<BsdfCase> cases{{"diffuse", diffuseMaterial(Vec3(0.5f))},
+                                      {"translucent", translucentMaterial(Vec3(0.2f), Vec3(0.6f))},
                                       {"conductor", conductorMaterial("silver", 0.3f)},
                                       {"dielectric", dielectricMaterial(1.5f, 0.3f)},
                                       {"plastic", plasticMaterial(Vec3(0.5f), 1.5f, 0.2f)}};

@@ -213,9 +213,9 @@ TEST(Bumps, CostNothingWhereThereAreNone) {
         addTexture(&scene, waves(8, 1));
         return buildAll(scene)->features;
     };
-    EXPECT_EQ(featuresOf(0.1f, false) & (kFeatureBumps | kFeatureTextures), 0u);
-    EXPECT_EQ(featuresOf(0.0f, true) & kFeatureBumps, 0u);
-    EXPECT_NE(featuresOf(0.1f, true) & kFeatureBumps, 0u);
+    EXPECT_EQ(featuresOf(0.1f, false) & (kFeatureBumps | kFeatureTextures), FeatureMask{0});
+    EXPECT_EQ(featuresOf(0.0f, true) & kFeatureBumps, FeatureMask{0});
+    EXPECT_NE(featuresOf(0.1f, true) & kFeatureBumps, FeatureMask{0});
 }
 
 }  // namespace

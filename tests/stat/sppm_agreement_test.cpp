@@ -102,6 +102,8 @@ TEST_P(SppmAgainstPaths, RoughGlass) { expectAgreementOf(roughGlassBox(), params
 TEST_P(SppmAgainstPaths, RoughGlassInContact) { expectAgreementOf(roughGlassInContact(), params()); }
 TEST_P(SppmAgainstPaths, Bumps) { expectAgreementOf(bumpyBox(), params()); }
 TEST_P(SppmAgainstPaths, Cutouts) { expectAgreementOf(cutoutBox(), params()); }
+TEST_P(SppmAgainstPaths, AbsorbingGlass) { expectAgreementOf(absorbingGlassBox(), params()); }
+TEST_P(SppmAgainstPaths, TranslucentSheets) { expectAgreementOf(translucentBox(), params()); }
 TEST_P(SppmAgainstPaths, DispersiveGlass) {
     SppmParams more = params();
     more.photonsPerPass = 20000;

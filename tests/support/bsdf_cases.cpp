@@ -54,6 +54,14 @@ MaterialData mixtureMaterial(const Vec3& color, const Vec3& probability, float i
     return data;
 }
 
+MaterialData translucentMaterial(const Vec3& color, const Vec3& transmission) {
+    MaterialData data = diffuseMaterial(color);
+    data.kind = MaterialKind::Translucent;
+    data.inputs.transmission = transmission;
+    data.inputs.ior = 1.0f;  // it bends nothing
+    return data;
+}
+
 std::vector<BsdfCase> allBsdfCases() {
     const Vec3 color(0.8f, 0.5f, 0.2f);
     std::vector<BsdfCase> cases{
@@ -67,6 +75,9 @@ std::vector<BsdfCase> allBsdfCases() {
         {"dielectric 1.5 thin", dielectricMaterial(1.5f, 0.0f, true)},
         {"mixture", mixtureMaterial(color, Vec3(0.5f, 0.3f, 0.2f), 1.5f)},
         {"mixture no diffuse", mixtureMaterial(color, Vec3(0.0f, 0.4f, 0.6f), 1.8f)},
+        {"translucent", translucentMaterial(Vec3(0.1f, 0.5f, 0.2f), Vec3(0.8f, 0.4f, 0.3f))},
+        {"translucent, passing all", translucentMaterial(Vec3(0.0f), Vec3(1.0f))},
+        {"translucent, too bright", translucentMaterial(Vec3(0.9f, 0.2f, 0.5f), Vec3(0.6f))},
         {"plastic smooth", plasticMaterial(color, 1.5f, 0.0f)},
         {"plastic white smooth", plasticMaterial(Vec3(1.0f), 1.9f, 0.0f)},
         {"plastic black smooth", plasticMaterial(Vec3(0.0f), 1.5f, 0.0f)},

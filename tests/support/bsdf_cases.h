@@ -38,6 +38,7 @@ MaterialData conductorMaterial(const std::string& metal, float alpha);
 MaterialData dielectricMaterial(float ior, float alpha, bool thin = false);
 MaterialData plasticMaterial(const Vec3& color, float ior, float alpha);
 MaterialData mixtureMaterial(const Vec3& color, const Vec3& probability, float ior);
+MaterialData translucentMaterial(const Vec3& color, const Vec3& transmission);
 
 /// Every kind over its range of parameters: roughness 0 and 1e-3 to 1, indices below and above 1.
 std::vector<BsdfCase> allBsdfCases();

@@ -90,6 +90,38 @@ SceneDescription cutoutBox() {
     return scene;
 }
 
+SceneDescription absorbingGlassBox() {
+    SceneDescription scene = small(cornellBox());
+    Material glass = roughGlass();
+    const int clear = addMaterial(&scene, glass);
+    glass.attenuationColor = Vec3(0.7f, 0.3f, 0.2f);
+    glass.attenuationDistance = 0.4f;
+    const int absorbing = addMaterial(&scene, glass);
+    for (size_t i = 0, count = scene.objects.size(); i < count; ++i) {
+        if (scene.objects[i].shape != ShapeKind::Sphere) { continue; }
+        scene.objects[i].material = absorbing;
+        addObject(&scene, ShapeKind::Sphere, scene.objects[i].objectToWorld * scale(Vec3(0.6f)), clear);
+    }
+    return scene;
+}
+
+SceneDescription translucentBox() {
+    SceneDescription scene = small(cornellBox());
+    Material leaf = diffuseMaterial(Vec3(0.2f, 0.3f, 0.1f));
+    leaf.kind = MaterialKind::Translucent;
+    leaf.transmission.value = Vec3(0.4f, 0.6f, 0.2f);
+    const int material = addMaterial(&scene, leaf);
+    for (Object& object : scene.objects) {
+        if (object.shape == ShapeKind::Sphere) {
+            object.material = material;
+            break;
+        }
+    }
+    addObject(&scene, ShapeKind::Rectangle,
+              placeFlatShape({0.0f, 1.2f, 0.0f}, {0.0f, 1.0f, 0.2f}, 0.6f, 0.6f), material);
+    return scene;
+}
+
 SceneDescription dispersiveGlass() {
     SceneDescription scene = small(emptyScene({0.0f, 2.0f, 3.0f}, {0.0f, 0.15f, 0.1f}, 32.0f, 32));
     const Vec3 up(0.0f, 1.0f, 0.0f);

@@ -22,6 +22,12 @@ SceneDescription bumpyBox();
 /// A box with a veil of opacity 0.4 across it and a ball with holes; small.
 SceneDescription cutoutBox();
 
+/// The box with a ball of rough glass that absorbs, and a clear one inside it; small.
+SceneDescription absorbingGlassBox();
+
+/// A box with a sheet across it that light passes diffusely, and a ball of the same; small.
+SceneDescription translucentBox();
+
 /// A ball and a cube of glass of extreme dispersion on a floor, one seen through the other: what a camera
 /// path and a photon are bent by meets on the floor, and in a second ball of rough glass; small.
 SceneDescription dispersiveGlass();

@@ -61,6 +61,22 @@ TEST_F(Gltf, MaterialsBecomeTheNearestOfGlint) {
     EXPECT_EQ(veil.opacity.value, 0.25f);
 }
 
+TEST_F(Gltf, VolumesAbsorbAndSheetsLetThrough) {
+    const std::string volume = R"("extensions": {"KHR_materials_transmission": {"transmissionFactor": 1},
+        "KHR_materials_volume": {"thicknessFactor": 0.2, "attenuationColor": [0.5, 0.25, 1])";
+    const Material glass = only(volume + R"(, "attenuationDistance": 2}})");
+    EXPECT_EQ(glass.attenuationColor, Vec3(0.5f, 0.25f, 1.0f));
+    EXPECT_EQ(glass.attenuationDistance, 2.0f);
+    EXPECT_EQ(only(volume + "}}").attenuationColor, Vec3(1.0f)) << "the distance is infinite by default";
+    const Material sheet =
+        only(R"("pbrMetallicRoughness": {"metallicFactor": 0, "baseColorFactor": [0.8, 0.4, 0.2, 1]},
+        "extensions": {"KHR_materials_diffuse_transmission": {"diffuseTransmissionFactor": 0.25,
+        "diffuseTransmissionColorFactor": [1, 0.5, 0]}})");
+    EXPECT_EQ(sheet.kind, MaterialKind::Translucent);
+    EXPECT_LT(glm::length(sheet.color.value - Vec3(0.6f, 0.3f, 0.15f)), 1e-6f);
+    EXPECT_LT(glm::length(sheet.transmission.value - Vec3(0.25f, 0.125f, 0.0f)), 1e-6f);
+}
+
 TEST_F(Gltf, TexturesArePlacedAndMultiplied) {
     // The top half of the image is red.
     std::vector<uint8_t> rgb(3 * 4 * 4, 0);

@@ -191,14 +191,14 @@ TEST_F(SceneBuilder, AnotherSceneSharesTheMeshesThatStay) {
 
 TEST_F(SceneBuilder, FeaturesGrowWithEditsAndShrinkWithAnotherScene) {
     const FeatureMask atFirst = before->features;
-    ASSERT_EQ(atFirst & kFeatureMixture, 0u);
+    ASSERT_EQ(atFirst & kFeatureMixture, FeatureMask{0});
     const MaterialKind kind = description.materials[0].kind;
     description.materials[0].kind = MaterialKind::Mixture;
     const Edited grown = edit(EditKind::MaterialKind, before);
-    EXPECT_NE(grown.scene->features & kFeatureMixture, 0u);
+    EXPECT_NE(grown.scene->features & kFeatureMixture, FeatureMask{0});
     description.materials[0].kind = kind;
     const Edited kept = edit(EditKind::MaterialKind, grown.scene);
-    EXPECT_NE(kept.scene->features & kFeatureMixture, 0u);
+    EXPECT_NE(kept.scene->features & kFeatureMixture, FeatureMask{0});
     EXPECT_EQ(edit(EditKind::Everything, kept.scene).scene->features, atFirst);
 }
 

@@ -147,7 +147,7 @@ TEST(TextureTable, PlacesTextures) {
     scene.textures = {grayTexture("used", 2), grayTexture("unused", 1)};
     scene.materials[0].color.texture = 0;
     scene.textures[1].wrapU = WrapMode::Clamp;
-    EXPECT_EQ(featuresOf(scene) & kFeaturePlacedTextures, 0u) << "no object has the clamped one";
+    EXPECT_EQ(featuresOf(scene) & kFeaturePlacedTextures, FeatureMask{0}) << "no object has the clamped one";
     const auto plain = *buildTextureTable(scene, nullptr);
     const std::pair<const char*, void (*)(Texture*)> changes[] = {
         {"wrapU", [](Texture* t) { t->wrapU = WrapMode::Clamp; }},
@@ -158,7 +158,7 @@ TEST(TextureTable, PlacesTextures) {
     for (const auto& [name, change] : changes) {
         SceneDescription placed = scene;
         change(&placed.textures[0]);
-        EXPECT_NE(featuresOf(placed) & kFeaturePlacedTextures, 0u) << name;
+        EXPECT_NE(featuresOf(placed) & kFeaturePlacedTextures, FeatureMask{0}) << name;
         EXPECT_NE(*buildTextureTable(placed, plain), plain) << name;
     }
     scene.textures[0].rotationDeg = 30.0f;

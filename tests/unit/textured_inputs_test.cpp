@@ -126,7 +126,7 @@ TEST_P(TexturedInputs, AreTheConstantsThatTheTextureHolds) {
         const Subject constantLeft(left), constantRight(right);
         EXPECT_EQ(textured.features() & (kFeatureTextures | kFeatureInputTextures),
                   kFeatureTextures | kFeatureInputTextures);
-        EXPECT_EQ(constantLeft.features() & (kFeatureTextures | kFeatureInputTextures), 0u);
+        EXPECT_EQ(constantLeft.features() & (kFeatureTextures | kFeatureInputTextures), FeatureMask{0});
         UniformNumbers random(3);
         for (int i = 0; i < 20; ++i) {
             const Vec3 wo = sampleSphere(random.next2());

@@ -24,7 +24,7 @@ struct FeatureName {
     FeatureMask bit;
     const char* name;
 };
-constexpr std::array<FeatureName, 29> kFeatureNames{
+constexpr std::array<FeatureName, 31> kFeatureNames{
     {{kFeatureCurved, "spheres"},
      {kFeaturePlane, "planes"},
      {kFeatureFlat, "rectangles and discs"},
@@ -45,6 +45,8 @@ constexpr std::array<FeatureName, 29> kFeatureNames{
      {kFeatureGlossy, "rough reflection"},
      {kFeaturePlastic, "plastic"},
      {kFeatureMixture, "mixtures"},
+     {kFeatureAttenuation, "absorbing glass"},
+     {kFeatureTranslucent, "translucent sheets"},
      {kFeatureAreaLights, "area lights"},
      {kFeatureDeltaLights, "point, spot and directional lights"},
      {kFeatureEnvironmentConstant, "constant environment"},

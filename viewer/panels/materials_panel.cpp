@@ -18,9 +18,10 @@ namespace glint {
 namespace {
 
 constexpr ui::KindLabel<MaterialKind> kKinds[]{
-    {MaterialKind::Diffuse, "Diffuse"},     {MaterialKind::Mirror, "Mirror"},
-    {MaterialKind::Conductor, "Conductor"}, {MaterialKind::Dielectric, "Dielectric"},
-    {MaterialKind::Plastic, "Plastic"},     {MaterialKind::Mixture, "Mixture"}};
+    {MaterialKind::Diffuse, "Diffuse"},        {MaterialKind::Mirror, "Mirror"},
+    {MaterialKind::Conductor, "Conductor"},    {MaterialKind::Dielectric, "Dielectric"},
+    {MaterialKind::Plastic, "Plastic"},        {MaterialKind::Mixture, "Mixture"},
+    {MaterialKind::Translucent, "Translucent"}};
 constexpr const char* kOwnMetal = "own constants";
 constexpr const char* kOwnGlass = "own index";
 
@@ -199,6 +200,18 @@ void drawGlass(Material* material) {
                 .tooltip = "The lower, the further colours are bent apart: flint glass 25, crown glass 64"});
 }
 
+void drawAttenuation(Material* material) {
+    ui::color("Attenuation", &material->attenuationColor, 1.0f,
+              "What is left of light after the attenuation distance inside. White: all of it");
+    if (material->attenuationColor == Vec3(1.0f)) { return; }
+    ui::number("Attenuation distance", &material->attenuationDistance,
+               {.format = "%.4f m",
+                .speed = std::max(material->attenuationDistance * 0.01f, 1e-6f),
+                .min = 1e-6f,
+                .max = 1e6f,
+                .tooltip = "The way inside the glass that leaves the attenuation colour"});
+}
+
 void drawScattering(const SceneDescription& scene, AssetReader* assets, Material* material) {
     const MaterialKind kind = material->kind;
     const bool mixture = kind == MaterialKind::Mixture;
@@ -218,6 +231,11 @@ void drawScattering(const SceneDescription& scene, AssetReader* assets, Material
     }
     if (dielectric) {
         ui::toggle("Thin", &material->thin, "A sheet without thickness: light passes straight");
+        if (!material->thin) { drawAttenuation(material); }
+    }
+    if (kind == MaterialKind::Translucent) {
+        ui::color("Transmission", &material->transmission.value, 1.0f,
+                  "What passes; with the colour at most 1");
     }
     if (!mixture) { return; }
     Vec3 weights = material->mixtureWeights.value;

@@ -30,6 +30,7 @@
 #include "engine/kernels/bsdf/mirror.h"
 #include "engine/kernels/bsdf/mixture.h"
 #include "engine/kernels/bsdf/plastic.h"
+#include "engine/kernels/bsdf/translucent.h"
 
 namespace glint {
 namespace detail {
@@ -63,6 +64,8 @@ GLINT_HD auto withModel(const MaterialData& material, Visit&& visit) {
                 return visitIfCompiled<PlasticModel<kMask>, kMask>(visit);
             case MaterialKind::Mixture:
                 return visitIfCompiled<MixtureModel<kMask>, kMask>(visit);
+            case MaterialKind::Translucent:
+                return visitIfCompiled<TranslucentModel<kMask>, kMask>(visit);
         }
         return decltype(visit(DiffuseModel<kMask>{})){};
     }
@@ -176,15 +179,17 @@ GLINT_HD Bsdf<kMask> makeBsdf(const Scene& scene, const Surface& surface, const 
 
 /// What a scene needs of the kernels for the sake of this material.
 GLINT_HD inline FeatureMask materialFeatures(const MaterialData& material) {
-    FeatureMask textures = material.colorTexture != TextureSlot::kNone ? kFeatureTextures : 0u;
+    FeatureMask textures = material.colorTexture != TextureSlot::kNone ? kFeatureTextures : FeatureMask{0};
     if ((material.flags & kMaterialInputTextures) != 0) {
         textures |= kFeatureTextures | kFeatureInputTextures;
     }
     if ((material.flags & kMaterialBump) != 0) { textures |= kFeatureTextures | kFeatureBumps; }
     if ((material.flags & kMaterialCutOut) != 0) { textures |= kFeatureTextures | kFeatureCutouts; }
     if ((material.flags & kMaterialMipmaps) != 0) { textures |= kFeatureTextures | kFeatureMipmaps; }
-    const FeatureMask dispersion = (material.flags & kMaterialDisperses) != 0 ? kFeatureDispersion : 0u;
-    return textures | dispersion |
+    const FeatureMask dispersion =
+        (material.flags & kMaterialDisperses) != 0 ? kFeatureDispersion : FeatureMask{0};
+    const FeatureMask attenuation = isZero(material.absorption) ? FeatureMask{0} : kFeatureAttenuation;
+    return textures | dispersion | attenuation |
            detail::withModel<kAllFeatures>(material, [&](auto model) { return model.featuresOf(material); });
 }
 

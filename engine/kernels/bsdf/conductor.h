@@ -12,8 +12,8 @@ struct ConductorModel : BsdfModelDefaults {
     static constexpr FeatureMask kFeatures = kFeatureSpecular | kFeatureGlossy;
 
     static GLINT_HD FeatureMask featuresOf(const MaterialData& material) {
-        return (detail::canBeSmooth(material) ? kFeatureSpecular : 0u) |
-               (detail::canBeRough(material) ? kFeatureGlossy : 0u);
+        return (detail::canBeSmooth(material) ? kFeatureSpecular : FeatureMask{0}) |
+               (detail::canBeRough(material) ? kFeatureGlossy : FeatureMask{0});
     }
 
     static GLINT_HD bool isSpecularOnly(const Bsdf<kMask>& bsdf) { return detail::isSmooth(bsdf.inputs()); }

@@ -1,8 +1,8 @@
 // Glass: a boundary between two dielectrics, smooth or GGX, and a thin sheet. Host and device.
 //
 // eta is the index on the far side over the one on wo's side. The colour tints what passes and what
-// reflects. Left out: absorption along the way inside, light that bounces more than once between
-// facets; roughness of sheets.
+// reflects; what glass absorbs on the way inside is glass_stack.h's. Left out: light that bounces more than
+// once between facets; roughness of sheets.
 #pragma once
 
 #include "engine/kernels/bsdf/bsdf_point.h"
@@ -111,7 +111,8 @@ struct DielectricModel : BsdfModelDefaults {
     }
 
     static GLINT_HD FeatureMask featuresOf(const MaterialData& material) {
-        return kFeatureDielectric | (isThin(material) || !detail::canBeRough(material) ? 0u : kFeatureGlossy);
+        return kFeatureDielectric |
+               (isThin(material) || !detail::canBeRough(material) ? FeatureMask{0} : kFeatureGlossy);
     }
 
     static GLINT_HD bool isSpecularOnly(const Bsdf<kMask>& bsdf) { return isSharp(bsdf); }

@@ -149,7 +149,7 @@ struct PlasticModel : BsdfModelDefaults {
     }
 
     static GLINT_HD FeatureMask featuresOf(const MaterialData& material) {
-        return kFeaturePlastic | (detail::canBeRough(material) ? kFeatureGlossy : 0u);
+        return kFeaturePlastic | (detail::canBeRough(material) ? kFeatureGlossy : FeatureMask{0});
     }
 
     static GLINT_HD bool isSpecularOnly(const Bsdf<kMask>&) { return false; }

@@ -1,0 +1,28 @@
+// glTF's numbers and models of surfaces as Glint's. Internal to the glTF importer.
+#pragma once
+
+#include <vector>
+
+#include "engine/io/gltf_file.h"
+#include "engine/scene/material.h"
+
+namespace glint {
+
+/// Within the limits; what is not finite becomes the least.
+float gltfNumber(double value, double least, double most);
+/// White where a factor is missing.
+Vec3 gltfColor(const std::vector<double>& factor, double most = 1.0);
+
+/// KHR_materials_pbrSpecularGlossiness, which older files have, as a rough dielectric.
+tinygltf::PbrMetallicRoughness gltfSurface(const tinygltf::Material& material);
+
+/// A conductor of nearly this reflectance at normal incidence (mtl_loader.h), times its colour.
+void makeMetal(const Vec3& color, bool isTextured, Material* out);
+/// KHR_materials_volume of a glass: without a thickness a sheet; otherwise what it absorbs inside. Null:
+/// none.
+void takeVolume(const tinygltf::Value* volume, Material* out);
+/// KHR_materials_diffuse_transmission: the share that passes is taken from what is reflected; an image of the
+/// colour keeps all of it.
+void takeSheet(const tinygltf::Value& sheet, Material* out);
+
+}  // namespace glint

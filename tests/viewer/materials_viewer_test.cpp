@@ -1,0 +1,53 @@
+// Glass that absorbs and sheets that light passes, in the Materials panel: edited live, and saved.
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "engine/io/scene_loader.h"
+#include "tests/viewer/play_script.h"
+
+namespace glint::test {
+namespace {
+
+Material editedBy(const std::string& edits) {
+    std::filesystem::remove("saved.json");
+    write("ball.json", R"({
+  "glint": 1, "resolution": [64, 48],
+  "camera": { "position": [0, 1, 4], "target": [0, 1, 0] },
+  "materials": { "grey": { "type": "diffuse", "color": 0.5 } },
+  "objects": [{ "type": "sphere", "material": "grey", "center": [0, 1, 0], "radius": 1 }],
+  "environment": { "color": 1 }
+})");
+    write("script.txt", "wait picture\nopen \"Materials\"\nopen \"Checkpoint\"\nwait frames 2\n" + edits +
+                            "wait picture\nset \"Scene file\" saved.json\nclick \"Save scene\"\nwait jobs\n");
+    expectPlayed(run("view ball.json --headless --threads 1 --script script.txt"));
+    const auto saved = loadScene("saved.json");
+    EXPECT_TRUE(saved.ok()) << saved.error().format();
+    return saved ? saved->materials.at(0) : Material();
+}
+
+TEST(MaterialsViewer, GlassAbsorbs) {
+    const Material glass = editedBy(R"(
+set "Materials/Kind" Dielectric
+expect no-widget "Attenuation distance"
+set "Attenuation" 0.5 0.25 1
+wait frames 2
+set "Attenuation distance" 0.2
+)");
+    EXPECT_EQ(glass.kind, MaterialKind::Dielectric);
+    EXPECT_EQ(glass.attenuationColor, Vec3(0.5f, 0.25f, 1.0f));
+    EXPECT_FLOAT_EQ(glass.attenuationDistance, 0.2f);
+}
+
+TEST(MaterialsViewer, SheetsLetLightThrough) {
+    const Material sheet = editedBy(R"(
+set "Materials/Kind" Translucent
+wait frames 2
+set "Transmission" 0.5 0.25 0.125
+)");
+    EXPECT_EQ(sheet.kind, MaterialKind::Translucent);
+    EXPECT_EQ(sheet.transmission.value, Vec3(0.5f, 0.25f, 0.125f));
+}
+
+}  // namespace
+}  // namespace glint::test
