@@ -79,7 +79,7 @@ Result<ImageSource> GltfMaterials::sourceOf(int index) {
 }
 
 template <class Info>
-Result<GltfMaterials::Map> GltfMaterials::takeTexture(const Info& info, ColorEncoding encoding) {
+Result<GltfMaterials::Map> GltfMaterials::takeTexture(const Info& info, const Reading& reading) {
     if (info.index < 0) { return Map{}; }
     const auto& textures = file_.model.textures;
     if (static_cast<size_t>(info.index) >= textures.size()) {
@@ -95,7 +95,10 @@ Result<GltfMaterials::Map> GltfMaterials::takeTexture(const Info& info, ColorEnc
     texture.name = file_.model.images[static_cast<size_t>(image)].name;
     if (texture.name.empty()) { texture.name = fmt::format("image {}", image); }
     texture.image.source = std::move(*source);
-    texture.encoding = encoding;
+    texture.encoding = reading.encoding;
+    texture.channel = reading.channel;
+    texture.gain = reading.gain;
+    texture.exponent = reading.exponent;
     const tinygltf::Value* transform = extensionOf(info, "KHR_texture_transform");
     place(transform, &texture);
     if (from.sampler >= 0 && static_cast<size_t>(from.sampler) < file_.model.samplers.size()) {
@@ -106,15 +109,16 @@ Result<GltfMaterials::Map> GltfMaterials::takeTexture(const Info& info, ColorEnc
         texture.filter = isNearest ? TexelFilter::Nearest : TexelFilter::Bilinear;
     }
     const std::string key =
-        fmt::format("{} {} {} {} {} {} {} {}", info.index, static_cast<int>(encoding), texture.scale.x,
-                    texture.scale.y, texture.offset.x, texture.offset.y, texture.rotationDeg, image);
+        fmt::format("{} {} {} {} {} {} {} {} {} {}", info.index, static_cast<int>(reading.encoding),
+                    static_cast<int>(reading.channel), reading.gain, texture.scale.x, texture.scale.y,
+                    texture.offset.x, texture.offset.y, texture.rotationDeg, image);
     const auto [known, isNew] = textures_.try_emplace(key, static_cast<int>(scene_.textures.size()));
     if (isNew) { scene_.textures.push_back(std::move(texture)); }
     return Map{known->second, static_cast<int>(numberOf(transform, "texCoord", info.texCoord))};
 }
 
-Result<Vec3> GltfMaterials::meanOf(int index) {
-    if (const auto known = means_.find(index); known != means_.end()) { return known->second; }
+Result<GltfMaterials::Surface> GltfMaterials::surfaceImage(int index) {
+    if (const auto known = surfaces_.find(index); known != surfaces_.end()) { return known->second; }
     if (static_cast<size_t>(index) >= file_.model.textures.size()) {
         return file_.error(
             fmt::format("there is no texture {}; the file has {}", index, file_.model.textures.size()));
@@ -125,33 +129,41 @@ Result<Vec3> GltfMaterials::meanOf(int index) {
     const Result<SceneImage> image = embedded != nullptr
                                          ? decodeImage(*embedded->bytes, embedded->name)
                                          : loadImage(resolvePath(pathOf(*source), file_.path));
-    Vec3 mean(1.0f);
+    Surface surface;
     if (image && image->bytes) {
-        double sums[3] = {};
-        for (size_t i = 0; i < image->bytes->rgb.size(); ++i) {
-            sums[i % 3] += image->bytes->rgb[i];
+        const std::vector<uint8_t>& rgb = image->bytes->rgb;
+        double roughness = 0.0, metalness = 0.0;
+        for (size_t i = 0; i + 2 < rgb.size(); i += 3) {
+            roughness += rgb[i + 1];
+            metalness += rgb[i + 2];
+            surface.isEven = surface.isEven && rgb[i + 1] == rgb[1];
         }
-        const double scale = 3.0 / (255.0 * static_cast<double>(image->bytes->rgb.size()));
-        mean = Vec3(static_cast<float>(sums[0] * scale), static_cast<float>(sums[1] * scale),
-                    static_cast<float>(sums[2] * scale));
-        file_.remark("images of roughness and metalness are taken for their mean");
+        const double scale = 3.0 / (255.0 * static_cast<double>(rgb.size()));
+        surface.roughness = static_cast<float>(roughness * scale);
+        surface.metalness = static_cast<float>(metalness * scale);
     } else {
         file_.remark("images of roughness or metalness cannot be read", pathOf(*source));
     }
-    return means_[index] = mean;
+    return surfaces_[index] = surface;
 }
 
-Status GltfMaterials::takeSurface(const tinygltf::Material& from, Material* out) {
+Result<GltfMaterials::Map> GltfMaterials::takeSurface(const tinygltf::Material& from, Material* out) {
     const tinygltf::PbrMetallicRoughness pbr = gltfSurface(from);
     float roughness = gltfNumber(pbr.roughnessFactor, 0.0, 1.0),
           metallic = gltfNumber(pbr.metallicFactor, 0.0, 1.0);
+    Result<Map> map = Map{};
     if (pbr.metallicRoughnessTexture.index >= 0) {
-        const Result<Vec3> mean = meanOf(pbr.metallicRoughnessTexture.index);
-        if (!mean) { return mean.error(); }
-        roughness *= mean->y;
-        metallic *= mean->z;
+        const Result<Surface> image = surfaceImage(pbr.metallicRoughnessTexture.index);
+        if (!image) { return image.error(); }
+        if (!image->isEven) {
+            map = takeTexture(pbr.metallicRoughnessTexture,
+                              {ColorEncoding::Linear, TextureChannel::Green, roughness, 2.0f});
+            if (!map) { return map; }
+        }
+        roughness *= image->roughness;
+        metallic *= image->metalness;
     }
-    out->roughness.value = roughness * roughness;
+    out->roughness = {roughness * roughness, map->texture};
     out->ior.value = gltfNumber(numberOf(extensionOf(from, "KHR_materials_ior"), "ior", 1.5), 0.01, 100.0);
     const auto* transmission = extensionOf(from, "KHR_materials_transmission");
     const double passing = numberOf(transmission, "transmissionFactor", 0.0);
@@ -177,7 +189,7 @@ Status GltfMaterials::takeSurface(const tinygltf::Material& from, Material* out)
     if (isMixed) {
         file_.remark("materials between metal, glass and neither become the nearest one", from.name);
     }
-    return {};
+    return map;
 }
 
 void GltfMaterials::takeAlpha(const tinygltf::Material& from, int colorTexture, Material* out) {
@@ -222,18 +234,18 @@ Result<GltfMaterial> GltfMaterials::take(int index) {
     Material out;
     out.name = !from.name.empty() ? from.name : index >= 0 ? fmt::format("material {}", index) : "default";
     const tinygltf::PbrMetallicRoughness pbr = gltfSurface(from);
-    const Result<Map> color = takeTexture(pbr.baseColorTexture, ColorEncoding::Srgb);
+    const Result<Map> color = takeTexture(pbr.baseColorTexture, {ColorEncoding::Srgb});
     if (!color) { return color.error(); }
     out.color = {gltfColor(pbr.baseColorFactor), color->texture};
-    GltfMaterial taken{.index = static_cast<int>(scene_.materials.size()), .uvSet = color->uvSet};
+    GltfMaterial taken{.index = static_cast<int>(scene_.materials.size())};
     if (color->texture >= 0) { taken.vertexFactor = out.color.value; }
-    if (Status surface = takeSurface(from, &out); !surface) { return surface.error(); }
-    const Result<Map> normal = takeTexture(from.normalTexture, ColorEncoding::Linear);
+    const Result<Map> roughness = takeSurface(from, &out);
+    if (!roughness) { return roughness.error(); }
+    const Result<Map> normal = takeTexture(from.normalTexture, {});
     if (!normal) { return normal.error(); }
     out.normalMap.texture = normal->texture;
     out.normalStrength = gltfNumber(from.normalTexture.scale, 0.0, 1e3);
-    if (color->texture < 0 && normal->texture >= 0) { taken.uvSet = normal->uvSet; }
-    const Result<Map> emission = takeTexture(from.emissiveTexture, ColorEncoding::Srgb);
+    const Result<Map> emission = takeTexture(from.emissiveTexture, {ColorEncoding::Srgb});
     if (!emission) { return emission.error(); }
     const Vec3 factor = from.emissiveFactor.empty() ? Vec3(0.0f) : gltfColor(from.emissiveFactor, 1e6);
     const auto* strength = extensionOf(from, "KHR_materials_emissive_strength");
@@ -242,16 +254,18 @@ Result<GltfMaterial> GltfMaterials::take(int index) {
         out.emission = {factor, emission->texture};
         out.emissionStrength = times * (emission->texture >= 0 ? maxComponent(factor) : 1.0f);
         out.emitsBothSides = from.doubleSided;
-        if (emission->texture >= 0 && color->texture < 0) { taken.uvSet = emission->uvSet; }
         if (emission->texture >= 0 && minComponent(factor) < maxComponent(factor)) {
             file_.remark("emission maps lose the colour of their factor", from.name);
         }
     }
     takeAlpha(from, color->texture, &out);
-    const bool differs = (emission->texture >= 0 && color->uvSet != emission->uvSet) ||
-                         (normal->texture >= 0 && color->uvSet != normal->uvSet);
-    if (color->texture >= 0 && differs) {
-        file_.remark("all maps of a material use the texture coordinates of its colour", from.name);
+    std::vector<int> uvSets;
+    for (const Map& map : {*color, *normal, *emission, *roughness}) {
+        if (map.texture >= 0) { uvSets.push_back(map.uvSet); }
+    }
+    if (!uvSets.empty()) { taken.uvSet = uvSets.front(); }
+    if (std::ranges::any_of(uvSets, [&](int set) { return set != taken.uvSet; })) {
+        file_.remark("all maps of a material use the texture coordinates of one of them", from.name);
     }
     remarkLeftOut(from);
     scene_.materials.push_back(std::move(out));

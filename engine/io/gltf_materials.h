@@ -31,7 +31,7 @@ class GltfMaterials {
     ///   base
     ///     colour.
     ///   - else plastic over the base colour, with the index of KHR_materials_ior (1.5).
-    /// GGX alpha is the square of the roughness, on the average of its texture. Emission is the emissive
+    /// GGX alpha is the square of the roughness and its texture. Emission is the emissive
     /// factor times KHR_materials_emissive_strength, on both sides where the material is double-sided.
     /// Normal maps are taken as they are; alpha cuts out unless the material is opaque.
     /// Everything else that a material has is left out with a remark. Error: an index or a buffer beyond what
@@ -44,12 +44,23 @@ class GltfMaterials {
         int uvSet = 0;
     };
 
+    /// How an image's numbers are read.
+    struct Reading {
+        ColorEncoding encoding = ColorEncoding::Linear;
+        TextureChannel channel = TextureChannel::Red;
+        float gain = 1.0f, exponent = 1.0f;
+    };
     template <class Info>
-    Result<Map> takeTexture(const Info& info, ColorEncoding encoding);
+    Result<Map> takeTexture(const Info& info, const Reading& reading);
     Result<ImageSource> sourceOf(int image);
-    /// Means of the three channels of a texture's image in [0, 1]; 1 each where it cannot be read.
-    Result<Vec3> meanOf(int texture);
-    Status takeSurface(const tinygltf::Material& from, Material* out);
+    /// What a texture's image holds of roughness (green) and metalness (blue), in [0, 1].
+    struct Surface {
+        float roughness = 1.0f, metalness = 1.0f;  ///< means; 1 where the image cannot be read
+        bool isEven = true;                        ///< one roughness everywhere
+    };
+    Result<Surface> surfaceImage(int texture);
+    /// Returns the map of roughness.
+    Result<Map> takeSurface(const tinygltf::Material& from, Material* out);
     /// What of the surface is there.
     void takeAlpha(const tinygltf::Material& from, int colorTexture, Material* out);
     void remarkLeftOut(const tinygltf::Material& from);
@@ -58,7 +69,7 @@ class GltfMaterials {
     SceneDescription& scene_;
     std::map<int, GltfMaterial> taken_;
     std::map<std::string, int> textures_;
-    std::map<int, Vec3> means_;
+    std::map<int, Surface> surfaces_;
 };
 
 }  // namespace glint

@@ -113,6 +113,26 @@ TEST_F(Gltf, TexturesArePlacedAndMultiplied) {
     EXPECT_EQ(without.materials[0].color.texture, -1);
 }
 
+TEST_F(Gltf, RoughnessIsTheImagesGreenTimesItsFactorSquared) {
+    const std::string text = gltf(R"("materials": [{"pbrMetallicRoughness": {"roughnessFactor": 0.5,
+        "metallicRoughnessTexture": {"index": 0}}}], "textures": [{"source": 0}], "images": [{"uri": "t.png"}])");
+    ASSERT_TRUE(savePng(folder.path("t.png"), {2, 1, {9, 51, 255, 9, 204, 255}}));
+    const SceneDescription scene = load(text);
+    EXPECT_EQ(scene.materials[0].kind, MaterialKind::Conductor);
+    ASSERT_GE(scene.materials[0].roughness.texture, 0);
+    const Texture& map = scene.textures[static_cast<size_t>(scene.materials[0].roughness.texture)];
+    EXPECT_EQ(map.encoding, ColorEncoding::Linear);
+    EXPECT_EQ(map.channel, TextureChannel::Green);
+    EXPECT_EQ(map.gain, 0.5f);
+    EXPECT_EQ(map.exponent, 2.0f);
+    EXPECT_EQ(map.base, 0.0f);
+    EXPECT_FALSE(scene.meshes[0].data->uvs.empty());
+    ASSERT_TRUE(savePng(folder.path("t.png"), {2, 1, {9, 51, 255, 9, 51, 255}}));
+    const SceneDescription even = load(text);
+    EXPECT_EQ(even.materials[0].roughness.texture, -1) << "one roughness needs no image";
+    EXPECT_NEAR(even.materials[0].roughness.value, 0.01f, 1e-6f);
+}
+
 TEST_F(Gltf, MasksHaveALimit) {
     ASSERT_TRUE(savePng(folder.path("t.png"), {1, 1, {9, 9, 9}, {100}}));
     const SceneDescription scene = load(gltf(R"("materials": [{"alphaMode": "MASK", "alphaCutoff": 0.25,
