@@ -98,6 +98,12 @@ class PbrtExporter {
                             pbrtNumber("conedeltaangle", light.coneAngleDeg - light.coneFalloffStartDeg));
     }
 
+    static bool absorbs(const Material& material) {
+        return material.kind == MaterialKind::Dielectric && !isZero(absorptionOf(material));
+    }
+    /// Of a glass that absorbs inside.
+    static std::string mediumName(int material) { return fmt::format("\"inside m{}\"", material); }
+
     /// Textures first, which materials name.
     void writeMaterials() {
         std::set<std::pair<int, bool>> textures;
@@ -114,7 +120,14 @@ class PbrtExporter {
             out_ += pbrtTexture(scene_, index, isNumber, &warnings_);
         }
         for (size_t i = 0; i < used.size(); ++i) {
-            if (used[i]) { out_ += pbrtMaterial(scene_, static_cast<int>(i), &warnings_); }
+            if (!used[i]) { continue; }
+            out_ += pbrtMaterial(scene_, static_cast<int>(i), &warnings_);
+            if (absorbs(scene_.materials[i])) {
+                out_ += fmt::format("MakeNamedMedium {}", mediumName(static_cast<int>(i))) +
+                        pbrtString("type", "homogeneous") +
+                        pbrtRgb("sigma_a", absorptionOf(scene_.materials[i])) +
+                        pbrtRgb("sigma_s", Vec3(0.0f)) + "\n";
+            }
         }
     }
 
@@ -219,6 +232,9 @@ class PbrtExporter {
             }
             if (material.emitsBothSides) { out_ += pbrtFlag("twosided", true); }
             out_ += "\n";
+        }
+        if (absorbs(material)) {
+            out_ += fmt::format("MediumInterface {} \"\"\n", mediumName(object.material));
         }
         out_ += fmt::format("NamedMaterial {}\nShape {}", pbrtMaterialName(scene_, object.material), shape);
         if (material.opacity.texture >= 0 || material.opacity.value < 1.0f) {

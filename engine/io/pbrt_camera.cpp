@@ -69,20 +69,41 @@ void PbrtView::setIntegrator(const std::string& kind, const PbrtParams& params) 
     params.finish();
 }
 
-void PbrtView::readFilm() {
-    Resolution& size = context_.scene.resolution;
-    size = {1280, 720};
+/// "cropwindow" counts in shares of the picture, "pixelbounds" in pixels; both from the left and the top.
+PbrtView::Window PbrtView::readWindow(const Resolution& whole) {
+    Window window{whole, Vec2i(0), Vec2i(whole.width, whole.height)};
+    const Vec2i size = window.high;
+    const std::vector<int>& pixels = film_.integers("pixelbounds", 4);
+    const std::vector<float>& shares = film_.numbers("cropwindow", 4);
+    if (shares.size() >= 4) {
+        const auto at = [&](size_t i, int axis) {
+            return static_cast<int>(
+                std::ceil(std::clamp(shares[i], 0.0f, 1.0f) * static_cast<float>(size[axis])));
+        };
+        window.low = {at(0, 0), at(2, 1)};
+        window.high = {at(1, 0), at(3, 1)};
+    } else if (pixels.size() >= 4) {
+        window.low = glm::clamp(Vec2i(pixels[0], pixels[2]), Vec2i(0), size);
+        window.high = glm::clamp(Vec2i(pixels[1], pixels[3]), Vec2i(0), size);
+    }
+    if (window.high.x <= window.low.x || window.high.y <= window.low.y) {
+        film_.fail("the film's crop window holds no pixel");
+        window.high = window.low + Vec2i(1);
+    }
+    return window;
+}
+
+PbrtView::Window PbrtView::readFilm() {
     exposure_ = 1.0f;
     if (hasCamera_) {
         const float seconds = camera_.number("shutterclose", 1.0f) - camera_.number("shutteropen", 0.0f);
         exposure_ = seconds > 0.0f ? seconds : 1.0f;
     }
-    if (!hasFilm_) { return; }
-    size.width = film_.integer("xresolution", 1280, 1, 32768);
-    size.height = film_.integer("yresolution", 720, 1, 32768);
-    if (film_.has("cropwindow") || film_.has("pixelbounds")) {
-        film_.approximated("approximated: the whole picture is shown, not the crop window");
-    }
+    if (!hasFilm_) { return {}; }
+    Resolution whole;
+    whole.width = film_.integer("xresolution", 1280, 1, 32768);
+    whole.height = film_.integer("yresolution", 720, 1, 32768);
+    const Window window = readWindow(whole);
     exposure_ *= film_.number("iso", 100.0f, 1e-6f) / 100.0f;
     if (film_.text("sensor", "cie1931") != "cie1931") {
         film_.approximated("approximated: the film's sensor is the CIE's observer");
@@ -99,41 +120,42 @@ void PbrtView::readFilm() {
     film_.passOver({"filename", "diagonal", "savefp16", "maxsampleluminance", "lambdamin", "lambdamax",
                     "nbuckets", "coordinatesystem", "scale", "exposuretime"});
     film_.finish();
+    return window;
 }
 
-/// Half the width and height of the picture at distance 1 (of orthographic ones: anywhere).
-void PbrtView::readScreen(float aspect, Vec2* half) {
-    const float ratio = camera_.number("frameaspectratio", aspect, 1e-6f, 1e6f);
-    *half = ratio > 1.0f ? Vec2(ratio, 1.0f) : Vec2(1.0f, 1.0f / ratio);
-    const std::vector<float>& window = camera_.numbers("screenwindow", 4);
-    if (window.size() < 4) { return; }
-    const Vec2 low(window[0], window[2]), high(window[1], window[3]);
-    if (!(high.x > low.x && high.y > low.y)) {
-        camera_.fail("expected the screen window's least x, most x, least y and most y");
-        return;
+PbrtView::Screen PbrtView::readScreen(const Window& window) {
+    const Vec2 pixels(window.whole.width, window.whole.height);
+    const float ratio = camera_.number("frameaspectratio", pixels.x / pixels.y, 1e-6f, 1e6f);
+    Screen screen{Vec2(0.0f), ratio > 1.0f ? Vec2(ratio, 1.0f) : Vec2(1.0f, 1.0f / ratio)};
+    if (const std::vector<float>& given = camera_.numbers("screenwindow", 4); given.size() >= 4) {
+        const Vec2 low(given[0], given[2]), high(given[1], given[3]);
+        if (!(high.x > low.x && high.y > low.y)) {
+            camera_.fail("expected the screen window's least x, most x, least y and most y");
+            return screen;
+        }
+        screen = {0.5f * (low + high), 0.5f * (high - low)};
     }
-    *half = 0.5f * (high - low);
-    if (glm::length(high + low) > 1e-4f * glm::length(*half)) {
-        camera_.approximated("approximated: the screen window's middle is the picture's");
-    }
+    if (window.low == Vec2i(0) && Vec2(window.high) == pixels) { return screen; }
+    const Vec2 perPixel = 2.0f * screen.half / pixels;
+    const Vec2 aside = 0.5f * (Vec2(window.low) + Vec2(window.high) - pixels);
+    return {screen.middle + perPixel * Vec2(aside.x, -aside.y),
+            0.5f * perPixel * Vec2(window.high - window.low)};
 }
 
 void PbrtView::finish() {
-    readFilm();
+    const Window window = readFilm();
+    context_.scene.resolution = {window.high.x - window.low.x, window.high.y - window.low.y};
     if (exposure_ != 1.0f) {
         context_.note(film_.place(), "the film's exposure is in the strengths of the lights",
                       fmt::format("{:g}", exposure_));
     }
     if (!hasCamera_ || context_.failed()) { return; }
-    const Resolution& size = context_.scene.resolution;
-    Vec2 half(1.0f);
-    readScreen(static_cast<float>(size.width) / static_cast<float>(size.height), &half);
-    placeCamera(half);
+    placeCamera(readScreen(window));
     camera_.passOver({"shutteropen", "shutterclose"});
     camera_.finish();
 }
 
-float PbrtView::readLens(const Vec2& half, float unit) {
+float PbrtView::readLens(const Screen& screen, float unit) {
     Camera& camera = context_.scene.camera;
     camera.focalDistance = std::clamp(unit * camera_.number("focaldistance", 1e6f), 1e-6f, 1e9f);
     camera.apertureDiameter = 2.0f * unit * camera_.number("lensradius", 0.0f, 0.0f);
@@ -143,16 +165,11 @@ float PbrtView::readLens(const Vec2& half, float unit) {
         camera.apertureDiameter = 1e-3f * unit * camera_.number("aperturediameter", 1.0f, 0.0f);
         camera.focalDistance = unit * camera_.number("focusdistance", 10.0f, 1e-6f, 1e9f);
         camera_.passOver({"lensfile", "aperture", "scale"});
-        return 0.5f * kFilmDiagonal / (kFocalLength * glm::length(half));
+        return 0.5f * kFilmDiagonal / (kFocalLength * glm::length(screen.half));
     }
     if (cameraKind_ == "orthographic") {
-        constexpr float kHeightsAway = 1000.0f;
-        camera_.approximated("approximated: parallel rays are those of a camera a thousand heights away");
-        const float distance = kHeightsAway * 2.0f * half.y;
-        camera.position -= distance * unit * glm::normalize(camera.target - camera.position);
-        camera.focalDistance = distance * unit;
-        camera.apertureDiameter = 0.0f;
-        return 1.0f / distance;
+        camera.kind = ProjectionKind::Orthographic;
+        return 1.0f;
     }
     if (cameraKind_ == "perspective") {
         const float fov =
@@ -165,7 +182,7 @@ float PbrtView::readLens(const Vec2& half, float unit) {
     return 1.0f;
 }
 
-void PbrtView::placeCamera(const Vec2& half) {
+void PbrtView::placeCamera(const Screen& screen) {
     const double size = glm::determinant(cameraFromWorld_);
     Affine toWorld =
         affineOf(&context_, camera_.place(), size != 0.0 ? glm::inverse(cameraFromWorld_) : glm::dmat4(0.0));
@@ -176,26 +193,30 @@ void PbrtView::placeCamera(const Vec2& half) {
         context_.note(camera_.place(), "pbrt's camera is left-handed: the scene's x is turned over");
     }
     toWorld = context_.world * toWorld;
-    const Vec3 forward = toWorld.linear[2];
     // What rounding leaves of squares and lengths is 1.
     const auto nearlyOne = [](float x) { return std::fabs(x - 1.0f) < 1e-4f ? 1.0f : x; };
+    const Vec3 forward = toWorld.linear[2];
     const float unit = nearlyOne(glm::length(forward));
     Camera& camera = context_.scene.camera;
     camera.position = toWorld.translation;
     camera.up = glm::normalize(toWorld.linear[1]);
-    camera.target = camera.position + forward / unit;
-    const float tangent = readLens(half, unit);
-    const float height = half.y * nearlyOne(glm::length(toWorld.linear[1]) / unit);
-    const float width = half.x * nearlyOne(glm::length(toWorld.linear[0]) / unit);
+    const float length = readLens(screen, unit);
+    const float perUnit = camera.kind == ProjectionKind::Orthographic ? 1.0f : unit;
+    const float across = nearlyOne(glm::length(toWorld.linear[0]) / perUnit);
+    const float upwards = nearlyOne(glm::length(toWorld.linear[1]) / perUnit);
+    const Vec2 half = screen.half * Vec2(across, upwards);
     const Resolution& pixels = context_.scene.resolution;
     camera.horizontalScale =
-        nearlyOne(width / height * static_cast<float>(pixels.height) / static_cast<float>(pixels.width));
-    if (height != 1.0f || cameraKind_ != "perspective") {
-        camera.verticalFovDeg = std::clamp(2.0f * std::atan(tangent * height) * kDegrees, 1e-3f, 179.99f);
+        nearlyOne(half.x / half.y * static_cast<float>(pixels.height) / static_cast<float>(pixels.width));
+    const Vec2 middle = screen.middle * Vec2(across / camera.horizontalScale, upwards);
+    camera.shift = middle / (2.0f * half.y);
+    camera.viewHeight = 2.0f * half.y;
+    if (half.y != 1.0f || cameraKind_ != "perspective") {
+        camera.verticalFovDeg = std::clamp(2.0f * std::atan(length * half.y) * kDegrees, 1e-3f, 179.99f);
     }
     const float reach = camera.focalDistance < 1e5f * unit ? camera.focalDistance : unit;
     camera.target = camera.position + (reach / unit) * forward;
-    if (cameraKind_ != "orthographic") { lookAsWritten(); }
+    lookAsWritten();
 }
 
 /// A single LookAt says the camera's points themselves, which no rounding then changes.

@@ -25,12 +25,23 @@ class PbrtView {
     float exposure() const { return exposure_; }
 
   private:
-    void readFilm();
-    void readScreen(float aspect, Vec2* half);
-    void placeCamera(const Vec2& half);
-    /// Sets the angle and the lens; gives back half the picture's height at distance 1 over that of the
-    /// screen.
-    float readLens(const Vec2& half, float unit);
+    /// The rectangle of pbrt's screen that the picture shows.
+    struct Screen {
+        Vec2 middle{0.0f}, half{1.0f};
+    };
+    /// The pixels of the film's picture that are there.
+    struct Window {
+        Resolution whole{1280, 720};
+        Vec2i low{0}, high{1280, 720};
+    };
+
+    Window readFilm();
+    Window readWindow(const Resolution& whole);
+    Screen readScreen(const Window& window);
+    void placeCamera(const Screen& screen);
+    /// Sets the kind, the angle and the lens; gives back what a length of the screen is at distance 1, or of
+    /// parallel rays anywhere.
+    float readLens(const Screen& screen, float unit);
     void lookAsWritten();
 
     PbrtContext& context_;

@@ -136,8 +136,15 @@ void PbrtReader::beginWorld(PbrtDirective* directive) {
     coordinates_["world"] = state_.transform;
 }
 
-void PbrtReader::remarkMedia(PbrtDirective* directive) {
-    context_.remark(directive->place, "media are left out");
+void PbrtReader::setMedium(PbrtDirective* directive) {
+    if (directive->name == "MakeNamedMedium") {
+        materials_.defineMedium(directive->texts[0], paramsOf(directive, PbrtTarget::Medium));
+        return;
+    }
+    state_.interior = directive->texts[0];
+    if (!directive->texts[1].empty()) {
+        context_.remark(directive->place, "media around shapes are left out");
+    }
 }
 
 void PbrtReader::setView(PbrtDirective* directive) {

@@ -99,9 +99,6 @@ class MaterialWriter {
         if (material_.color.texture >= 0 || material_.color.value != Vec3(1.0f)) {
             warn("approximated: glass has no tint");
         }
-        if (!isZero(absorptionOf(material_))) {
-            warn("approximated: glass absorbs nothing on the way inside");
-        }
         const std::string out = pbrtString("type", material_.thin ? "thindielectric" : "dielectric");
         for (const std::string_view glass : {"BK7", "LASF9", "SF10", "SF11"}) {
             if (material_.glass == glass) {

@@ -67,25 +67,23 @@ void PbrtMaterials::readCoatedConductor(const PbrtParams& params, PbrtSurface* o
 }
 
 void PbrtMaterials::readTransmission(const PbrtParams& params, PbrtSurface* out) {
-    params.approximated("approximated: diffuse transmitters reflect what they should let through");
-    const auto usual = PbrtValue{Vec3(0.25f)};
+    const PbrtValue usual{Vec3(0.25f)};
     auto reflected = textures_.color(params, "reflectance", SpectrumRole::Reflectance);
     auto passed = textures_.color(params, "transmittance", SpectrumRole::Reflectance);
-    const bool isOld = params.has("Kd") || params.has("reflect");
-    if (isOld) { reflected = textures_.color(params, "Kd", SpectrumRole::Reflectance); }
-    params.passOver({"Ks", "roughness", "reflect", "transmit", "remaproughness"});
-    const PbrtValue a = reflected.value_or(usual), b = isOld ? PbrtValue{Vec3(0.0f)} : passed.value_or(usual);
-    const float scale = params.number("scale", 1.0f, 0.0f);
-    if (!a.image && !b.image) {
-        out->material.color.value = glm::min(scale * (a.value + b.value), Vec3(1.0f));
-        return;
+    float scale = params.number("scale", 1.0f, 0.0f);
+    if (const auto both =
+            textures_.color(params, "Kd", SpectrumRole::Reflectance)) {  // pbrt-v3's translucent
+        params.approximated("approximated: pbrt-v3's translucent reflects half, and has no highlights");
+        reflected = passed = both;
+        scale *= 0.5f;
     }
-    // The picture of one of them, as bright as both.
-    const PbrtValue& shown = a.image ? a : b;
-    const float own = luminance(textures_.meanOf(shown));
-    const float all = scale * (luminance(textures_.meanOf(a)) + luminance(textures_.meanOf(b)));
-    out->material.color =
-        textures_.colorInput(PbrtTextures::adjusted(shown, 0.0f, own > 0.0f ? all / own : 1.0f, 1.0f));
+    params.passOver({"Ks", "roughness", "reflect", "transmit", "remaproughness"});
+    const auto scaled = [&](const std::optional<PbrtValue>& value) {
+        return textures_.colorInput(PbrtTextures::adjusted(value.value_or(usual), 0.0f, scale, 1.0f));
+    };
+    out->material.kind = MaterialKind::Translucent;
+    out->material.color = scaled(reflected);
+    out->material.transmission = scaled(passed);
 }
 
 void PbrtMaterials::readMix(const PbrtParams& params, PbrtSurface* out) {

@@ -73,7 +73,8 @@ const PbrtSurface& PbrtMaterials::surfaceOf(int number) {
     return *definition.surface;
 }
 
-int PbrtMaterials::take(int number, const PbrtValue& share, const PbrtEmission& emission) {
+int PbrtMaterials::take(int number, const PbrtValue& share, const PbrtEmission& emission,
+                        const Vec3& absorption) {
     const PbrtSurface& surface = surfaceOf(number);
     PbrtValue both = surface.share;
     if (!share.image) {
@@ -87,9 +88,7 @@ int PbrtMaterials::take(int number, const PbrtValue& share, const PbrtEmission& 
     const Key key{number,
                   opacity.value,
                   opacity.texture,
-                  light.x,
-                  light.y,
-                  light.z,
+                  {light.x, light.y, light.z, absorption.x, absorption.y, absorption.z},
                   emission.color.texture,
                   emission.strength,
                   emission.isTwoSided};
@@ -101,6 +100,10 @@ int PbrtMaterials::take(int number, const PbrtValue& share, const PbrtEmission& 
         material.emissionStrength = emission.strength;
         material.emitsBothSides = emission.isTwoSided;
         if (!surface.isThere) { material.color.value = Vec3(0.0f); }
+        if (const float most = maxComponent(absorption); most > 0.0f) {
+            material.attenuationDistance = 1.0f / most;
+            material.attenuationColor = glm::exp(-absorption / most);
+        }
         context_.scene.materials.push_back(std::move(material));
     }
     return known->second;

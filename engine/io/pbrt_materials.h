@@ -1,6 +1,7 @@
 // pbrt's materials as Glint's. Internal to the pbrt importer. engine/io/README.md says what becomes what.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <map>
 #include <string>
@@ -37,8 +38,16 @@ class PbrtMaterials {
 
     /// -1: pbrt's default, a diffuse grey.
     const PbrtSurface& surfaceOf(int number);
-    /// The number in the scene of a surface of which `share` is there, with light or without.
-    int take(int number, const PbrtValue& share, const PbrtEmission& emission);
+    /// The number in the scene of a surface of which `share` is there, with light or without, around what
+    /// absorbs so much per unit of length.
+    int take(int number, const PbrtValue& share, const PbrtEmission& emission,
+             const Vec3& absorption = Vec3(0.0f));
+
+    /// MakeNamedMedium.
+    void defineMedium(const std::string& name, const PbrtParams& params);
+    /// What a medium absorbs within glass; 0, with a remark, elsewhere. Fails where there is none of that
+    /// name.
+    Vec3 absorptionIn(int number, const std::string& medium, const PbrtParams& at);
 
   private:
     struct Definition {
@@ -81,7 +90,8 @@ class PbrtMaterials {
     std::deque<Definition> definitions_;
     std::map<std::string, int> named_;
     std::optional<PbrtSurface> usual_;
-    using Key = std::tuple<int, float, int, float, float, float, int, float, bool>;
+    std::map<std::string, Vec3> media_;  ///< what they absorb
+    using Key = std::tuple<int, float, int, std::array<float, 6>, int, float, bool>;
     std::map<Key, int> taken_;
     int nesting_ = 0;
 };

@@ -167,9 +167,9 @@ bool PbrtParser::readArguments(PbrtText* text, PbrtDirective* out) {
             return false;
         }
     }
-    if (form.name == "MediumInterface") {  // its second name may be left out
+    if (form.name == "MediumInterface") {  // one name is that of both sides
         std::string outside;
-        text->readString(&outside);
+        out->texts.push_back(text->readString(&outside) ? outside : out->texts[0]);
     }
     if (form.name == "ActiveTransform") { out->texts.emplace_back(text->word()); }
     if (form.hasParams) {

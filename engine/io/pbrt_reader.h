@@ -45,7 +45,7 @@ class PbrtReader {
     void setColorSpace(PbrtDirective* directive);
     void beginWorld(PbrtDirective* directive);
     void passOver(PbrtDirective*) {}
-    void remarkMedia(PbrtDirective* directive);
+    void setMedium(PbrtDirective* directive);
     void setView(PbrtDirective* directive);
     void setMaterial(PbrtDirective* directive);
     void setTexture(PbrtDirective* directive);

@@ -88,7 +88,10 @@ void PbrtShapes::place(const std::string& kind, const PbrtParams& params, const 
     if (context_.failed() || !piece.isThere) { return; }
     const PbrtEmission emission =
         shines ? lights_.emissionOf(own.areaLight, piece.area, piece.parts) : PbrtEmission();
-    piece.object.material = materials_.take(own.material, alpha.value_or(PbrtValue{Vec3(1.0f)}), emission);
+    const Vec3 absorption =
+        own.interior.empty() ? Vec3(0.0f) : materials_.absorptionIn(own.material, own.interior, params);
+    piece.object.material =
+        materials_.take(own.material, alpha.value_or(PbrtValue{Vec3(1.0f)}), emission, absorption);
     piece.object.objectToWorld = toWorld * piece.object.objectToWorld;
     if (!isInvertible(piece.object.objectToWorld)) {
         params.approximated("shapes that are flattened are left out");

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <glm/mat4x4.hpp>
 
@@ -19,8 +21,9 @@ struct PbrtState {
     std::vector<double> look = {};
     bool movesStart = true;  ///< false: directives move what stands at the end of the exposure only
     bool isReversed = false;
-    int material = -1;   ///< a number of PbrtMaterials; -1: pbrt's default
-    int areaLight = -1;  ///< a number of PbrtAreaLights; -1: none
+    int material = -1;          ///< a number of PbrtMaterials; -1: pbrt's default
+    int areaLight = -1;         ///< a number of PbrtAreaLights; -1: none
+    std::string interior = {};  ///< the medium within shapes; empty: none
     PbrtColorSpace space = PbrtColorSpace::Srgb;
     std::array<std::shared_ptr<const PbrtParams>, 5> defaults{};
 };

@@ -63,6 +63,30 @@ AreaLightSource "diffuse" "rgb L" [5 4 3] "bool twosided" true Translate 0 0 3 S
                     "lensradius\" 0.05 \"float focaldistance\" 6 "))));
 }
 
+TEST_F(PbrtExport, CamerasAndSheetsKeepTheirBits) {
+    const std::string world =
+        R"(LightSource "infinite" "rgb L" [0.2 0.3 0.4] LightSource "point" "point3 from" [0 3 0]
+Material "diffusetransmission" "rgb reflectance" [0.1 0.4 0.2] "rgb transmittance" [0.3 0.5 0.1]
+Shape "bilinearmesh" "point3 P" [-1 -1 0 1 -1 0 -1 1 0 1 1 0] Translate 1 0 -2 Shape "sphere")";
+    const std::string look = "Scale -1 1 1 LookAt 1 2 6  0 0 0  0 1 0 ";
+    expectSamePicture(
+        loadText(sceneText(world, look + "Camera \"orthographic\" \"float screenwindow\" [-2 2 -1.5 1.5] ")));
+    SceneDescription aside = loadText(sceneText(world, look + "Camera \"perspective\" \"float fov\" 40 "));
+    aside.camera.shift = {0.25f, -0.5f};
+    const Camera opened = exported(aside).camera;
+    expectNear(Vec3(opened.shift, 0.0f), Vec3(0.25f, -0.5f, 0.0f), 1e-6f);
+    EXPECT_NEAR(opened.verticalFovDeg, 40.0f, 1e-4f);
+}
+
+TEST_F(PbrtExport, GlassKeepsWhatItAbsorbs) {
+    SceneDescription scene = load("Material \"dielectric\" Shape \"sphere\"");
+    scene.materials.at(0).attenuationColor = {0.5f, 0.25f, 0.125f};
+    scene.materials[0].attenuationDistance = 3.0f;
+    const SceneDescription opened = exported(scene);
+    EXPECT_THAT(warnings, IsEmpty());
+    expectNear(absorptionOf(opened.materials.at(0)), absorptionOf(scene.materials[0]), 1e-5f);
+}
+
 /// What is laid out anew keeps its light.
 TEST_F(PbrtExport, EnvironmentsKeepTheirLight) {
     SceneDescription scene = repositoryScene("cornell.json");

@@ -51,7 +51,9 @@ void addConvertCommand(const Command& program) {
         "convert", "Writes any readable scene as Glint's own JSON, as Mitsuba XML or as pbrt-v4");
     const auto options = std::make_shared<ConvertOptions>();
     command.option("in", &options->in, "The scene to read").required().typeName("IN");
-    command.option("out", &options->out, "The file to write, OUT.json or OUT.xml").required().typeName("OUT");
+    command.option("out", &options->out, "The file to write, OUT.json, OUT.xml or OUT.pbrt")
+        .required()
+        .typeName("OUT");
     addLoadOptions(command, &options->load);
     command.onRun([options] { return runConvert(*options); });
 }
