@@ -554,7 +554,8 @@ struct FieldsOf<SceneDescription> {
         field("lights", &SceneDescription::lights, {.edit = EditKind::Lights}),
         field("environment", &SceneDescription::environment),
         label("", &SceneDescription::warnings),
-        label("", &SceneDescription::notes)};
+        label("", &SceneDescription::notes),
+        label("", &SceneDescription::filesRead)};
 };
 
 /// The bit of FieldTraits::kinds that an object has.

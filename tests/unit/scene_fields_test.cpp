@@ -55,7 +55,7 @@ SceneImage sky(float sunElevationDeg) {
 /// Every kind of everything, and all of it in use.
 SceneDescription fullScene() {
     SceneDescription scene;
-    scene.warnings = scene.notes = {"something"};
+    scene.warnings = scene.notes = scene.filesRead = {"something"};
     scene.camera.kind = ProjectionKind::Orthographic;
     scene.camera.apertureBlades = 5;
     scene.options.integrator = IntegratorKind::Sppm;
