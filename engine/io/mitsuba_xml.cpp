@@ -80,9 +80,12 @@ class MitsubaXmlReader {
     }
 
     Result<uint32_t> open(const std::string& path) {
+        const auto number = static_cast<uint32_t>(xml_.files_.size());
+        const auto [known, isNew] =
+            opened_.try_emplace(std::filesystem::path(path).lexically_normal().string(), number);
+        if (!isNew) { return known->second; }
         Result<std::string> bytes = readFileOfKind(path, looksLikeText);
         if (!bytes) { return bytes.error(); }
-        const auto number = static_cast<uint32_t>(xml_.files_.size());
         xml_.files_.push_back(std::make_unique<MitsubaXml::File>());
         MitsubaXml::File& file = *xml_.files_.back();
         file.path = path;
@@ -225,6 +228,7 @@ class MitsubaXmlReader {
     }
 
     MitsubaXml& xml_;
+    std::map<std::string, uint32_t> opened_;  ///< each file once, however often it is included
     std::vector<std::string> including_;
     size_t elements_ = 0;
     size_t replacedBytes_ = 0;

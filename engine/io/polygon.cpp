@@ -93,12 +93,12 @@ class EarClipper {
         }
     }
 
-    /// About how many tests of a corner against an ear run() makes.
-    uint64_t tests() const { return uint64_t{remaining_} * blockers_.size(); }
-
-    void run() {
+    /// False, with some of the triangles: it would take more than kMaxEarTests.
+    bool run() {
+        if (uint64_t{remaining_} * blockers_.size() > kMaxEarTests) { return false; }
         uint32_t any = queueEars(0);
         for (int rescans = 0; remaining_ > 3;) {
+            if (tests_ > kMaxEarTests) { return false; }
             if (!candidates_.empty()) {
                 const uint32_t ear = candidates_.back();
                 candidates_.pop_back();
@@ -113,6 +113,7 @@ class EarClipper {
             }
         }
         emit(any);
+        return true;
     }
 
   private:
@@ -128,6 +129,7 @@ class EarClipper {
         const Point& c = points_[next_[i]];
         if (!(cross(a, b, c) > 0.0)) { return false; }
         for (size_t k = 0; k < blockers_.size();) {
+            ++tests_;
             const uint32_t blocker = blockers_[k];
             if (removed_[blocker] || turnsLeft(blocker)) {
                 blockers_[k] = blockers_.back();  // a corner that turns left once never blocks again
@@ -160,9 +162,10 @@ class EarClipper {
         }
     }
 
-    uint32_t leftTurnFrom(uint32_t start) const {
+    uint32_t leftTurnFrom(uint32_t start) {
         uint32_t i = start;
         do {
+            ++tests_;
             if (turnsLeft(i)) { return i; }
             i = next_[i];
         } while (i != start);
@@ -184,6 +187,7 @@ class EarClipper {
     const std::vector<Point>& points_;
     std::vector<uint32_t>& triangles_;
     uint32_t remaining_;
+    uint64_t tests_ = 0;  ///< so far, of a corner
     std::vector<uint32_t> previous_, next_;
     std::vector<bool> removed_;
     std::vector<uint32_t> blockers_;    ///< corners that may lie in an ear
@@ -203,10 +207,9 @@ bool triangulatePolygon(const std::vector<Vec3>& corners, std::vector<uint32_t>*
         return true;
     }
     EarClipper clipper(points, triangles);
-    if (clipper.tests() <= kMaxEarTests) {
-        clipper.run();
-        return true;
-    }
+    const size_t before = triangles->size();
+    if (clipper.run()) { return true; }
+    triangles->resize(before);
     const bool isRound = isConvex(points, roundingError(points));
     if (isRound) { appendFan(corners.size(), triangles); }
     return isRound;

@@ -110,4 +110,9 @@ std::string stressHtml(const std::vector<StressResult>& results, bool quick) {
     return page + "</body></html>\n";
 }
 
+bool looksLikeStressHtml(std::string_view head) {
+    return head.starts_with("<!doctype html>") &&
+           head.find("<title>Glint: numerical") != std::string_view::npos;
+}
+
 }  // namespace glint

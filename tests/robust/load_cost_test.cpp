@@ -109,6 +109,20 @@ TEST(LoadCost, MemoryIsInProportionToTheFile) {
     }
 }
 
+TEST(LoadCost, AFileIsParsedOnceHoweverOftenItIsIncluded) {
+    const TempFolder folder;
+    const std::string include = R"(<include filename="part.xml"/>)";
+    folder.write("part.xml", "<scene version=\"3.0.0\"><shape type=\"sphere\"/></scene>");
+    const std::string text = "<scene version=\"3.0.0\">" + repeated(20'000, include) + "</scene>";
+    const std::string path = folder.write("whole.xml", text);
+    mostBytes = heldBytes.load();
+    const size_t before = heldBytes;
+    const auto loaded = loadScene(path, {.noStudio = true});
+    ASSERT_TRUE(loaded) << loaded.error().format();
+    EXPECT_EQ(loaded->objects.size(), 20'000u);
+    EXPECT_LE(mostBytes - before, 64 * text.size());
+}
+
 TEST(LoadCost, LinesAreListedOnceHoweverManyAreAskedFor) {
     const TextSource source{"a", repeated(1000, "line #\n") + "last"};
     for (size_t offset = 0, line = 1; offset < source.text.size(); ++offset) {

@@ -1,6 +1,7 @@
 // A render is never lost: not when nothing can be said any more, not by a signal, not by a name that cannot
 // be written. What was rendered is saved, and what cannot be saved is not rendered.
 #include <fcntl.h>
+#include <gmock/gmock.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -123,6 +124,44 @@ TEST_F(LostRender, ASignalThatComesTwiceAtOnceSaves) {
         EXPECT_TRUE(loadImage(image)) << run.err;
         std::filesystem::remove(image);
     }
+}
+
+TEST_F(LostRender, AnInterruptedStressRunSavesWhatItHas) {
+    const std::string page = folder.path("y.html"), json = folder.path("y.json");
+    // Nothing that it prints says when; it takes much longer than this.
+    const auto interruptTwice = [] {
+        const pid_t program = getpid();
+        if (fork() == 0) {
+            sleep(2);
+            kill(program, SIGINT);
+            usleep(50'000);
+            kill(program, SIGINT);
+            _exit(0);
+        }
+    };
+    const ProgramRun run =
+        runProgram({"stress", "--quick", "--html", page, "--json", json}, {.before = interruptTwice});
+    EXPECT_EQ(run.exitCode, 130) << run.err;
+    EXPECT_THAT(TempFolder::read(page), testing::StartsWith("<!doctype html>"));
+    EXPECT_THAT(TempFolder::read(json), testing::HasSubstr("\"cases\""));
+}
+
+TEST_F(LostRender, AnInterruptedComparisonIsSaved) {
+    const std::string picture = folder.path("a.png"), both = folder.path("b.png");
+    ASSERT_TRUE(savePng(picture, Image8{64, 64, std::vector<uint8_t>(size_t{3} * 64 * 64, 99)}));
+    const ProgramRun run = runProgram({"beside", picture, kCornell, "-o", both, "--passes", "1000000"},
+                                      {.signalAfter = "pass ", .signal = SIGINT});
+    EXPECT_EQ(run.exitCode, 130) << run.err;
+    EXPECT_TRUE(loadImage(both)) << run.err;
+}
+
+TEST_F(LostRender, AnOutputThatCannotBeWrittenDoesNotCostTheOthers) {
+    const std::string json = folder.path("r.json");
+    const ProgramRun run =
+        runProgram({"render", kCornell, "-o", "/dev/full", "--size", "8x8", "--passes", "1", "--json", json});
+    EXPECT_NE(run.exitCode, 0);
+    const bool isRefusedFirst = run.exitCode == 1;
+    EXPECT_TRUE(isRefusedFirst || std::filesystem::exists(json)) << run.err;
 }
 
 TEST_F(LostRender, HangingUpIsIgnoredWhereItWas) {

@@ -99,6 +99,37 @@ TEST_F(OverwrittenFiles, WhatTheFilesOfASceneReadIsAnInputToo) {
     refuse("whole.xml", "part.xml");
 }
 
+/// What the window opens later is an input when it saves at its end.
+TEST_F(OverwrittenFiles, WhatAWindowOpensLaterIsAnInputToo) {
+    ProgramRun run =
+        runProgram({"render", scene, "-o", at("x.png"), "--passes", "1", "--checkpoint", at("a.glintfilm")});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const std::string wood = at("maps/wood.png"), old = TempFolder::read(wood);
+    const std::string empty = folder.write("e.json", R"({ "glint": 1, "resolution": [8, 8],
+        "camera": { "position": [0, 0, 4], "target": [0, 0, 0] }, "environment": { "color": 1 } })");
+    const std::string script = folder.write("drop.txt", "drop \"" + scene + "\"\nwait jobs\nwait passes 2\n");
+    const std::vector<std::string> runs[] = {
+        {"view", at("a.glintfilm"), "--headless", "--passes", "2", "--output", wood},
+        {"view", at("a.glintfilm"), "--headless", "--passes", "2", "--screenshot", wood},
+        {"view", empty, "--headless", "--passes", "3", "--script", script, "--output", wood}};
+    for (const std::vector<std::string>& words : runs) {
+        run = runProgram(words);
+        if (run.exitCode == 2 && says(run.err, "this build has no window")) { GTEST_SKIP(); }
+        EXPECT_NE(run.exitCode, 0) << testing::PrintToString(words);
+        EXPECT_TRUE(says(run.err, "is a texture of the scene"));
+        EXPECT_EQ(TempFolder::read(wood), old) << testing::PrintToString(words);
+    }
+}
+
+TEST_F(OverwrittenFiles, AConvergeReportIsNoneOfItsFolder) {
+    fs::create_directory(at("cv"));
+    for (const char* name : {"reference.exr", "plot.svg", "index.html", "pictures"}) {
+        expectRefused({"converge", scene, "--make-reference", "0.1", "--passes", "1", "--integrators", "pt",
+                       "--out", at("cv"), "--json", at("cv/") + name},
+                      "two outputs go to one file");
+    }
+}
+
 TEST_F(OverwrittenFiles, NumberedPicturesReplaceNoOutput) {
     const ProgramRun run = runProgram({"render", scene, "-o", at("out.png"), "--passes", "3", "--json",
                                        at("out-000002.png"), "--checkpoint-every", "1"});
@@ -137,6 +168,7 @@ TEST_F(OverwrittenFiles, NoInputOfAnyOtherCommandIsAnOutput) {
     folder.write("notes.json", before[at("notes.json")]);
     expectRefused({"convert", scene, at("notes.json")}, "is there already");
     expectRefused({"bench", "passes", scene, "--json", scene}, "is not a report");
+    expectRefused({"stress", "--quick", "--filter", "recurrence", "--html", scene}, "is not a page");
     expectRefused({"view", scene, "--headless", "--passes", "1", "--output", wood},
                   "is a texture of the scene");
     expectRefused({"view", scene, "--headless", "--passes", "1", "--screenshot", wood},

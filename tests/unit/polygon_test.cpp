@@ -158,6 +158,13 @@ TEST(Polygon, ManyCornersAreFineUnlessTooManyAreReflex) {
     triangles.clear();
     EXPECT_FALSE(triangulatePolygon(saw(40000), &triangles));
     EXPECT_TRUE(triangles.empty());
+    // Three corners over and over turn left everywhere, and yet none of them is an ear for long.
+    std::vector<Vec3> round;
+    for (int i = 0; i < 300000; ++i) {
+        round.emplace_back(i % 3 == 1 ? 1.0f : 0.0f, i % 3 == 2 ? 1.0f : 0.0f, 0.0f);
+    }
+    EXPECT_FALSE(triangulatePolygon(round, &triangles));
+    EXPECT_TRUE(triangles.empty());
 }
 
 TEST(Polygon, AModelGoesWithoutTheFaceThatTakesTooLong) {

@@ -68,19 +68,18 @@ ImageF reduced(const ImageF& image, int side) {
     return out;
 }
 
-/// Nothing where the user interrupted.
-Result<std::optional<ImageF>> render(std::shared_ptr<const SceneDescription> scene, const BesideOptions& o) {
+/// What there is when the user interrupts, too.
+Result<ImageF> render(std::shared_ptr<const SceneDescription> scene, const BesideOptions& o,
+                      const InterruptGuard& interrupt) {
     auto backend = makeBackend("cpu", o.threads);
     if (!backend) { return backend.error(); }
     RenderSession session(std::move(*backend), {.previews = false, .snapshots = false, .threads = o.threads});
     const StopLimits limits{.passes = o.passes};
     session.request({.limits = limits});
     session.post({scene, EditKind::Everything});
-    const InterruptGuard interrupt;
     ProgressLine progress;
     SessionState state = SessionState::Empty;
-    while (state != SessionState::Finished && state != SessionState::Failed) {
-        if (interrupt.interrupted()) { return std::optional<ImageF>(); }
+    while (state != SessionState::Finished && state != SessionState::Failed && !interrupt.interrupted()) {
         state = session.wait(0.1);
         progress.update(session.status(), limits);
     }
@@ -88,7 +87,7 @@ Result<std::optional<ImageF>> render(std::shared_ptr<const SceneDescription> sce
     const auto capture = session.capture();
     if (!capture || state == SessionState::Failed) { return Error{"nothing was rendered", {}}; }
     const auto picture = makeSnapshot(*capture, {}, o.threads);
-    return std::optional(ImageF{picture->width, picture->height, picture->radiance});
+    return ImageF{picture->width, picture->height, picture->radiance};
 }
 
 Vec3 meanOf(const ImageF& image, float gain) {
@@ -157,15 +156,16 @@ int runBeside(BesideOptions* o) {
     Status applied = applyTo(o->overrides, &*scene);
     if (!applied) { return reportError(applied.error(), kExitBadInput); }
     scene->resolution = {picture->width, picture->height};
-    const auto rendered = render(std::make_shared<SceneDescription>(std::move(*scene)), *o);
+    const InterruptGuard interrupt;
+    const auto rendered = render(std::make_shared<SceneDescription>(std::move(*scene)), *o, interrupt);
     if (!rendered) { return reportError(rendered.error(), kExitFailed); }
-    if (!*rendered) { return kExitInterrupted; }
-    const Vec3 theirs = meanOf(*picture, 1.0f), ours = meanOf(**rendered, 1.0f);
-    const float stops = stopsTo(luminance(theirs), **rendered);
+    const Vec3 theirs = meanOf(*picture, 1.0f), ours = meanOf(*rendered, 1.0f);
+    const float stops = stopsTo(luminance(theirs), *rendered);
     put("{}: mean {:.3f} {:.3f} {:.3f}; Glint {:.3f} {:.3f} {:.3f}, shown {:+.2f} stops brighter\n",
         o->picture, theirs.x, theirs.y, theirs.z, ours.x, ours.y, ours.z, stops);
-    const Status saved = savePng(o->output, besideEachOther(*picture, **rendered, stops));
-    return saved ? kExitDone : reportError(saved.error(), kExitFailed);
+    const Status saved = savePng(o->output, besideEachOther(*picture, *rendered, stops));
+    if (!saved) { return reportError(saved.error(), kExitFailed); }
+    return interrupt.interrupted() ? kExitInterrupted : kExitDone;
 }
 
 }  // namespace

@@ -87,11 +87,13 @@ class ConvergeRun {
         // The reference that lies in the folder stays there.
         const bool isFolders = isSameFile(options_.reference, folder_.reference());
         if (!isFolders) { files.reads("the reference", options_.reference); }
+        if (Status writable = files.writes(options_.json); !writable) { return writable; }
         if (Status writable = folder_.check(options_.overwrite, files); !writable) { return writable; }
         Result<SceneDescription> loaded = openScene(options_.scene, options_.load);
         if (!loaded) { return loaded.error(); }
         scene_ = std::move(*loaded);
         files.readsScene(scene_);
+        if (Status checked = files.check(); !checked) { return checked; }
         if (Status writable = folder_.check(options_.overwrite, files); !writable) { return writable; }
         if (Status applied = applyTo(options_.overrides, &scene_); !applied) { return applied; }
         Result<ConvergencePlan> plan = planOf(options_, scene_);
@@ -119,12 +121,12 @@ class ConvergeRun {
         if (written) { written = folder_.write(report, result); }
         // Also when the disk is full: what was measured must not be lost.
         if (!jsonTakesOutput(options_.json)) { printReport(report); }
-        if (!written) { return reportError(written.error(), kExitFailed); }
-        if (!options_.json.empty()) {
-            written =
-                writeJson(options_.json, "converge", nlohmann::ordered_json::parse(summaryJson(report)));
-            if (!written) { return reportError(written.error(), kExitFailed); }
-        }
+        const Status json =
+            options_.json.empty()
+                ? Status()
+                : writeJson(options_.json, "converge", nlohmann::ordered_json::parse(summaryJson(report)));
+        const Status& all = written ? json : written;
+        if (!all) { return reportError(all.error(), kExitFailed); }
         const bool failed = std::ranges::any_of(result->variants,
                                                 [](const MeasuredVariant& v) { return !v.problem.empty(); });
         return result->interrupted ? kExitInterrupted : failed ? kExitFailed : kExitDone;

@@ -57,10 +57,10 @@ Status ConvergeFolder::check(bool overwrite, const RunFiles& files) const {
                                            "to replace an earlier run's results",
                                            name));
         }
-        if (const Status free = files.checkIsNoInput(file(name)); !free) { return free; }
+        if (const Status free = files.checkIsFree(file(name)); !free) { return free; }
     }
     if (const Status free = files.checkHoldsNoInput(file(kPictures)); !free) { return free; }
-    return files.checkIsNoInput(reference());
+    return files.checkIsFree(reference());
 }
 
 Status ConvergeFolder::make() const {

@@ -125,10 +125,11 @@ class BatchRender {
         }
         const auto capture = session_->capture();
         if (!capture) { return reportError(Error{"nothing was rendered", {}}, kExitFailed); }
-        if (const Status saved = save(*capture); !saved) { return reportError(saved.error(), kExitFailed); }
+        const Status saved = save(*capture);
+        if (!saved) { logError("{}", saved.error().format()); }
         const Status reported = reportRender({options_, *capture, session_->status(), loadSeconds_,
                                               photonsPerPass_, exposure_.value_or(0.0f), denoiseSeconds_});
-        if (status.state == SessionState::Failed || end == End::OutOfMemory) { return kExitFailed; }
+        if (!saved || status.state == SessionState::Failed || end == End::OutOfMemory) { return kExitFailed; }
         if (!reported) { return reportError(reported.error(), kExitFailed); }
         return end == End::Done ? kExitDone : kExitInterrupted;
     }

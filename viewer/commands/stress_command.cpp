@@ -126,11 +126,10 @@ void printEnd(const std::vector<StressResult>& results) {
 }
 
 /// Runs the cases and prints each as it ends. False: interrupted.
-bool runCases(const std::vector<StressCase>& cases, const StressOptions& options,
+bool runCases(const std::vector<StressCase>& cases, const StressOptions& options, InterruptWatch* watch,
               std::vector<StressResult>* results) {
     const bool silent = jsonTakesOutput(options.json);
-    InterruptWatch watch;
-    const StressEffort effort{options.quick, options.threads, &watch.stop};
+    const StressEffort effort{options.quick, options.threads, &watch->stop};
     std::string heading;
     const Status done = runStressCases(cases, effort, [&](StressResult result) {
         results->push_back(std::move(result));
@@ -154,6 +153,10 @@ int runStress(const StressOptions& options) {
             return reportError(writable.error(), kExitBadInput);
         }
     }
+    if (Status replaces = checkReplaces(options.html, looksLikeStressHtml, "a page of glint stress");
+        !replaces) {
+        return reportError(replaces.error(), kExitBadInput);
+    }
     const size_t leftOut =
         options.quick ? std::erase_if(*cases, [](const StressCase& c) { return !c.quick; }) : 0;
     if (cases->empty()) {
@@ -161,16 +164,18 @@ int runStress(const StressOptions& options) {
     }
 
     std::vector<StressResult> results;
-    const bool finished = runCases(*cases, options, &results);
+    InterruptWatch watch;  // until the results are saved
+    const bool finished = runCases(*cases, options, &watch, &results);
     if (!jsonTakesOutput(options.json)) {
         if (options.summary) { put("{}", stressMarkdown(results)); }
         if (!options.summary) { printEnd(results); }
         if (leftOut > 0) { put("\n{} more cases are not part of --quick\n", leftOut); }
     }
-    Status written = options.html.empty()
-                         ? Status()
-                         : writeFileAtomically(options.html, stressHtml(results, options.quick));
-    if (written) { written = writeJson(options.json, "stress", jsonReport(results, options)); }
+    const Status page = options.html.empty()
+                            ? Status()
+                            : writeFileAtomically(options.html, stressHtml(results, options.quick));
+    const Status report = writeJson(options.json, "stress", jsonReport(results, options));
+    const Status& written = page ? report : page;
     if (!written) { return reportError(written.error(), kExitFailed); }
     if (!finished) { return kExitInterrupted; }
     const bool asDocumented =

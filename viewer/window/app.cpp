@@ -64,6 +64,7 @@ class App {
     bool headlessDone();
     Status finish();
     Status saveScreenshot(const std::string& path) const;
+    Status saveWindow() const;
     Status saveImageFile();
     Status saveFrameStats();
 
@@ -256,12 +257,18 @@ Status App::finish() {
     if (workspace_.render.status().state == SessionState::Failed && options_.headless) {
         return Error{workspace_.render.status().error, {}};
     }
-    if (!options_.screenshot.empty()) {
-        if (Status saved = saveScreenshot(options_.screenshot); !saved) { return saved; }
-        say("the window is in {}\n", options_.screenshot);
-    }
-    if (const Status saved = saveImageFile(); !saved) { return saved; }
-    return options_.frameStats.empty() ? Status() : saveFrameStats();
+    // What cannot be written must not cost the rest.
+    const Status window = saveWindow(), image = saveImageFile(), stats = saveFrameStats();
+    return !window ? window : !image ? image : stats;
+}
+
+Status App::saveWindow() const {
+    if (options_.screenshot.empty()) { return {}; }
+    // Scenes and references that came later may have it as an input.
+    if (Status free = workspace_.inputs.checkIsNoInput(options_.screenshot); !free) { return free; }
+    const Status saved = saveScreenshot(options_.screenshot);
+    if (saved) { say("the window is in {}\n", options_.screenshot); }
+    return saved;
 }
 
 Status App::saveScreenshot(const std::string& path) const {
@@ -271,6 +278,7 @@ Status App::saveScreenshot(const std::string& path) const {
 
 Status App::saveImageFile() {
     if (options_.output.empty()) { return {}; }
+    if (Status free = workspace_.inputs.checkIsNoInput(options_.output); !free) { return free; }
     if (interrupt_.interrupted()) {
         workspace_.render.request.paused = true;
         workspace_.render.send();
@@ -282,6 +290,8 @@ Status App::saveImageFile() {
 }
 
 Status App::saveFrameStats() {
+    if (options_.frameStats.empty()) { return {}; }
+    if (Status free = workspace_.inputs.checkIsNoInput(options_.frameStats); !free) { return free; }
     const std::string report = stats_.json(workspace_.render.statusNow(), workspace_.document.draft().camera);
     if (options_.frameStats != "-") { return writeFileAtomically(options_.frameStats, report); }
     putData(report);
