@@ -36,6 +36,46 @@ std::vector<uint32_t> asTriangles(const std::vector<uint32_t>& corners, int mode
     return out;
 }
 
+/// What decides a mesh that has no pose of its own.
+std::string recipeOf(const tinygltf::Primitive& from, const GltfMaterial& material) {
+    const Vec3& factor = material.vertexFactor;
+    std::string recipe = fmt::format("{} {} {} {} {} {}", from.indices, from.mode, material.uvSet, factor.x,
+                                     factor.y, factor.z);
+    for (const auto& [attribute, accessor] : from.attributes) {
+        recipe += fmt::format(" {} {}", attribute, accessor);
+    }
+    return recipe;
+}
+
+/// Primitives may share the vertices of a whole model: each keeps those of its own triangles.
+void dropUnusedVertices(MeshData* mesh) {
+    constexpr uint32_t kUnused = UINT32_MAX;
+    std::vector<uint32_t> numbers(mesh->positions.size(), kUnused);
+    uint32_t count = 0;
+    for (const uint32_t corner : mesh->indices) {
+        numbers[corner] = 0;
+    }
+    for (uint32_t& number : numbers) {
+        if (number != kUnused) { number = count++; }
+    }
+    if (count == numbers.size()) { return; }
+    const auto keep = [&](auto* values) {
+        if (values->empty()) { return; }
+        for (size_t i = 0; i < numbers.size(); ++i) {
+            if (numbers[i] != kUnused) { (*values)[numbers[i]] = (*values)[i]; }
+        }
+        values->resize(count);
+        values->shrink_to_fit();
+    };
+    keep(&mesh->positions);
+    keep(&mesh->normals);
+    keep(&mesh->uvs);
+    keep(&mesh->colors);
+    for (uint32_t& corner : mesh->indices) {
+        corner = numbers[corner];
+    }
+}
+
 template <class Vector>
 void copyFinite(const GltfNumbers& numbers, int width, std::vector<Vector>* out) {
     for (size_t i = 0; i < numbers.count(); ++i) {
@@ -186,7 +226,24 @@ Result<std::shared_ptr<MeshData>> GltfMeshes::read(const tinygltf::Primitive& fr
             return file_.error(what + ": a position is not finite or above 1e18");
         }
     }
+    dropUnusedVertices(mesh.get());
     return mesh;
+}
+
+Result<int> GltfMeshes::meshOf(const tinygltf::Primitive& from, const GltfMaterial& material,
+                               const GltfPose& pose, const std::string& what, const std::string& name) {
+    const bool isPosed = !pose.joints.empty() || (!pose.weights.empty() && !from.targets.empty());
+    const std::string recipe = isPosed ? "" : recipeOf(from, material);
+    if (const auto known = known_.find(recipe); known != known_.end()) { return known->second; }
+    auto mesh = read(from, material, pose, what);
+    if (!mesh) { return mesh.error(); }
+    int index = -1;
+    if (!(*mesh)->indices.empty()) {
+        index = static_cast<int>(scene_.meshes.size());
+        scene_.meshes.push_back({name, {}, std::move(*mesh)});
+    }
+    if (!isPosed) { known_[recipe] = index; }
+    return index;
 }
 
 Result<std::vector<GltfPart>> GltfMeshes::take(int index, const GltfPose& pose) {
@@ -220,12 +277,11 @@ Result<std::vector<GltfPart>> GltfMeshes::readParts(int index, const GltfPose& p
         }
         const auto material = materials_.take(primitive.material);
         if (!material) { return material.error(); }
-        auto mesh = read(primitive, *material, pose, fmt::format("mesh {}, primitive {}", index, i));
-        if (!mesh) { return mesh.error(); }
-        if ((*mesh)->indices.empty()) { continue; }
-        parts.push_back({static_cast<int>(scene_.meshes.size()), material->index});
         const std::string partName = from.primitives.size() > 1 ? fmt::format("{} {}", name, i) : name;
-        scene_.meshes.push_back({partName, {}, std::move(*mesh)});
+        const auto mesh =
+            meshOf(primitive, *material, pose, fmt::format("mesh {}, primitive {}", index, i), partName);
+        if (!mesh) { return mesh.error(); }
+        if (*mesh >= 0) { parts.push_back({*mesh, material->index}); }
     }
     return parts;
 }

@@ -41,11 +41,16 @@ class GltfMeshes {
     Status readTriangles(const tinygltf::Primitive& from, const std::string& what, MeshData* mesh);
     Status readAttributes(const tinygltf::Primitive& from, const GltfMaterial& material,
                           const std::string& what, MeshData* mesh);
+    /// The scene's mesh of a primitive: the same one for primitives of the same numbers. Empty ones: -1.
+    Result<int> meshOf(const tinygltf::Primitive& from, const GltfMaterial& material, const GltfPose& pose,
+                       const std::string& what, const std::string& name);
+
     GltfFile& file_;
     GltfMaterials& materials_;
     SceneDescription& scene_;
     std::map<int, std::vector<GltfPart>> taken_;
-    uint64_t posedVertices_ = 0;  ///< of meshes that a node has for itself
+    std::map<std::string, int> known_;  ///< meshes by what they are read from
+    uint64_t posedVertices_ = 0;        ///< of meshes that a node has for itself
 };
 
 }  // namespace glint

@@ -5,12 +5,14 @@
 #include <cstdlib>
 #include <new>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <malloc.h>
 
 #include "engine/io/scene_loader.h"
 #include "engine/io/text_source.h"
+#include "tests/support/gltf_files.h"
 #include "tests/support/temp_folder.h"
 
 namespace {
@@ -121,6 +123,37 @@ TEST(LoadCost, AFileIsParsedOnceHoweverOftenItIsIncluded) {
     ASSERT_TRUE(loaded) << loaded.error().format();
     EXPECT_EQ(loaded->objects.size(), 20'000u);
     EXPECT_LE(mostBytes - before, 64 * text.size());
+}
+
+/// One buffer of vertices for many primitives, each with all of them or with a triangle of its own.
+TEST(LoadCost, PrimitivesShareTheirVertices) {
+    constexpr int kVertices = 3000, kPrimitives = 2000;
+    const TempFolder folder;
+    folder.write("v.bin", test::packed<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}) +
+                              std::string(12 * (kVertices - 3), '\0') + test::packed<uint16_t>({0, 1, 2}));
+    const std::string head = fmt::format(R"({{"asset":{{"version":"2.0"}},"scenes":[{{"nodes":[0]}}],
+        "nodes":[{{"mesh":0}}],"buffers":[{{"uri":"v.bin","byteLength":{}}}],"bufferViews":[
+        {{"buffer":0,"byteLength":{}}},{{"buffer":0,"byteOffset":{},"byteLength":6}}],"accessors":[
+        {{"bufferView":0,"componentType":5126,"count":{},"type":"VEC3"}})",
+                                         12 * kVertices + 6, 12 * kVertices, 12 * kVertices, kVertices);
+    const std::string triangle = R"(,{"bufferView":1,"componentType":5123,"count":3,"type":"SCALAR"})";
+    std::string same, own;
+    for (int i = 0; i < kPrimitives; ++i) {
+        const char* comma = i > 0 ? "," : "";
+        same += fmt::format(R"({}{{"attributes":{{"POSITION":0}}}})", comma);
+        own += fmt::format(R"({}{{"attributes":{{"POSITION":0}},"indices":{}}})", comma, i + 1);
+    }
+    for (const std::string& primitives : {same, own}) {
+        const std::string text =
+            head + repeated(kPrimitives, triangle) + R"(],"meshes":[{"primitives":[)" + primitives + "]}]}";
+        const std::string path = folder.write("a.gltf", text);
+        mostBytes = heldBytes.load();
+        const size_t before = heldBytes;
+        const auto loaded = loadScene(path, {.noStudio = true});
+        ASSERT_TRUE(loaded) << loaded.error().format();
+        EXPECT_EQ(loaded->objects.size(), static_cast<size_t>(kPrimitives));
+        EXPECT_LE(mostBytes - before, 64 * (text.size() + 12 * kVertices));
+    }
 }
 
 TEST(LoadCost, LinesAreListedOnceHoweverManyAreAskedFor) {
