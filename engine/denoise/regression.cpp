@@ -56,6 +56,12 @@ bool solve(std::array<Row, kFeatures>* rows) {
     return true;
 }
 
+/// The place of an offset within [-kHalf, kHalf].
+size_t tap(int offset) {
+    const int place = offset + kHalf;
+    return static_cast<size_t>(place);
+}
+
 class Regression {
   public:
     Regression(const Planes& planes, const std::vector<Vec3>& guide, const std::vector<float>& noise,
@@ -68,7 +74,7 @@ class Regression {
           columns_((input_.width + kStride - 1) / kStride) {
         for (int d = -kHalf; d <= kHalf; ++d) {
             const float share = static_cast<float>(d) / static_cast<float>(kHalf + 1);
-            taper_[static_cast<size_t>(d + kHalf)] = square(1.0f - share * share);
+            taper_[tap(d)] = square(1.0f - share * share);
         }
     }
 
@@ -133,8 +139,7 @@ class Regression {
                             planes_.slope[c].y * static_cast<float>(dy);
         const float offPlane =
             std::fabs(planes_.nearness[q] - plane) / (kNearnessWidth * planes_.nearness[c] + 1e-6f);
-        return taper_[static_cast<size_t>(dx + kHalf)] * taper_[static_cast<size_t>(dy + kHalf)] *
-               falloff(colors + normals + offPlane);
+        return taper_[tap(dx)] * taper_[tap(dy)] * falloff(colors + normals + offPlane);
     }
 
     void fit(int x, int y) {

@@ -22,8 +22,8 @@ using Channel = std::vector<float>;
 
 /// Radiance without the albedo, its luminance and that one's variance, and the centre taps' share so far.
 struct Level {
-    enum { Red, Green, Blue, Light, Variance, Leverage, Count };
-    std::array<Channel, Count> channels;
+    enum { kRed, kGreen, kBlue, kLight, kVariance, kLeverage, kCount };
+    std::array<Channel, kCount> channels;
 };
 
 constexpr int kBlock = 64;
@@ -60,7 +60,7 @@ class Wavelets {
             level = next(level, 1 << i);
         }
         Candidate out{.radiance = std::vector<Vec3>(slope_.size()),
-                      .leverage = std::move(level.channels[Level::Leverage])};
+                      .leverage = std::move(level.channels[Level::kLeverage])};
         const auto& [red, green, blue, light, variance, leverage] = level.channels;
         for (size_t i = 0; i < slope_.size(); ++i) {
             out.radiance[i] = Vec3(red[i], green[i], blue[i]) * planes_.albedo[i];
@@ -79,8 +79,8 @@ class Wavelets {
             for (int c = 0; c < 3; ++c) {
                 level.channels[static_cast<size_t>(c)][i] = color[c];
             }
-            level.channels[Level::Light][i] = luminance(color);
-            level.channels[Level::Variance][i] = planes_.variance[i] / square(luminance(planes_.albedo[i]));
+            level.channels[Level::kLight][i] = luminance(color);
+            level.channels[Level::kVariance][i] = planes_.variance[i] / square(luminance(planes_.albedo[i]));
         }
         return level;
     }
@@ -90,7 +90,7 @@ class Wavelets {
         for (Channel& channel : to.channels) {
             channel.resize(slope_.size());
         }
-        const Channel noise = boxMeans(from.channels[Level::Variance], width_, height_, 1, threads_);
+        const Channel noise = boxMeans(from.channels[Level::kVariance], width_, height_, 1, threads_);
         forRows(0, height_, threads_, [&](int y) { filterRow(from, noise, step, y, &to); });
         return to;
     }
@@ -106,13 +106,13 @@ class Wavelets {
     void filterBlock(const Level& from, const Channel& noise, int step, Vec2i corner, Level* to) const {
         const int count = std::min(kBlock, width_ - corner.x);
         const int64_t begin = static_cast<int64_t>(corner.y) * width_ + corner.x;
-        const float* light = from.channels[Level::Light].data() + begin;
+        const float* light = from.channels[Level::kLight].data() + begin;
         Lanes narrowness{};
         for (int i = 0; i < count; ++i) {
             narrowness[i] =
                 1.0f / (kNoiseWidth * std::sqrt(noise[begin + i]) + 1e-3f * std::fabs(light[i]) + 1e-12f);
         }
-        std::array<Lanes, Level::Leverage> sums{};
+        std::array<Lanes, Level::kLeverage> sums{};
         Lanes weights{}, changes{}, changedLight{};
         for (int dy = -2; dy <= 2; ++dy) {
             if (corner.y + dy * step < 0 || corner.y + dy * step >= height_) { continue; }
@@ -127,18 +127,18 @@ class Wavelets {
                     static_cast<float>(step * (std::abs(dx) + std::abs(dy)))};
                 Lanes weight{};
                 for (int i = first; i < last; ++i) {
-                    const float apart = (from.channels[Level::Light][there + i] - light[i]) * narrowness[i];
+                    const float apart = (from.channels[Level::kLight][there + i] - light[i]) * narrowness[i];
                     const float t = maxf(
                         0.0f, 1.0f - 0.25f * (distance(begin + i, there + i, tap.pixels) + std::fabs(apart)));
                     weight[i] = tap.most * (t * t) * (t * t);
                     const float change = std::copysign(tap.most * (t * t) * t, apart);
                     weights[i] += weight[i];
                     changes[i] += change;
-                    changedLight[i] += change * from.channels[Level::Light][there + i];
+                    changedLight[i] += change * from.channels[Level::kLight][there + i];
                 }
                 for (size_t c = 0; c < sums.size(); ++c) {
                     const float* source = from.channels[c].data() + there;
-                    const bool isVariance = c == Level::Variance;
+                    const bool isVariance = c == Level::kVariance;
                     for (int i = first; i < last; ++i) {
                         sums[c][i] += (isVariance ? weight[i] * weight[i] : weight[i]) * source[i];
                     }
@@ -148,12 +148,12 @@ class Wavelets {
         for (int i = 0; i < count; ++i) {
             const float share = 1.0f / weights[i];
             for (size_t c = 0; c < sums.size(); ++c) {
-                to->channels[c][begin + i] = sums[c][i] * (c == Level::Variance ? share * share : share);
+                to->channels[c][begin + i] = sums[c][i] * (c == Level::kVariance ? share * share : share);
             }
             const float change =
-                (changedLight[i] - changes[i] * sums[Level::Light][i] * share) * narrowness[i];
-            to->channels[Level::Leverage][begin + i] =
-                from.channels[Level::Leverage][begin + i] *
+                (changedLight[i] - changes[i] * sums[Level::kLight][i] * share) * narrowness[i];
+            to->channels[Level::kLeverage][begin + i] =
+                from.channels[Level::kLeverage][begin + i] *
                 clampf((square(kTaps[0]) + change) * share, 0.0f, 1.0f);
         }
     }

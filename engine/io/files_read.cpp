@@ -5,11 +5,15 @@
 
 namespace glint {
 
-thread_local FilesRead* FilesRead::current_ = nullptr;
+namespace {
 
-FilesRead::FilesRead() : outer_(std::exchange(current_, this)) {}
+thread_local FilesRead* innermost = nullptr;
 
-FilesRead::~FilesRead() { current_ = outer_; }
+}  // namespace
+
+FilesRead::FilesRead() : outer_(std::exchange(innermost, this)) {}
+
+FilesRead::~FilesRead() { innermost = outer_; }
 
 std::vector<std::string> FilesRead::paths() const {
     std::vector<std::string> paths = paths_;
@@ -19,7 +23,7 @@ std::vector<std::string> FilesRead::paths() const {
 }
 
 void FilesRead::note(const std::string& path) {
-    for (FilesRead* each = current_; each != nullptr; each = each->outer_) {
+    for (FilesRead* each = innermost; each != nullptr; each = each->outer_) {
         each->paths_.push_back(path);
     }
 }

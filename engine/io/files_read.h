@@ -22,8 +22,6 @@ class FilesRead {
     static void note(const std::string& path);
 
   private:
-    static thread_local FilesRead* current_;
-
     FilesRead* outer_;
     std::vector<std::string> paths_;
 };

@@ -60,7 +60,7 @@ std::string PbrtContext::findFile(const PbrtPlace& at, std::string_view name) co
 
 std::string PbrtContext::fileOf(const PbrtPlace& at, std::string_view name) const {
     namespace fs = std::filesystem;
-    const std::string found = findFile(at, name);
+    std::string found = findFile(at, name);
     if (fs::path(name).is_absolute()) { return found; }
     std::error_code code;
     const fs::path absolute = fs::absolute(found, code).lexically_normal();

@@ -59,7 +59,8 @@ ImageF laidOut(int width, int samples, const Affine& toWorld, const RadianceOf& 
             Vec3 sum(0.0f);
             float weights = 0.0f;
             for (int s = 0; s < samples * samples; ++s) {
-                const float theta = kPi * perRow * (static_cast<float>(y * samples + s / samples) + 0.5f);
+                const int row = y * samples + s / samples;
+                const float theta = kPi * perRow * (static_cast<float>(row) + 0.5f);
                 const float phi =
                     kTwoPi * (perColumn * (static_cast<float>(x * samples + s % samples) + 0.5f) - 0.5f);
                 const float ring = std::sin(theta);
@@ -129,8 +130,8 @@ ImageF equalAreaOfLatLong(const ImageF& map, float rotationDeg) {
         for (int x = 0; x < size; ++x) {
             Vec3 sum(0.0f);
             for (int k = 0; k < samples * samples; ++k) {
-                const Vec2 at(static_cast<float>(x * samples + k % samples) + 0.5f,
-                              static_cast<float>(y * samples + k / samples) + 0.5f);
+                const int column = x * samples + k % samples, row = y * samples + k / samples;
+                const Vec2 at(static_cast<float>(column) + 0.5f, static_cast<float>(row) + 0.5f);
                 const Vec3 w = equalAreaDirection(perSample * at);
                 const Vec3 d(c * w.x - s * w.z, w.y, s * w.x + c * w.z);
                 const Vec2 uv(0.5f + std::atan2(d.x, -d.z) / kTwoPi,
@@ -138,7 +139,7 @@ ImageF equalAreaOfLatLong(const ImageF& map, float rotationDeg) {
                 sum += bilinear(map, uv, latLongTexel);
             }
             const Vec3 mean = sum / static_cast<float>(samples * samples);
-            std::copy_n(&mean.x, 3, &out.rgb[static_cast<size_t>(3 * (y * size + x))]);
+            std::copy_n(&mean.x, 3, &out.rgb[3 * static_cast<size_t>(y * size + x)]);
         }
     }
     return out;

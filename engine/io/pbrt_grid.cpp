@@ -90,7 +90,7 @@ void appendTube(std::span<const Vec3, 4> curve, float width0, float width1, floa
             const Vec3 out = std::cos(kTwoPi * v) * across + std::sin(kTwoPi * v) * side;
             mesh->positions.push_back(middle + radius * out);
             mesh->normals.push_back(out);
-            mesh->uvs.push_back({glm::mix(u0, u1, t), v});
+            mesh->uvs.emplace_back(glm::mix(u0, u1, t), v);
         }
         for (uint32_t k = 0; step > 0 && k < kSides; ++k) {
             const uint32_t c = first + k, a = c - kSides - 1;

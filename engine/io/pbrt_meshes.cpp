@@ -21,7 +21,7 @@ void addUsualUvs(MeshData* mesh) {
     partTriangles(mesh);
     mesh->uvs.clear();
     for (size_t i = 0; i < mesh->positions.size(); ++i) {
-        mesh->uvs.push_back(Vec2(i % 3 == 0 ? 0.0f : 1.0f, i % 3 == 2 ? 1.0f : 0.0f));
+        mesh->uvs.emplace_back(i % 3 == 0 ? 0.0f : 1.0f, i % 3 == 2 ? 1.0f : 0.0f);
     }
 }
 
@@ -36,7 +36,7 @@ bool isFlat(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 PbrtMesh PbrtMeshes::add(std::string name, std::shared_ptr<MeshData> data, bool isReversed) {
     if (context_.failed() || data->indices.empty()) { return {}; }
     if (isReversed) { turnOver(data.get()); }
-    const PbrtMesh mesh{static_cast<int>(context_.scene.meshes.size()), data};
+    PbrtMesh mesh{static_cast<int>(context_.scene.meshes.size()), data};
     context_.scene.meshes.push_back(
         {fmt::format("{} {}", name, mesh.index), {}, std::shared_ptr<const MeshData>(std::move(data))});
     return mesh;
@@ -48,7 +48,7 @@ PbrtMeshes::Arrays PbrtMeshes::arraysOf(const PbrtParams& params) {
     arrays.normals = params.points("N");
     const std::vector<float>& uvs = params.numbers(params.has("uv") ? "uv" : "st", 2);
     for (size_t i = 0; i + 1 < uvs.size(); i += 2) {
-        arrays.uvs.push_back({uvs[i], uvs[i + 1]});
+        arrays.uvs.emplace_back(uvs[i], uvs[i + 1]);
     }
     params.passOver({"uv", "st", "S", "faceIndices", "emissionfilename"});
     if (arrays.positions.empty()) { params.fail("the mesh has no points \"P\""); }

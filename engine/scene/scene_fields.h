@@ -16,12 +16,13 @@ constexpr NumberRange kFilterRadius{
 constexpr NumberRange kAlphaRange{
     .lo = 0.0, .hi = 1.0, .openLo = true, .openHi = true, .expected = "a number between 0 and 1"};
 constexpr NumberRange kRadiusRange{
-    .lo = 0.0, .hi = 1e18f, .expected = "a radius in metres, or 0 for an automatic one"};
+    .lo = 0.0, .hi = double{1e18f}, .expected = "a radius in metres, or 0 for an automatic one"};
 constexpr NumberRange kFootprintRange{
     .lo = 0.0, .hi = 1e6, .openLo = true, .expected = "a number above 0 and up to 1e6"};
 constexpr NumberRange kReflectance{.lo = 0.0, .hi = 1.0, .expected = "a reflectance from 0 to 1 per channel"};
-constexpr NumberRange kExponent{.lo = 0.01f, .hi = 100.0, .expected = "an exponent from 0.01 to 100"};
-constexpr NumberRange kIor{.lo = 0.01f, .hi = 100.0, .expected = "an index of refraction from 0.01 to 100"};
+constexpr NumberRange kExponent{.lo = double{0.01f}, .hi = 100.0, .expected = "an exponent from 0.01 to 100"};
+constexpr NumberRange kIor{
+    .lo = double{0.01f}, .hi = 100.0, .expected = "an index of refraction from 0.01 to 100"};
 constexpr NumberRange kAbbeNumber{
     .lo = 0.0, .hi = 1000.0, .expected = "an Abbe number up to 1000, or 0 for none"};
 constexpr NumberRange kShininess{.lo = 0.0, .hi = 1e6, .expected = "an exponent from 0 to 1e6"};
@@ -30,7 +31,8 @@ constexpr NumberRange kConeAngle{
 constexpr NumberRange kConeStart{
     .lo = 0.0, .hi = 90.0, .expected = "a half angle from 0 to \"coneAngleDeg\""};
 constexpr NumberRange kElevation{.lo = -90.0, .hi = 90.0, .expected = "an angle from -90 to 90 degrees"};
-constexpr NumberRange kSunRadius{.lo = 0.1f, .hi = 90.0, .expected = "an angle from 0.1 to 90 degrees"};
+constexpr NumberRange kSunRadius{
+    .lo = double{0.1f}, .hi = 90.0, .expected = "an angle from 0.1 to 90 degrees"};
 
 template <>
 struct FieldsOf<Camera> {

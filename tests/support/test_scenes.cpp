@@ -2,6 +2,8 @@
 
 #include "tests/support/test_scenes.h"
 
+#include "tests/support/sppm_scenes.h"
+
 namespace glint::test {
 namespace {
 
@@ -292,7 +294,9 @@ std::vector<NamedScene> allTestScenes() {
             {"turnedProfiles", turnedProfiles()},
             {"reliefs", reliefs()},
             {"kdTrees", kdTrees()},
-            {"dispersiveBalls", dispersiveBalls()}};
+            {"dispersiveBalls", dispersiveBalls()},
+            {"absorbingGlass", absorbingGlassBox()},
+            {"translucentSheets", translucentBox()}};
 }
 
 std::shared_ptr<const MeshData> bumpySphere(int rings, int segments, bool withColors) {

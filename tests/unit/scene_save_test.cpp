@@ -8,6 +8,7 @@
 
 #include "engine/io/scene_json.h"
 #include "engine/io/scene_loader.h"
+#include "engine/scene/scene_fields.h"
 
 namespace glint {
 namespace {
@@ -74,7 +75,9 @@ void expectSame(const Light& a, const Light& b) {
 void expectSame(const SceneDescription& a, const SceneDescription& b) {
     EXPECT_EQ(a.title, b.title);
     EXPECT_EQ(a.description, b.description);
-    EXPECT_TRUE(sameBits(a.camera, b.camera));
+    forEachField<Camera>([&](const auto& field) {
+        EXPECT_TRUE(sameBits(a.camera.*field.member, b.camera.*field.member)) << field.key;
+    });
     EXPECT_EQ(a.resolution, b.resolution);
     EXPECT_EQ(a.options, b.options);
     EXPECT_EQ(a.sppm, b.sppm);

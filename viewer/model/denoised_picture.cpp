@@ -17,7 +17,9 @@ void DenoisedPicture::refresh(const std::shared_ptr<const FilmSnapshot>& wanted,
     const bool isStill = rests && wanted->previewScale == 1;
     const Of of{wanted, isStill ? DenoiseQuality::Careful : DenoiseQuality::Quick};
     if (of == made_) { return; }
-    isBehind_ = true;
+    // Passes may come faster than they are denoised.
+    isBehind_ = isStill || !picture_ || picture_->ticket != wanted->ticket ||
+                picture_->previewScale != wanted->previewScale;
     if (stopsWork_) {
         // What takes long is given up for what is newer.
         if (working_.quality == DenoiseQuality::Careful && !(working_ == of)) { stop(); }

@@ -21,7 +21,7 @@ class DenoisedPicture {
 
     /// Null: there is none.
     const std::shared_ptr<const FilmSnapshot>& picture() const { return picture_; }
-    /// What was wanted last is not there yet.
+    /// The picture is of another edit than what was wanted last, or that rests and is not denoised yet.
     bool isBehind() const { return isBehind_; }
 
   private:
