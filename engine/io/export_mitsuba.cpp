@@ -123,7 +123,7 @@ class MitsubaExporter {
 
     /// Says under which name the file was written.
     std::string save(std::string_view ending, std::shared_ptr<const std::string> bytes) {
-        const std::string wanted = std::filesystem::path(path_).stem().string() + std::string(ending);
+        std::string wanted = std::filesystem::path(path_).stem().string() + std::string(ending);
         if (!status_) { return wanted; }
         const Result<std::string> name = writeBeside({wanted, std::move(bytes)}, path_);
         if (!name) { status_ = name.error(); }

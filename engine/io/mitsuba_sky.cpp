@@ -107,8 +107,9 @@ ImageF skyMap(const PreethamSky& sky, const Mat3& fromWorld, float skyScale, con
             if (glm::dot(direction, sky.sun()) < std::cos(radius + 2.0f * pixel)) { continue; }
             int within = 0;
             for (int i = 0; i < kSub * kSub; ++i) {
-                const Vec3 at = directionAt(left + (static_cast<float>(i % kSub) + 0.5f) / kSub,
-                                            top + (static_cast<float>(i / kSub) + 0.5f) / kSub);
+                const int column = i % kSub, row = i / kSub;
+                const Vec3 at = directionAt(left + (static_cast<float>(column) + 0.5f) / kSub,
+                                            top + (static_cast<float>(row) + 0.5f) / kSub);
                 within += glm::dot(at, sky.sun()) >= std::cos(radius) ? 1 : 0;
             }
             if (within == 0) { continue; }

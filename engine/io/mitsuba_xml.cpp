@@ -292,7 +292,7 @@ std::string MitsubaXml::findFile(const MitsubaElement& at, std::string_view name
     std::ranges::replace(file, '\\', '/');
     const std::string beside = resolvePath(file, files_[0]->path);
     for (const std::string& folder : folders_) {
-        const std::string path = (std::filesystem::path(folder) / file).string();
+        std::string path = (std::filesystem::path(folder) / file).string();
         if (fileExists(path)) { return path; }
     }
     const std::string besideOwn = resolvePath(file, files_[at.file]->path);

@@ -48,7 +48,8 @@ Mat3 whiteBalanceMatrix(const WhiteBalance& white) {
     if (white.isNeutral()) { return Mat3(1.0f); }
     const DMat3 toXyz = xyzOfRec709();
     const DVec3 d65 = toXyz * DVec3(1.0);
-    const double neutral = WhiteBalance{}.kelvin, kelvin = static_cast<double>(white.kelvin);
+    const auto neutral = static_cast<double>(WhiteBalance{}.kelvin),
+               kelvin = static_cast<double>(white.kelvin);
     // Where D65 lies from the locus, along it and across it.
     const DVec2 offset = uvOfXyz(d65) - planckian(neutral);
     const double across = glm::dot(offset, greenwards(neutral)) + 2e-4 * static_cast<double>(white.tint);
