@@ -15,13 +15,7 @@ namespace glint {
 namespace {
 
 using Point = glm::dvec2;
-
-/// The Bézier points of the span of a uniform cubic B-spline that begins at `p`.
-std::array<Point, 4> spanPoints(const Vec2* p) {
-    const auto knot = [&](int i) { return (Point(p[i]) + 4.0 * Point(p[i + 1]) + Point(p[i + 2])) / 6.0; };
-    return {knot(0), (2.0 * Point(p[1]) + Point(p[2])) / 3.0, (Point(p[1]) + 2.0 * Point(p[2])) / 3.0,
-            knot(1)};
-}
+static_assert(kHighestProfileDegree == kMaxProfileDegree);
 
 ProfileCurve makeCurve(const Point* points, int degree) {
     ProfileCurve curve{};
@@ -116,15 +110,7 @@ std::vector<ProfileCurve> profileCurvesOf(const Object& object) {
     const ProfileCurves shape = profileCurves(object);
     std::vector<ProfileCurve> curves;
     for (size_t i = 0; i < shape.count; ++i) {
-        std::array<Point, kMaxProfileDegree + 1> points{};
-        if (object.curve == CurveKind::Bspline) {
-            std::ranges::copy(spanPoints(&object.profile[i]), points.begin());
-        } else {
-            const auto first = object.profile.begin() + static_cast<std::ptrdiff_t>(i) * shape.degree;
-            std::transform(first, first + shape.degree + 1, points.begin(),
-                           [](const Vec2& p) { return Point(p); });
-        }
-        curves.push_back(makeCurve(points.data(), shape.degree));
+        curves.push_back(makeCurve(bezierPoints(object, i).data(), shape.degree));
         curves.back().vBegin = 1.0f - static_cast<float>(i) / static_cast<float>(shape.count);
         curves.back().vStep = -1.0f / static_cast<float>(shape.count);
     }

@@ -2,42 +2,31 @@
 // same again; engine/io/README.md says what is approximated.
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <map>
 #include <set>
 
 #include <fmt/format.h>
 
 #include "engine/io/atomic_file.h"
-#include "engine/io/embedded_files.h"
 #include "engine/io/exporter.h"
-#include "engine/io/file_path.h"
 #include "engine/io/mitsuba_environment.h"
 #include "engine/io/mitsuba_writer.h"
-#include "engine/io/ply_writer.h"
+#include "engine/io/scene_export.h"
 #include "engine/scene/scene_use.h"
 
 namespace glint {
 namespace {
 
-/// Half the side of what stands for an endless plane.
-constexpr float kPlaneSize = 1e4f;
-
 /// The file's first line.
 constexpr std::string_view kOwnMark = "<!-- Written by Glint. -->\n";
 
-class MitsubaExporter {
+class MitsubaExporter : public SceneExport {
   public:
     MitsubaExporter(SceneDescription scene, const std::string& path, std::vector<std::string>* warnings)
-        : scene_(std::move(scene)), path_(path), warnings_(*warnings) {}
+        : SceneExport(std::move(scene), path, warnings) {}
 
     Status run() {
-        if (Status written = writeEmbeddedFiles(&scene_, path_); !written) { return written; }
-        for (Texture& texture : scene_.textures) {
-            if (auto* file = std::get_if<FileSource>(&texture.image.source)) {
-                file->path = rebasePath(file->path, scene_.path, path_);
-            }
-        }
+        placeTextures();
         out_.open("scene", "version=\"3.0.0\"");
         writeMitsubaView(scene_, &out_, &warnings_);
         writeLights();
@@ -57,11 +46,6 @@ class MitsubaExporter {
     }
 
   private:
-    void warn(std::string_view sentence) { warnOnce(sentence, &warnings_); }
-    const Material& materialOf(const Object& object) const {
-        return scene_.materials[static_cast<size_t>(object.material)];
-    }
-
     void writeLights() {
         for (const Light& light : scene_.lights) {
             const char* kTypes[] = {"point", "spot", "directional"};
@@ -104,30 +88,13 @@ class MitsubaExporter {
             return;
         }
         warn("approximated: the environment's rows are laid out anew");
-        const SceneImage& image = scene_.environmentImages[static_cast<size_t>(environment.image)];
-        if (!image.floats) {
-            status_ = Error{"the environment has not been read", {.file = path_}};
-            return;
-        }
-        ImageF map = withRowsAtPoles(*image.floats);
-        for (size_t i = 0; i < map.rgb.size(); ++i) {
-            map.rgb[i] *= color[static_cast<int>(i % 3)];
-        }
-        const std::string name =
-            save("-environment.exr", std::get<EmbeddedFile>(bakedImage(map, path_, 0)).bytes);
+        const ImageF* image = environmentImage();
+        if (image == nullptr) { return; }
+        const std::string name = saveEnvironment(withRowsAtPoles(*image), color);
         out_.open("emitter", "type=\"envmap\"");
         out_.string("filename", name);
         out_.matrix("to_world", rotate(Vec3(0, 1, 0), (environment.rotationDeg - 180.0f) * (kPi / 180.0f)));
         out_.close();
-    }
-
-    /// Says under which name the file was written.
-    std::string save(std::string_view ending, std::shared_ptr<const std::string> bytes) {
-        std::string wanted = std::filesystem::path(path_).stem().string() + std::string(ending);
-        if (!status_) { return wanted; }
-        const Result<std::string> name = writeBeside({wanted, std::move(bytes)}, path_);
-        if (!name) { status_ = name.error(); }
-        return name ? *name : wanted;
     }
 
     bool hasColors(const Object& object) const {
@@ -170,7 +137,7 @@ class MitsubaExporter {
             case ShapeKind::Plane:
                 warn("approximated: endless planes end");
                 writeShape("rectangle", object,
-                           object.objectToWorld * scale(Vec3(kPlaneSize, kPlaneSize, 1.0f)));
+                           object.objectToWorld * scale(Vec3(kExportedPlaneSize, kExportedPlaneSize, 1.0f)));
                 return;
             case ShapeKind::Rectangle:
                 writeShape("rectangle", object, object.objectToWorld);
@@ -193,10 +160,9 @@ class MitsubaExporter {
 
     void writeRevolved(const Object& object) {
         const std::vector<Vec2>& p = object.profile;
-        const bool isCylinder = p.size() == 2 && p[0].x == p[1].x && p[0].y < p[1].y;
-        if (!isCylinder) {
+        if (!isCylinder(object, true)) {
             warn("approximated: profiles that are turned are triangles");
-            const std::string name = newPly(turnedMesh(object));
+            const std::string name = savePly(turnedMesh(object));
             writeShape("ply", object, object.objectToWorld, [&] { writePlyFile(name, true); });
             return;
         }
@@ -209,29 +175,22 @@ class MitsubaExporter {
     }
 
     void writeMesh(const Object& object) {
-        const Mesh& mesh = scene_.meshes[static_cast<size_t>(object.mesh)];
-        if (!mesh.data) {
-            status_ = Error{fmt::format("the mesh \"{}\" has not been read", mesh.name), {.file = path_}};
-            return;
-        }
+        const MeshData* mesh = meshOf(object);
+        if (mesh == nullptr) { return; }
         const Vec3 factor = hasColors(object) ? materialOf(object).color.value : Vec3(1.0f);
         std::string& name = plys_[{object.mesh, {factor.x, factor.y, factor.z}}];
         if (name.empty()) {
-            MeshData shown = *mesh.data;
+            MeshData shown = *mesh;
             std::ranges::for_each(shown.colors, [&](Vec3& color) { color *= factor; });
-            name = newPly(shown);
+            name = savePly(shown);
         }
-        const bool isSmooth = !mesh.data->normals.empty();
-        if (isSmooth && std::ranges::any_of(mesh.data->normals, isZero)) {
+        const bool isSmooth = !mesh->normals.empty();
+        if (isSmooth && std::ranges::any_of(mesh->normals, isZero)) {
             warn("approximated: meshes are smooth everywhere or nowhere");
         }
         writeShape("ply", object, object.objectToWorld, [&] { writePlyFile(name, isSmooth); });
     }
 
-    std::string newPly(const MeshData& mesh) {
-        return save(fmt::format("-{}.ply", plyCount_++),
-                    std::make_shared<const std::string>(encodePly(mesh)));
-    }
     void writePlyFile(const std::string& name, bool isSmooth) {
         out_.string("filename", name);
         out_.flag("flip_tex_coords", true);
@@ -266,13 +225,8 @@ class MitsubaExporter {
         out_.close();
     }
 
-    SceneDescription scene_;
-    std::string path_;
-    std::vector<std::string>& warnings_;
     MitsubaWriter out_;
     std::map<std::pair<int, std::array<float, 3>>, std::string> plys_;
-    int plyCount_ = 0;
-    Status status_;
 };
 
 Status save(const SceneDescription& scene, const std::string& path, std::vector<std::string>* warnings) {

@@ -1,44 +1,31 @@
 // pbrt-v4 scenes, so that a scene can be checked against that program. What import_pbrt.cpp reads as the same
 // again; engine/io/README.md says what is approximated.
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <set>
 
 #include <fmt/format.h>
 
 #include "engine/io/atomic_file.h"
-#include "engine/io/baked_image.h"
-#include "engine/io/embedded_files.h"
 #include "engine/io/exporter.h"
-#include "engine/io/file_path.h"
-#include "engine/io/mitsuba_writer.h"
 #include "engine/io/pbrt_environment.h"
 #include "engine/io/pbrt_writer.h"
-#include "engine/io/ply_writer.h"
+#include "engine/io/scene_export.h"
 #include "engine/scene/scene_use.h"
 
 namespace glint {
 namespace {
 
-/// Half the side of what stands for an endless plane.
-constexpr float kPlaneSize = 1e4f;
-
 /// The file's first line.
 constexpr std::string_view kOwnMark = "# Written by Glint.\n";
 
-class PbrtExporter {
+class PbrtExporter : public SceneExport {
   public:
     PbrtExporter(SceneDescription scene, const std::string& path, std::vector<std::string>* warnings)
-        : scene_(std::move(scene)), path_(path), warnings_(*warnings) {}
+        : SceneExport(std::move(scene), path, warnings) {}
 
     Status run() {
-        if (Status written = writeEmbeddedFiles(&scene_, path_); !written) { return written; }
-        for (Texture& texture : scene_.textures) {
-            if (auto* file = std::get_if<FileSource>(&texture.image.source)) {
-                file->path = rebasePath(file->path, scene_.path, path_);
-            }
-        }
+        placeTextures();
         out_ = std::string(kOwnMark) + pbrtView(scene_, &warnings_);
         writeEnvironment();
         for (const Light& light : scene_.lights) {
@@ -52,11 +39,6 @@ class PbrtExporter {
     }
 
   private:
-    void warn(std::string_view sentence) { warnOnce(sentence, &warnings_); }
-    const Material& materialOf(const Object& object) const {
-        return scene_.materials[static_cast<size_t>(object.material)];
-    }
-
     void writeEnvironment() {
         const Environment& environment = scene_.environment;
         if (!environment.emissive()) { return; }
@@ -66,17 +48,10 @@ class PbrtExporter {
             return;
         }
         warn("approximated: the environment is laid out anew");
-        const SceneImage& image = scene_.environmentImages[static_cast<size_t>(environment.image)];
-        if (!image.floats) {
-            status_ = Error{"the environment has not been read", {.file = path_}};
-            return;
-        }
-        ImageF map = equalAreaOfLatLong(*image.floats, environment.rotationDeg);
-        for (size_t i = 0; i < map.rgb.size(); ++i) {
-            map.rgb[i] *= environment.color[static_cast<int>(i % 3)];
-        }
+        const ImageF* image = environmentImage();
+        if (image == nullptr) { return; }
         const std::string name =
-            save("-environment.exr", std::get<EmbeddedFile>(bakedImage(map, path_, 0)).bytes);
+            saveEnvironment(equalAreaOfLatLong(*image, environment.rotationDeg), environment.color);
         out_ += pbrtString("filename", name) + "\n";
     }
 
@@ -131,15 +106,6 @@ class PbrtExporter {
         }
     }
 
-    /// Says under which name the file was written.
-    std::string save(std::string_view ending, std::shared_ptr<const std::string> bytes) {
-        std::string wanted = std::filesystem::path(path_).stem().string() + std::string(ending);
-        if (!status_) { return wanted; }
-        const Result<std::string> name = writeBeside({wanted, std::move(bytes)}, path_);
-        if (!name) { status_ = name.error(); }
-        return name ? *name : wanted;
-    }
-
     void writeObject(const Object& object) {
         constexpr std::string_view kSquare = "\"bilinearmesh\" \"point3 P\" [-1 -1 0  1 -1 0  -1 1 0  1 1 0]";
         if (object.frontOnly) { warn("approximated: what is seen from its front alone is seen from behind"); }
@@ -153,7 +119,8 @@ class PbrtExporter {
                 return;
             case ShapeKind::Plane:
                 warn("approximated: endless planes end");
-                writeShape(kSquare, object, object.objectToWorld * scale(Vec3(kPlaneSize, kPlaneSize, 1.0f)));
+                writeShape(kSquare, object,
+                           object.objectToWorld * scale(Vec3(kExportedPlaneSize, kExportedPlaneSize, 1.0f)));
                 return;
             case ShapeKind::Rectangle:
                 writeShape(kSquare, object, object.objectToWorld);
@@ -172,7 +139,7 @@ class PbrtExporter {
 
     void writeRevolved(const Object& object) {
         const std::vector<Vec2>& p = object.profile;
-        if (p.size() == 2 && p[0].x == p[1].x && p[0].y > p[1].y && !object.capped) {
+        if (isCylinder(object, false)) {
             // pbrt's axis is z, Glint's y.
             writeShape("\"cylinder\"" + pbrtNumber("radius", p[0].x) + pbrtNumber("zmin", p[1].y) +
                            pbrtNumber("zmax", p[0].y),
@@ -180,30 +147,25 @@ class PbrtExporter {
             return;
         }
         warn("approximated: profiles that are turned are triangles");
-        writePly(newPly(turnedMesh(object)), object);
+        writePly(savePly(turnedMesh(object)), object);
     }
 
     void writeMesh(const Object& object) {
-        const Mesh& mesh = scene_.meshes[static_cast<size_t>(object.mesh)];
-        if (!mesh.data) {
-            status_ = Error{fmt::format("the mesh \"{}\" has not been read", mesh.name), {.file = path_}};
-            return;
-        }
-        if (!mesh.data->colors.empty()) { warn("approximated: vertices have no colours"); }
-        if (!mesh.data->normals.empty() && std::ranges::any_of(mesh.data->normals, isZero)) {
+        const MeshData* mesh = meshOf(object);
+        if (mesh == nullptr) { return; }
+        if (!mesh->colors.empty()) { warn("approximated: vertices have no colours"); }
+        if (!mesh->normals.empty() && std::ranges::any_of(mesh->normals, isZero)) {
             warn("approximated: meshes are smooth everywhere or nowhere");
         }
         std::string& name = plys_[object.mesh];
-        if (name.empty()) { name = newPly(*mesh.data); }
+        if (name.empty()) {
+            MeshData shown = *mesh;
+            shown.colors.clear();
+            name = savePly(shown);
+        }
         writePly(name, object);
     }
 
-    std::string newPly(const MeshData& mesh) {
-        MeshData shown = mesh;
-        shown.colors.clear();
-        return save(fmt::format("-{}.ply", plyCount_++),
-                    std::make_shared<const std::string>(encodePly(shown)));
-    }
     void writePly(const std::string& name, const Object& object) {
         writeShape("\"plymesh\"" + pbrtString("filename", name), object, object.objectToWorld);
     }
@@ -243,13 +205,8 @@ class PbrtExporter {
         out_ += "\nAttributeEnd\n";
     }
 
-    SceneDescription scene_;
-    std::string path_;
-    std::vector<std::string>& warnings_;
     std::string out_;
     std::map<int, std::string> plys_;
-    int plyCount_ = 0;
-    Status status_;
 };
 
 Status save(const SceneDescription& scene, const std::string& path, std::vector<std::string>* warnings) {

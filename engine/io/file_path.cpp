@@ -29,6 +29,23 @@ std::string rebasePath(const std::string& path, const std::string& from, const s
     return relative.empty() ? absolute.string() : relative.string();
 }
 
+std::string seenFromFolder(const std::string& found, std::string_view name, const std::string& scenePath) {
+    namespace fs = std::filesystem;
+    if (fs::path(name).is_absolute()) { return found; }
+    std::error_code code;
+    const fs::path absolute = fs::absolute(found, code).lexically_normal();
+    const fs::path folder = fs::absolute(scenePath, code).lexically_normal().parent_path();
+    const fs::path relative = absolute.lexically_relative(folder);
+    return relative.empty() ? found : relative.string();
+}
+
+std::string findBeside(std::string_view name, const std::string& scenePath, const std::string& ownPath) {
+    std::string file(name);
+    std::ranges::replace(file, '\\', '/');
+    const std::string beside = resolvePath(file, scenePath), besideOwn = resolvePath(file, ownPath);
+    return !fileExists(beside) && fileExists(besideOwn) ? besideOwn : beside;
+}
+
 bool fileExists(const std::string& resolvedPath) {
     std::error_code code;
     const auto status = fs::status(resolvedPath, code);

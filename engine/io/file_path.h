@@ -13,6 +13,14 @@ std::string resolvePath(const std::string& path, const std::string& from);
 /// stay, and so does a path that has no relative form.
 std::string rebasePath(const std::string& path, const std::string& from, const std::string& to);
 
+/// `found`, which the scene file `scenePath` calls `name`, as seen from that file's folder; names that are
+/// absolute stay.
+std::string seenFromFolder(const std::string& found, std::string_view name, const std::string& scenePath);
+
+/// The file that is called `name`, with slashes of either kind: beside `scenePath`, or else beside `ownPath`,
+/// the file that names it; beside `scenePath` where it is nowhere.
+std::string findBeside(std::string_view name, const std::string& scenePath, const std::string& ownPath);
+
 /// True when the resolved path names an existing file that is not a folder.
 bool fileExists(const std::string& resolvedPath);
 

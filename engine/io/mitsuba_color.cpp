@@ -43,17 +43,12 @@ Vec3 hexColor(MitsubaContext* context, const MitsubaElement& at, std::string_vie
 Vec3 listedSpectrum(MitsubaContext* context, const MitsubaElement& at, std::string list, SpectrumRole role) {
     std::ranges::replace(list, ':', ' ');
     const std::vector<double> numbers = mitsubaNumbers(context, at, list, {});
-    std::vector<SpectrumSample> samples;
-    for (size_t i = 0; i + 1 < numbers.size(); i += 2) {
-        samples.push_back({numbers[i], numbers[i + 1]});
-    }
-    const auto isNotRising = [](const auto& a, const auto& b) { return !(a.nm < b.nm); };
-    if (numbers.size() % 2 != 0 || samples.empty() ||
-        std::ranges::adjacent_find(samples, isNotRising) != samples.end()) {
-        context->fail(at, "expected pairs of a wavelength and a value, wavelengths rising");
+    const auto samples = spectrumOfPairs(numbers);
+    if (!samples) {
+        context->fail(at, std::string(kExpectedPairs));
         return {};
     }
-    return sane(context, at, rgbOfSpectrum(samples, role), role);
+    return sane(context, at, rgbOfSpectrum(*samples, role), role);
 }
 
 Vec3 fileSpectrum(MitsubaContext* context, const MitsubaElement& at, SpectrumRole role) {

@@ -11,7 +11,6 @@ namespace glint {
 namespace {
 
 constexpr int kMaxNesting = 64;
-constexpr size_t kMaxSentences = 40;
 constexpr double kLargest = 1e18;
 
 bool isObject(std::string_view tag) {
@@ -32,45 +31,6 @@ std::string_view MitsubaElement::attribute(std::string_view name) const {
         if (attribute.name == name) { return attribute.value; }
     }
     return {};
-}
-
-void MitsubaContext::fail(const MitsubaElement& at, std::string message) {
-    if (!error) { error = xml.error(at, std::move(message)); }
-}
-
-void MitsubaContext::remark(const MitsubaElement& at, std::string_view kind, std::string_view detail) {
-    remarks.add(
-        kind, [&] { return xml.placeOf(at); }, detail);
-}
-
-void MitsubaContext::note(const MitsubaElement& at, std::string_view kind, std::string_view detail) {
-    notes.add(
-        kind, [&] { return xml.placeOf(at); }, detail);
-}
-
-void MitsubaContext::refuse(const MitsubaElement& at, std::string message) {
-    if (options.allowMissing) {
-        remark(at, sentence(std::move(message)));
-    } else {
-        fail(at, message + "; --allow-missing goes on without it");
-    }
-}
-
-std::string_view MitsubaContext::sentence(std::string text) {
-    if (const auto found = sentences.find(text); found != sentences.end()) { return *found; }
-    if (sentences.size() >= kMaxSentences) { return "more is left out that Glint does not have"; }
-    return *sentences.insert(std::move(text)).first;
-}
-
-std::string MitsubaContext::fileOf(const MitsubaElement& at, std::string_view name) const {
-    namespace fs = std::filesystem;
-    const std::string found = xml.findFile(at, name);
-    if (fs::path(name).is_absolute()) { return found; }
-    std::error_code code;
-    const fs::path absolute = fs::absolute(found, code).lexically_normal();
-    const fs::path folder = fs::absolute(scene.path, code).lexically_normal().parent_path();
-    const fs::path relative = absolute.lexically_relative(folder);
-    return relative.empty() ? found : relative.string();
 }
 
 std::vector<std::string_view> mitsubaWords(std::string_view list) {

@@ -11,34 +11,29 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/io/import_context.h"
 #include "engine/io/mitsuba_xml.h"
-#include "engine/io/remarks.h"
-#include "engine/scene/scene.h"
 
 namespace glint {
 
 /// What all parts of the importer share.
-struct MitsubaContext {
+class MitsubaContext : public ImportContext<MitsubaElement> {
+  public:
+    MitsubaContext(const MitsubaXml& scenesXml, const LoadOptions& loadOptions)
+        : ImportContext(loadOptions), xml(scenesXml) {}
+
+    std::string findFile(const MitsubaElement& at, std::string_view name) const override {
+        return xml.findFile(at, name);
+    }
+
     const MitsubaXml& xml;
-    const LoadOptions& options;
-    SceneDescription scene = {};
-    Affine world = {};  ///< where the whole scene is placed: it is mirrored where its camera mirrors
-    Remarks remarks = {};
-    Remarks notes = {};
-    std::optional<Error> error = {};
-    std::set<std::string, std::less<>> sentences = {};
     int nesting = 0;  ///< objects within each other, references followed
 
-    bool failed() const { return error.has_value(); }
-    void fail(const MitsubaElement& at, std::string message);
-    /// `kind` is a sentence that lives as long as the program; one that is made here is kept by sentence().
-    void remark(const MitsubaElement& at, std::string_view kind, std::string_view detail = {});
-    void note(const MitsubaElement& at, std::string_view kind, std::string_view detail = {});
-    /// An error, or with LoadOptions::allowMissing a remark.
-    void refuse(const MitsubaElement& at, std::string message);
-    std::string_view sentence(std::string text);
-    /// A file that the element names by its value, as seen from the scene's folder.
-    std::string fileOf(const MitsubaElement& at, std::string_view name) const;
+  private:
+    Error errorAt(const MitsubaElement& at, std::string message) const override {
+        return xml.error(at, std::move(message));
+    }
+    std::string placeOf(const MitsubaElement& at) const override { return xml.placeOf(at); }
 };
 
 /// The words of a list that blanks and commas part.

@@ -64,10 +64,6 @@ void MitsubaWriter::matrix(std::string_view name, const Affine& value) {
     close();
 }
 
-void warnOnce(std::string_view warning, std::vector<std::string>* warnings) {
-    if (std::ranges::find(*warnings, warning) == warnings->end()) { warnings->emplace_back(warning); }
-}
-
 std::string MitsubaUse::id(const SceneDescription& scene) const {
     std::string id = fmt::format("m{}{}{}{}_", material, origin == UvOrigin::Top ? "t" : "",
                                  isOneSided ? "f" : "", hasColors ? "c" : "");

@@ -56,9 +56,4 @@ void writeMitsubaMaterial(const SceneDescription& scene, const MitsubaUse& use, 
 void writeMitsubaTexture(const Texture& texture, UvOrigin origin, bool isNumber, std::string_view name,
                          MitsubaWriter* out, std::vector<std::string>* warnings);
 
-/// A revolved object's surface as triangles, in object space, with normals and texture coordinates.
-MeshData turnedMesh(const Object& object);
-/// Appends a warning unless it is there.
-void warnOnce(std::string_view warning, std::vector<std::string>* warnings);
-
 }  // namespace glint

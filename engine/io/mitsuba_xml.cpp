@@ -290,13 +290,11 @@ std::string MitsubaXml::placeOf(const MitsubaElement& at) const {
 std::string MitsubaXml::findFile(const MitsubaElement& at, std::string_view name) const {
     std::string file(name);
     std::ranges::replace(file, '\\', '/');
-    const std::string beside = resolvePath(file, files_[0]->path);
     for (const std::string& folder : folders_) {
         std::string path = (std::filesystem::path(folder) / file).string();
         if (fileExists(path)) { return path; }
     }
-    const std::string besideOwn = resolvePath(file, files_[at.file]->path);
-    return !fileExists(beside) && fileExists(besideOwn) ? besideOwn : beside;
+    return findBeside(name, files_[0]->path, files_[at.file]->path);
 }
 
 }  // namespace glint

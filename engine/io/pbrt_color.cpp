@@ -112,17 +112,12 @@ Vec3 namedIlluminant(const PbrtParams& params, std::string_view name) {
 Vec3 ofSamples(const PbrtParams& params, const PbrtPlace& at, const std::vector<double>& numbers,
                SpectrumRole role) {
     if (numbers.size() == 1) { return Vec3(static_cast<float>(numbers[0])); }
-    std::vector<SpectrumSample> samples;
-    for (size_t i = 0; i + 1 < numbers.size(); i += 2) {
-        samples.push_back({numbers[i], numbers[i + 1]});
-    }
-    const auto isNotRising = [](const auto& a, const auto& b) { return !(a.nm < b.nm); };
-    if (numbers.size() % 2 != 0 || samples.empty() ||
-        std::ranges::adjacent_find(samples, isNotRising) != samples.end()) {
-        params.context().fail(at, "expected pairs of a wavelength and a value, wavelengths rising");
+    const auto samples = spectrumOfPairs(numbers);
+    if (!samples) {
+        params.context().fail(at, std::string(kExpectedPairs));
         return {};
     }
-    return rgbOfSpectrum(samples, role == SpectrumRole::Emission ? role : SpectrumRole::Reflectance);
+    return rgbOfSpectrum(*samples, role == SpectrumRole::Emission ? role : SpectrumRole::Reflectance);
 }
 
 Vec3 ofFile(const PbrtParams& params, const PbrtParam& param, SpectrumRole role) {

@@ -1,20 +1,15 @@
 // What all parts of the pbrt importer share: the scene, its files, what is said about it. Internal to the
 // pbrt importer.
-//
-// The first error is kept here, and what is asked for afterwards has usable values.
 #pragma once
 
 #include <deque>
-#include <optional>
-#include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "engine/base/result.h"
-#include "engine/io/load_options.h"
+#include "engine/io/file_path.h"
+#include "engine/io/import_context.h"
 #include "engine/io/pbrt_text.h"
-#include "engine/io/remarks.h"
-#include "engine/scene/scene.h"
 
 namespace glint {
 
@@ -29,32 +24,21 @@ struct PbrtFile {
     PbrtText text;
 };
 
-struct PbrtContext {
-    const LoadOptions& options;
-    SceneDescription scene = {};
-    Affine world = {};  ///< where the whole scene is placed: mirrored where its camera is left-handed
-    std::deque<PbrtFile> files = {};
-    Remarks remarks = {};
-    Remarks notes = {};
-    std::optional<Error> error = {};
-    std::set<std::string, std::less<>> sentences = {};
-    std::vector<std::string> meshWarnings = {};
+class PbrtContext : public ImportContext<PbrtPlace> {
+  public:
+    using ImportContext::ImportContext;
 
-    bool failed() const { return error.has_value(); }
-    void fail(const PbrtPlace& at, std::string message);
-    /// `kind` is a sentence that lives as long as the program; one that is made here is kept by sentence().
-    void remark(const PbrtPlace& at, std::string_view kind, std::string_view detail = {});
-    void note(const PbrtPlace& at, std::string_view kind, std::string_view detail = {});
-    /// An error, or with LoadOptions::allowMissing a remark.
-    void refuse(const PbrtPlace& at, std::string message);
-    std::string_view sentence(std::string text);
-    /// A file that the scene names: beside the scene's own file, or else beside the one that names it.
-    std::string findFile(const PbrtPlace& at, std::string_view name) const;
-    /// The same as seen from the scene's folder.
-    std::string fileOf(const PbrtPlace& at, std::string_view name) const;
+    /// Beside the scene's own file, or else beside the one that names it.
+    std::string findFile(const PbrtPlace& at, std::string_view name) const override {
+        return findBeside(name, files[0].path, files[at.file].path);
+    }
+
+    std::deque<PbrtFile> files;
+    std::vector<std::string> meshWarnings;
 
   private:
-    std::string placeOf(const PbrtPlace& at) const;
+    Error errorAt(const PbrtPlace& at, std::string message) const override;
+    std::string placeOf(const PbrtPlace& at) const override;
 };
 
 }  // namespace glint

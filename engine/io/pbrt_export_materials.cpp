@@ -1,9 +1,9 @@
 // Materials as pbrt-v4 has them: what pbrt_materials.cpp reads as the same again.
 #include <fmt/format.h>
 
-#include "engine/io/mitsuba_writer.h"
 #include "engine/io/pbrt_color.h"
 #include "engine/io/pbrt_writer.h"
+#include "engine/io/scene_export.h"
 #include "engine/scene/glasses.h"
 #include "engine/scene/metals.h"
 

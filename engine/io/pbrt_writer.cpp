@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/io/mitsuba_writer.h"
+#include "engine/io/scene_export.h"
 
 namespace glint {
 

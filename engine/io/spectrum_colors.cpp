@@ -144,6 +144,17 @@ Vec3 integrated(const Spectrum& spectrum, SpectrumRole role) {
 
 }  // namespace
 
+std::optional<std::vector<SpectrumSample>> spectrumOfPairs(std::span<const double> numbers) {
+    std::vector<SpectrumSample> samples;
+    for (size_t i = 0; i + 1 < numbers.size(); i += 2) {
+        samples.push_back({numbers[i], numbers[i + 1]});
+    }
+    const auto isNotRising = [](const auto& a, const auto& b) { return !(a.nm < b.nm); };
+    const bool areRising = std::ranges::adjacent_find(samples, isNotRising) == samples.end();
+    if (numbers.size() % 2 != 0 || samples.empty() || !areRising) { return std::nullopt; }
+    return samples;
+}
+
 Vec3 rgbOfSpectrum(std::span<const SpectrumSample> samples, SpectrumRole role) {
     size_t next = 0;
     return integrated(

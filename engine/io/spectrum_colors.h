@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string_view>
+#include <vector>
 
 #include "engine/math/vec.h"
 
@@ -12,6 +15,10 @@ struct SpectrumSample {
     double nm = 0.0;
     double value = 0.0;
 };
+
+/// Samples of a list of pairs; nothing unless there are some, and their wavelengths rise.
+std::optional<std::vector<SpectrumSample>> spectrumOfPairs(std::span<const double> numbers);
+constexpr std::string_view kExpectedPairs = "expected pairs of a wavelength and a value, wavelengths rising";
 
 enum class SpectrumRole : uint8_t {
     Reflectance,  ///< seen under D65: a constant spectrum keeps its value

@@ -8,8 +8,6 @@
 namespace glint {
 namespace {
 
-constexpr int kHighestDegree = 15;
-
 int degreeOf(const Object& object) {
     if (object.curve == CurveKind::Bspline) { return 3; }
     return object.curveDegree > 0 ? object.curveDegree : static_cast<int>(object.profile.size()) - 1;
@@ -28,11 +26,11 @@ std::string profileFault(const Object& object) {
         return count >= 4 ? "" : fmt::format("the profile has {} points; a B-spline needs at least 4", count);
     }
     if (count < 2) { return fmt::format("the profile has {} points; a curve needs at least 2", count); }
-    if (degree > kHighestDegree) {
+    if (degree > kHighestProfileDegree) {
         return fmt::format(
             "the profile's Bézier curve has {} points, so degree {}; expected at most {} points, or a "
             "degree of its pieces",
-            count, degree, kHighestDegree + 1);
+            count, degree, kHighestProfileDegree + 1);
     }
     if ((count - 1) % degree != 0) {
         return fmt::format("the profile has {} points; pieces of degree {} need k * {} + 1 of them", count,
@@ -46,6 +44,21 @@ ProfileCurves profileCurves(const Object& object) {
     const size_t points = object.profile.size();
     if (object.curve == CurveKind::Bspline) { return {points - 3, degree}; }
     return {(points - 1) / static_cast<size_t>(degree), degree};
+}
+
+std::vector<glm::dvec2> bezierPoints(const Object& object, size_t curve) {
+    using Point = glm::dvec2;
+    if (object.curve == CurveKind::Bspline) {
+        const Vec2* p = &object.profile[curve];  // of the span of a uniform cubic B-spline
+        const auto knot = [&](int i) {
+            return (Point(p[i]) + 4.0 * Point(p[i + 1]) + Point(p[i + 2])) / 6.0;
+        };
+        return {knot(0), (2.0 * Point(p[1]) + Point(p[2])) / 3.0, (Point(p[1]) + 2.0 * Point(p[2])) / 3.0,
+                knot(1)};
+    }
+    const auto degree = static_cast<std::ptrdiff_t>(profileCurves(object).degree);
+    const auto first = object.profile.begin() + static_cast<std::ptrdiff_t>(curve) * degree;
+    return {first, first + degree + 1};
 }
 
 Bounds profileBounds(const std::vector<Vec2>& points) {

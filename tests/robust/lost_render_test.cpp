@@ -156,12 +156,20 @@ TEST_F(LostRender, AnInterruptedComparisonIsSaved) {
 }
 
 TEST_F(LostRender, AnOutputThatCannotBeWrittenDoesNotCostTheOthers) {
-    const std::string json = folder.path("r.json");
-    const ProgramRun run =
-        runProgram({"render", kCornell, "-o", "/dev/full", "--size", "8x8", "--passes", "1", "--json", json});
-    EXPECT_NE(run.exitCode, 0);
-    const bool isRefusedFirst = run.exitCode == 1;
-    EXPECT_TRUE(isRefusedFirst || std::filesystem::exists(json)) << run.err;
+    const std::string full = folder.path("full.png"), page = folder.path("full.html");
+    std::filesystem::create_symlink("/dev/full", full);
+    std::filesystem::create_symlink("/dev/full", page);
+    const std::vector<std::string> runs[] = {
+        {"render", kCornell, "-o", full, "--size", "8x8", "--passes", "1"},
+        {"stress", "--quick", "--filter", "recurrence", "--html", page}};
+    for (std::vector<std::string> words : runs) {
+        const std::string json = folder.path("of-" + words[0] + ".json");
+        words.insert(words.end(), {"--json", json});
+        const ProgramRun run = runProgram(words);
+        EXPECT_EQ(run.exitCode, 2) << run.err;
+        EXPECT_TRUE(says(run.err, "No space left on device"));
+        EXPECT_THAT(TempFolder::read(json), testing::HasSubstr("\"report\"")) << words[0];
+    }
 }
 
 TEST_F(LostRender, HangingUpIsIgnoredWhereItWas) {

@@ -1,7 +1,7 @@
 // pbrt scenes that are broken or made to break: one error that names its place, bounded memory, and never a
 // crash.
-#include <random>
 
+#include "tests/support/damaged_text.h"
 #include "tests/support/pbrt_test.h"
 
 namespace glint::test {
@@ -154,37 +154,8 @@ NamedMaterial "red" Shape "curve" "point3 P" [0 0 0 1 0 0 1 1 0 0 1 1] "float wi
 
 TEST_F(MalformedPbrt, DamagedFilesNeverCrash) {
     ASSERT_TRUE(loadScene(folder.write("good.pbrt", kGood)));
-    std::mt19937 random(5);
-    constexpr char kOften[] = "0123456789-[]\"# .\n\\e";
-    int opened = 0;
-    for (int round = 0; round < 1500; ++round) {
-        std::string text = kGood;
-        for (size_t changes = 1 + random() % 4; changes > 0; --changes) {
-            const size_t at = random() % text.size();
-            switch (random() % 4) {
-                case 0:
-                    text.erase(at, random() % 30);
-                    break;
-                case 1:
-                    text.insert(at, kGood.substr(random() % kGood.size(), random() % 60));
-                    break;
-                default:
-                    text[at] = random() % 4 == 0 ? static_cast<char>(random())
-                                                 : kOften[random() % (sizeof kOften - 1)];
-            }
-            if (text.empty()) { break; }
-        }
-        const auto scene = loadScene(folder.write("damaged.pbrt", text), {.allowMissing = round % 2 == 0});
-        if (scene) {
-            ++opened;
-            const Status valid = validateScene(*scene, EditKind::Everything);
-            EXPECT_TRUE(valid) << valid.error().format() << text;
-        } else {
-            EXPECT_FALSE(scene.error().message.empty());
-            EXPECT_FALSE(scene.error().place.file.empty());
-        }
-    }
-    EXPECT_GT(opened, 100);
+    constexpr std::string_view kOften = "0123456789-[]\"# .\n\\e";
+    EXPECT_GT(openDamagedScenes(folder, "damaged.pbrt", kGood, kOften), 100);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // approximated.
 #include "engine/io/exporter.h"
 #include "tests/support/film_bits.h"
+#include "tests/support/mesh_area.h"
 #include "tests/support/mitsuba_test.h"
 
 namespace glint::test {
@@ -156,6 +157,19 @@ TEST(Exporters, AreToldByTheirEndings) {
     EXPECT_EQ(exporterOf("a.obj"), nullptr);
     EXPECT_EQ(exporterOf("a.pbrt")->name, "pbrt-v4");
     EXPECT_EQ(listExporters(), "Glint JSON (.json), Mitsuba 3 (.xml) or pbrt-v4 (.pbrt)");
+}
+
+TEST_F(MitsubaExport, CapsOfTurnedProfilesAreKept) {
+    SceneDescription scene = load("<shape type='sphere'/>");
+    Object& object = scene.objects[0];
+    object.shape = ShapeKind::Revolved;
+    object.capped = true;
+    for (const float top : {1.0f, -1.0f}) {
+        object.profile = {{1.0f, -top}, {1.0f, top}};
+        const SceneDescription opened = exported(scene);
+        ASSERT_EQ(opened.meshes.size(), 1u);
+        EXPECT_NEAR(areaOf(*opened.meshes[0].data), 6.0f * kPi, 0.01f) << "sides of 4 pi, two discs of pi";
+    }
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "engine/io/image_io.h"
 #include "engine/math/color.h"
+#include "tests/support/mesh_area.h"
 #include "tests/support/temp_folder.h"
 
 namespace glint {
@@ -24,16 +25,6 @@ MeshFile load(const TempFolder& folder, const std::string& text) {
     Result<MeshFile> scene = loadObj(folder.write("in.obj", text));
     EXPECT_TRUE(scene) << scene.error().format();
     return scene ? std::move(scene).value() : MeshFile{};
-}
-
-float area(const MeshData& mesh) {
-    float sum = 0.0f;
-    for (size_t i = 0; i < mesh.indices.size(); i += 3) {
-        const Vec3& a = mesh.positions[mesh.indices[i]];
-        sum += 0.5f * glm::length(glm::cross(mesh.positions[mesh.indices[i + 1]] - a,
-                                             mesh.positions[mesh.indices[i + 2]] - a));
-    }
-    return sum;
 }
 
 constexpr const char* kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
@@ -101,12 +92,12 @@ TEST(ObjLoader, PolygonsKeepTheirArea) {
     const TempFolder folder;
     const MeshFile quad = load(folder, std::string(kSquare) + "f 1 2 3 4\n");
     EXPECT_EQ(quad.parts[0].mesh->triangleCount(), 2u);
-    EXPECT_FLOAT_EQ(area(*quad.parts[0].mesh), 1.0f);
+    EXPECT_FLOAT_EQ(test::areaOf(*quad.parts[0].mesh), 1.0f);
     const MeshFile concave =
         load(folder,
              "v 0 0 0\nv 0 0 6\nv 0 4 6\nv 0 4 4\nv 0 2 4\nv 0 2 2\nv 0 4 2\nv 0 4 0\nf 1 2 3 4 5 6 7 8\n");
     EXPECT_EQ(concave.parts[0].mesh->triangleCount(), 6u);
-    EXPECT_FLOAT_EQ(area(*concave.parts[0].mesh), 20.0f);
+    EXPECT_FLOAT_EQ(test::areaOf(*concave.parts[0].mesh), 20.0f);
 }
 
 TEST(ObjLoader, PartsAreRunsOfOneMaterial) {
@@ -130,7 +121,7 @@ TEST(ObjLoader, PartsAreRunsOfOneMaterial) {
 
     const auto joined = joinParts(scene.parts);
     EXPECT_EQ(joined->triangleCount(), 4u);
-    EXPECT_FLOAT_EQ(area(*joined), 2.0f);
+    EXPECT_FLOAT_EQ(test::areaOf(*joined), 2.0f);
 }
 
 TEST(ObjLoader, JoinedPartsFillWhatSomeLack) {

@@ -2,6 +2,7 @@
 // approximated.
 #include "engine/io/exporter.h"
 #include "tests/support/film_bits.h"
+#include "tests/support/mesh_area.h"
 #include "tests/support/pbrt_test.h"
 #include "tests/support/render_scene.h"
 
@@ -119,6 +120,19 @@ TEST_F(PbrtExport, WhatPbrtDoesNotHaveIsSaid) {
     EXPECT_THAT(warnings, Contains("approximated: mixtures are their heaviest part"));
     EXPECT_THAT(warnings, Contains("approximated: mirrors are metals of their colour"));
     EXPECT_EQ(opened.objects.size(), scene.objects.size());
+}
+
+TEST_F(PbrtExport, CapsOfTurnedProfilesAreKept) {
+    SceneDescription scene = load("Shape \"sphere\"");
+    Object& object = scene.objects[0];
+    object.shape = ShapeKind::Revolved;
+    object.capped = true;
+    for (const float top : {1.0f, -1.0f}) {
+        object.profile = {{1.0f, -top}, {1.0f, top}};
+        const SceneDescription opened = exported(scene);
+        ASSERT_EQ(opened.meshes.size(), 1u);
+        EXPECT_NEAR(areaOf(*opened.meshes[0].data), 6.0f * kPi, 0.01f) << "sides of 4 pi, two discs of pi";
+    }
 }
 
 }  // namespace

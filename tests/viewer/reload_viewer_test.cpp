@@ -57,6 +57,21 @@ TEST(FileWatch, KnowsTheFilesOfAScene) {
     EXPECT_EQ(files[1], fs::absolute("wood.png").string());
 }
 
+TEST(FileWatch, ManyFilesAreLookedAtInTurn) {
+    std::vector<std::string> paths(2000, "missing.txt");
+    write("last.txt", "one");
+    paths.push_back("last.txt");
+    FileWatch watch;
+    watch.watch(paths);
+    rewrite("last.txt", "another");
+    int looks = 0;
+    while (!watch.hasChanged(++looks)) {
+        ASSERT_LT(looks, 100);
+    }
+    EXPECT_GT(looks, 2) << "not all at once";
+    EXPECT_FALSE(watch.hasChanged(++looks));
+}
+
 /// Frames of a window that nobody touches.
 template <class Condition>
 void runUntil(Workspace* workspace, const Condition& condition) {

@@ -66,6 +66,11 @@ Status RunFiles::checkIsFree(const std::string& path) const {
     return free ? checkIsNoInput(path) : free;
 }
 
+Status RunFiles::checkCanWrite(const std::string& path) const {
+    const Status free = checkIsFree(path);
+    return free ? checkWritable(path) : free;
+}
+
 Status RunFiles::checkIsNoOutput(const std::string& path) const {
     const bool isTaken =
         std::ranges::any_of(outputs_, [&](const std::string& other) { return isSameFile(path, other); });

@@ -27,8 +27,11 @@ class RunFiles {
     /// Error: `path` cannot be written (checkWritable), is a file that is read, or another output. Empty and
     /// "-" are none; devices and pipes can be many outputs.
     Status writes(const std::string& path);
-    /// Error: `path` is a file that is read or an output. For files that are written on the way.
+    /// Error: `path` is a file that is read or an output. For files that are written on the way, of which
+    /// there may be many.
     Status checkIsFree(const std::string& path) const;
+    /// The same, or it cannot be written.
+    Status checkCanWrite(const std::string& path) const;
     /// The first error of all outputs: again, after further inputs came to light.
     Status check() const;
     /// Error: `path` is a file that is read.

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "engine/base/log.h"
-#include "engine/io/atomic_file.h"
 #include "engine/io/image_formats.h"
 #include "engine/render/checkpoint.h"
 #include "viewer/base/run_files.h"
@@ -61,13 +60,12 @@ Status checkOutputs(const RenderCommandOptions& o, RunFiles* files) {
     files->reads("the scene", o.scene);
     // A checkpoint that is gone on from may become the longer one.
     if (!isSameFile(o.resume, o.checkpoint)) { files->reads("the checkpoint to go on from", o.resume); }
-    if (rendersFrames(o)) { return checkFrames(o, files); }
+    if (rendersFrames(o)) { return checkFrames(o, *files); }
     for (const std::string& output : {o.output, o.checkpoint, o.json}) {
         if (Status writable = files->writes(output); !writable) { return writable; }
     }
     if (!numbered.empty()) {
-        if (Status free = files->checkIsFree(numbered); !free) { return free; }
-        if (Status writable = checkWritable(numbered); !writable) { return writable; }
+        if (Status writable = files->checkCanWrite(numbered); !writable) { return writable; }
     }
     return checkCheckpoint(o);
 }

@@ -30,7 +30,7 @@ std::vector<Camera> bookmarkedViews(const std::string& scene) {
 
 bool rendersFrames(const RenderCommandOptions& options) { return frameCount(options) > 0; }
 
-Status checkFrames(const RenderCommandOptions& o, RunFiles* files) {
+Status checkFrames(const RenderCommandOptions& o, const RunFiles& files) {
     if (!o.checkpoint.empty() || !o.resume.empty() || !o.checkpointEvery.empty() || !o.json.empty()) {
         return Error{"--turntable and --flight write pictures alone; expected no checkpoint and no --json",
                      {}};
@@ -44,7 +44,9 @@ Status checkFrames(const RenderCommandOptions& o, RunFiles* files) {
             {}};
     }
     for (uint32_t frame = 1; frame <= frameCount(o); ++frame) {
-        if (Status writable = files->writes(numberedPath(o.output, frame)); !writable) { return writable; }
+        if (Status writable = files.checkCanWrite(numberedPath(o.output, frame)); !writable) {
+            return writable;
+        }
     }
     return {};
 }
@@ -63,6 +65,9 @@ int runFrames(const SceneDescription& scene, const RenderCommandOptions& options
                             : cameraBetween(views, done * static_cast<float>(views.size() - 1) /
                                                        static_cast<float>(std::max(1u, frames - 1)));
         ofFrame.output = numberedPath(options.output, frame + 1);
+        if (const Status free = files.checkIsFree(ofFrame.output); !free) {  // the scene is known now
+            return reportError(free.error(), kExitBadInput);
+        }
         const RenderOutcome outcome = runRender(std::move(moved), ofFrame, files, loadSeconds);
         if (outcome.exitCode != kExitDone) { return outcome.exitCode; }
         ofFrame.exposure = outcome.exposureStops;

@@ -11,7 +11,7 @@ namespace glint {
 bool rendersFrames(const RenderCommandOptions& options);
 
 /// Adds every frame's picture to the files that are written. Error: also options that frames do not go with.
-Status checkFrames(const RenderCommandOptions& options, RunFiles* files);
+Status checkFrames(const RenderCommandOptions& options, const RunFiles& files);
 
 /// Renders all of them, with the first one's exposure where none is stated, and stops when interrupted.
 /// Returns an exit code.

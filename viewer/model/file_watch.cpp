@@ -12,6 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr double kSecondsBetweenLooks = 0.5;
+constexpr size_t kMostLooks = 256;
 
 }  // namespace
 
@@ -35,27 +36,27 @@ FileWatch::Seen FileWatch::look(const std::string& path) {
     return seen.isThere ? seen : Seen{};
 }
 
-std::vector<FileWatch::Seen> FileWatch::lookAtAll() const {
-    std::vector<Seen> all;
-    std::ranges::transform(paths_, std::back_inserter(all), look);
-    return all;
-}
-
 void FileWatch::watch(const std::vector<std::string>& paths) {
     paths_ = paths;
-    known_ = before_ = lookAtAll();
+    next_ = 0;
+    known_.clear();
+    std::ranges::transform(paths_, std::back_inserter(known_), look);
+    before_ = known_;
 }
 
 bool FileWatch::hasChanged(double now) {
     if (now - lastLook_ < kSecondsBetweenLooks || paths_.empty()) { return false; }
     lastLook_ = now;
-    std::vector<Seen> seen = lookAtAll();
-    const bool isStill = std::exchange(before_, seen) == seen;
-    const bool isComplete = std::ranges::all_of(seen, [&](const Seen& each) {
-        return each.isThere || !known_[static_cast<size_t>(&each - seen.data())].isThere;
-    });
-    if (!isStill || !isComplete || seen == known_) { return false; }
-    known_ = std::move(seen);
+    bool isStill = true, isComplete = true, isOther = false;
+    for (size_t count = std::min(paths_.size(), kMostLooks); count > 0; --count) {
+        const size_t i = std::exchange(next_, (next_ + 1) % paths_.size());
+        const Seen seen = look(paths_[i]);
+        isStill = std::exchange(before_[i], seen) == seen && isStill;
+        isComplete = (seen.isThere || !known_[i].isThere) && isComplete;
+        isOther = isOther || !(seen == known_[i]);
+    }
+    if (!isStill || !isComplete || !isOther) { return false; }
+    known_ = before_;
     return true;
 }
 

@@ -18,7 +18,7 @@ class FileWatch {
     void watch(const std::vector<std::string>& paths);
     /// True once after one of them has changed and then stayed as it is for a look: a writer may be in the
     /// middle. A file that is gone is waited for. `now`: seconds of any clock; looks no more than twice a
-    /// second.
+    /// second, at so many files that a frame does not notice: of thousands, in turn.
     bool hasChanged(double now);
 
   private:
@@ -29,11 +29,11 @@ class FileWatch {
         bool operator==(const Seen&) const = default;
     };
     static Seen look(const std::string& path);
-    std::vector<Seen> lookAtAll() const;
 
     std::vector<std::string> paths_;
     std::vector<Seen> known_;
     std::vector<Seen> before_;  ///< at the last look
+    size_t next_ = 0;           ///< the file to look at first
     double lastLook_ = 0.0;
 };
 

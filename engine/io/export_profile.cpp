@@ -2,7 +2,8 @@
 #include <array>
 #include <cmath>
 
-#include "engine/io/mitsuba_writer.h"
+#include "engine/io/scene_export.h"
+#include "engine/math/bernstein.h"
 #include "engine/scene/profile.h"
 
 namespace glint {
@@ -10,42 +11,40 @@ namespace {
 
 constexpr int kStepsAround = 128, kStepsAlong = 32;
 
-/// One curve of a profile at s in [0, 1]: its point, and its derivative.
+/// A place on a profile, the derivative there, and the texture's v.
 struct CurvePoint {
     Vec2 at, along;
+    float v;
 };
 
-CurvePoint bezierAt(const Vec2* points, int degree, float s) {
-    std::vector<Vec2> p(points, points + degree + 1);
-    for (size_t left = p.size() - 1; left > 1; --left) {
-        for (size_t i = 0; i < left; ++i) {
-            p[i] = glm::mix(p[i], p[i + 1], s);
-        }
-    }
-    return {glm::mix(p[0], p[1], s), static_cast<float>(degree) * (p[1] - p[0])};
-}
-
-CurvePoint bsplineAt(const Vec2* p, float s) {
-    const float t = 1.0f - s;
-    const Vec2 at = (t * t * t * p[0] + (3.0f * s * s * s - 6.0f * s * s + 4.0f) * p[1] +
-                     (-3.0f * s * s * s + 3.0f * s * s + 3.0f * s + 1.0f) * p[2] + s * s * s * p[3]) /
-                    6.0f;
-    const Vec2 along = 0.5f * (-t * t * p[0] + (3.0f * s * s - 4.0f * s) * p[1] +
-                               (-3.0f * s * s + 2.0f * s + 1.0f) * p[2] + s * s * p[3]);
-    return {at, along};
-}
-
+/// kStepsAlong + 1 places for each curve; caps are straight ones, whose v goes on beyond the profile's.
 std::vector<CurvePoint> pointsOf(const Object& object) {
     const ProfileCurves curves = profileCurves(object);
     std::vector<CurvePoint> points;
-    for (size_t curve = 0; curve < curves.count; ++curve) {
-        const bool isSpline = object.curve == CurveKind::Bspline;
-        const Vec2* first = &object.profile[isSpline ? curve : curve * static_cast<size_t>(curves.degree)];
-        for (int i = 0; i <= kStepsAlong; ++i) {
-            const float s = static_cast<float>(i) / kStepsAlong;
-            points.push_back(isSpline ? bsplineAt(first, s) : bezierAt(first, curves.degree, s));
+    const auto addCurve = [&](const std::vector<glm::dvec2>& control, float vBegin) {
+        std::array<double, kHighestProfileDegree + 1> x{}, y{};
+        for (size_t i = 0; i < control.size(); ++i) {
+            x[i] = control[i].x;
+            y[i] = control[i].y;
         }
+        const int degree = static_cast<int>(control.size()) - 1;
+        for (int i = 0; i <= kStepsAlong; ++i) {
+            const double s = static_cast<double>(i) / kStepsAlong;
+            const PolynomialValue px = evaluateBernstein<kHighestProfileDegree>(x.data(), degree, s);
+            const PolynomialValue py = evaluateBernstein<kHighestProfileDegree>(y.data(), degree, s);
+            points.push_back({Vec2(glm::dvec2(px.value, py.value)),
+                              Vec2(glm::dvec2(px.derivative, py.derivative)),
+                              vBegin - static_cast<float>(s) / static_cast<float>(curves.count)});
+        }
+    };
+    const glm::dvec2 first = bezierPoints(object, 0).front();
+    const glm::dvec2 last = bezierPoints(object, curves.count - 1).back();
+    const float step = 1.0f / static_cast<float>(curves.count);
+    if (object.capped && first.x != 0.0) { addCurve({{0.0, first.y}, first}, 1.0f + step); }
+    for (size_t curve = 0; curve < curves.count; ++curve) {
+        addCurve(bezierPoints(object, curve), 1.0f - static_cast<float>(curve) * step);
     }
+    if (object.capped && last.x != 0.0) { addCurve({last, {0.0, last.y}}, 0.0f); }
     return points;
 }
 
@@ -62,13 +61,13 @@ MeshData turnedMesh(const Object& object) {
     MeshData mesh;
     const auto rows = static_cast<uint32_t>(points.size());
     for (uint32_t row = 0; row < rows; ++row) {
-        const auto& [at, along] = points[row];
+        const auto& [at, along, v] = points[row];
         for (int step = 0; step <= kStepsAround; ++step) {
             const float u = static_cast<float>(step) / kStepsAround, a = kTwoPi * u;
             mesh.positions.emplace_back(at.x * std::cos(a), at.y, -at.x * std::sin(a));
             const Vec3 normal = front * Vec3(along.y * std::cos(a), -along.x, -along.y * std::sin(a));
             mesh.normals.push_back(isZero(normal) ? Vec3(0, 1, 0) : glm::normalize(normal));
-            mesh.uvs.emplace_back(u, 1.0f - static_cast<float>(row) / static_cast<float>(rows - 1));
+            mesh.uvs.emplace_back(u, v);
         }
     }
     constexpr uint32_t kColumns = kStepsAround + 1;

@@ -1,0 +1,67 @@
+#include "engine/io/scene_export.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "engine/io/baked_image.h"
+#include "engine/io/embedded_files.h"
+#include "engine/io/file_path.h"
+#include "engine/io/ply_writer.h"
+
+namespace glint {
+
+void warnOnce(std::string_view warning, std::vector<std::string>* warnings) {
+    if (std::ranges::find(*warnings, warning) == warnings->end()) { warnings->emplace_back(warning); }
+}
+
+bool isCylinder(const Object& object, bool runsUpwards) {
+    const std::vector<Vec2>& p = object.profile;
+    return p.size() == 2 && !object.capped && p[0].x == p[1].x &&
+           (runsUpwards ? p[0].y < p[1].y : p[0].y > p[1].y);
+}
+
+void SceneExport::placeTextures() {
+    status_ = writeEmbeddedFiles(&scene_, path_);
+    for (Texture& texture : scene_.textures) {
+        if (auto* file = std::get_if<FileSource>(&texture.image.source)) {
+            file->path = rebasePath(file->path, scene_.path, path_);
+        }
+    }
+}
+
+std::string SceneExport::save(std::string_view ending, std::shared_ptr<const std::string> bytes) {
+    std::string wanted = std::filesystem::path(path_).stem().string() + std::string(ending);
+    if (!status_) { return wanted; }
+    const Result<std::string> name = writeBeside({wanted, std::move(bytes)}, path_);
+    if (!name) { status_ = name.error(); }
+    return name ? *name : wanted;
+}
+
+std::string SceneExport::savePly(const MeshData& mesh) {
+    return save(fmt::format("-{}.ply", plyCount_++), std::make_shared<const std::string>(encodePly(mesh)));
+}
+
+std::string SceneExport::saveEnvironment(ImageF map, const Vec3& factor) {
+    for (size_t i = 0; i < map.rgb.size(); ++i) {
+        map.rgb[i] *= factor[static_cast<int>(i % 3)];
+    }
+    return save("-environment.exr", std::get<EmbeddedFile>(bakedImage(map, path_, 0)).bytes);
+}
+
+const ImageF* SceneExport::environmentImage() {
+    const SceneImage& image = scene_.environmentImages[static_cast<size_t>(scene_.environment.image)];
+    if (!image.floats && status_) { status_ = Error{"the environment has not been read", {.file = path_}}; }
+    return image.floats.get();
+}
+
+const MeshData* SceneExport::meshOf(const Object& object) {
+    const Mesh& mesh = scene_.meshes[static_cast<size_t>(object.mesh)];
+    if (!mesh.data && status_) {
+        status_ = Error{fmt::format("the mesh \"{}\" has not been read", mesh.name), {.file = path_}};
+    }
+    return mesh.data.get();
+}
+
+}  // namespace glint

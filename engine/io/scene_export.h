@@ -1,0 +1,57 @@
+// What exporters of scenes share: the files that they write beside the scene, and what they say. For formats
+// that other programs read.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/scene/scene.h"
+
+namespace glint {
+
+/// Half the side of what stands for an endless plane.
+constexpr float kExportedPlaneSize = 1e4f;
+
+/// Appends a warning unless it is there.
+void warnOnce(std::string_view warning, std::vector<std::string>* warnings);
+
+/// A revolved object's surface as triangles, in object space, with normals and texture coordinates.
+MeshData turnedMesh(const Object& object);
+/// Whether it is an open cylinder, and its profile runs upwards or downwards: the front lies outside.
+bool isCylinder(const Object& object, bool runsUpwards);
+
+/// The first error stays; what comes after it has usable values.
+class SceneExport {
+  protected:
+    SceneExport(SceneDescription scene, const std::string& path, std::vector<std::string>* warnings)
+        : scene_(std::move(scene)), path_(path), warnings_(*warnings) {}
+
+    /// Writes images in memory beside the new file, and names all as seen from there.
+    void placeTextures();
+    /// Writes a file beside the new one, named after it; says under which name.
+    std::string save(std::string_view ending, std::shared_ptr<const std::string> bytes);
+    std::string savePly(const MeshData& mesh);
+    /// Writes the environment's map, times `factor`, and says under which name.
+    std::string saveEnvironment(ImageF map, const Vec3& factor);
+
+    /// Null: it was not read.
+    const ImageF* environmentImage();
+    const MeshData* meshOf(const Object& object);
+    const Material& materialOf(const Object& object) const {
+        return scene_.materials[static_cast<size_t>(object.material)];
+    }
+    void warn(std::string_view sentence) { warnOnce(sentence, &warnings_); }
+
+    SceneDescription scene_;
+    std::string path_;
+    std::vector<std::string>& warnings_;
+    Status status_;
+
+  private:
+    int plyCount_ = 0;
+};
+
+}  // namespace glint
