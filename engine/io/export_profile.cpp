@@ -75,9 +75,11 @@ MeshData turnedMesh(const Object& object) {
         if (row % (kStepsAlong + 1) == kStepsAlong) { continue; }  // where two curves meet
         for (uint32_t column = 0; column < kStepsAround; ++column) {
             const uint32_t a = row * kColumns + column, b = a + 1, c = a + kColumns, d = c + 1;
-            const std::array<uint32_t, 6> corners =
-                front > 0.0f ? std::array{a, b, c, b, d, c} : std::array{a, c, b, b, c, d};
-            mesh.indices.insert(mesh.indices.end(), corners.begin(), corners.end());
+            const auto add = [&](uint32_t p, uint32_t q, uint32_t r) {
+                mesh.indices.insert(mesh.indices.end(), {p, front > 0.0f ? q : r, front > 0.0f ? r : q});
+            };
+            if (points[row].at.x != 0.0f) { add(a, b, c); }  // on the axis a and b are one
+            if (points[row + 1].at.x != 0.0f) { add(b, d, c); }
         }
     }
     return mesh;

@@ -19,10 +19,10 @@ constexpr Exporter kExportJson{"Glint JSON", ".json", saveJson, isGlintJson};
 
 }  // namespace
 
-extern const Exporter kExportMitsuba, kExportPbrt;
+extern const Exporter kExportGltf, kExportMitsuba, kExportPbrt;
 
 std::span<const Exporter> exporters() {
-    static const Exporter kAll[] = {kExportJson, kExportMitsuba, kExportPbrt};
+    static const Exporter kAll[] = {kExportJson, kExportGltf, kExportMitsuba, kExportPbrt};
     return kAll;
 }
 

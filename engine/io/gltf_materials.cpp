@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -21,7 +22,9 @@ WrapMode wrapOf(int mode) {
                                                            : WrapMode::Repeat;
 }
 
-/// glTF counts v from the top row, as flipV does; its transform scales, turns and moves in this order.
+/// glTF counts v from the top row, as flipV does; its transform scales, turns and moves in this order. What
+/// it calls counter-clockwise is so for who sees v running down, as all programs have it; the specification's
+/// own matrix turns the other way.
 void place(const tinygltf::Value* transform, Texture* texture) {
     texture->flipV = true;
     if (transform == nullptr) { return; }
@@ -33,7 +36,8 @@ void place(const tinygltf::Value* transform, Texture* texture) {
     };
     texture->scale = pair("scale", Vec2(1.0f));
     texture->offset = pair("offset", Vec2(0.0f));
-    texture->rotationDeg = gltfNumber(numberOf(transform, "rotation", 0.0), -1e4, 1e4) * (180.0f / kPi);
+    const double turnDeg = numberOf(transform, "rotation", 0.0) * (180.0 / std::numbers::pi);
+    texture->rotationDeg = 0.0f - gltfNumber(turnDeg, -1e6, 1e6);
 }
 
 /// The percent-encoded characters of a URI.

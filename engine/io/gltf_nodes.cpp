@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -14,7 +15,6 @@ namespace glint {
 namespace {
 
 constexpr size_t kMaxInstances = 1'000'000;
-constexpr float kLumensPerWatt = 683.0f;  ///< at 555 nm, as exporters of watts count
 
 }  // namespace
 
@@ -131,9 +131,9 @@ std::optional<Light> lightOf(const tinygltf::Light& from, const Affine& toWorld)
     for (size_t c = 0; c < std::min<size_t>(3, from.color.size()); ++c) {
         light.color[static_cast<int>(c)] = clampf(static_cast<float>(from.color[c]), 0.0f, 1e6f);
     }
-    light.strength = clampf(static_cast<float>(from.intensity), 0.0f, 1e20f) / kLumensPerWatt;
+    light.strength = clampf(static_cast<float>(from.intensity / kLumensPerWatt), 0.0f, 1e18f);
     const auto degrees = [](double rad) {
-        return clampf(static_cast<float>(rad) * (180.0f / kPi), 0.0f, 90.0f);
+        return clampf(static_cast<float>(rad * (180.0 / std::numbers::pi)), 0.0f, 90.0f);
     };
     light.coneAngleDeg = std::max(degrees(from.spot.outerConeAngle), 0.01f);
     light.coneFalloffStartDeg = std::min(degrees(from.spot.innerConeAngle), light.coneAngleDeg);

@@ -10,6 +10,9 @@
 
 namespace glint {
 
+/// Lumens at 555 nm, as exporters of watts count.
+constexpr double kLumensPerWatt = 683.0;
+
 /// Within its parent.
 Affine placementOf(const tinygltf::Node& node);
 

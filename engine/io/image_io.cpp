@@ -109,14 +109,26 @@ std::shared_ptr<const ImageF> linearColors(const SceneImage& image) {
     return image.floats ? image.floats : decodedFromSrgb(*image.bytes);
 }
 
-Status savePng(const std::string& path, const Image8& image) {
-    if (Status whole = checkToSave(image, path); !whole) { return whole; }
+Result<std::string> encodePng(const Image8& image, const std::string& path) {
+    if (Status whole = checkToSave(image, path); !whole) { return whole.error(); }
+    std::vector<uint8_t> pixels;
+    for (size_t i = 0; i < image.alpha.size(); ++i) {
+        pixels.insert(pixels.end(),
+                      {image.rgb[3 * i], image.rgb[3 * i + 1], image.rgb[3 * i + 2], image.alpha[i]});
+    }
+    const int channels = pixels.empty() ? 3 : 4;
     std::string bytes;
-    if (stbi_write_png_to_func(appendBytes, &bytes, image.width, image.height, 3, image.rgb.data(),
-                               3 * image.width) == 0) {
+    if (stbi_write_png_to_func(appendBytes, &bytes, image.width, image.height, channels,
+                               pixels.empty() ? image.rgb.data() : pixels.data(),
+                               channels * image.width) == 0) {
         return imageError(path, "not enough memory to compress the picture");
     }
-    return writeFileAtomically(path, bytes);
+    return bytes;
+}
+
+Status savePng(const std::string& path, const Image8& image) {
+    const Result<std::string> bytes = encodePng(image, path);
+    return bytes ? writeFileAtomically(path, *bytes) : Status(bytes.error());
 }
 
 Status saveHdr(const std::string& path, const ImageF& image) {

@@ -44,6 +44,8 @@ Status checkFinite(const ImageF& image, const std::string& path);
 /// TIFF, WebP, broken or missing files).
 std::optional<uint64_t> statedPixelBytes(const std::string& path);
 
+/// A PNG file's bytes, with the picture's alpha. `path` is used in messages. Error: the picture is empty.
+Result<std::string> encodePng(const Image8& image, const std::string& path);
 /// Saves atomically (atomic_file.h). Error: the picture is empty, or the file cannot be written.
 Status savePng(const std::string& path, const Image8& image);
 /// Radiance RGBE: 8 bits of mantissa shared by the channels, values up to about 1e38, negative ones become 0.

@@ -2,6 +2,7 @@
 // what.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -28,7 +29,7 @@ bool setLens(const tinygltf::Camera& from, Camera* camera, double* aspect) {
         *aspect = width / height;
         return width > 0.0 && height > 0.0 && std::isfinite(camera->viewHeight) && std::isfinite(*aspect);
     }
-    camera->verticalFovDeg = static_cast<float>(from.perspective.yfov) * (180.0f / kPi);
+    camera->verticalFovDeg = static_cast<float>(from.perspective.yfov * (180.0 / std::numbers::pi));
     *aspect = from.perspective.aspectRatio;
     return from.type == "perspective" && camera->verticalFovDeg > 0.0f && camera->verticalFovDeg < 180.0f;
 }

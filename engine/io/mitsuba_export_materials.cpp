@@ -5,7 +5,6 @@
 
 #include "engine/io/mitsuba_writer.h"
 #include "engine/io/scene_export.h"
-#include "engine/scene/glasses.h"
 #include "engine/scene/metals.h"
 
 namespace glint {
@@ -158,14 +157,7 @@ class MaterialWriter {
     }
 
     void ior() {
-        float index = material_.ior.value;
-        if (material_.ior.texture >= 0) { warn("approximated: indices of refraction are constant"); }
-        if (hasGlass(material_) && (replacesIor(material_) || material_.abbeNumber > 0.0f)) {
-            warn("approximated: glass does not disperse");
-            if (const auto glass = findGlass(material_.glass)) { index = glass->ior; }
-            if (material_.glass.empty() && !isZero(material_.iorRgb)) { index = material_.iorRgb.y; }
-        }
-        out_.number("int_ior", index);
+        out_.number("int_ior", oneIor(material_, &warnings_));
         out_.number("ext_ior", 1.0f);
     }
 

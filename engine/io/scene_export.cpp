@@ -9,6 +9,7 @@
 #include "engine/io/embedded_files.h"
 #include "engine/io/file_path.h"
 #include "engine/io/ply_writer.h"
+#include "engine/scene/glasses.h"
 
 namespace glint {
 
@@ -20,6 +21,16 @@ bool isCylinder(const Object& object, bool runsUpwards) {
     const std::vector<Vec2>& p = object.profile;
     return p.size() == 2 && !object.capped && p[0].x == p[1].x &&
            (runsUpwards ? p[0].y < p[1].y : p[0].y > p[1].y);
+}
+
+float oneIor(const Material& material, std::vector<std::string>* warnings) {
+    if (material.ior.texture >= 0) { warnOnce("approximated: indices of refraction are constant", warnings); }
+    if (!hasGlass(material) || (!replacesIor(material) && !(material.abbeNumber > 0.0f))) {
+        return material.ior.value;
+    }
+    warnOnce("approximated: glass does not disperse", warnings);
+    if (const auto glass = findGlass(material.glass)) { return glass->ior; }
+    return material.glass.empty() && !isZero(material.iorRgb) ? material.iorRgb.y : material.ior.value;
 }
 
 void SceneExport::placeTextures() {

@@ -18,6 +18,9 @@ constexpr float kExportedPlaneSize = 1e4f;
 /// Appends a warning unless it is there.
 void warnOnce(std::string_view warning, std::vector<std::string>* warnings);
 
+/// The index of refraction of a material, one for all colours and places; warns where it is not.
+float oneIor(const Material& material, std::vector<std::string>* warnings);
+
 /// A revolved object's surface as triangles, in object space, with normals and texture coordinates.
 MeshData turnedMesh(const Object& object);
 /// Whether it is an open cylinder, and its profile runs upwards or downwards: the front lies outside.

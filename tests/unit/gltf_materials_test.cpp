@@ -98,7 +98,7 @@ TEST_F(Gltf, TexturesArePlacedAndMultiplied) {
     EXPECT_EQ(texture.filter, TexelFilter::Nearest);
     EXPECT_EQ(texture.scale, Vec2(2, 3));
     EXPECT_EQ(texture.offset, Vec2(0.25f, 0.5f));
-    EXPECT_NEAR(texture.rotationDeg, 90.0f, 1e-3f);
+    EXPECT_NEAR(texture.rotationDeg, -90.0f, 1e-3f) << "counter-clockwise as seen with v running down";
     EXPECT_EQ(texture.encoding, ColorEncoding::Srgb);
     EXPECT_EQ(scene.meshes[0].data->colors[0], Vec3(0.5f, 1.0f, 1.0f)) << "the factor, on the vertices";
     // In a data URI, and in the buffer; a missing one is a warning.

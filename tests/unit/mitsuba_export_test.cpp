@@ -156,7 +156,7 @@ TEST(Exporters, AreToldByTheirEndings) {
     EXPECT_EQ(exporterOf("a.XML")->name, "Mitsuba 3");
     EXPECT_EQ(exporterOf("a.obj"), nullptr);
     EXPECT_EQ(exporterOf("a.pbrt")->name, "pbrt-v4");
-    EXPECT_EQ(listExporters(), "Glint JSON (.json), Mitsuba 3 (.xml) or pbrt-v4 (.pbrt)");
+    EXPECT_EQ(listExporters(), "Glint JSON (.json), glTF (.gltf .glb), Mitsuba 3 (.xml) or pbrt-v4 (.pbrt)");
 }
 
 TEST_F(MitsubaExport, CapsOfTurnedProfilesAreKept) {

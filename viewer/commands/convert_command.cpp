@@ -48,10 +48,11 @@ int runConvert(const ConvertOptions& options) {
 
 void addConvertCommand(const Command& program) {
     const Command command = program.subcommand(
-        "convert", "Writes any readable scene as Glint's own JSON, as Mitsuba XML or as pbrt-v4");
+        "convert", "Writes any readable scene as Glint's own JSON, as glTF, as Mitsuba XML or as pbrt-v4");
     const auto options = std::make_shared<ConvertOptions>();
     command.option("in", &options->in, "The scene to read").required().typeName("IN");
-    command.option("out", &options->out, "The file to write, OUT.json, OUT.xml or OUT.pbrt")
+    command
+        .option("out", &options->out, "The file to write, OUT.json, OUT.gltf, OUT.glb, OUT.xml or OUT.pbrt")
         .required()
         .typeName("OUT");
     addLoadOptions(command, &options->load);

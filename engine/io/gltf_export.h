@@ -1,0 +1,34 @@
+// Parts of a glTF file that is written: materials, and shapes as triangles. Internal to the glTF exporter
+// (export_gltf.cpp).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/io/gltf_images.h"
+
+namespace glint {
+
+/// Whether a mesh under that material has 1 - v in the file: where its pictures count v from the bottom, so
+/// that they need no placement.
+bool flipsV(const SceneDescription& scene, int material);
+
+/// Writes a material, and says at which place. `isLamp`: emission lights the scene, where it could be a
+/// screen under some other light (KHR_materials_emissive_strength is above 1 then, and never otherwise by
+/// need). What is approximated is appended to `warnings`, each once.
+size_t writeGltfMaterial(const SceneDescription& scene, int material, bool isLamp, GltfImages* images,
+                         GltfWriter* out, std::vector<std::string>* warnings);
+
+/// Whether it is made of a rotation, scales along the axes and a translation, as those of nodes must be.
+bool isPlacement(const Affine& toWorld);
+/// The place whose -z has this direction and length.
+Affine lookingAlong(const Vec3& position, const Vec3& direction);
+
+/// The triangles of a shape that is no mesh, with normals where it is round, in object space.
+MeshData shapeMesh(const Object& object);
+/// The mesh in the world's space.
+MeshData placed(MeshData mesh, const Affine& toWorld);
+/// glTF's normals are of unit length, and a mesh has them everywhere or nowhere.
+MeshData withUnitNormals(MeshData mesh);
+
+}  // namespace glint

@@ -1,0 +1,240 @@
+// glTF 2.0 specification, section 3.9, and the KHR_materials extensions: what gltf_materials.cpp reads.
+#include <algorithm>
+#include <cmath>
+
+#include "engine/io/gltf_export.h"
+#include "engine/io/scene_export.h"
+#include "engine/scene/metals.h"
+#include "engine/scene/scene_use.h"
+
+namespace glint {
+namespace {
+
+/// Reflectance at normal incidence.
+Vec3 reflectanceOf(const Vec3& eta, const Vec3& k) {
+    const Vec3 below = eta - Vec3(1.0f), above = eta + Vec3(1.0f);
+    return (below * below + k * k) / (above * above + k * k);
+}
+
+class MaterialWriter {
+  public:
+    MaterialWriter(const SceneDescription& scene, int material, GltfImages* images, GltfWriter* out,
+                   std::vector<std::string>* warnings)
+        : scene_(scene),
+          from_(scene.materials[static_cast<size_t>(material)]),
+          isFlipped_(flipsV(scene, material)),
+          images_(*images),
+          out_(*out),
+          warnings_(*warnings) {}
+
+    GltfJson write(bool isLamp) {
+        if (!from_.name.empty()) { to_["name"] = from_.name; }
+        alpha();
+        model();
+        normals();
+        if (from_.emissive()) { emission(isLamp); }
+        if (!from_.emissive() || from_.emitsBothSides) { to_["doubleSided"] = true; }
+        return std::move(to_);
+    }
+
+  private:
+    void warn(std::string_view sentence) { warnOnce(sentence, &warnings_); }
+    const Texture& texture(int index) const { return scene_.textures[static_cast<size_t>(index)]; }
+    GltfJson info(int index, GltfPictureUse use) { return images_.info(index, -1, use, isFlipped_); }
+    GltfJson& pbr() { return to_["pbrMetallicRoughness"]; }
+
+    void alpha() {
+        const int color = from_.color.texture, opacity = from_.opacity.texture;
+        const auto hasAlpha = [this](int index) {
+            return index >= 0 && texture(index).image.bytes && !texture(index).image.bytes->alpha.empty();
+        };
+        constexpr float kSteep = 1e3f;  // what rises so is there or is not
+        if (opacity >= 0 && color >= 0 && texture(opacity).channel == TextureChannel::Alpha &&
+            texture(opacity).gain >= kSteep && texture(opacity).image.source == texture(color).image.source) {
+            to_["alphaMode"] = "MASK";
+            to_["alphaCutoff"] = gltfJson((1.0f - texture(opacity).base) / texture(opacity).gain);
+        } else if (opacity >= 0 || from_.opacity.value < 1.0f || (from_.alphaCutsOut && hasAlpha(color))) {
+            to_["alphaMode"] = "BLEND";
+            opacity_ = opacity >= 0 ? 1.0f : from_.opacity.value;
+            alphaTexture_ = opacity;
+        }
+    }
+
+    void color(const Vec3& factor, int index) {
+        GltfJson rgba = gltfJson(glm::clamp(factor, Vec3(0.0f), Vec3(1.0f)));
+        rgba.push_back(gltfJson(opacity_));
+        pbr()["baseColorFactor"] = std::move(rgba);
+        if (index >= 0 || alphaTexture_ >= 0) {
+            pbr()["baseColorTexture"] = images_.info(index, alphaTexture_, GltfPictureUse::Color, isFlipped_);
+        }
+    }
+    void color() { color(from_.color.texture >= 0 ? Vec3(1.0f) : from_.color.value, from_.color.texture); }
+
+    void surface(float metallic, float roughness) {
+        pbr()["metallicFactor"] = gltfJson(metallic);
+        pbr()["roughnessFactor"] = gltfJson(roughness);
+    }
+    /// By the material's own GGX alpha, which is the square of glTF's roughness.
+    void surface(float metallic) {
+        const int index = from_.roughness.texture;
+        surface(metallic, index >= 0 ? images_.roughnessFactor(index) : std::sqrt(from_.roughness.value));
+        if (index >= 0) { pbr()["metallicRoughnessTexture"] = info(index, GltfPictureUse::Roughness); }
+    }
+    void ior() {
+        constexpr float kUsual = 1.5f;
+        const float index = oneIor(from_, &warnings_);
+        if (index != kUsual) {
+            out_.extend(&to_, "KHR_materials_ior", GltfJson::object({{"ior", gltfJson(index)}}));
+        }
+    }
+    /// Nothing but the base: no light is reflected above it, as the one or the other extension says.
+    void withoutCoat() {
+        surface(0.0f, 1.0f);
+        out_.extend(&to_, "KHR_materials_specular", GltfJson::object({{"specularFactor", 0}}));
+        out_.extend(&to_, "KHR_materials_ior", GltfJson::object({{"ior", 1}}));
+    }
+
+    void model() {
+        switch (from_.kind) {
+            case MaterialKind::Diffuse:
+                color();
+                withoutCoat();
+                return;
+            case MaterialKind::Mirror:
+                mirror();
+                return;
+            case MaterialKind::Conductor:
+                metal();
+                return;
+            case MaterialKind::Dielectric:
+                glass();
+                return;
+            case MaterialKind::Plastic:
+                color();
+                surface(0.0f);
+                ior();
+                return;
+            case MaterialKind::Mixture:
+                mixture();
+                return;
+            case MaterialKind::Translucent:
+                sheet();
+                return;
+        }
+    }
+
+    void mirror() {
+        warn("approximated: mirrors are metals of their colour");
+        color();
+        surface(1.0f, 0.0f);
+    }
+
+    void metal() {
+        const auto known = findMetal(from_.metal);
+        const Vec3 eta = known ? known->eta : from_.eta.value, k = known ? known->k : from_.k.value;
+        if (!known && (from_.eta.texture >= 0 || from_.k.texture >= 0)) {
+            warn("approximated: constants of metals are no images");
+        }
+        const Vec3 r = reflectanceOf(eta, k);
+        constexpr float kRounding = 1e-4f, kWhite = 0.9989f;
+        if (maxComponent(absVec(eta - (Vec3(1.0f) - r) / (Vec3(1.0f) + r))) > kRounding) {
+            warn("approximated: metals have the colour that they show from the front");
+        }
+        const bool isTextured = from_.color.texture >= 0;
+        const Vec3 white = isTextured && minComponent(r) > kWhite ? Vec3(1.0f) : r;
+        color(isTextured ? white : white * from_.color.value, from_.color.texture);
+        surface(1.0f);
+    }
+
+    void glass() {
+        color();
+        surface(0.0f);
+        ior();
+        out_.extend(&to_, "KHR_materials_transmission", GltfJson::object({{"transmissionFactor", 1}}));
+        if (from_.thin) { return; }
+        GltfJson volume = GltfJson::object({{"thicknessFactor", 1}});
+        if (from_.attenuationColor != Vec3(1.0f)) {
+            volume["attenuationDistance"] = gltfJson(from_.attenuationDistance);
+            volume["attenuationColor"] = gltfJson(from_.attenuationColor);
+        }
+        out_.extend(&to_, "KHR_materials_volume", std::move(volume));
+    }
+
+    void mixture() {
+        warn("approximated: mixtures are their heaviest part");
+        const Vec3 w = from_.mixtureWeights.value;
+        if (w.z >= w.x && w.z >= w.y) {
+            glass();
+        } else if (w.x >= w.y) {
+            color();
+            withoutCoat();
+        } else {
+            mirror();
+        }
+    }
+
+    /// The share that passes, of a base without it: KHR_materials_diffuse_transmission.
+    void sheet() {
+        if (from_.transmission.texture >= 0) { warn("approximated: what passes through sheets is no image"); }
+        const Vec3 passes = from_.transmission.value;
+        const float share = clampf(maxComponent(passes), 0.0f, 1.0f);
+        const float rest = std::max(1.0f - share, 1e-6f);
+        color(from_.color.texture >= 0 ? Vec3(1.0f) : from_.color.value / rest, from_.color.texture);
+        if (from_.color.texture >= 0) { warn("approximated: images of sheets lose the share that passes"); }
+        withoutCoat();
+        if (share == 0.0f) { return; }
+        out_.extend(&to_, "KHR_materials_diffuse_transmission",
+                    {{"diffuseTransmissionFactor", gltfJson(share)},
+                     {"diffuseTransmissionColorFactor", gltfJson(passes / share)}});
+    }
+
+    void normals() {
+        if (from_.bump.texture >= 0) { warn("approximated: bump maps are left out"); }
+        if (from_.normalMap.texture < 0) { return; }
+        to_["normalTexture"] = info(from_.normalMap.texture, GltfPictureUse::Normal);
+        to_["normalTexture"]["scale"] = gltfJson(from_.normalStrength);
+    }
+
+    /// Factors end at 1; powers of two keep the digits.
+    void emission(bool isLamp) {
+        const int index = from_.emission.texture;
+        Vec3 factor = index >= 0 ? Vec3(1.0f) : from_.emission.value;
+        float strength = from_.emissionStrength;
+        while (maxComponent(factor) > 1.0f || (isLamp && strength <= 1.0f)) {
+            factor *= 0.5f;
+            strength *= 2.0f;
+        }
+        to_["emissiveFactor"] = gltfJson(factor);
+        if (index >= 0) { to_["emissiveTexture"] = info(index, GltfPictureUse::Color); }
+        if (strength != 1.0f) {
+            out_.extend(&to_, "KHR_materials_emissive_strength",
+                        GltfJson::object({{"emissiveStrength", gltfJson(strength)}}));
+        }
+    }
+
+    const SceneDescription& scene_;
+    const Material& from_;
+    bool isFlipped_;
+    GltfImages& images_;
+    GltfWriter& out_;
+    std::vector<std::string>& warnings_;
+    GltfJson to_ = GltfJson::object();
+    float opacity_ = 1.0f;
+    int alphaTexture_ = -1;
+};
+
+}  // namespace
+
+bool flipsV(const SceneDescription& scene, int material) {
+    const std::vector<int> textures = usedTextures(scene.materials[static_cast<size_t>(material)]);
+    return textures.empty()  // as others have the mesh
+               ? !std::ranges::any_of(scene.textures, &Texture::flipV)
+               : !scene.textures[static_cast<size_t>(textures.front())].flipV;
+}
+
+size_t writeGltfMaterial(const SceneDescription& scene, int material, bool isLamp, GltfImages* images,
+                         GltfWriter* out, std::vector<std::string>* warnings) {
+    return out->add("materials", MaterialWriter(scene, material, images, out, warnings).write(isLamp));
+}
+
+}  // namespace glint

@@ -1,0 +1,130 @@
+// What glTF has no shapes for as triangles, and meshes as it wants them.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/io/gltf_export.h"
+#include "engine/io/scene_export.h"
+#include "engine/scene/mesh_grid.h"
+
+namespace glint {
+namespace {
+
+constexpr uint32_t kStepsAround = 256, kStepsUp = 128;
+
+MeshData sphereMesh() {
+    MeshData mesh = bendGrid({kStepsAround, kStepsUp, true, false, true}, [](double u, double v) {
+        const double around = (2.0 * u - 1.0) * std::numbers::pi, up = (v - 0.5) * std::numbers::pi;
+        return Vec3d(std::sin(around) * std::cos(up), std::sin(up), std::cos(around) * std::cos(up));
+    });
+    mesh.normals = mesh.positions;
+    return mesh;
+}
+
+MeshData squareMesh(float half) {
+    MeshData mesh;
+    for (const Vec2 corner : {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)}) {
+        mesh.positions.emplace_back(half * corner, 0.0f);
+        mesh.uvs.push_back(0.5f * half * corner + Vec2(0.5f));
+    }
+    mesh.indices = {0, 1, 2, 0, 2, 3};
+    return mesh;
+}
+
+MeshData discMesh() {
+    MeshData mesh;
+    mesh.positions.emplace_back(0.0f);
+    for (uint32_t i = 0; i < kStepsAround; ++i) {
+        const float angle = kTwoPi * static_cast<float>(i) / kStepsAround;
+        mesh.positions.emplace_back(std::cos(angle), std::sin(angle), 0.0f);
+        mesh.indices.insert(mesh.indices.end(), {0, i + 1, (i + 1) % kStepsAround + 1});
+    }
+    for (const Vec3& position : mesh.positions) {
+        mesh.uvs.push_back(0.5f * Vec2(position) + Vec2(0.5f));
+    }
+    return mesh;
+}
+
+}  // namespace
+
+MeshData shapeMesh(const Object& object) {
+    switch (object.shape) {
+        case ShapeKind::Sphere:
+            return sphereMesh();
+        case ShapeKind::Disc:
+            return discMesh();
+        case ShapeKind::Plane:
+            return squareMesh(kExportedPlaneSize);
+        case ShapeKind::Rectangle:
+            return squareMesh(1.0f);
+        case ShapeKind::Revolved:
+            return turnedMesh(object);
+        case ShapeKind::Mesh:
+            break;
+    }
+    return {};
+}
+
+bool isPlacement(const Affine& toWorld) {
+    constexpr float kMostSkew = 1e-4f;
+    const Mat3& m = toWorld.linear;
+    for (int a = 0; a < 3; ++a) {
+        const Vec3 u = m[a], v = m[(a + 1) % 3];
+        if (!(std::fabs(glm::dot(u, v)) <= kMostSkew * glm::length(u) * glm::length(v))) { return false; }
+    }
+    return true;
+}
+
+Affine lookingAlong(const Vec3& position, const Vec3& direction) {
+    const float length = glm::length(direction);
+    const Vec3 z = -direction / length, aside = std::fabs(z.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0);
+    const Vec3 x = glm::normalize(glm::cross(aside, z)), y = glm::cross(z, x);
+    return {Mat3(length * x, length * y, -direction), position};
+}
+
+MeshData placed(MeshData mesh, const Affine& toWorld) {
+    const Mat3 toObject = inverse(toWorld).linear;
+    for (Vec3& position : mesh.positions) {
+        position = toWorld.point(position);
+    }
+    for (Vec3& normal : mesh.normals) {
+        normal = transformNormal(toObject, normal);
+    }
+    for (size_t i = 0; toWorld.determinant() < 0.0f && i < mesh.indices.size(); i += 3) {
+        std::swap(mesh.indices[i], mesh.indices[i + 1]);
+    }
+    return mesh;
+}
+
+MeshData withUnitNormals(MeshData mesh) {
+    if (std::ranges::all_of(mesh.normals, isZero)) {
+        mesh.normals.clear();
+        return mesh;
+    }
+    const auto repeat = [](auto* values, uint32_t from) {
+        if (!values->empty()) {
+            values->push_back(typename std::decay_t<decltype(*values)>::value_type((*values)[from]));
+        }
+    };
+    for (size_t i = 0; i < mesh.indices.size(); ++i) {
+        const uint32_t corner = mesh.indices[i];
+        if (!isZero(mesh.normals[corner])) { continue; }
+        const uint32_t* face = &mesh.indices[i - i % 3];
+        const Vec3 a = mesh.positions[face[0]], b = mesh.positions[face[1]], c = mesh.positions[face[2]];
+        mesh.indices[i] = static_cast<uint32_t>(mesh.normals.size());
+        repeat(&mesh.positions, corner);
+        repeat(&mesh.uvs, corner);
+        repeat(&mesh.colors, corner);
+        mesh.normals.push_back(glm::cross(b - a, c - a));
+    }
+    constexpr float kRounding = 1e-3f;
+    for (Vec3& normal : mesh.normals) {
+        const float length = glm::length(normal);
+        if (std::fabs(length - 1.0f) > kRounding) {
+            normal = length > 0.0f ? normal / length : Vec3(0, 1, 0);
+        }
+    }
+    return mesh;
+}
+
+}  // namespace glint

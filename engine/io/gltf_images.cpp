@@ -1,0 +1,240 @@
+#include "engine/io/gltf_images.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "engine/io/atomic_file.h"
+#include "engine/io/embedded_files.h"
+#include "engine/io/file_path.h"
+#include "engine/io/image_io.h"
+#include "engine/io/scene_export.h"
+#include "engine/math/color.h"
+
+namespace glint {
+namespace {
+
+bool isPng(std::string_view bytes) { return bytes.starts_with("\x89PNG"); }
+bool isJpeg(std::string_view bytes) { return bytes.starts_with("\xff\xd8\xff"); }
+
+bool isChanged(const Texture& texture) {
+    return texture.base != 0.0f || texture.gain != 1.0f || texture.exponent != 1.0f;
+}
+/// As glTF's own files are read: the square of a multiple.
+bool isSquared(const Texture& texture) { return texture.base == 0.0f && texture.exponent == 2.0f; }
+
+float adjusted(const Texture& texture, float value) {
+    value = texture.base + texture.gain * value;
+    return texture.exponent == 1.0f ? value : std::pow(std::max(value, 0.0f), texture.exponent);
+}
+
+uint8_t byteOf(float value) { return static_cast<uint8_t>(std::lround(255.0f * clampf(value, 0.0f, 1.0f))); }
+
+int widthOf(const SceneImage& image) { return image.bytes ? image.bytes->width : image.floats->width; }
+int heightOf(const SceneImage& image) { return image.bytes ? image.bytes->height : image.floats->height; }
+
+/// As stored: bytes are not decoded.
+Vec3 numbersAt(const SceneImage& image, size_t pixel) {
+    Vec3 numbers;
+    for (size_t c = 0; c < 3; ++c) {
+        numbers[static_cast<int>(c)] = image.bytes
+                                           ? static_cast<float>(image.bytes->rgb[3 * pixel + c]) / 255.0f
+                                           : image.floats->rgb[3 * pixel + c];
+    }
+    return numbers;
+}
+
+float alphaAt(const SceneImage& image, size_t pixel) {
+    const bool hasAlpha = image.bytes && !image.bytes->alpha.empty();
+    return hasAlpha ? static_cast<float>(image.bytes->alpha[pixel]) / 255.0f : 1.0f;
+}
+
+float numberAt(const Texture& texture, size_t pixel) {
+    const Vec3 numbers = numbersAt(texture.image, pixel);
+    switch (texture.channel) {
+        case TextureChannel::Green:
+            return numbers.y;
+        case TextureChannel::Blue:
+            return numbers.z;
+        case TextureChannel::Alpha:
+            return alphaAt(texture.image, pixel);
+        case TextureChannel::Luminance:
+            return luminance(numbers);
+        default:
+            return numbers.x;
+    }
+}
+
+Vec3 encodedColor(const Texture& texture, size_t pixel) {
+    const bool isSrgb = texture.image.bytes && texture.encoding == ColorEncoding::Srgb;
+    Vec3 color = numbersAt(texture.image, pixel);
+    for (int c = 0; c < 3 && (isChanged(texture) || !isSrgb); ++c) {
+        const float linear = isSrgb ? srgbToLinear(color[c]) : color[c];
+        color[c] = linearToSrgb(clampf(adjusted(texture, linear), 0.0f, 1.0f));
+    }
+    return color;
+}
+
+/// The texture's own placement behind a v that is counted as the file does.
+GltfJson placementOf(const Texture& texture, bool isFlipped) {
+    const float angle = texture.rotationDeg * (kPi / 180.0f);
+    Vec2 scale = texture.scale, offset = texture.offset;
+    double turnDeg = -static_cast<double>(texture.rotationDeg);
+    if (isFlipped) {
+        offset += scale.y * Vec2(-std::sin(angle), std::cos(angle));
+        scale.y = -scale.y;
+    }
+    if (!texture.flipV) {  // what counts v from the bottom
+        offset.y = 1.0f - offset.y;
+        scale.y = -scale.y;
+        turnDeg = -turnDeg;
+    }
+    GltfJson placement = GltfJson::object();
+    if (offset != Vec2(0.0f)) { placement["offset"] = gltfJson(offset); }
+    if (turnDeg != 0.0) { placement["rotation"] = turnDeg * (std::numbers::pi / 180.0); }
+    if (scale != Vec2(1.0f)) { placement["scale"] = gltfJson(scale); }
+    return placement;
+}
+
+}  // namespace
+
+float GltfImages::roughnessFactor(int index) const {
+    return isSquared(texture(index)) ? clampf(texture(index).gain, 0.0f, 1.0f) : 1.0f;
+}
+
+Image8 GltfImages::bake(const Picture& picture) {
+    const Texture& size = texture(picture.color >= 0 ? picture.color : picture.alpha);
+    Image8 image{widthOf(size.image), heightOf(size.image), {}, {}};
+    const size_t pixels = static_cast<size_t>(image.width) * static_cast<size_t>(image.height);
+    const Texture* color = picture.color >= 0 ? &texture(picture.color) : nullptr;
+    const Texture* alpha = picture.alpha >= 0 ? &texture(picture.alpha) : nullptr;
+    const bool hasAlpha = color != nullptr && color->image.bytes && !color->image.bytes->alpha.empty();
+    for (size_t i = 0; i < pixels; ++i) {
+        Vec3 rgb(1.0f);
+        if (color != nullptr && picture.use == GltfPictureUse::Roughness) {
+            const float number = numberAt(*color, i);
+            rgb.y = isSquared(*color) ? number : safeSqrt(adjusted(*color, number));
+        } else if (color != nullptr && picture.use == GltfPictureUse::Normal) {
+            const Vec3 numbers = numbersAt(color->image, i);
+            for (int c = 0; c < 3; ++c) {
+                rgb[c] = adjusted(*color, numbers[c]);
+            }
+        } else if (color != nullptr) {
+            rgb = encodedColor(*color, i);
+        }
+        for (int c = 0; c < 3; ++c) {
+            image.rgb.push_back(byteOf(rgb[c]));
+        }
+        if (alpha != nullptr) {
+            image.alpha.push_back(byteOf(adjusted(*alpha, numberAt(*alpha, i))));
+        } else if (hasAlpha) {
+            image.alpha.push_back(color->image.bytes->alpha[i]);
+        }
+    }
+    return image;
+}
+
+std::shared_ptr<const std::string> GltfImages::fileOf(const Picture& picture) {
+    if (picture.alpha >= 0 || picture.use == GltfPictureUse::Roughness) { return nullptr; }
+    const Texture& from = texture(picture.color);
+    const bool isReadAlike = picture.use == GltfPictureUse::Normal || from.encoding == ColorEncoding::Srgb;
+    if (isChanged(from) || !from.image.bytes || !isReadAlike) { return nullptr; }
+    std::shared_ptr<const std::string> bytes;
+    if (const auto* embedded = std::get_if<EmbeddedFile>(&from.image.source)) { bytes = embedded->bytes; }
+    if (const std::string name = pathOf(from.image.source); !name.empty()) {
+        Result<std::string> read = readFile(resolvePath(name, scene_.path));
+        if (read) { bytes = std::make_shared<const std::string>(std::move(*read)); }
+    }
+    return bytes && (isPng(*bytes) || isJpeg(*bytes)) ? bytes : nullptr;
+}
+
+size_t GltfImages::addImage(std::string name, const std::shared_ptr<const std::string>& bytes) {
+    const std::string key = fmt::format("{} {}", std::hash<std::string>()(*bytes), bytes->size());
+    if (const auto known = files_.find(key); known != files_.end()) { return known->second; }
+    const std::string stem = std::filesystem::path(name).stem().string();
+    GltfJson image{{"name", stem}, {"mimeType", isPng(*bytes) ? "image/png" : "image/jpeg"}};
+    if (hasExtension(path_, ".glb")) {
+        image["bufferView"] = out_.addView(*bytes);
+    } else {
+        const bool isBelow = name.find('/') != std::string::npos;  // stays where it is
+        const Result<std::string> written =
+            isBelow ? Result<std::string>(name) : writeBeside({name, bytes}, path_);
+        if (!written && status_) { status_ = written.error(); }
+        image["uri"] = gltfUri(written ? *written : name);
+    }
+    return files_[key] = out_.add("images", std::move(image));
+}
+
+size_t GltfImages::imageOf(const Picture& picture) {
+    if (const auto known = images_.find(picture); known != images_.end()) { return known->second; }
+    const Texture& from = texture(picture.color >= 0 ? picture.color : picture.alpha);
+    std::shared_ptr<const std::string> bytes = fileOf(picture);
+    std::string name = std::filesystem::path(path_).stem().string();
+    if (bytes) {
+        const auto* embedded = std::get_if<EmbeddedFile>(&from.image.source);
+        name =
+            embedded != nullptr ? embedded->name : rebasePath(pathOf(from.image.source), scene_.path, path_);
+        const std::filesystem::path path(name);
+        if (path.is_absolute() || *path.begin() == "..") { name = path.filename().string(); }
+    } else {
+        name += fmt::format("-picture{}.png", baked_++);
+        if (!from.image.bytes) { warnOnce("approximated: pictures have eight bits", &warnings_); }
+        const Result<std::string> png = encodePng(bake(picture), path_);
+        if (!png && status_) { status_ = png.error(); }
+        bytes = std::make_shared<const std::string>(png ? *png : std::string());
+    }
+    return images_[picture] = addImage(name, bytes);
+}
+
+GltfJson GltfImages::samplerOf(const Texture& texture) {
+    constexpr int kNearest = 9728, kLinear = 9729, kLinearOfMipmaps = 9987;
+    const auto wrapOf = [](WrapMode wrap) {
+        return wrap == WrapMode::Clamp ? 33071 : wrap == WrapMode::Mirror ? 33648 : 10497;
+    };
+    const bool isNearest = texture.filter == TexelFilter::Nearest;
+    GltfJson sampler{{"magFilter", isNearest ? kNearest : kLinear},
+                     {"minFilter", isNearest ? kNearest : kLinearOfMipmaps},
+                     {"wrapS", wrapOf(texture.wrapU)},
+                     {"wrapT", wrapOf(texture.wrapV)}};
+    const auto [known, isNew] = samplers_.try_emplace(sampler.dump(), 0);
+    if (isNew) { known->second = out_.add("samplers", std::move(sampler)); }
+    return known->second;
+}
+
+/// Whether they can be one picture.
+bool GltfImages::fits(int color, int alpha) {
+    const Texture &a = texture(color), &b = texture(alpha);
+    return widthOf(a.image) == widthOf(b.image) && heightOf(a.image) == heightOf(b.image) &&
+           a.scale == b.scale && a.rotationDeg == b.rotationDeg && a.offset == b.offset &&
+           a.flipV == b.flipV && a.wrapU == b.wrapU && a.wrapV == b.wrapV;
+}
+
+GltfJson GltfImages::info(int color, int alpha, GltfPictureUse use, bool isFlipped) {
+    for (const int index : {color, alpha}) {
+        if (index < 0 || texture(index).image.isRead()) { continue; }
+        if (status_) {
+            status_ = Error{fmt::format("the image \"{}\" has not been read", texture(index).name),
+                            {.file = path_}};
+        }
+        return {};
+    }
+    if (color >= 0 && alpha >= 0 && !fits(color, alpha)) {
+        warnOnce("approximated: images of opacity that lie otherwise than those of colours are left out",
+                 &warnings_);
+        alpha = -1;
+    }
+    const Texture& from = texture(color >= 0 ? color : alpha);
+    GltfJson made{{"sampler", samplerOf(from)}, {"source", imageOf({color, alpha, use})}};
+    const auto [known, isNew] = textures_.try_emplace(made.dump(), 0);
+    if (isNew) { known->second = out_.add("textures", std::move(made)); }
+    GltfJson info = GltfJson::object({{"index", known->second}});
+    if (GltfJson placement = placementOf(from, isFlipped); !placement.empty()) {
+        out_.extend(&info, "KHR_texture_transform", std::move(placement));
+    }
+    return info;
+}
+
+}  // namespace glint
