@@ -8,6 +8,7 @@
 
 #include "engine/io/atomic_file.h"
 #include "engine/io/file_kind.h"
+#include "engine/io/gltf_compression.h"
 
 namespace glint {
 namespace {
@@ -20,6 +21,8 @@ constexpr std::string_view kSupported[] = {"KHR_lights_punctual",
                                            "KHR_mesh_quantization",
                                            "EXT_texture_webp",
                                            "EXT_mesh_gpu_instancing",
+                                           "EXT_meshopt_compression",
+                                           "KHR_draco_mesh_compression",
                                            "KHR_materials_ior",
                                            "KHR_materials_emissive_strength",
                                            "KHR_materials_unlit",
@@ -27,14 +30,6 @@ constexpr std::string_view kSupported[] = {"KHR_lights_punctual",
                                            "KHR_materials_volume",
                                            "KHR_materials_variants",
                                            "KHR_materials_pbrSpecularGlossiness"};
-
-std::string_view jsonOf(const std::string& bytes) {
-    if (!bytes.starts_with("glTF")) { return bytes; }
-    uint32_t length = 0;
-    if (bytes.size() < kBinaryHeader) { return {}; }
-    std::memcpy(&length, bytes.data() + 12, sizeof length);
-    return std::string_view(bytes).substr(kBinaryHeader, length);
-}
 
 bool isNestedTooDeeply(std::string_view json) {
     int depth = 0;
@@ -92,18 +87,36 @@ Status checkExtensions(const GltfFile& file) {
 
 }  // namespace
 
+std::string_view gltfJsonText(std::string_view bytes) {
+    if (!bytes.starts_with("glTF")) { return bytes; }
+    uint32_t length = 0;
+    if (bytes.size() < kBinaryHeader) { return {}; }
+    std::memcpy(&length, bytes.data() + 12, sizeof length);
+    return bytes.substr(kBinaryHeader, length);
+}
+
+std::string_view gltfBinary(std::string_view bytes) {
+    constexpr size_t kChunkHeader = 8;
+    const size_t begin = kBinaryHeader + gltfJsonText(bytes).size() + kChunkHeader;
+    uint32_t length = 0;
+    if (bytes.size() < begin) { return {}; }
+    std::memcpy(&length, bytes.data() + begin - kChunkHeader, sizeof length);
+    return bytes.substr(begin, length);
+}
+
 Result<std::unique_ptr<GltfFile>> readGltfFile(const std::string& path) {
     const auto canBeGltf = [](std::string_view head) {
         return head.starts_with("glTF") || looksLikeText(head);
     };
-    const Result<std::string> bytes = readFileOfKind(path, canBeGltf);
+    Result<std::string> bytes = readFileOfKind(path, canBeGltf);
     if (!bytes) { return bytes.error(); }
     auto file = std::make_unique<GltfFile>();
     file->path = path;
-    if (isNestedTooDeeply(jsonOf(*bytes))) {
+    if (isNestedTooDeeply(gltfJsonText(*bytes))) {
         return file->error(fmt::format("is nested deeper than {} levels", kMaxNesting));
     }
     if (bytes->starts_with(std::string_view("glTF\1\0\0\0", 8))) { return wrongVersion(*file, "1.0"); }
+    *bytes = readableForTinygltf(std::move(*bytes));
     tinygltf::TinyGLTF parser;
     parser.SetImageLoader(keepImage, &file->dataImages);
     parser.SetFsCallbacks({tinygltf::FileExists, tinygltf::ExpandFilePath, readBuffer, nullptr, nullptr});
@@ -125,6 +138,8 @@ Result<std::unique_ptr<GltfFile>> readGltfFile(const std::string& path) {
     }
     const std::string& version = file->model.asset.version;
     if (!version.starts_with("2.")) { return wrongVersion(*file, version); }
+    if (Status unpacked = unpackViews(file.get()); !unpacked) { return unpacked.error(); }
+    if (Status unpacked = unpackPrimitives(file.get()); !unpacked) { return unpacked.error(); }
     return file;
 }
 

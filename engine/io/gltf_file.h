@@ -28,8 +28,12 @@ struct GltfFile {
     }
 };
 
-/// With its buffers. Error: the file or a buffer cannot be read, is no glTF 2.x, or needs an extension that
-/// is not supported.
+/// The JSON of a text or binary file's bytes, and the buffer of a binary one; empty where they end too early.
+std::string_view gltfJsonText(std::string_view bytes);
+std::string_view gltfBinary(std::string_view bytes);
+
+/// With its buffers, unpacked. Error: the file or a buffer cannot be read, is no glTF 2.x, or needs an
+/// extension that is not supported.
 Result<std::unique_ptr<GltfFile>> readGltfFile(const std::string& path);
 
 /// An object's extension; null where it has none of that name.

@@ -36,7 +36,6 @@ constexpr std::pair<const char*, const char*> kRefused[] = {
     {"RecursiveNodes", "node 0 has two parents"},
     {"sceneWrongType", "File not found : BoxTextured0.bin"},
     {"TestNoRootNode", "has no triangles"},
-    {"draco", "needs KHR_draco_mesh_compression"},
     {"PrimitiveMode_00", "has no triangles"},
     {"PrimitiveMode_01", "has no triangles"},
     {"PrimitiveMode_02", "has no triangles"},
