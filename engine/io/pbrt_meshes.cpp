@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "engine/base/parallel.h"
 #include "engine/io/file_path.h"
 #include "engine/io/gzip_file.h"
 #include "engine/io/mesh_normals.h"
@@ -33,13 +35,13 @@ bool isFlat(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 
 }  // namespace
 
-PbrtMesh PbrtMeshes::add(std::string name, std::shared_ptr<MeshData> data, bool isReversed) {
-    if (context_.failed() || data->indices.empty()) { return {}; }
-    if (isReversed) { turnOver(data.get()); }
-    PbrtMesh mesh{static_cast<int>(context_.scene.meshes.size()), data};
+int PbrtMeshes::add(std::string name, std::shared_ptr<MeshData> data, bool isReversed) {
+    if (context_.failed() || (data && data->indices.empty())) { return -1; }
+    if (data && isReversed) { turnOver(data.get()); }
+    const auto index = static_cast<int>(context_.scene.meshes.size());
     context_.scene.meshes.push_back(
-        {fmt::format("{} {}", name, mesh.index), {}, std::shared_ptr<const MeshData>(std::move(data))});
-    return mesh;
+        {fmt::format("{} {}", name, index), {}, std::shared_ptr<const MeshData>(std::move(data))});
+    return index;
 }
 
 PbrtMeshes::Arrays PbrtMeshes::arraysOf(const PbrtParams& params) {
@@ -86,14 +88,14 @@ std::vector<uint32_t> PbrtMeshes::cornersOf(const PbrtParams& params, size_t gro
     return corners;
 }
 
-PbrtMesh PbrtMeshes::triangles(const PbrtParams& params, bool needsUvs, bool isReversed) {
+int PbrtMeshes::triangles(const PbrtParams& params, bool needsUvs, bool isReversed) {
     Arrays arrays = arraysOf(params);
     auto mesh = std::make_shared<MeshData>();
     mesh->indices = cornersOf(params, 3, arrays.positions.size(), 3);
     mesh->positions = std::move(arrays.positions);
     mesh->normals = std::move(arrays.normals);
     mesh->uvs = std::move(arrays.uvs);
-    if (context_.failed()) { return {}; }
+    if (context_.failed()) { return -1; }
     turnByNormals(mesh.get());
     if (needsUvs && mesh->uvs.empty()) { addUsualUvs(mesh.get()); }
     return add("triangles", std::move(mesh), isReversed);
@@ -116,7 +118,7 @@ std::optional<Affine> PbrtMeshes::rectangle(const PbrtParams& params) {
 }
 
 /// Corners stand at (0, 0), (1, 0), (0, 1) and (1, 1). What is bent gets 8 x 8 pieces.
-PbrtMesh PbrtMeshes::patches(const PbrtParams& params, bool isReversed) {
+int PbrtMeshes::patches(const PbrtParams& params, bool isReversed) {
     const Arrays arrays = arraysOf(params);
     const std::vector<uint32_t> corners = cornersOf(params, 4, arrays.positions.size(), 4);
     auto mesh = std::make_shared<MeshData>();
@@ -152,54 +154,82 @@ PbrtMesh PbrtMeshes::patches(const PbrtParams& params, bool isReversed) {
     return add("patches", std::move(mesh), isReversed);
 }
 
-PbrtMesh PbrtMeshes::subdivided(const PbrtParams& params, bool isReversed) {
+int PbrtMeshes::subdivided(const PbrtParams& params, bool isReversed) {
     constexpr int kMostLevels = 12;
     const int levels = params.integer(params.has("levels") ? "levels" : "nlevels", 3, 0, kMostLevels);
     params.passOver({"scheme"});
     std::vector<Vec3> positions = params.points("P");
     std::vector<uint32_t> indices = cornersOf(params, 3, positions.size(), 3);
-    if (context_.failed()) { return {}; }
+    if (context_.failed()) { return -1; }
     return add("subdivided", loopSubdivided(std::move(positions), std::move(indices), levels), isReversed);
 }
 
-PbrtMesh PbrtMeshes::file(const PbrtParams& params, bool needsUvs, bool isReversed) {
+int PbrtMeshes::file(const PbrtParams& params, bool needsUvs, bool isReversed) {
     const std::string name = params.text("filename");
     if (name.empty()) { params.fail("the shape has no \"filename\""); }
-    if (context_.failed()) { return {}; }
+    if (context_.failed()) { return -1; }
     const std::string path = context_.findFile(params.place(), name);
-    const Key key{path, needsUvs, isReversed};
-    if (const auto known = files_.find(key); known != files_.end()) { return known->second; }
-    const Result<std::string> bytes = readUnpacked(path);
-    if (!bytes && !fileExists(path)) {
+    const auto [known, isNew] = files_.try_emplace({path, needsUvs, isReversed}, -1);
+    if (!isNew) { return known->second; }
+    if (!fileExists(path)) {
+        const Result<std::string> bytes = readUnpacked(path);
         context_.refuse(params.place(),
                         fmt::format("the file \"{}\" cannot be read: {}", path, bytes.error().message));
-        return files_[key] = {};
+        return -1;
     }
-    Result<MeshFile> file = bytes ? parsePly(*bytes, path) : Result<MeshFile>(bytes.error());
-    if (!file) {
-        context_.error = file.error();
-        return {};
+    known->second = add(std::filesystem::path(name).stem().string(), nullptr, isReversed);
+    waiting_.push_back({path, needsUvs, isReversed, known->second});
+    context_.scene.meshes.back().source = FileSource{context_.fileOf(params.place(), name)};
+    return known->second;
+}
+
+PbrtMeshes::Content PbrtMeshes::contentOf(const File& file) {
+    Content content;
+    const Result<std::string> bytes = readUnpacked(file.path);
+    const Result<MeshFile> read = bytes ? parsePly(*bytes, file.path) : Result<MeshFile>(bytes.error());
+    if (!read) {
+        content.error = read.error();
+        return content;
     }
-    context_.meshWarnings.insert(context_.meshWarnings.end(), file->warnings.begin(), file->warnings.end());
-    if (LoadCounts* counts = context_.options.counts; counts != nullptr) {
-        ++counts->meshFiles;
-        counts->meshFileBytes += bytes->size();
-    }
-    std::shared_ptr<MeshData> mesh = joinParts(file->parts);
+    content.warnings = read->warnings;
+    content.bytes = bytes->size();
+    content.mesh = joinParts(read->parts);
+    MeshData* mesh = content.mesh.get();
     const bool hasNormals = !mesh->normals.empty() && std::ranges::none_of(mesh->normals, isZero);
-    const bool lacksUvs = needsUvs && mesh->uvs.empty();
-    const bool isPacked = hasExtension(path, ".gz");
+    const bool lacksUvs = file.needsUvs && mesh->uvs.empty();
+    const bool isPacked = hasExtension(file.path, ".gz");
     // Others Glint would read differently: it smooths what has no normals, and shows colours.
-    const bool staysFile = hasNormals && mesh->colors.empty() && !isReversed && !isPacked && !lacksUvs;
+    content.staysFile = hasNormals && mesh->colors.empty() && !file.isReversed && !isPacked && !lacksUvs;
     if (!hasNormals) { mesh->normals.clear(); }
     mesh->colors.clear();
-    turnByNormals(mesh.get());
-    if (lacksUvs) { addUsualUvs(mesh.get()); }
-    const PbrtMesh out = add(std::filesystem::path(name).stem().string(), std::move(mesh), isReversed);
-    if (staysFile && out.index >= 0) {
-        context_.scene.meshes.back().source = FileSource{context_.fileOf(params.place(), name)};
+    turnByNormals(mesh);
+    if (lacksUvs) { addUsualUvs(mesh); }
+    if (file.isReversed) { turnOver(mesh); }
+    return content;
+}
+
+void PbrtMeshes::readFiles() {
+    const std::vector<File> files = std::exchange(waiting_, {});
+    std::vector<Content> contents(files.size());
+    parallelChunks(static_cast<int64_t>(files.size()), 1, 0, [&](int64_t begin, int64_t) {
+        contents[static_cast<size_t>(begin)] = contentOf(files[static_cast<size_t>(begin)]);
+    });
+    for (size_t i = 0; i < files.size(); ++i) {
+        Content& content = contents[i];
+        if (content.error) {  // which comes before what was met since
+            context_.error = content.error;
+            return;
+        }
+        context_.meshWarnings.insert(context_.meshWarnings.end(), content.warnings.begin(),
+                                     content.warnings.end());
+        if (LoadCounts* counts = context_.options.counts; counts != nullptr) {
+            ++counts->meshFiles;
+            counts->meshFileBytes += content.bytes;
+        }
+        Mesh& mesh = context_.scene.meshes[static_cast<size_t>(files[i].mesh)];
+        mesh.data = std::move(content.mesh);
+        if (!content.staysFile) { mesh.source = {}; }
     }
-    return files_[key] = out;
 }
 
 }  // namespace glint

@@ -6,32 +6,30 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "engine/io/pbrt_params.h"
 
 namespace glint {
 
-/// A mesh of the scene; index -1: there is none.
-struct PbrtMesh {
-    int index = -1;
-    std::shared_ptr<const MeshData> data = {};
-};
-
+/// Meshes are places in the scene's list; -1: there is none.
 class PbrtMeshes {
   public:
     explicit PbrtMeshes(PbrtContext* context) : context_(*context) {}
 
     /// `needsUvs`: a texture lies on it, so that it gets pbrt's usual coordinates where it has none.
-    PbrtMesh triangles(const PbrtParams& params, bool needsUvs, bool isReversed);
-    PbrtMesh patches(const PbrtParams& params, bool isReversed);
+    int triangles(const PbrtParams& params, bool needsUvs, bool isReversed);
+    int patches(const PbrtParams& params, bool isReversed);
     /// Where the unit rectangle is what a single patch of right or other parallel sides is, with its own u
     /// and v; nothing: it is none.
     static std::optional<Affine> rectangle(const PbrtParams& params);
-    PbrtMesh subdivided(const PbrtParams& params, bool isReversed);
-    /// A PLY file, packed or not. One that is missing is refused.
-    PbrtMesh file(const PbrtParams& params, bool needsUvs, bool isReversed);
+    int subdivided(const PbrtParams& params, bool isReversed);
+    /// A PLY file, packed or not, which stays empty until readFiles(). One that is missing is refused.
+    int file(const PbrtParams& params, bool needsUvs, bool isReversed);
+    /// Reads what waits, several at once; the first error is that of the first file.
+    void readFiles();
     /// A mesh that was made here.
-    PbrtMesh add(std::string name, std::shared_ptr<MeshData> data, bool isReversed);
+    int add(std::string name, std::shared_ptr<MeshData> data, bool isReversed);
 
   private:
     struct Arrays {
@@ -44,9 +42,24 @@ class PbrtMeshes {
     /// vertices.
     std::vector<uint32_t> cornersOf(const PbrtParams& params, size_t group, size_t vertices, size_t usual);
 
-    using Key = std::tuple<std::string, bool, bool>;
+    struct File {
+        std::string path;
+        bool needsUvs, isReversed;
+        int mesh;
+    };
+    /// What a file holds.
+    struct Content {
+        std::shared_ptr<MeshData> mesh = {};
+        std::vector<std::string> warnings = {};
+        uint64_t bytes = 0;
+        bool staysFile = false;  ///< Glint reads it as the same
+        std::optional<Error> error = {};
+    };
+    static Content contentOf(const File& file);
+
     PbrtContext& context_;
-    std::map<Key, PbrtMesh> files_;
+    std::map<std::tuple<std::string, bool, bool>, int> files_;
+    std::vector<File> waiting_;
 };
 
 }  // namespace glint

@@ -201,7 +201,7 @@ void PbrtShapes::placeCurve(const PbrtParams& params, const PbrtState& state, st
     object.shape = ShapeKind::Mesh;
     object.name = "curves";
     object.material = material;
-    object.mesh = meshes_.add("curves", curves_.mesh, false).index;
+    object.mesh = meshes_.add("curves", curves_.mesh, false);
     object.objectToWorld = affineOf(&context_, params.place(), state.transform);
     out->push_back(std::move(object));
 }

@@ -31,6 +31,7 @@ Result<SceneDescription> PbrtReader::read() {
     while (parser_.next(&directive)) {
         obey(&directive);
     }
+    shapes_.readFiles();
     if (!stack_.empty()) {
         context_.fail(stack_.back().place, fmt::format("{} is not ended", stack_.back().begin));
     }

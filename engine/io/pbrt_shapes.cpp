@@ -24,15 +24,18 @@ double areaOf(const MeshData& mesh, const Affine& toWorld) {
 
 }  // namespace
 
-PbrtShapes::Piece PbrtShapes::ofMesh(const PbrtMesh& mesh, const Wish& wish) {
+PbrtShapes::Piece PbrtShapes::ofMesh(int mesh, const Wish& wish) {
     Piece piece;
-    piece.isThere = mesh.index >= 0;
+    piece.isThere = mesh >= 0;
     if (!piece.isThere) { return piece; }
     piece.object.shape = ShapeKind::Mesh;
-    piece.object.mesh = mesh.index;
+    piece.object.mesh = mesh;
     if (wish.state.areaLight >= 0 && lights_.needsArea(wish.state.areaLight)) {
-        piece.parts = mesh.data->triangleCount();
-        piece.area = areaOf(*mesh.data, affineOf(&context_, wish.params.place(), wish.state.transform));
+        readFiles();
+        const auto& data = context_.scene.meshes[static_cast<size_t>(mesh)].data;
+        if (!data) { return piece; }  // its file is broken
+        piece.parts = data->triangleCount();
+        piece.area = areaOf(*data, affineOf(&context_, wish.params.place(), wish.state.transform));
     }
     return piece;
 }

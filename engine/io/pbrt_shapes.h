@@ -26,6 +26,8 @@ class PbrtShapes {
                std::vector<Object>* out);
     /// Curves from here on are another mesh than those before.
     void endCurves() { curves_ = {}; }
+    /// Reads the mesh files, which are empty until then. Their first error is the first of all.
+    void readFiles() { meshes_.readFiles(); }
 
   private:
     /// A shape in the making.
@@ -54,7 +56,7 @@ class PbrtShapes {
     Piece disk(const Wish& wish);
     Piece cylinder(const Wish& wish);
     Piece oldQuadric(const std::string& kind, const Wish& wish);
-    Piece ofMesh(const PbrtMesh& mesh, const Wish& wish);
+    Piece ofMesh(int mesh, const Wish& wish);
     void placeCurve(const PbrtParams& params, const PbrtState& state, std::vector<Object>* out);
 
     PbrtContext& context_;

@@ -86,6 +86,37 @@ Shape "plymesh" "string filename" "smooth.ply" ReverseOrientation Shape "plymesh
                 HasSubstr("broken.ply:3:16"));
 }
 
+/// Several are read at once; all is said in the file's order, and the first error is the first file's.
+TEST_F(PbrtShapesTest, MeshFilesKeepTheirOrder) {
+    const std::string head =
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n"
+        "0 0 0\n1 0 0\n0 1 0\n";
+    std::string world;
+    for (int i = 0; i < 20; ++i) {
+        const std::string name = std::to_string(i) + ".ply";
+        folder.write(name, head + std::to_string(i + 2) + " 1 0\n3 0 1 2\n2 0 3\n");
+        world += "Shape \"plymesh\" \"string filename\" \"" + name + "\"\n";
+    }
+    LoadCounts counts;
+    const SceneDescription scene = load(world + world, {.counts = &counts});
+    EXPECT_EQ(counts.meshFiles, 20u);
+    ASSERT_EQ(scene.objects.size(), 40u);
+    ASSERT_GE(scene.warnings.size(), 20u) << "a face of two corners each";
+    for (size_t i = 0; i < 20; ++i) {
+        const Mesh& mesh = scene.meshes.at(static_cast<size_t>(scene.objects[20 + i].mesh));
+        EXPECT_EQ(mesh.name, std::to_string(i) + " " + std::to_string(i));
+        EXPECT_EQ(mesh.data->positions.at(3).x, static_cast<float>(i + 2));
+        EXPECT_THAT(scene.warnings[i], HasSubstr("/" + std::to_string(i) + ".ply:"));
+    }
+    folder.write("7.ply", "ply\n");
+    folder.write("3.ply", head + "oops");
+    EXPECT_THAT(errorOf(world + "Shape \"nothing\""), HasSubstr("3.ply:"));
+    EXPECT_THAT(errorOf("Shape \"nothing\" " + world), HasSubstr("nothing"));
+    // The area of a lamp by its power is needed at once.
+    EXPECT_THAT(errorOf("AreaLightSource \"diffuse\" \"float power\" 5 " + world), HasSubstr("3.ply:"));
+}
+
 TEST_F(PbrtShapesTest, BilinearMeshesAreSplit) {
     const Object rectangle = onlyObject("Shape \"bilinearmesh\" \"point3 P\" [0 0 0  2 0 0  0 1 0  2 1 0]");
     EXPECT_EQ(rectangle.shape, ShapeKind::Rectangle);
