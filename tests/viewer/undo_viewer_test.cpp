@@ -53,6 +53,67 @@ expect widget "2. Camera: position"
              "expect widget \"3. Camera: vertical fov\"\nexpect no-widget \"4. Render: max depth\"\n"));
 }
 
+TEST(UndoViewer, HowThePictureIsShownIsUndone) {
+    expectPlayed(play(std::string(R"(
+wait finished
+open "History"
+wait frames 2
+mark
+drag "Exposure" 30 0
+wait frames 2
+expect widget "2. Display: exposure"
+expect no-widget "3. Display: exposure"
+set "Tone map" Filmic
+set "Shown" Depth
+set "Denoise" on
+wait frames 2
+expect widget "3. Display: tone map"
+expect widget "4. Display: Depth"
+expect widget "5. Display: denoise"
+)") + kUndo + kUndo + "expect \"Denoise\" off\nexpect \"Shown\" Radiance\nexpect \"Tone map\" Filmic\n" +
+                          "set \"Field of view\" 20\nwait finished\n" + kUndo +
+                          "expect \"Tone map\" Filmic\n" + kUndo + kUndo +
+                          R"(
+expect "Tone map" sRGB
+expect "Exposure" 0
+expect passes-at-least 12
+expect restarts 1
+key ]
+wait frames 2
+key ]
+wait frames 2
+expect widget "3. Display: exposure"
+)" + kUndo + kUndo + "expect \"Exposure\" 0\n",
+                      kLimit));
+}
+
+TEST(UndoViewer, AnExposureThatWasChosenIsNoStep) {
+    std::string dim(kScene);
+    dim.replace(dim.find("\"color\": 1"), 10, "\"color\": 0.001");
+    write("dim.json", dim);
+    write("script.txt",
+          std::string(R"(
+wait finished
+open "History"
+wait frames 2
+expect no-widget "2. Display: exposure"
+print "Exposure"
+set "Tone map" Filmic
+wait frames 2
+)") + kUndo +
+              "print \"Exposure\"\nset \"File\" scene.json\nclick \"Open\"\nwait jobs\nwait finished\n"
+              "expect \"Exposure\" 0\n" +
+              kUndo + "wait frames 3\nprint \"Exposure\"\n");
+    write("scene.json", kScene);
+    const Ran ran = run("view dim.json --headless --threads 1 --script script.txt --passes 12");
+    expectPlayed(ran);
+    const std::vector<std::string> stops = printed(ran, "Display/Exposure");
+    ASSERT_EQ(stops.size(), 3u);
+    EXPECT_NE(stops[0], "0");
+    EXPECT_EQ(stops[1], stops[0]);
+    EXPECT_EQ(stops[2], stops[0]);
+}
+
 TEST(UndoViewer, RestartResetAndOpeningAreUndone) {
     write("other.json", std::string(kScene));
     expectPlayed(play(std::string(R"(

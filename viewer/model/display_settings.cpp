@@ -1,8 +1,29 @@
 #include "viewer/model/display_settings.h"
 
 #include <algorithm>
+#include <iterator>
+
+#include <fmt/format.h>
 
 namespace glint {
+
+std::string editName(const DisplayChoices& before, const DisplayChoices& after) {
+    const struct {
+        const char* name;
+        bool differs;
+    } all[] = {{"exposure", before.exposureStops != after.exposureStops},
+               {"tone map", before.toneMap != after.toneMap},
+               {"white", before.white.kelvin != after.white.kelvin},
+               {"tint", before.white.tint != after.white.tint},
+               {"dither", before.dithers != after.dithers},
+               {"denoise", before.denoises != after.denoises},
+               {infoOf(after.shown).name, before.shown != after.shown}};
+    const auto differs = [](const auto& each) { return each.differs; };
+    const auto more = std::ranges::count_if(all, differs) - 1;
+    const auto first = std::ranges::find_if(all, differs);
+    if (first == std::end(all)) { return "Display"; }
+    return fmt::format("Display: {}{}", first->name, more > 0 ? fmt::format(" and {} more", more) : "");
+}
 
 void DisplaySettings::take(const DisplayLook& look) {
     exposureStops = look.exposureStops;

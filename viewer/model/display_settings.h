@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "engine/render/tonemap.h"
 #include "engine/scene/integrator_kind.h"
@@ -30,15 +31,24 @@ inline bool isDifference(CompareView view) {
     return view == CompareView::SignedDifference || view == CompareView::FlipMap;
 }
 
-struct DisplaySettings {
+/// What undo brings back.
+struct DisplayChoices {
     float exposureStops = 0.0f;
-    bool autoExposure = true;  ///< a scene that is opened gets the exposure that its first picture needs
     float chosenExposureStops = 0.0f;  ///< for the scene that is open
     ToneMap toneMap = ToneMap::Srgb;
     WhiteBalance white{};
     bool dithers = false;
     bool denoises = false;  ///< the radiance is shown and saved without its noise
     ShownImage shown = ShownImage::Radiance;
+
+    bool operator==(const DisplayChoices&) const = default;
+};
+
+/// What a change of them is called in the list of edits: "Display: exposure".
+std::string editName(const DisplayChoices& before, const DisplayChoices& after);
+
+struct DisplaySettings : DisplayChoices {
+    bool autoExposure = true;  ///< a scene that is opened gets the exposure that its first picture needs
     ImageFraming framing;
     bool split = false;    ///< two integrators beside each other, at equal render time
     float splitAt = 0.5f;  ///< the divider, as a share of the width of what is seen of the image
@@ -50,6 +60,8 @@ struct DisplaySettings {
 
     DisplayLook look() const { return {exposureStops, toneMap, white, dithers}; }
     void take(const DisplayLook& look);
+    const DisplayChoices& choices() const { return *this; }
+    void choose(const DisplayChoices& choices) { static_cast<DisplayChoices&>(*this) = choices; }
     IntegratorKind otherOf(IntegratorKind own) const;
     ComparedPair pairOf(IntegratorKind own) const;
 };

@@ -18,14 +18,23 @@ void EditHistory::record(State state, uint64_t gesture) {
         return;
     }
     const State& before = states_[present_ - 1];
-    if (differences(*before.version.scene, *state.version.scene) == EditKind::None) {
+    const bool keepsScene = differences(*before.version.scene, *state.version.scene) == EditKind::None;
+    if (keepsScene && before.display == state.display) {
         states_.pop_back();
         --present_;
         gesture_ = 0;
         return;
     }
-    state.name = editName(*before.version.scene, *state.version.scene);
+    state.name = keepsScene ? editName(before.display, state.display)
+                            : editName(*before.version.scene, *state.version.scene);
     states_.back() = std::move(state);
+}
+
+void EditHistory::noteExposure(const SceneDocument::Opened* opened, float stops) {
+    for (State& state : states_) {
+        if (state.version.opened.get() != opened || state.display.exposureStops != 0.0f) { continue; }
+        state.display.exposureStops = state.display.chosenExposureStops = stops;
+    }
 }
 
 void EditHistory::ask(size_t index) {

@@ -1,4 +1,4 @@
-// The states of the document that undo and redo go between.
+// The states of the document, and of how it is shown, that undo and redo go between.
 //
 // Scenes share their meshes and images, so that a state costs little. Knows nothing of rendering.
 #pragma once
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/render/film_snapshot.h"
+#include "viewer/model/display_settings.h"
 #include "viewer/model/scene_document.h"
 
 namespace glint {
@@ -21,11 +22,15 @@ class EditHistory {
         std::string name;  ///< of the edit that led here, for people
         SceneDocument::Version version;
         FilmTake take = 0;  ///< of its films
+        DisplayChoices display{};
     };
 
     /// An edit has led to this state; those that were undone are forgotten, and so is the oldest of too many.
     /// Edits of one `gesture` are one step, and none where it ends as it began; 0: this one is for itself.
     void record(State state, uint64_t gesture);
+
+    /// The exposure of a scene that was just opened has been found: no edit, but as if it had begun so.
+    void noteExposure(const SceneDocument::Opened* opened, float stops);
 
     /// Oldest first; at least one once a scene is open.
     const std::vector<State>& states() const { return states_; }

@@ -36,6 +36,8 @@ class SceneDocument {
         std::shared_ptr<const SceneDescription> scene;
         std::shared_ptr<Opened> opened;
         std::shared_ptr<const std::vector<Object>> hidden;
+
+        bool operator==(const Version&) const = default;
     };
     Version version() const { return {posted_, opened_, hidden_}; }
 

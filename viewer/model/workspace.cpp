@@ -14,7 +14,6 @@
 #include "engine/io/studio.h"
 #include "engine/render/auto_exposure.h"
 #include "viewer/model/camera_controller.h"
-#include "viewer/model/edit_name.h"
 #include "viewer/model/object_edits.h"
 
 namespace glint {
@@ -67,7 +66,9 @@ void Workspace::adopt(SceneDescription scene, bool isSaved) {
     if (!isReload) { expectExposure(); }
     const FilmTake take = history.nextTake();
     const std::string file = std::filesystem::path(document.draft().path).filename().string();
-    history.record({fmt::format("{} {}", isReload ? "Reload" : "Open", file), document.version(), take}, 0);
+    history.record({fmt::format("{} {}", isReload ? "Reload" : "Open", file), document.version(), take,
+                    display.choices()},
+                   0);
     if (!inputs.checkIsNoInput(sceneFiles.saved)) {
         sceneFiles.saved = std::filesystem::path(document.draft().path).stem().string() + "-edited.json";
     }
@@ -101,34 +102,6 @@ void Workspace::expectExposure() {
     if (display.exposureStops == display.chosenExposureStops) { display.exposureStops = 0.0f; }
     awaitsExposure_ = display.autoExposure && display.exposureStops == 0.0f;
     display.chosenExposureStops = 0.0f;
-}
-
-void Workspace::goTo(size_t index) {
-    const SceneDocument::Version before = document.version();
-    const EditHistory::State& state = history.goTo(index);
-    const EditKind kinds = document.show(state.version);
-    if (document.draft().path != before.scene->path) {
-        convergence.forget();
-        watch.watch(filesOf(document.draft()));
-    }
-    if (state.version.opened != before.opened) { expectExposure(); }
-    forgetScene();
-    render.post({document.posted(), kinds}, state.take);
-}
-
-void Workspace::restart() {
-    const FilmTake take = history.nextTake();
-    history.record({"Restart", document.version(), take}, 0);
-    render.post({document.posted(), EditKind::None}, take);
-    logInfo("Restarted by hand");
-}
-
-void Workspace::resumeFrom(std::optional<SceneDescription> scene, ResumePoint point,
-                           const std::string& name) {
-    if (scene) { adopt(std::move(*scene), false); }
-    const FilmTake take = history.nextTake();
-    history.record({name, document.version(), take}, 0);
-    render.resume(document.posted(), std::move(point), take);
 }
 
 void Workspace::takeDroppedFile(const std::string& path) {
@@ -226,21 +199,6 @@ bool Workspace::commitEdits(bool held) {
     return isPosted;
 }
 
-bool Workspace::commitDraft(bool held) {
-    const std::shared_ptr<const SceneDescription> before = document.posted();
-    const SceneDocument::Edits edits = document.takeEdits();
-    std::string name = document.takeEditName();
-    if (edits.lacksAssets) { assets.read(); }
-    if (edits.kinds == EditKind::None) { return false; }
-    if (name.empty()) { name = editName(*before, *document.posted()); }
-    const FilmTake take = history.take();
-    history.record({std::move(name), document.version(), take}, held ? gesture_ : 0);
-    if (held) { render.setInteracting(true); }
-    render.post({document.posted(), edits.kinds}, take);
-    faults.forget();
-    return true;
-}
-
 /// Not once the user has moved it.
 void Workspace::chooseExposure() {
     const auto& picture = render.snapshot();
@@ -249,6 +207,7 @@ void Workspace::chooseExposure() {
     if (display.exposureStops != 0.0f) { return; }
     const float stops = autoExposure(picture->radiance, picture->width, picture->height);
     display.exposureStops = display.chosenExposureStops = stops;
+    history.noteExposure(document.version().opened.get(), stops);
     if (stops != 0.0f) {
         logInfo("Exposure {:+.2f} stops: without, the picture is {}", stops,
                 stops < 0.0f ? "white" : "black");

@@ -1,0 +1,64 @@
+// What leads from one version of the scene to another: edits, restarts, and the way back to one of before.
+#include <optional>
+#include <utility>
+
+#include "engine/base/log.h"
+#include "viewer/model/edit_name.h"
+#include "viewer/model/workspace.h"
+
+namespace glint {
+
+bool Workspace::commitDraft(bool held) {
+    const std::shared_ptr<const SceneDescription> before = document.posted();
+    const SceneDocument::Edits edits = document.takeEdits();
+    std::string name = document.takeEditName();
+    if (edits.lacksAssets) { assets.read(); }
+    const FilmTake take = history.take();
+    const bool isEdited = edits.kinds != EditKind::None;
+    const DisplayChoices& shown = history.states()[history.present()].display;
+    if (!isEdited && shown == display.choices()) { return false; }
+    if (name.empty()) {
+        name = isEdited ? editName(*before, *document.posted()) : editName(shown, display.choices());
+    }
+    history.record({std::move(name), document.version(), take, display.choices()}, held ? gesture_ : 0);
+    if (!isEdited) { return false; }
+    if (held) { render.setInteracting(true); }
+    render.post({document.posted(), edits.kinds}, take);
+    faults.forget();
+    return true;
+}
+
+void Workspace::goTo(size_t index) {
+    const SceneDocument::Version before = document.version();
+    const FilmTake take = history.take();
+    const EditHistory::State& state = history.goTo(index);
+    display.choose(state.display);
+    if (state.version == before && state.take == take) { return; }
+    const EditKind kinds = document.show(state.version);
+    if (document.draft().path != before.scene->path) {
+        convergence.forget();
+        watch.watch(filesOf(document.draft()));
+    }
+    if (state.version.opened != before.opened) {
+        awaitsExposure_ = display.autoExposure && display.exposureStops == 0.0f;
+    }
+    forgetScene();
+    render.post({document.posted(), kinds}, state.take);
+}
+
+void Workspace::restart() {
+    const FilmTake take = history.nextTake();
+    history.record({"Restart", document.version(), take, display.choices()}, 0);
+    render.post({document.posted(), EditKind::None}, take);
+    logInfo("Restarted by hand");
+}
+
+void Workspace::resumeFrom(std::optional<SceneDescription> scene, ResumePoint point,
+                           const std::string& name) {
+    if (scene) { adopt(std::move(*scene), false); }
+    const FilmTake take = history.nextTake();
+    history.record({name, document.version(), take, display.choices()}, 0);
+    render.resume(document.posted(), std::move(point), take);
+}
+
+}  // namespace glint
