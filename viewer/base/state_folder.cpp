@@ -5,15 +5,22 @@
 
 namespace glint {
 
-std::string stateFolder() {
-    const auto variable = [](const char* name) {
-        const char* value = std::getenv(name);
-        return std::filesystem::path(value != nullptr ? value : "");
-    };
-    const std::filesystem::path state = variable("XDG_STATE_HOME");
-    // A relative one is to be ignored (XDG Base Directory Specification 0.8).
-    const std::filesystem::path base = state.is_absolute() ? state : variable("HOME") / ".local" / "state";
-    return (base / "glint").string();
+namespace {
+
+std::filesystem::path variable(const char* name) {
+    const char* value = std::getenv(name);
+    return value != nullptr ? value : "";
 }
+
+std::string folder(const char* name, const std::filesystem::path& inHome) {
+    const std::filesystem::path named = variable(name);
+    // A relative one is to be ignored (XDG Base Directory Specification 0.8).
+    return ((named.is_absolute() ? named : variable("HOME") / inHome) / "glint").string();
+}
+
+}  // namespace
+
+std::string stateFolder() { return folder("XDG_STATE_HOME", ".local/state"); }
+std::string preferencesFolder() { return folder("XDG_CONFIG_HOME", ".config"); }
 
 }  // namespace glint

@@ -1,5 +1,5 @@
 // Where Glint keeps what outlives a session: recent files, the layout, bookmarks of cameras, recovered
-// sessions.
+// sessions; and what the user prefers.
 #pragma once
 
 #include <string>
@@ -8,5 +8,7 @@ namespace glint {
 
 /// $XDG_STATE_HOME/glint, or ~/.local/state/glint. It need not exist.
 std::string stateFolder();
+/// $XDG_CONFIG_HOME/glint, or ~/.config/glint. It need not exist.
+std::string preferencesFolder();
 
 }  // namespace glint

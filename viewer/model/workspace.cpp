@@ -45,6 +45,13 @@ Workspace::Workspace(std::unique_ptr<Backend> backend)
       curveExport(&jobs, &notice, &inputs, &overwrite),
       faults(&jobs, &render) {}
 
+void Workspace::rememberIn(const std::string& folder, double backupSeconds) {
+    backup.begin(folder + "/sessions", backupSeconds);
+    sceneFiles.recent.begin(folder + "/recent");
+    layout.begin(folder + "/layout");
+    bookmarks.begin(folder + "/views");
+}
+
 void Workspace::adopt(SceneDescription scene, bool isSaved) {
     const bool isReload = std::exchange(isReloading_, false) && scene.path == document.draft().path;
     const Camera camera = document.draft().camera;

@@ -24,6 +24,7 @@
 #include "viewer/model/film_files.h"
 #include "viewer/model/gizmo.h"
 #include "viewer/model/inspector.h"
+#include "viewer/model/key_map.h"
 #include "viewer/model/lens_settings.h"
 #include "viewer/model/material_presets.h"
 #include "viewer/model/notice.h"
@@ -74,9 +75,12 @@ class Workspace {
     PictureDifference difference;
     DenoisedPicture denoised;
     WindowLayout layout;
+    KeyMap keys;
     /// Set by who draws: what is on the screen is not of the newest snapshots yet.
     bool displayIsBehind = false;
 
+    /// What outlives the session is kept in that folder, and the session itself every so many seconds.
+    void rememberIn(const std::string& folder, double backupSeconds);
     /// Opens a scene that is in memory, as an edit that can be undone.
     /// `isSaved`: it is as its file says.
     void adopt(SceneDescription scene, bool isSaved = true);

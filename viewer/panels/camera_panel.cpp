@@ -6,6 +6,7 @@
 
 #include "viewer/base/camera_bookmarks.h"
 #include "viewer/model/camera_controller.h"
+#include "viewer/model/key_map.h"
 #include "viewer/model/scene_document.h"
 #include "viewer/panels/panel.h"
 #include "viewer/ui/widgets.h"
@@ -64,7 +65,7 @@ void drawProjection(Camera* camera, float speed) {
     ui::number("Shift up", &camera->shift.y, shift);
 }
 
-void draw(SceneDocument* document, CameraBookmarks* bookmarks) {
+void draw(SceneDocument* document, CameraBookmarks* bookmarks, const KeyMap* keys) {
     Camera* camera = &document->draft().camera;
     // Dragging feels alike in a doll's house and in a cathedral.
     const float speed = std::max(targetDistance(*camera) * 0.002f, 1e-6f);
@@ -82,11 +83,12 @@ void draw(SceneDocument* document, CameraBookmarks* bookmarks) {
     }
     drawProjection(camera, speed);
     const float width = ui::buttonWidth(2);
-    if (ui::button("Frame", width, "Moves back or closer until everything is in the picture (Shift + F)")) {
-        document->frameScene();
-    }
+    const std::string frames =
+        keys->tip("Moves back or closer until everything is in the picture", KeyAction::FrameScene);
+    if (ui::button("Frame", width, frames.c_str())) { document->frameScene(); }
     ImGui::SameLine();
-    if (ui::button("Reset", width, "The scene file's camera (Home)")) { document->resetCamera(); }
+    const std::string resets = keys->tip("The scene file's camera", KeyAction::ResetCamera);
+    if (ui::button("Reset", width, resets.c_str())) { document->resetCamera(); }
     drawBookmarks(document, bookmarks);
 }
 

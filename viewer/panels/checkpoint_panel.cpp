@@ -3,6 +3,7 @@
 
 #include "viewer/model/display_settings.h"
 #include "viewer/model/film_files.h"
+#include "viewer/model/key_map.h"
 #include "viewer/model/notice.h"
 #include "viewer/model/scene_document.h"
 #include "viewer/model/scene_files.h"
@@ -14,10 +15,12 @@ namespace glint {
 
 namespace {
 
-void drawImages(FilmFiles* files, FileDialog* dialog, const DisplaySettings& display) {
+void drawImages(FilmFiles* files, FileDialog* dialog, const DisplaySettings& display, const KeyMap& keys) {
     ui::text("PNG file", &files->png, "render.png", "As shown: with exposure and tone map");
     const float half = ui::buttonWidth(2);
-    if (ui::button("Save PNG", half, "Ctrl+S")) { files->savePng(display); }
+    if (ui::button("Save PNG", half, keys.tip("As it is shown", KeyAction::SavePng).c_str())) {
+        files->savePng(display);
+    }
     ImGui::SameLine();
     if (ui::button("Save PNG as…", half, "Into another folder or under another name")) {
         dialog->ask({"Save the picture as", files->png, true, [files, display](const std::string& path) {
@@ -63,8 +66,8 @@ void drawNotice(const Notice& notice) {
 }
 
 void draw(FilmFiles* files, SceneFiles* scenes, const SceneDocument* document, const DisplaySettings* display,
-          const Notice* notice) {
-    drawImages(files, &scenes->dialog, *display);
+          const Notice* notice, const KeyMap* keys) {
+    drawImages(files, &scenes->dialog, *display, *keys);
     drawCheckpoint(files);
     ui::gap();
     ui::text("Scene file", &scenes->saved, "scene.json", "The scene as edited, as Glint JSON");
@@ -73,7 +76,8 @@ void draw(FilmFiles* files, SceneFiles* scenes, const SceneDocument* document, c
         scenes->save(document->posted());
     }
     ImGui::SameLine();
-    if (ui::button("Save scene as…", half, "Ctrl+Shift+S")) { scenes->saveAs(document->posted()); }
+    const std::string tip = keys->tip("Into another folder or under another name", KeyAction::SaveScene);
+    if (ui::button("Save scene as…", half, tip.c_str())) { scenes->saveAs(document->posted()); }
     drawNotice(*notice);
 }
 

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "viewer/model/display_settings.h"
+#include "viewer/model/key_map.h"
 
 namespace glint {
 
-void drawCompareView(DisplaySettings* display);
+void drawCompareView(DisplaySettings* display, const KeyMap& keys);
 
 }  // namespace glint

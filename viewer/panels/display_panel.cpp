@@ -10,6 +10,7 @@
 
 #include "viewer/model/convergence_watch.h"
 #include "viewer/model/display_settings.h"
+#include "viewer/model/key_map.h"
 #include "viewer/model/scene_document.h"
 #include "viewer/panels/compare_view.h"
 #include "viewer/panels/panel.h"
@@ -48,14 +49,15 @@ std::string missing(const DisplaySettings& display, IntegratorKind own, const Co
 }
 
 /// The choice of the other integrator is worth a row where there are several.
-void drawComparison(DisplaySettings* display, IntegratorKind own) {
+void drawComparison(DisplaySettings* display, IntegratorKind own, const KeyMap& keys) {
     const auto [left, right] = display->pairOf(own);
     const std::string tooltip =
-        fmt::format("{} left of the divider, {} right of it, at equal render time (C)",
-                    integratorInfo(left).displayName, integratorInfo(right).displayName);
+        keys.tip(fmt::format("{} left of the divider, {} right of it, at equal render time",
+                             integratorInfo(left).displayName, integratorInfo(right).displayName),
+                 KeyAction::Compare);
     ui::toggle("Compare", &display->split, tooltip.c_str());
     if (!display->split) { return; }
-    drawCompareView(display);
+    drawCompareView(display, keys);
     if (kIntegratorTable.size() < 3) { return; }
     std::vector<std::string_view> names;
     std::vector<IntegratorKind> kinds;
@@ -71,14 +73,12 @@ void drawComparison(DisplaySettings* display, IntegratorKind own) {
     }
 }
 
-void draw(DisplaySettings* display, const SceneDocument* document, const ConvergenceWatch* convergence) {
-    const IntegratorKind own = document->draft().options.integrator;
-    ui::number("Exposure", &display->exposureStops,
-               {.format = "%+.2f stops",
-                .min = -10.0f,
-                .max = 10.0f,
-                .slider = true,
-                .tooltip = "Doubles the brightness with each stop; never restarts ([ and ])"});
+void drawLook(DisplaySettings* display, const KeyMap& keys) {
+    const std::string tip = fmt::format("Doubles the brightness with each stop; never restarts ({} and {})",
+                                        keys.textOf(KeyAction::Darker), keys.textOf(KeyAction::Brighter));
+    ui::number(
+        "Exposure", &display->exposureStops,
+        {.format = "%+.2f stops", .min = -10.0f, .max = 10.0f, .slider = true, .tooltip = tip.c_str()});
     if (display->exposureStops != 0.0f && display->exposureStops == display->chosenExposureStops) {
         ui::hint("chosen when the scene was opened: it would be black or white");
     }
@@ -103,9 +103,15 @@ void draw(DisplaySettings* display, const SceneDocument* document, const Converg
         "Denoise", &display->denoises,
         "Shows and saves the radiance without its noise, guided by albedo, normals and depth: quickly while "
         "it renders, carefully once it rests. The film and its error stay as they are");
+}
+
+void draw(DisplaySettings* display, const SceneDocument* document, const ConvergenceWatch* convergence,
+          const KeyMap* keys) {
+    const IntegratorKind own = document->draft().options.integrator;
+    drawLook(display, *keys);
     drawShown(display);
     if (const std::string why = missing(*display, own, *convergence); !why.empty()) { ui::hint(why.c_str()); }
-    drawComparison(display, own);
+    drawComparison(display, own, *keys);
     int size = display->framing.choice();
     const std::vector<std::string> sizes = ImageFraming::choices();
     if (ui::choice("Size", &size, std::vector<std::string_view>(sizes.begin(), sizes.end()),

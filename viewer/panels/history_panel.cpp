@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include "viewer/model/edit_history.h"
+#include "viewer/model/key_map.h"
 #include "viewer/panels/panel.h"
 #include "viewer/ui/theme.h"
 #include "viewer/ui/widgets.h"
@@ -39,13 +40,13 @@ void drawStates(EditHistory* history) {
     ImGui::EndChild();
 }
 
-void draw(EditHistory* history) {
+void draw(EditHistory* history, const KeyMap* keys) {
     const float width = ui::buttonWidth(2);
-    if (drawAction("Undo", history->canUndo(), width, "Ctrl+Z. A film that is held goes on where it was")) {
-        history->askUndo();
-    }
+    const std::string undoes = keys->tip("A film that is held goes on where it was", KeyAction::Undo);
+    if (drawAction("Undo", history->canUndo(), width, undoes.c_str())) { history->askUndo(); }
     ImGui::SameLine();
-    if (drawAction("Redo", history->canRedo(), width, "Ctrl+Shift+Z or Ctrl+Y")) { history->askRedo(); }
+    const std::string redoes = keys->tip("What was undone last", KeyAction::Redo);
+    if (drawAction("Redo", history->canRedo(), width, redoes.c_str())) { history->askRedo(); }
     drawStates(history);
 }
 

@@ -9,6 +9,7 @@
 
 #include "viewer/base/units.h"
 #include "viewer/model/camera_controller.h"
+#include "viewer/model/key_map.h"
 #include "viewer/model/lens_settings.h"
 #include "viewer/model/scene_document.h"
 #include "viewer/panels/panel.h"
@@ -80,7 +81,7 @@ void drawAperture(Camera* camera, float sensorMm) {
     if (ui::button("Close by 1/3", width, "A third of a stop less light: more is sharp")) { step(1); }
 }
 
-void drawFocus(SceneDocument* document, LensSettings* lens) {
+void drawFocus(SceneDocument* document, LensSettings* lens, const KeyMap& keys) {
     Camera* camera = &document->draft().camera;
     if (ui::number("Focal distance", &camera->focalDistance,
                    {.format = "%.3f m",
@@ -98,8 +99,8 @@ void drawFocus(SceneDocument* document, LensSettings* lens) {
         camera->focalDistance = targetDistance(*camera);
     }
     const char* label = lens->picksFocus ? "Click on the picture…" : "Click to focus";
-    if (ui::button(label, ui::buttonWidth(1), "Ctrl + click on the picture, or T over it",
-                   lens->picksFocus)) {
+    const std::string tip = keys.tip("Ctrl + click on the picture, or a key over it", KeyAction::Focus);
+    if (ui::button(label, ui::buttonWidth(1), tip.c_str(), lens->picksFocus)) {
         lens->picksFocus = !lens->picksFocus;
     }
 }
@@ -169,11 +170,11 @@ void drawBlades(Camera* camera) {
     if (camera->apertureDiameter > 0.0f) { drawApertureShape(*camera); }
 }
 
-void draw(SceneDocument* document, LensSettings* lens) {
+void draw(SceneDocument* document, LensSettings* lens, const KeyMap* keys) {
     Camera* camera = &document->draft().camera;
     if (camera->kind == ProjectionKind::Perspective) { drawFocalLength(camera, lens); }
     drawAperture(camera, lens->sensorHeightMm());
-    drawFocus(document, lens);
+    drawFocus(document, lens, *keys);
     drawSharpness(document->draft(), lens);
     drawBlades(camera);
 }

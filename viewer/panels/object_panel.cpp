@@ -10,6 +10,7 @@
 
 #include "viewer/model/camera_controller.h"
 #include "viewer/model/gizmo.h"
+#include "viewer/model/key_map.h"
 #include "viewer/model/object_edits.h"
 #include "viewer/model/placement.h"
 #include "viewer/model/scene_files.h"
@@ -61,12 +62,13 @@ void drawPlacement(Object* object, float speed) {
     object->objectToWorld = withNumbers(object->objectToWorld, before, after);
 }
 
-void drawGizmo(GizmoSettings* gizmo) {
+void drawGizmo(GizmoSettings* gizmo, const KeyMap& keys) {
     static constexpr ui::KindLabel<GizmoMode> kModes[]{{GizmoMode::Off, "Off"},
                                                        {GizmoMode::Move, "Move"},
                                                        {GizmoMode::Rotate, "Rotate"},
                                                        {GizmoMode::Scale, "Scale"}};
-    ui::kindChoice("Gizmo", &gizmo->mode, kModes, "Handles over the picture (G: the next kind)");
+    ui::kindChoice("Gizmo", &gizmo->mode, kModes,
+                   keys.tip("Handles over the picture; the next kind", KeyAction::Gizmo).c_str());
     if (gizmo->mode == GizmoMode::Off) { return; }
     ui::toggle("Own axes", &gizmo->isLocal, "The object's instead of the world's; scaling always has these");
     ui::toggle("Snap", &gizmo->snaps, "In steps; Ctrl while dragging does the opposite");
@@ -85,18 +87,21 @@ void drawGizmo(GizmoSettings* gizmo) {
     }
 }
 
-void drawActions(SceneDocument* document) {
+void drawActions(SceneDocument* document, const KeyMap& keys) {
     const float third = ui::buttonWidth(3);
-    if (ui::button("Duplicate", third, "Ctrl + D")) { duplicateSelection(document); }
+    const auto button = [&](const char* label, const char* text, KeyAction action) {
+        return ui::button(label, third, keys.tip(text, action).c_str());
+    };
+    if (button("Duplicate", "Another one beside it", KeyAction::Duplicate)) { duplicateSelection(document); }
     ImGui::SameLine();
-    if (ui::button("Hide", third, "H. It is out of the scene until all are shown")) {
+    if (button("Hide", "It is out of the scene until all are shown", KeyAction::Hide)) {
         hideSelection(document);
     }
     ImGui::SameLine();
     if (ui::button("Solo", third, "Hides all others but lamps")) { soloSelection(document); }
-    if (ui::button("Delete", third, "Del")) { deleteSelection(document); }
+    if (button("Delete", "Takes it out of the scene", KeyAction::Delete)) { deleteSelection(document); }
     ImGui::SameLine();
-    if (ui::button("Frame", third, "Moves the camera until it fills the picture (F)")) {
+    if (button("Frame", "Moves the camera until it fills the picture", KeyAction::FrameSelection)) {
         document->frameSelection();
     }
     ImGui::SameLine();
@@ -107,7 +112,7 @@ void drawActions(SceneDocument* document) {
     }
 }
 
-void draw(SceneDocument* document, GizmoSettings* gizmo, SceneFiles* files) {
+void draw(SceneDocument* document, GizmoSettings* gizmo, SceneFiles* files, const KeyMap* keys) {
     drawAdding(document, files);
     SceneDescription& scene = document->draft();
     const auto index = static_cast<size_t>(document->selectedObject);
@@ -118,11 +123,12 @@ void draw(SceneDocument* document, GizmoSettings* gizmo, SceneFiles* files) {
         ui::text("Name", &object->name, "a name");
         drawMaterial(scene, object);
         drawPlacement(object, std::max(targetDistance(scene.camera) * 0.002f, 1e-5f));
-        drawGizmo(gizmo);
-        drawActions(document);
+        drawGizmo(gizmo, *keys);
+        drawActions(document, *keys);
     }
     if (document->hidden().empty()) { return; }
-    if (ui::button("Show all", ui::buttonWidth(1), "Alt + H")) { showAll(document); }
+    const std::string tip = keys->tip("What is hidden comes back", KeyAction::ShowAll);
+    if (ui::button("Show all", ui::buttonWidth(1), tip.c_str())) { showAll(document); }
     ui::hint(fmt::format("{} hidden: neither rendered nor saved", document->hidden().size()).c_str());
 }
 

@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include "engine/scene/scene_use.h"
+#include "viewer/model/key_map.h"
 #include "viewer/model/outliner.h"
 #include "viewer/model/scene_document.h"
 #include "viewer/panels/panel.h"
@@ -62,7 +63,7 @@ void drawEntries(SceneDocument* document, const std::vector<OutlinerEntry>& entr
     ImGui::EndChild();
 }
 
-void draw(SceneDocument* document, Outliner* outliner) {
+void draw(SceneDocument* document, Outliner* outliner, const KeyMap* keys) {
     ui::text("Search", &outliner->search, "name",
              "Part of a name, in any case; or object, light, material, texture");
     const std::vector<OutlinerEntry>& entries = outliner->entries(*document);
@@ -71,8 +72,9 @@ void draw(SceneDocument* document, Outliner* outliner) {
     const bool isObject = document->selectedObject >= 0;
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, isObject ? 1.0f : 0.5f);
     const float width = ui::buttonWidth(1);
-    const bool isFramed = ui::button("Frame selection", width,
-                                     "Moves the camera until the object fills the picture (Shift + F)");
+    const std::string tip =
+        keys->tip("Moves the camera until the object fills the picture", KeyAction::FrameSelection);
+    const bool isFramed = ui::button("Frame selection", width, tip.c_str());
     ImGui::PopStyleVar();
     if (isFramed) { document->frameSelection(); }
 }

@@ -10,6 +10,7 @@
 #include "engine/render/integrator.h"
 #include "viewer/base/units.h"
 #include "viewer/model/fault_finder.h"
+#include "viewer/model/key_map.h"
 #include "viewer/model/region_tool.h"
 #include "viewer/model/render_control.h"
 #include "viewer/model/scene_document.h"
@@ -50,18 +51,20 @@ float progress(const SessionStatus& status, const StopLimits& limits) {
     return static_cast<float>(std::min(done, 1.0));
 }
 
-void drawActions(RenderControl* render) {
+void drawActions(RenderControl* render, const KeyMap& keys) {
     const float width = ui::buttonWidth(2);
     const bool finished = render->status().state == SessionState::Finished;
     if (finished) {
         ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.5f);
         ui::button("Finished", width, "A stop limit is reached. Raise or clear it to go on.");
         ImGui::PopStyleVar();
-    } else if (ui::button(render->request.paused ? "Start" : "Pause", width, "Space", true)) {
+    } else if (ui::button(render->request.paused ? "Start" : "Pause", width,
+                          keys.tip("Keeps the picture", KeyAction::Pause).c_str(), true)) {
         render->request.paused = !render->request.paused;
     }
     ImGui::SameLine();
-    if (ui::button("Restart", width, "Throws the picture away and begins again (R)")) { render->restart(); }
+    const std::string tip = keys.tip("Throws the picture away and begins again", KeyAction::Restart);
+    if (ui::button("Restart", width, tip.c_str())) { render->restart(); }
 }
 
 void drawIntegrator(RenderOptions* options) {
@@ -91,7 +94,7 @@ void drawAccelerator(RenderOptions* options) {
 
 void drawNumbers(const RenderControl& render) {
     const SessionStatus& status = render.status();
-    ui::value("State", stateText(render), "Space pauses and goes on");
+    ui::value("State", stateText(render));
     ui::value("Passes", grouped(status.passes), "Samples of each pixel so far");
     const bool isTimed = status.passesPerSecond > 0.0;
     ui::value("Speed", isTimed ? fmt::format("{:.2f} passes/s", status.passesPerSecond) : "–",
@@ -114,12 +117,10 @@ void drawNumbers(const RenderControl& render) {
     }
 }
 
-void drawRegion(const RenderControl& render, RegionTool* region) {
+void drawRegion(const RenderControl& render, RegionTool* region, const KeyMap& keys) {
     const char* label = region->picks ? "Drag on the picture…" : region->drawn ? "Whole picture" : "Region…";
-    if (ui::button(label, ui::buttonWidth(1), "Only what is drawn is rendered on, the rest stays (B)",
-                   region->picks)) {
-        region->askOrGiveUp();
-    }
+    const std::string tip = keys.tip("Only what is drawn is rendered on, the rest stays", KeyAction::Region);
+    if (ui::button(label, ui::buttonWidth(1), tip.c_str(), region->picks)) { region->askOrGiveUp(); }
     const SessionStatus& status = render.status();
     if (region->drawn && !status.region && integratorType(status.integrator).makeStatistics()) {
         ui::hint(fmt::format("{} renders the whole picture: photons land everywhere.",
@@ -179,9 +180,10 @@ void drawFaults(const SessionStatus& status, FaultFinder* faults) {
     if (ui::button("Copy command", ui::buttonWidth(1))) { ImGui::SetClipboardText(command.c_str()); }
 }
 
-void draw(RenderControl* render, SceneDocument* document, RegionTool* region, FaultFinder* faults) {
-    drawActions(render);
-    drawRegion(*render, region);
+void draw(RenderControl* render, SceneDocument* document, RegionTool* region, FaultFinder* faults,
+          const KeyMap* keys) {
+    drawActions(render, *keys);
+    drawRegion(*render, region, *keys);
     drawIntegrator(&document->draft().options);
     drawAccelerator(&document->draft().options);
     drawNumbers(*render);

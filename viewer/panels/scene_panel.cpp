@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include "engine/io/importer.h"
+#include "viewer/model/key_map.h"
 #include "viewer/model/scene_document.h"
 #include "viewer/model/scene_files.h"
 #include "viewer/panels/panel.h"
@@ -27,14 +28,15 @@ void drawRecent(SceneFiles* files) {
     }
 }
 
-void draw(SceneFiles* files, const SceneDocument* document) {
+void draw(SceneFiles* files, const SceneDocument* document, const KeyMap* keys) {
     static const std::string help = "A scene to open: " + listImporters() + ". Enter opens it.";
     const bool entered = ui::text("File", &files->opened, "scene.json, .txt, .obj, .ply", help.c_str());
     const char* action = files->opening() ? "Opening…" : "Open";
     const float width = ui::buttonWidth(2);
     if ((ui::button(action, width) || entered) && !files->opening()) { files->open(files->opened); }
     ImGui::SameLine();
-    if (ui::button("Browse…", width, "Look for a file in folders (Ctrl+O)")) { files->browse(); }
+    const std::string tip = keys->tip("Look for a file in folders", KeyAction::OpenScene);
+    if (ui::button("Browse…", width, tip.c_str())) { files->browse(); }
     drawRecent(files);
     if (files->error()) {
         ui::gap();

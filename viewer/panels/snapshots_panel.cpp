@@ -9,6 +9,7 @@
 #include <imgui.h>
 
 #include "engine/scene/scene_diff.h"
+#include "viewer/model/key_map.h"
 #include "viewer/model/scene_document.h"
 #include "viewer/model/snapshots.h"
 #include "viewer/panels/compare_view.h"
@@ -81,17 +82,16 @@ void drawActions(Snapshots* snapshots) {
     if (ui::button("Remove", half)) { snapshots->remove(snapshots->left); }
 }
 
-void draw(Snapshots* snapshots, const SceneDocument* document, DisplaySettings* display) {
-    if (ui::button("Keep this picture", ui::buttonWidth(1), "With its settings and its error (K)")) {
-        snapshots->askToKeep();
-    }
+void draw(Snapshots* snapshots, const SceneDocument* document, DisplaySettings* display, const KeyMap* keys) {
+    const std::string tip = keys->tip("With its settings and its error", KeyAction::Keep);
+    if (ui::button("Keep this picture", ui::buttonWidth(1), tip.c_str())) { snapshots->askToKeep(); }
     for (const KeptPicture& kept : snapshots->kept()) {
         drawKept(kept, *document, snapshots);
     }
     if (snapshots->kept().empty()) { return; }
     if (!snapshots->isComparing()) { return ui::hint("Click one to compare it with the live picture."); }
     drawRight(snapshots);
-    drawCompareView(display);
+    drawCompareView(display, *keys);
     drawActions(snapshots);
 }
 

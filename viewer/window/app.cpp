@@ -20,6 +20,7 @@
 #include "viewer/ui/widgets.h"
 #include "viewer/window/frame_pacer.h"
 #include "viewer/window/frame_stats.h"
+#include "viewer/window/key_codes.h"
 #include "viewer/window/script_player.h"
 #include "viewer/window/shell.h"
 
@@ -121,11 +122,11 @@ Status App::open(std::optional<SceneDescription> scene) {
     }
     workspace_.sceneFiles.dialog.usesDesktop = !options_.headless;
     workspace_.display.autoExposure = !options_.noAutoExposure;
-    if (const std::string folder = stateFolder(); options_.recoverySeconds > 0.0) {
-        workspace_.backup.begin(folder + "/sessions", options_.recoverySeconds);
-        workspace_.sceneFiles.recent.begin(folder + "/recent");
-        workspace_.layout.begin(folder + "/layout");
-        workspace_.bookmarks.begin(folder + "/views");
+    if (options_.recoverySeconds > 0.0) {
+        workspace_.rememberIn(stateFolder(), options_.recoverySeconds);
+        // A script's keys mean the same on every machine.
+        const bool isScripted = options_.script && !options_.headless;
+        if (!isScripted) { workspace_.keys.begin(preferencesFolder() + "/keys", keyNames()); }
     }
     if (scene) { workspace_.adopt(std::move(*scene)); }
     if (!options_.checkpoint.empty()) { workspace_.takeDroppedFile(options_.checkpoint); }

@@ -1,11 +1,9 @@
 #include "viewer/window/image_view.h"
 
-#define GLFW_INCLUDE_NONE
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include "viewer/model/camera_controller.h"
@@ -13,6 +11,7 @@
 #include "viewer/ui/theme.h"
 #include "viewer/ui/widgets.h"
 #include "viewer/window/gallery_view.h"
+#include "viewer/window/key_input.h"
 #include "viewer/window/split_view.h"
 
 namespace glint {
@@ -22,16 +21,13 @@ constexpr float kFlySpeed = 0.7f;  // target distances per second
 constexpr float kFastFactor = 4.0f;
 constexpr double kWheelHoldSeconds = 0.15;
 
-bool isDown(int key) { return ImGui::IsKeyDown(key); }
-
 /// Which way the fly keys point; zero when none is down or a text field has the keyboard.
-Vec3 flyDirection() {
-    const ImGuiIO& io = ImGui::GetIO();
-    if (io.WantTextInput || io.KeyCtrl || io.KeyAlt) { return Vec3(0.0f); }
-    const auto axis = [](int plus, int minus) {
-        return static_cast<float>(isDown(plus)) - static_cast<float>(isDown(minus));
+Vec3 flyDirection(const KeyMap& keys) {
+    const auto axis = [&keys](KeyAction plus, KeyAction minus) {
+        return static_cast<float>(isHeld(keys, plus)) - static_cast<float>(isHeld(keys, minus));
     };
-    return {axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q), axis(GLFW_KEY_W, GLFW_KEY_S)};
+    return {axis(KeyAction::FlyRight, KeyAction::FlyLeft), axis(KeyAction::FlyUp, KeyAction::FlyDown),
+            axis(KeyAction::FlyForwards, KeyAction::FlyBack)};
 }
 
 /// Where the picture may be, or the left one of two side by side.
@@ -75,24 +71,20 @@ Vec2 ImageView::dragged(bool held) {
 }
 
 /// Around the mouse where it is over the area, otherwise around the middle.
-void ImageView::handleZoomKeys(const ImageArea& area, ImageFraming* framing) const {
-    const ImGuiIO& io = ImGui::GetIO();
-    if (io.WantTextInput || io.KeyCtrl || io.KeyAlt) { return; }
-    const auto isPressed = [](int key, int keypad) {
-        return ImGui::IsKeyPressed(key) || ImGui::IsKeyPressed(keypad);
-    };
+void ImageView::handleZoomKeys(const KeyMap& keys, const ImageArea& area, ImageFraming* framing) const {
     const Vec2 mouse = foldedBack(mousePosition(), area);
     const bool isInside =
         glm::all(glm::greaterThanEqual(mouse, area.min)) && glm::all(glm::lessThan(mouse, area.max));
     const Vec2 at = isInside ? mouse : (area.min + area.max) * 0.5f;
-    if (isPressed(GLFW_KEY_EQUAL, GLFW_KEY_KP_ADD)) { framing->zoomBy(1, at, area); }
-    if (isPressed(GLFW_KEY_MINUS, GLFW_KEY_KP_SUBTRACT)) { framing->zoomBy(-1, at, area); }
-    if (isPressed(GLFW_KEY_1, GLFW_KEY_KP_1)) { framing->chooseOneToOne(); }
-    if (isPressed(GLFW_KEY_0, GLFW_KEY_KP_0)) { *framing = {}; }
+    if (isPressed(keys, KeyAction::ZoomIn, true)) { framing->zoomBy(1, at, area); }
+    if (isPressed(keys, KeyAction::ZoomOut, true)) { framing->zoomBy(-1, at, area); }
+    if (isPressed(keys, KeyAction::OneToOne)) { framing->chooseOneToOne(); }
+    if (isPressed(keys, KeyAction::FitPicture)) { *framing = {}; }
 }
 
-bool ImageView::navigate(Camera* camera, const ImageArea& area, ImageFraming* framing, bool hovered,
-                         bool held) {
+bool ImageView::navigate(Workspace* workspace, const ImageArea& area, bool hovered, bool held) {
+    Camera* camera = &workspace->document.draft().camera;
+    ImageFraming* framing = &workspace->display.framing;
     const ImGuiIO& io = ImGui::GetIO();
     const float height = placed_.max.y - placed_.min.y;
     const Vec2 delta = dragged(held);
@@ -117,7 +109,7 @@ bool ImageView::navigate(Camera* camera, const ImageArea& area, ImageFraming* fr
         dolly(camera, io.MouseWheel);
         lastWheel_ = ImGui::GetTime();
     }
-    const Vec3 direction = flyDirection();
+    const Vec3 direction = flyDirection(workspace->keys);
     const bool flying = !isZero(direction);
     if (flying) {
         const float speed = kFlySpeed * (io.KeyShift ? kFastFactor : 1.0f);
@@ -151,8 +143,7 @@ void ImageView::pick(Workspace* workspace, bool isClick) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool picks = workspace->lens.picksFocus;
     if (picks && hoveredPixel_) { ImGui::SetMouseCursor(ImGuiMouseCursor_Hand); }
-    const bool isKey = !io.WantTextInput && !io.KeyCtrl && ImGui::IsKeyPressed(GLFW_KEY_T, false);
-    const bool isWanted = isKey || (isClick && (picks || io.KeyCtrl));
+    const bool isWanted = isPressed(workspace->keys, KeyAction::Focus) || (isClick && (picks || io.KeyCtrl));
     if (!hoveredPixel_) { return; }
     workspace->inspector.pixel = hoveredPixel_;
     if (isWanted) {
@@ -181,7 +172,7 @@ bool ImageView::draw(Workspace* workspace, const ImagePanes& panes, Vec2 min, Ve
     const ImageArea area = areaOf(*workspace, min, max);
     ImageFraming& framing = workspace->display.framing;
     if (hasScene) {
-        handleZoomKeys(area, &framing);
+        handleZoomKeys(workspace->keys, area, &framing);
         placed_ = framing.place(area);
         if (hasDivider(*workspace)) { dragDivider(&workspace->display, placed_); }
     }
@@ -200,7 +191,7 @@ bool ImageView::draw(Workspace* workspace, const ImagePanes& panes, Vec2 min, Ve
         if (hovered || held) { findPixel(*workspace, area); }
         const bool draws = region_.handle(workspace, placed_, hoveredPixel_, held) ||
                            gizmo_.handle(workspace, placed_, hovered, held);
-        moving = navigate(&workspace->document.draft().camera, area, &framing, hovered, held && !draws);
+        moving = navigate(workspace, area, hovered, held && !draws);
         placed_ = framing.place(area);
         if (panes.own.display->texture() != 0) {
             drawPanes(*workspace, panes, placed_);

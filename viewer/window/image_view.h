@@ -28,8 +28,8 @@ class ImageView {
     void pick(Workspace* workspace, bool isClick);
     void drawOverlay(const FocusOverlay& overlay, const ImageDisplay& display) const;
     Vec2 dragged(bool held);
-    bool navigate(Camera* camera, const ImageArea& area, ImageFraming* framing, bool hovered, bool held);
-    void handleZoomKeys(const ImageArea& area, ImageFraming* framing) const;
+    bool navigate(Workspace* workspace, const ImageArea& area, bool hovered, bool held);
+    void handleZoomKeys(const KeyMap& keys, const ImageArea& area, ImageFraming* framing) const;
 
     PlacedImage placed_;
     RegionView region_;

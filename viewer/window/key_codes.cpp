@@ -10,7 +10,7 @@
 namespace glint {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, int>, 68> kKeys{{
+constexpr std::array<std::pair<std::string_view, int>, 79> kKeys{{
     {"a", GLFW_KEY_A},
     {"b", GLFW_KEY_B},
     {"c", GLFW_KEY_C},
@@ -79,6 +79,17 @@ constexpr std::array<std::pair<std::string_view, int>, 68> kKeys{{
     {"/", GLFW_KEY_SLASH},
     {"+", GLFW_KEY_EQUAL},
     {"-", GLFW_KEY_MINUS},
+    {"kp+", GLFW_KEY_KP_ADD},
+    {"kp-", GLFW_KEY_KP_SUBTRACT},
+    {"kp0", GLFW_KEY_KP_0},
+    {"kp1", GLFW_KEY_KP_1},
+    {",", GLFW_KEY_COMMA},
+    {".", GLFW_KEY_PERIOD},
+    {";", GLFW_KEY_SEMICOLON},
+    {"'", GLFW_KEY_APOSTROPHE},
+    {"pageup", GLFW_KEY_PAGE_UP},
+    {"pagedown", GLFW_KEY_PAGE_DOWN},
+    {"insert", GLFW_KEY_INSERT},
 }};
 
 }  // namespace

@@ -1,13 +1,12 @@
 #include "viewer/window/region_view.h"
 
-#define GLFW_INCLUDE_NONE
 #include <utility>
 
-#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include "viewer/ui/widgets.h"
+#include "viewer/window/key_input.h"
 
 namespace glint {
 namespace {
@@ -34,8 +33,7 @@ bool RegionView::handle(Workspace* workspace, const PlacedImage& placed, const s
                         bool held) {
     const ImGuiIO& io = ImGui::GetIO();
     RegionTool& tool = workspace->region;
-    const bool isSpot =
-        hovered && !io.WantTextInput && !io.KeyCtrl && !io.KeyAlt && ImGui::IsKeyDown(GLFW_KEY_V);
+    const bool isSpot = hovered && isHeld(workspace->keys, KeyAction::Spot);
     tool.spot.reset();
     if (isSpot) { tool.spot = spotAround(*hovered, workspace->document.draft().resolution.height); }
     Inspector& inspector = workspace->inspector;

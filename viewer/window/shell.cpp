@@ -3,7 +3,6 @@
 #define GLFW_INCLUDE_NONE
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
@@ -15,6 +14,7 @@
 #include "viewer/ui/eyedropper.h"
 #include "viewer/ui/theme.h"
 #include "viewer/ui/widgets.h"
+#include "viewer/window/key_input.h"
 
 namespace glint {
 namespace {
@@ -22,8 +22,6 @@ namespace {
 constexpr float kSplitterUnits = 6.0f;
 constexpr float kSmallestColumn = 300.0f;
 constexpr float kSmallestImage = 240.0f;
-constexpr float kHelpColumnUnits = 470.0f;
-constexpr float kHelpKeysUnits = 165.0f;
 constexpr float kExposureStep = 1.0f / 3.0f;
 constexpr double kNoticeSeconds = 6.0;
 constexpr float kLeastStatusShare = 0.35f;  // what a long message leaves of the status line
@@ -31,102 +29,58 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFla
                                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-struct KeyHelp {
-    const char* keys;
-    const char* does;
-};
-
-constexpr KeyHelp kKeyHelp[] = {
-    {"Left drag", "orbit around the target"},
-    {"Right or middle drag", "pan (also Shift + left drag)"},
-    {"Ctrl + left drag", "look around"},
-    {"Ctrl + click, T", "focus on what is under the mouse"},
-    {"Wheel", "dolly: closer or farther"},
-    {"Ctrl + wheel, + and -", "zoom of the picture, around the mouse"},
-    {"Ctrl + right drag", "move the zoomed picture (also the middle button)"},
-    {"1, 0", "picture at 1:1 pixels, at its automatic size"},
-    {"W A S D", "fly forwards, left, back, right"},
-    {"E, Q", "fly up, down"},
-    {"Shift", "fly fast"},
-    {"Click", "select, for the outliner and the materials"},
-    {"F, Shift + F", "frame the selected object, the whole scene"},
-    {"G", "gizmo: move, rotate, scale, none (Ctrl: in steps)"},
-    {"H, Alt + H", "hide the selected object, show all"},
-    {"Ctrl + D, Del", "duplicate, delete the selected object"},
-    {"Home", "the scene file's camera"},
-    {"Space", "pause and go on"},
-    {"R", "restart"},
-    {"B", "draw a region that alone is rendered on, and give it up"},
-    {"V, held", "this spot first: renders on around the mouse"},
-    {"C", "compare two integrators"},
-    {"K", "keep the picture, to compare it later"},
-    {"N, X", "another way to compare; the other one of both"},
-    {"[ and ]", "exposure by a third of a stop"},
-    {"Ctrl + Z", "undo, also a restart or opening a scene"},
-    {"Ctrl + Shift + Z", "redo (also Ctrl + Y)"},
-    {"Ctrl + O", "look for a scene to open"},
-    {"Ctrl + S, Ctrl + Shift + S", "save the PNG, save the scene as …"},
-    {"Ctrl + Q", "quit"},
-    {"Tab", "show or hide the panels"},
-    {"F1", "this help"},
-};
-
 GizmoMode nextOf(GizmoMode mode) { return static_cast<GizmoMode>((static_cast<int>(mode) + 1) % 4); }
-
-bool isPressed(int key) { return ImGui::IsKeyPressed(key, false); }
 
 }  // namespace
 
 void Shell::handleKeys(Workspace* workspace) {
-    const ImGuiIO& io = ImGui::GetIO();
     SceneDocument& document = workspace->document;
     DisplaySettings& display = workspace->display;
-    if (isPressed(GLFW_KEY_F1)) { helpShown_ = !helpShown_; }
-    if (isPressed(GLFW_KEY_ESCAPE)) {
-        helpShown_ = workspace->lens.picksFocus = workspace->region.picks = workspace->inspector.picksArea =
-            false;
+    const auto is = [&](KeyAction action) { return isPressed(workspace->keys, action); };
+    if (ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) {
+        help_.close(&workspace->keys);
+        workspace->lens.picksFocus = workspace->region.picks = workspace->inspector.picksArea = false;
         ui::stopWaitingForColor();
     }
-    if (io.WantTextInput) { return; }
-    if (io.KeyCtrl) {
-        if (isPressed(GLFW_KEY_O)) { workspace->sceneFiles.browse(); }
-        if (isPressed(GLFW_KEY_S) && document.isOpen()) {
-            io.KeyShift ? workspace->sceneFiles.saveAs(document.posted())
-                        : workspace->filmFiles.savePng(display);
-        }
-        if (isPressed(GLFW_KEY_D)) { duplicateSelection(&document); }
-        if (isPressed(GLFW_KEY_Q)) { dialogs.askToClose(document); }
-        const bool isRedo = isPressed(GLFW_KEY_Y) || (io.KeyShift && isPressed(GLFW_KEY_Z));
-        if (isRedo) {
-            workspace->history.askRedo();
-        } else if (isPressed(GLFW_KEY_Z)) {
-            workspace->history.askUndo();
-        }
-        return;
-    }
-    if (isPressed(GLFW_KEY_TAB)) { panelsShown_ = !panelsShown_; }
-    if (isPressed(GLFW_KEY_LEFT_BRACKET)) { display.exposureStops -= kExposureStep; }
-    if (isPressed(GLFW_KEY_RIGHT_BRACKET)) { display.exposureStops += kExposureStep; }
-    if (!document.isOpen()) { return; }
+    if (is(KeyAction::Help)) { help_.toggle(); }
+    if (is(KeyAction::OpenScene)) { workspace->sceneFiles.browse(); }
+    if (is(KeyAction::Quit)) { dialogs.askToClose(document); }
+    if (is(KeyAction::Undo)) { workspace->history.askUndo(); }
+    if (is(KeyAction::Redo)) { workspace->history.askRedo(); }
+    if (is(KeyAction::Panels)) { panelsShown_ = !panelsShown_; }
+    if (is(KeyAction::Darker)) { display.exposureStops -= kExposureStep; }
+    if (is(KeyAction::Brighter)) { display.exposureStops += kExposureStep; }
+    if (document.isOpen()) { handleSceneKeys(workspace); }
+}
+
+void Shell::handleSceneKeys(Workspace* workspace) const {
+    SceneDocument& document = workspace->document;
+    DisplaySettings& display = workspace->display;
+    const auto is = [&](KeyAction action) { return isPressed(workspace->keys, action); };
     bool& paused = workspace->render.request.paused;
-    if (isPressed(GLFW_KEY_SPACE)) { paused = !paused; }
-    if (isPressed(GLFW_KEY_R)) { workspace->render.restart(); }
-    if (isPressed(GLFW_KEY_K)) { workspace->snapshots.askToKeep(); }
-    if (isPressed(GLFW_KEY_X)) { display.flipsToRight = !display.flipsToRight; }
-    if (isPressed(GLFW_KEY_N)) {
+    if (is(KeyAction::SavePng)) { workspace->filmFiles.savePng(display); }
+    if (is(KeyAction::SaveScene)) { workspace->sceneFiles.saveAs(document.posted()); }
+    if (is(KeyAction::Pause)) { paused = !paused; }
+    if (is(KeyAction::Restart)) { workspace->render.restart(); }
+    if (is(KeyAction::Keep)) { workspace->snapshots.askToKeep(); }
+    if (is(KeyAction::Flip)) { display.flipsToRight = !display.flipsToRight; }
+    if (is(KeyAction::NextCompareView)) {
         display.compareView =
             static_cast<CompareView>((static_cast<int>(display.compareView) + 1) % kCompareViews);
     }
-    if (isPressed(GLFW_KEY_B)) { workspace->region.askOrGiveUp(); }
-    if (isPressed(GLFW_KEY_C)) { display.split = !display.split; }
-    if (isPressed(GLFW_KEY_HOME)) { document.resetCamera(); }
-    if (isPressed(GLFW_KEY_F)) {
-        const bool isOfAll = io.KeyShift || document.selectedObject < 0;
-        isOfAll ? document.frameScene() : document.frameSelection();
+    if (is(KeyAction::Region)) { workspace->region.askOrGiveUp(); }
+    if (is(KeyAction::Compare)) { display.split = !display.split; }
+    if (is(KeyAction::ResetCamera)) { document.resetCamera(); }
+    const bool isOfSelection = is(KeyAction::FrameSelection);
+    if (isOfSelection && document.selectedObject >= 0) { document.frameSelection(); }
+    if (is(KeyAction::FrameScene) || (isOfSelection && document.selectedObject < 0)) {
+        document.frameScene();
     }
-    if (isPressed(GLFW_KEY_G)) { workspace->gizmo.mode = nextOf(workspace->gizmo.mode); }
-    if (isPressed(GLFW_KEY_H)) { io.KeyAlt ? showAll(&document) : hideSelection(&document); }
-    if (isPressed(GLFW_KEY_DELETE)) { deleteSelection(&document); }
+    if (is(KeyAction::Gizmo)) { workspace->gizmo.mode = nextOf(workspace->gizmo.mode); }
+    if (is(KeyAction::Hide)) { hideSelection(&document); }
+    if (is(KeyAction::ShowAll)) { showAll(&document); }
+    if (is(KeyAction::Duplicate)) { duplicateSelection(&document); }
+    if (is(KeyAction::Delete)) { deleteSelection(&document); }
 }
 
 void Shell::drawSplitter(float x, float height, float* columnUnits) const {
@@ -194,14 +148,15 @@ void Shell::drawStatusLine(const Workspace& workspace, float y) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0f, 1.0f));
     ImGui::Begin("##status", nullptr, kFixed | ImGuiWindowFlags_NoScrollbar);
     std::string left = "No scene";
-    std::string right = "F1: help";
+    const std::string help = workspace.keys.textOf(KeyAction::Help) + ": help";
+    std::string right = help;
     if (workspace.document.isOpen()) {
         left = imageText(workspace);
         const auto& shown = workspace.ownPicture();
-        right = fmt::format("{}{}    {}    {} {}    F1: help",
-                            shown && shown->isDenoised ? "denoised    " : "", passCount(status.passes),
-                            duration(status.renderSeconds), status.region ? "region's error" : "error",
-                            status.passes > 1 ? percent(status.relativeError) : "–");
+        right = fmt::format("{}{}    {}    {} {}    {}", shown && shown->isDenoised ? "denoised    " : "",
+                            passCount(status.passes), duration(status.renderSeconds),
+                            status.region ? "region's error" : "error",
+                            status.passes > 1 ? percent(status.relativeError) : "–", help);
     }
     const std::string& refused = status.error;
     const bool isMessage = showsNotice(workspace.notice) || !refused.empty();
@@ -223,36 +178,6 @@ void Shell::drawStatusLine(const Workspace& workspace, float y) {
     ImGui::PopStyleVar(2);
 }
 
-void Shell::drawHelp() {
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({size.x * 0.5f, size.y * 0.5f}, ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(22.0f * ui::scale(), 16.0f * ui::scale()));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8.0f * ui::scale());
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0.13f, 0.13f, 0.13f, 0.97f));
-    ImGui::Begin(
-        "##help", nullptr,
-        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings);
-    ImGui::PushFont(ui::fonts().heading);
-    ImGui::TextUnformatted("Mouse and keyboard");
-    ImGui::PopFont();
-    ImGui::Dummy({0.0f, 4.0f * ui::scale()});
-    // Two columns, to fit on a screen of 720 rows.
-    const size_t half = (std::size(kKeyHelp) + 1) / 2;
-    const float column = kHelpColumnUnits * ui::scale();
-    for (size_t i = 0; i < std::size(kKeyHelp); ++i) {
-        const size_t shown = i / 2 + i % 2 * half;
-        if (shown >= std::size(kKeyHelp)) { break; }
-        const float left = static_cast<float>(i % 2) * column + ImGui::GetStyle().WindowPadding.x;
-        if (i % 2 == 1) { ImGui::SameLine(left); }
-        ImGui::TextColored(theme::kTextDim, "%s", kKeyHelp[shown].keys);
-        ImGui::SameLine(left + kHelpKeysUnits * ui::scale());
-        ImGui::TextUnformatted(kKeyHelp[shown].does);
-    }
-    ImGui::End();
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar(2);
-}
-
 bool Shell::draw(Workspace* workspace, const ImagePanes& panes) {
     handleKeys(workspace);
     const ImVec2 size = ImGui::GetIO().DisplaySize;
@@ -270,7 +195,7 @@ bool Shell::draw(Workspace* workspace, const ImagePanes& panes) {
         drawColumn(workspace, imageRight + splitter, statusTop);
     }
     drawStatusLine(*workspace, statusTop);
-    if (helpShown_) { drawHelp(); }
+    help_.draw(&workspace->keys);
     dialogs.draw(workspace);
     return moving || ImGui::IsAnyItemActive();
 }

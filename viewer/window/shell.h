@@ -1,11 +1,11 @@
-// What stands around the image: the column of panels with its splitter, the status line, the help,
-// the keys.
+// What stands around the image: the column of panels with its splitter, the status line, and what keys do.
 #pragma once
 
 #include <string>
 
 #include "viewer/window/dialogs.h"
 #include "viewer/window/image_view.h"
+#include "viewer/window/key_help.h"
 
 namespace glint {
 
@@ -17,16 +17,16 @@ class Shell {
 
   private:
     void handleKeys(Workspace* workspace);
+    void handleSceneKeys(Workspace* workspace) const;
     void drawSplitter(float x, float height, float* columnUnits) const;
     void drawColumn(Workspace* workspace, float x, float height);
     bool showsNotice(const Notice& notice);
     std::string imageText(const Workspace& workspace) const;
     void drawStatusLine(const Workspace& workspace, float y);
-    void drawHelp();
 
     ImageView view_;
     bool panelsShown_ = true;
-    bool helpShown_ = false;
+    KeyHelp help_;
     std::string lastNotice_;
     double noticeSince_ = 0.0;
 };
