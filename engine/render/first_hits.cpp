@@ -25,6 +25,17 @@ FirstHit firstHit(const BuiltScene& scene, int width, int height, int x, int y) 
     return hitOf(scene.view(), width, height, x, y);
 }
 
+FirstHit firstHitBetween(const BuiltScene& scene, const Vec3& from, const Vec3& to) {
+    constexpr float kLeftOut = 1e-4f;  // of the way, at either end: surfaces that the points lie on
+    const SceneView view = scene.view();
+    const Ray ray{from - scene.origin(), to - from, kLeftOut, 1.0f - kLeftOut};
+    Hit hit;
+    if (isZero(ray.direction) || !intersect<kAllFeatures>(view, ray, &hit)) { return {}; }
+    const SurfacePoint surface = surfaceAt<kAllFeatures>(view, ray, hit);
+    return {glm::length(surface.p - ray.origin), surface.instance + 1,
+            static_cast<uint32_t>(surface.material) + 1};
+}
+
 std::vector<float> firstDepths(const BuiltScene& scene, int width, int height,
                                const std::atomic<bool>& stop) {
     const SceneView view = scene.view();

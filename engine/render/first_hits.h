@@ -18,6 +18,9 @@ struct FirstHit {
 /// In the middle of pixel (x, y) of a picture of this size.
 FirstHit firstHit(const BuiltScene& scene, int width, int height, int x, int y);
 
+/// On the straight way between two points, both left out; the depth is metres from `from`.
+FirstHit firstHitBetween(const BuiltScene& scene, const Vec3& from, const Vec3& to);
+
 /// The depths of all pixels, row 0 at the top. Looks at `stop` after each row; empty when it was raised.
 std::vector<float> firstDepths(const BuiltScene& scene, int width, int height, const std::atomic<bool>& stop);
 

@@ -56,6 +56,27 @@ TEST_F(FramesCommand, ATurntableTurnsOnceAroundTheTarget) {
     EXPECT_EQ(render({"--turntable", "4", "--flight", "4"}).exitCode, 1);
 }
 
+TEST_F(FramesCommand, WhatStandsInTheWayIsSaid) {
+    EXPECT_EQ(render({"--turntable", "4"}).err.find("warning"), std::string::npos);
+    const std::string open = scene;
+    const auto withWall = [&](const char* wall) {
+        std::string text = TempFolder::read(open);
+        text.insert(text.find("\"radius\": 0.5}") + 14, wall);
+        scene = folder.write("room.json", text);
+        return render({"--turntable", "8"}).err;
+    };
+    // Beside the ball, within the ring of 4 m and across it.
+    EXPECT_TRUE(says(withWall(R"(, {"type": "rectangle", "name": "screen", "material": "grey",
+        "center": [2, 1, 0], "edgeU": [0, 3, 0], "edgeV": [0, 0, 3]})"),
+                     "screen hides the target in picture"));
+    EXPECT_TRUE(says(withWall(R"(, {"type": "rectangle", "name": "wall", "material": "grey",
+        "center": [3, 1, 0], "edgeU": [0, 4, 0], "edgeV": [0, 0, 10]})"),
+                     "the camera goes through wall after picture 2"));
+    const std::string small = withWall(R"(, {"type": "sphere", "name": "crumb", "material": "grey",
+        "center": [1.5, 1, 0], "radius": 0.1})");
+    EXPECT_EQ(small.find("crumb"), std::string::npos) << "what is looked at may have parts";
+}
+
 TEST_F(FramesCommand, AFlightGoesFromBookmarkToBookmark) {
     const ProgramRun none = render({"--flight", "3"});
     EXPECT_EQ(none.exitCode, 1);

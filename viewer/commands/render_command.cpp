@@ -7,6 +7,7 @@
 #include "engine/base/log.h"
 #include "engine/io/image_formats.h"
 #include "engine/render/checkpoint.h"
+#include "viewer/base/camera_way.h"
 #include "viewer/base/run_files.h"
 #include "viewer/commands/command_line.h"
 #include "viewer/commands/commands.h"

@@ -5,8 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "engine/scene/camera_path.h"
+#include "engine/base/log.h"
+#include "engine/builders/scene_builder.h"
 #include "viewer/base/camera_bookmarks.h"
+#include "viewer/base/camera_way.h"
 #include "viewer/base/state_folder.h"
 #include "viewer/commands/commands.h"
 #include "viewer/commands/render_run.h"
@@ -24,6 +26,15 @@ std::vector<Camera> bookmarkedViews(const std::string& scene) {
         views.push_back(each.camera);
     }
     return views;
+}
+
+/// A scene that cannot be built is the first picture's error.
+void warnOfObstacles(const CameraWay& way, const SceneDescription& scene, int threads) {
+    const SceneEdit edit{std::make_shared<SceneDescription>(scene), EditKind::Everything};
+    BuildReport report;
+    const auto built = buildScene(edit, nullptr, threads, nullptr, &report);
+    const std::string obstacles = built ? obstaclesOn(way, scene, **built) : "";
+    if (!obstacles.empty()) { logWarning("in the way: {}", obstacles); }
 }
 
 }  // namespace
@@ -54,16 +65,13 @@ Status checkFrames(const RenderCommandOptions& o, const RunFiles& files) {
 int runFrames(const SceneDescription& scene, const RenderCommandOptions& options, const RunFiles& files,
               double loadSeconds) {
     const uint32_t frames = frameCount(options);
-    const std::vector<Camera> views =
-        options.flight > 0 ? bookmarkedViews(options.scene) : std::vector<Camera>{};
+    const CameraWay way = options.flight > 0 ? CameraWay::flight(bookmarkedViews(options.scene), frames)
+                                             : CameraWay::turntable(scene.camera, frames);
+    warnOfObstacles(way, scene, options.threads);
     RenderCommandOptions ofFrame = options;
     for (uint32_t frame = 0; frame < frames; ++frame) {
         auto moved = std::make_shared<SceneDescription>(scene);
-        const auto done = static_cast<float>(frame);
-        moved->camera = views.empty()
-                            ? turnedCamera(scene.camera, done / static_cast<float>(frames))
-                            : cameraBetween(views, done * static_cast<float>(views.size() - 1) /
-                                                       static_cast<float>(std::max(1u, frames - 1)));
+        moved->camera = way.at(static_cast<float>(frame));
         ofFrame.output = numberedPath(options.output, frame + 1);
         if (const Status free = files.checkIsFree(ofFrame.output); !free) {  // the scene is known now
             return reportError(free.error(), kExitBadInput);

@@ -195,11 +195,6 @@ Result<SaveInterval> parseSaveInterval(const std::string& text) {
     return interval;
 }
 
-std::string numberedPath(const std::string& path, uint32_t passes) {
-    const size_t dot = path.rfind('.');
-    return fmt::format("{}-{:06}{}", path.substr(0, dot), passes, path.substr(dot));
-}
-
 Result<Vec2i> parsePair(const std::string& text, char separator, const char* what) {
     const size_t middle = text.find(separator);
     Vec2i pair(0);

@@ -76,9 +76,6 @@ struct SaveInterval {
 /// "50" (passes), "60s" (seconds) or nothing. Error: anything else, or not above zero.
 Result<SaveInterval> parseSaveInterval(const std::string& text);
 
-/// "out.png" after 10 passes: "out-000010.png".
-std::string numberedPath(const std::string& path, uint32_t passes);
-
 /// "WxH" or "x,y" with the given separator. Error: anything else.
 Result<Vec2i> parsePair(const std::string& text, char separator, const char* what);
 

@@ -16,6 +16,7 @@
 #include "engine/render/image_file.h"
 #include "engine/render/snapshot.h"
 #include "engine/render/sppm_state.h"
+#include "viewer/base/camera_way.h"
 #include "viewer/base/checkpoint_file.h"
 #include "viewer/base/interrupt.h"
 #include "viewer/base/make_backend.h"

@@ -96,6 +96,7 @@ Result<ViewerOptions> viewerOptions(const ViewCommandOptions& o, RunFiles* files
         options.script = std::move(*script);
     }
     options.headless = o.headless;
+    options.anotherBackend = [name = o.backend, threads = o.threads] { return makeBackend(name, threads); };
     options.surface = {.width = size->x, .height = size->y, .contentScale = o.scale};
     options.passes = o.passes;
     options.noAutoExposure = o.noAutoExposure;

@@ -26,8 +26,6 @@ std::shared_ptr<FilmSnapshot> snapshotOf(const SessionCapture& capture, bool den
     return denoised ? denoised : snapshot;
 }
 
-ImageOptions optionsOf(const DisplaySettings& display) { return {.look = display.look()}; }
-
 double secondsNow() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
@@ -58,6 +56,10 @@ Status saveOverShorter(const std::string& path, const SessionCapture& capture) {
 
 }  // namespace
 
+Status savePicture(const std::string& path, const SessionCapture& capture, const DisplaySettings& display) {
+    return saveImage(path, *snapshotOf(capture, display.denoises), *capture.scene, {.look = display.look()});
+}
+
 void FilmFiles::saveCaptured(const std::string& path, Save save) {
     if (const Status free = inputs_->checkIsNoInput(path); !free) { return notice_->tell(free, ""); }
     guard_->save(path, [this, path, save = std::move(save)] { startSave(path, save); });
@@ -81,16 +83,15 @@ void FilmFiles::startSave(const std::string& path, Save save) {
 }
 
 void FilmFiles::savePng(const DisplaySettings& display) {
-    saveCaptured(png, [path = png, options = optionsOf(display),
-                       denoises = display.denoises](const SessionCapture& capture) {
-        return saveImage(path, *snapshotOf(capture, denoises), *capture.scene, options);
+    saveCaptured(png, [path = png, display](const SessionCapture& capture) {
+        return savePicture(path, capture, display);
     });
 }
 
 Status FilmFiles::saveNow(const std::string& path, const DisplaySettings& display) {
     const auto capture = render_->capture();
     if (!capture) { return Error{"there is no picture to save", {.file = path}}; }
-    return saveImage(path, *snapshotOf(*capture, display.denoises), *capture->scene, optionsOf(display));
+    return savePicture(path, *capture, display);
 }
 
 void FilmFiles::saveExr(const DisplaySettings& display) {

@@ -20,6 +20,9 @@ namespace glint {
 inline constexpr uint32_t kAllAovs =
     kAovAlbedo | kAovShadingNormal | kAovGeometricNormal | kAovDepth | kAovObjectId | kAovMaterialId;
 
+/// As the display shows it, with exposure, tone map and what else it has. Error: it cannot be written.
+Status savePicture(const std::string& path, const SessionCapture& capture, const DisplaySettings& display);
+
 class FilmFiles {
   public:
     /// Goes on from a checkpoint, as an edit of this name, after opening its scene where there is one.

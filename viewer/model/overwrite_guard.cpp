@@ -22,9 +22,13 @@ bool holdsSomething(const std::string& path) {
 
 }  // namespace
 
+bool OverwriteGuard::mustAsk(const std::string& path) const {
+    return holdsSomething(path) && !ours_.contains(fullName(path));
+}
+
 void OverwriteGuard::save(const std::string& path, std::function<void()> save) {
     refuse();
-    if (holdsSomething(path) && !ours_.contains(fullName(path))) {
+    if (mustAsk(path)) {
         asked_ = path;
         save_ = std::move(save);
         return;

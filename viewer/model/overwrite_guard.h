@@ -12,6 +12,8 @@ class OverwriteGuard {
     /// Runs `save` at once where nothing is lost by it, else when the user agrees. A new question takes the
     /// place of an old one.
     void save(const std::string& path, std::function<void()> save);
+    /// Something would be lost, that the session did not write.
+    bool mustAsk(const std::string& path) const;
     /// The session goes on with this file: it may be replaced without a question.
     void mayReplace(const std::string& path);
 

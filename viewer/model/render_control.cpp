@@ -23,6 +23,12 @@ SessionOptions sessionOptions() {
 RenderControl::RenderControl(std::unique_ptr<Backend> backend)
     : session_(std::move(backend), sessionOptions()) {}
 
+void RenderControl::send() {
+    RenderRequest sent = request;
+    sent.paused = sent.paused || isHeld;
+    session_.request(sent);
+}
+
 void RenderControl::setInteracting(bool interacting) {
     if (request.interacting == interacting) { return; }
     request.interacting = interacting;

@@ -18,7 +18,8 @@ class RenderControl {
 
     /// Limits and pause are changed by panels and keys at any time; a frame's send() hands all of it over.
     RenderRequest request;
-    void send() { session_.request(request); }
+    void send();
+    bool isHeld = false;  ///< other work comes first: paused, whatever the request says
     /// Edits that follow are shown at low resolution until it is called with false.
     void setInteracting(bool interacting);
 

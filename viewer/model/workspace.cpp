@@ -43,6 +43,7 @@ Workspace::Workspace(std::unique_ptr<Backend> backend)
       assets(&jobs, &document, &notice),
       convergence(&document, &render, &notice),
       curveExport(&jobs, &notice, &inputs, &overwrite),
+      frames(&jobs, &document, &render, &bookmarks, &notice, &inputs, &overwrite),
       faults(&jobs, &render) {}
 
 void Workspace::rememberIn(const std::string& folder, double backupSeconds) {
@@ -232,6 +233,7 @@ void Workspace::sendRequest() {
     }
     if (std::exchange(inspector.isOpen, false)) { request.standardError = request.integratorMaps = true; }
     request.region = region.wanted();
+    render.isHeld = frames.isRunning();
     request.compare.clear();
     if (display.split) {
         const auto [left, right] = comparedPair();

@@ -22,6 +22,7 @@
 #include "viewer/model/fault_finder.h"
 #include "viewer/model/file_watch.h"
 #include "viewer/model/film_files.h"
+#include "viewer/model/frame_series.h"
 #include "viewer/model/gizmo.h"
 #include "viewer/model/inspector.h"
 #include "viewer/model/key_map.h"
@@ -68,6 +69,7 @@ class Workspace {
     ConvergenceWatch convergence;
     CurveExport curveExport;
     CameraBookmarks bookmarks;
+    FrameSeries frames;
     Examples examples;
     FileWatch watch;  ///< of the scene that is open
     FaultFinder faults;

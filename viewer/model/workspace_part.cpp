@@ -11,7 +11,7 @@ Part* partOf(Workspace* w) {
     return &std::get<Part&>(std::tie(w->notice, w->document, w->history, w->render, w->display, w->lens,
                                      w->inspector, w->region, w->gizmo, w->outliner, w->library, w->bookmarks,
                                      w->sceneFiles, w->filmFiles, w->assets, w->convergence, w->curveExport,
-                                     w->faults, w->snapshots, w->keys));
+                                     w->faults, w->snapshots, w->keys, w->frames));
 }
 
 template Notice* partOf(Workspace*);
@@ -34,5 +34,6 @@ template CurveExport* partOf(Workspace*);
 template FaultFinder* partOf(Workspace*);
 template Snapshots* partOf(Workspace*);
 template KeyMap* partOf(Workspace*);
+template FrameSeries* partOf(Workspace*);
 
 }  // namespace glint

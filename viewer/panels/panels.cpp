@@ -31,6 +31,7 @@
     X(snapshots)        \
     X(inspector)        \
     X(image)            \
+    X(frames)           \
     X(history)          \
     X(checkpoint)       \
     X(log)

@@ -120,6 +120,7 @@ Status App::open(std::optional<SceneDescription> scene) {
         passLimit = passLimit > 0 ? passLimit : kHeadlessPasses;
         progress_.emplace();
     }
+    workspace_.frames.makeBackend = options_.anotherBackend;
     workspace_.sceneFiles.dialog.usesDesktop = !options_.headless;
     workspace_.display.autoExposure = !options_.noAutoExposure;
     if (options_.recoverySeconds > 0.0) {

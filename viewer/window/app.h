@@ -8,6 +8,7 @@
 #include "engine/base/result.h"
 #include "engine/render/backend.h"
 #include "engine/scene/scene.h"
+#include "viewer/model/frame_series.h"
 #include "viewer/window/script.h"
 #include "viewer/window/surface.h"
 
@@ -15,6 +16,7 @@ namespace glint {
 
 struct ViewerOptions {
     bool headless = false;
+    BackendMaker anotherBackend;  ///< of the same kind, for renders beside the live one
     SurfaceOptions surface;
     uint32_t passes = 0;  ///< stop limit; headless without a script: how many to wait for, 0: 64
     bool noAutoExposure = false;

@@ -1,0 +1,98 @@
+#include "viewer/base/camera_way.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "engine/render/first_hits.h"
+#include "engine/scene/camera_path.h"
+#include "engine/scene/object_box.h"
+
+namespace glint {
+namespace {
+
+constexpr uint32_t kLeastSteps = 256;  // of the way: chords keep within 1e-4 of a turn's radius
+
+std::string nameOf(const SceneDescription& scene, uint32_t object) {
+    const std::string& name = scene.objects[object - 1].name;
+    return name.empty() ? fmt::format("object {}", object) : name;
+}
+
+/// "" where the camera goes through nothing.
+std::string crossing(const CameraWay& way, const SceneDescription& scene, const BuiltScene& built) {
+    const uint32_t pictures = way.pictures();
+    const uint32_t gaps = way.isTurntable() ? pictures : pictures - 1;
+    const uint32_t stepsOfGap = kLeastSteps / std::max(gaps, 1u) + 1;
+    Vec3 from = way.at(0.0f).position;
+    for (uint32_t gap = 0; gap < gaps; ++gap) {
+        for (uint32_t step = 1; step <= stepsOfGap; ++step) {
+            const float share = static_cast<float>(step) / static_cast<float>(stepsOfGap);
+            const Vec3 to = way.at(static_cast<float>(gap) + share).position;
+            const FirstHit hit = firstHitBetween(built, from, to);
+            if (hit.object == 0 || hit.object > scene.objects.size()) {
+                from = to;
+                continue;
+            }
+            return fmt::format("the camera goes through {} after picture {}", nameOf(scene, hit.object),
+                               gap + 1);
+        }
+    }
+    return "";
+}
+
+double sizeOf(const SceneDescription& scene, uint32_t object) {
+    SceneDescription alone;
+    alone.objects = {scene.objects[object - 1]};
+    if (int& mesh = alone.objects[0].mesh; mesh >= 0) {
+        alone.meshes = {scene.meshes[static_cast<size_t>(mesh)]};
+        mesh = 0;
+    }
+    const Bounds bounds = sceneBounds(alone);
+    // What has no end is as large as a wall.
+    return bounds.empty() ? std::numeric_limits<double>::infinity()
+                          : static_cast<double>(maxComponent(bounds.extent()));
+}
+
+/// Walls that a turn goes round. What is seen in the first picture may hide its own middle; so may its parts,
+/// which are small beside the turn.
+std::string hiding(const CameraWay& way, const SceneDescription& scene, const BuiltScene& built) {
+    const Camera first = way.at(0.0f);
+    const double radius = static_cast<double>(glm::length(first.position - first.target));
+    const uint32_t lookedAt = firstHitBetween(built, first.position, first.target).object;
+    std::set<uint32_t> small;
+    for (uint32_t picture = 1; picture < way.pictures(); ++picture) {
+        const Camera camera = way.at(static_cast<float>(picture));
+        const uint32_t object = firstHitBetween(built, camera.position, camera.target).object;
+        if (object == 0 || object == lookedAt || object > scene.objects.size()) { continue; }
+        if (small.contains(object)) { continue; }
+        if (sizeOf(scene, object) < 0.5 * radius) {
+            small.insert(object);
+            continue;
+        }
+        return fmt::format("{} hides the target in picture {}", nameOf(scene, object), picture + 1);
+    }
+    return "";
+}
+
+}  // namespace
+
+Camera CameraWay::at(float picture) const {
+    if (isTurntable()) { return turnedCamera(views_[0], picture / static_cast<float>(pictures_)); }
+    const auto last = static_cast<float>(std::max(1u, pictures_ - 1));
+    return cameraBetween(views_, picture * static_cast<float>(views_.size() - 1) / last);
+}
+
+std::string numberedPath(const std::string& path, uint32_t number) {
+    const size_t dot = path.rfind('.');
+    return fmt::format("{}-{:06}{}", path.substr(0, dot), number, path.substr(dot));
+}
+
+std::string obstaclesOn(const CameraWay& way, const SceneDescription& scene, const BuiltScene& built) {
+    const std::string through = crossing(way, scene, built);
+    const std::string hidden = way.isTurntable() ? hiding(way, scene, built) : "";
+    return through + (through.empty() || hidden.empty() ? "" : ", and ") + hidden;
+}
+
+}  // namespace glint

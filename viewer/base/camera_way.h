@@ -1,0 +1,44 @@
+// The way of a camera through numbered pictures, and what stands in it: for `glint render --turntable` and
+// `--flight`, and for the window.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/builders/built_scene.h"
+#include "engine/scene/scene.h"
+
+namespace glint {
+
+class CameraWay {
+  public:
+    /// A whole turn around the camera's target.
+    static CameraWay turntable(const Camera& camera, uint32_t pictures) { return {{camera}, pictures}; }
+    /// From the first view to the last, of which there are two at least.
+    static CameraWay flight(std::vector<Camera> views, uint32_t pictures) {
+        return {std::move(views), pictures};
+    }
+
+    uint32_t pictures() const { return pictures_; }
+    bool isTurntable() const { return views_.size() == 1; }
+    /// Of a picture, counted from 0; between whole numbers on the way to the next one.
+    Camera at(float picture) const;
+
+  private:
+    CameraWay(std::vector<Camera> views, uint32_t pictures) : views_(std::move(views)), pictures_(pictures) {}
+
+    std::vector<Camera> views_;
+    uint32_t pictures_;
+};
+
+/// "out.png" after 10 passes, or the tenth of many: "out-000010.png".
+std::string numberedPath(const std::string& path, uint32_t number);
+
+/// What people should know before the pictures are rendered: the camera goes through a surface, or something
+/// large hides the target of a turn. Of each the first, once: a sentence without its stop. "": nothing stands
+/// in the way.
+std::string obstaclesOn(const CameraWay& way, const SceneDescription& scene, const BuiltScene& built);
+
+}  // namespace glint
