@@ -8,6 +8,7 @@
 #include "viewer/model/area_statistics.h"
 #include "viewer/model/histogram.h"
 #include "viewer/model/outliner.h"
+#include "viewer/model/waveform.h"
 
 namespace glint {
 namespace {
@@ -34,6 +35,59 @@ TEST(Histogram, CountsWhatIsShown) {
     large.radiance.assign(size_t{3} << 20, 0.2f);
     EXPECT_NEAR(histogramOf(large, {0.0f, ToneMap::Clamp}).bins[0][12], 1.0f, 1e-3f)
         << "all pixels have a share";
+}
+
+TEST(Waveform, FollowsThePictureFromLeftToRight) {
+    FilmSnapshot snapshot;
+    snapshot.width = 600;
+    snapshot.height = 300;
+    for (int y = 0; y < snapshot.height; ++y) {
+        for (int x = 0; x < snapshot.width; ++x) {
+            const float ramp = (static_cast<float>(x) + 0.5f) / 600.0f;
+            snapshot.radiance.insert(snapshot.radiance.end(), {ramp, y < 100 ? 1.0f : 0.0f, 0.5f});
+        }
+    }
+    const DisplayLook look{0.0f, ToneMap::Clamp};
+    const Waveform parade = waveformOf(snapshot, look, WaveformKind::Parade);
+    ASSERT_EQ(parade.panes, 3u);
+    const auto level = [](float share) { return static_cast<size_t>(share * Waveform::kLevels); };
+    for (size_t column = 0; column < parade.columnsPerPane; ++column) {
+        const float middle = (static_cast<float>(column) + 0.5f) / static_cast<float>(parade.columnsPerPane);
+        float near = 0.0f;
+        for (size_t i = level(middle) - (level(middle) > 0); i <= std::min(level(middle) + 1, size_t{63});
+             ++i) {
+            near += parade.share(0, column, i);
+        }
+        EXPECT_FLOAT_EQ(near, 1.0f) << column;
+        EXPECT_NEAR(parade.share(1, column, 63), 1.0f / 3.0f, 0.02f);
+        EXPECT_NEAR(parade.share(1, column, 0), 2.0f / 3.0f, 0.02f);
+        EXPECT_FLOAT_EQ(parade.share(2, column, 32), 1.0f);
+    }
+    const Waveform luma = waveformOf(snapshot, {1.0f, ToneMap::Clamp}, WaveformKind::Luminance);
+    ASSERT_EQ(luma.panes, 1u);
+    // With a stop more blue is white: 0.0722, green adds 0.7152, and red runs from 0 to 0.2126.
+    EXPECT_NEAR(luma.share(0, 0, level(0.0722f)), 2.0f / 3.0f, 0.02f);
+    EXPECT_NEAR(luma.share(0, luma.columnsPerPane - 1, 63), 1.0f / 3.0f, 0.02f);
+    EXPECT_EQ(waveformOf(FilmSnapshot{}, look, WaveformKind::Parade).columnsPerPane, 0u);
+}
+
+TEST(InspectorViewer, HasAWaveformOfWhatIsShown) {
+    expectPlayed(play(R"w(
+wait finished
+open "Inspector"
+set "Tone map" "Clamp (linear)"
+wait frames 3
+expect widget "Histogram"
+set "Scope" Waveform
+wait frames 3
+expect no-widget "Histogram"
+expect "Reaches" "49–100 %"
+set "Scope" Parade
+set "Exposure" -1
+wait frames 3
+expect "Reaches" "25–50 %, 25–50 %, 25–50 %"
+)w",
+                      "--passes 64"));
 }
 
 TEST(AreaStatistics, OfTheAreaAloneAndInPreviewsToo) {

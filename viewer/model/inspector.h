@@ -7,8 +7,11 @@
 #include "engine/math/vec.h"
 #include "viewer/model/area_statistics.h"
 #include "viewer/model/histogram.h"
+#include "viewer/model/waveform.h"
 
 namespace glint {
+
+enum class ScopeKind : uint8_t { Histogram, Luminance, Parade };
 
 struct Inspector {
     std::optional<Vec2i> pixel;  ///< the last one that the mouse was over; it may be outside by now
@@ -20,10 +23,20 @@ struct Inspector {
     AreaStatistics statistics{};
     std::shared_ptr<const FilmSnapshot> statisticsOf{};  ///< null: `area` is not measured yet
 
-    // The histogram, and what it is of.
+    std::shared_ptr<const FilmSnapshot> picture{};  ///< that is shown, without its noise or kept; null: none
+
+    // Histogram or waveform, and what it is of.
+    ScopeKind scope = ScopeKind::Histogram;
     Histogram histogram{};
-    std::shared_ptr<const FilmSnapshot> histogramOf{};
-    DisplayLook look{};
+    Waveform waveform{};
+    struct ScopeOf {
+        std::shared_ptr<const FilmSnapshot> snapshot;
+        DisplayLook look{};
+        ScopeKind kind = ScopeKind::Histogram;
+
+        bool operator==(const ScopeOf&) const = default;
+    };
+    ScopeOf scopeOf{};
 };
 
 }  // namespace glint

@@ -182,6 +182,7 @@ void Workspace::refresh() {
         notice.show("There is no picture at full resolution yet");
     }
     refreshDifference();
+    inspector.picture = ownPicture();
     focusOverlay.refresh({.kind = lens.overlay,
                           .sharpPixels = lens.sharpPixels,
                           .camera = document.draft().camera,

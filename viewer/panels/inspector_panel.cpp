@@ -1,4 +1,4 @@
-// One pixel in numbers, and the picture's histogram.
+// One pixel in numbers, an area, and the picture's histogram or waveform.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,13 +15,11 @@
 #include "viewer/model/render_control.h"
 #include "viewer/model/scene_document.h"
 #include "viewer/panels/panel.h"
-#include "viewer/ui/theme.h"
+#include "viewer/panels/picture_scopes.h"
 #include "viewer/ui/widgets.h"
 
 namespace glint {
 namespace {
-
-constexpr float kHistogramUnits = 72.0f;
 
 std::string numbersText(const Vec3& v) { return fmt::format("{:.4g}  {:.4g}  {:.4g}", v.x, v.y, v.z); }
 
@@ -69,15 +67,6 @@ void drawHit(const RenderControl& render, const SceneDescription& scene, Vec2i p
     ui::value("Material", nameOf(scene.materials, hit.material, "material"));
 }
 
-void refreshHistogram(const RenderControl& render, const DisplaySettings& display, Inspector* inspector) {
-    const auto& snapshot = render.snapshot();
-    const DisplayLook look = display.look();
-    if (inspector->histogramOf == snapshot && inspector->look == look) { return; }
-    inspector->histogramOf = snapshot;
-    inspector->look = look;
-    inspector->histogram = histogramOf(*snapshot, look);
-}
-
 void drawMeasured(const std::shared_ptr<const FilmSnapshot>& snapshot, Inspector* inspector) {
     const char* label = inspector->picksArea ? "Drag on the picture…"
                         : inspector->area    ? "Forget the area"
@@ -100,36 +89,6 @@ void drawMeasured(const std::shared_ptr<const FilmSnapshot>& snapshot, Inspector
               "From pixel to pixel, of the linear radiance");
 }
 
-/// Roots, so that little is seen too.
-void drawHistogram(const Histogram& histogram) {
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const ImVec2 size{ImGui::GetContentRegionAvail().x, kHistogramUnits * ui::scale()};
-    ImGui::Dummy(size);
-    ImDrawList* draw = ImGui::GetWindowDrawList();
-    draw->AddRectFilled(corner, {corner.x + size.x, corner.y + size.y},
-                        ImGui::GetColorU32(theme::kImageBackground), 4.0f);
-    constexpr std::array<ImU32, 3> kColors{IM_COL32(240, 90, 80, 110), IM_COL32(90, 210, 90, 110),
-                                           IM_COL32(90, 130, 255, 110)};
-    float most = 0.0f;
-    for (const auto& channel : histogram.bins) {
-        most = std::max(most, *std::ranges::max_element(channel));
-    }
-    const float step = size.x / static_cast<float>(Histogram::kBins);
-    for (size_t c = 0; c < histogram.bins.size(); ++c) {
-        for (size_t i = 0; i < Histogram::kBins; ++i) {
-            const float share = most > 0.0f ? std::sqrt(histogram.bins[c][i] / most) : 0.0f;
-            const float x = corner.x + step * static_cast<float>(i);
-            draw->AddRectFilled({x, corner.y + size.y * (1.0f - share)}, {x + step, corner.y + size.y},
-                                kColors[c]);
-        }
-    }
-    const std::string clipped =
-        fmt::format("{} black, {} white", percent(static_cast<double>(histogram.black)),
-                    percent(static_cast<double>(histogram.white)));
-    ui::itemArea("Histogram", clipped);
-    ui::value("Clipped", clipped, "Black in all channels, white in any");
-}
-
 void draw(RenderControl* render, const DisplaySettings* display, const SceneDocument* document,
           Inspector* inspector) {
     inspector->isOpen = true;
@@ -149,8 +108,7 @@ void draw(RenderControl* render, const DisplaySettings* display, const SceneDocu
         ui::hint("Move the mouse over the picture.");
     }
     drawMeasured(snapshot, inspector);
-    refreshHistogram(*render, *display, inspector);
-    drawHistogram(inspector->histogram);
+    drawScopes(inspector->picture ? inspector->picture : snapshot, display->look(), inspector);
 }
 
 }  // namespace
