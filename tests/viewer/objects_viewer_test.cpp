@@ -148,5 +148,68 @@ expect "Materials/Metal" gold
 )"));
 }
 
+TEST(ObjectsViewer, HandlesMoveAndTurnLights) {
+    std::string scene(kScene);
+    scene.insert(scene.rfind('}'), R"(, "lights": [
+        {"type": "point", "name": "lamp", "position": [1.2, 1.6, 0], "intensity": 5},
+        {"type": "spot", "name": "spot", "position": [-1.2, 1.6, 0], "direction": [0, -2, 0],
+         "intensity": 5},
+        {"type": "directional", "name": "sun", "direction": [0, -1, 0], "irradiance": 1}])");
+    write("lights.json", scene);
+    write("script.txt", R"(
+wait picture
+open "Lights"
+wait frames 2
+expect no-widget "Light mark 1"
+key g
+wait frames 3
+expect "Lights/Gizmo" Move
+print "Lights/Position.x"
+mark
+drag "Gizmo X" 70 0
+wait picture
+print "Lights/Position.x"
+print "Lights/Position.y"
+expect restarts 1
+key ctrl down
+key z
+key ctrl up
+wait picture
+print "Lights/Position.x"
+click "Light mark 2"
+wait frames 3
+expect "Light" spot
+screenshot lights_move.png
+key g
+wait frames 3
+screenshot lights_turn.png
+drag "Gizmo Z" 0 -60
+wait picture
+print "Lights/Direction.x"
+print "Lights/Direction.y"
+print "Lights/Position.x"
+set "Light" sun
+wait frames 3
+expect no-widget "Gizmo middle"
+drag "Gizmo Z" 0 -60
+wait picture
+print "Lights/Direction.x"
+)");
+    const Ran ran = run("view lights.json --headless --threads 1 --script script.txt");
+    expectPlayed(ran);
+    const auto x = printed(ran, "Lights/Position.x");
+    ASSERT_EQ(x.size(), 4u) << ran.output;
+    EXPECT_GT(std::stof(x[1]), std::stof(x[0]) + 0.1f);
+    EXPECT_EQ(printed(ran, "Lights/Position.y").at(0), "1.6");
+    EXPECT_EQ(x[2], x[0]);
+    EXPECT_EQ(std::stof(x[3]), -1.2f) << "a turn leaves it where it is";
+    const auto turnedX = printed(ran, "Lights/Direction.x");
+    ASSERT_EQ(turnedX.size(), 2u);
+    const float spotX = std::stof(turnedX[0]), spotY = std::stof(printed(ran, "Lights/Direction.y").at(0));
+    EXPECT_GT(std::fabs(spotX), 0.2f);
+    EXPECT_NEAR(std::hypot(spotX, spotY), 2.0f, 1e-3f) << "its length stays";
+    EXPECT_GT(std::fabs(std::stof(turnedX[1])), 0.1f);
+}
+
 }  // namespace
 }  // namespace glint

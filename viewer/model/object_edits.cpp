@@ -45,6 +45,7 @@ void addLight(SceneDocument* document, const Vec3& at, float size) {
     light.color = Vec3(16.0f * size * size);
     document->draft().lights.push_back(light);
     document->selectedLight = static_cast<int>(document->draft().lights.size()) - 1;
+    document->selectedObject = -1;  // the handles are the light's
     document->nameEdit("Light added");
 }
 

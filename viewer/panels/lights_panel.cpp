@@ -9,6 +9,7 @@
 #include "engine/io/studio.h"
 #include "viewer/model/scene_document.h"
 #include "viewer/panels/asset_state.h"
+#include "viewer/panels/gizmo_rows.h"
 #include "viewer/panels/panel.h"
 #include "viewer/ui/widgets.h"
 
@@ -75,7 +76,7 @@ void drawLight(Light* light, float speed) {
     light->coneFalloffStartDeg = std::min(light->coneFalloffStartDeg, light->coneAngleDeg);
 }
 
-void drawLights(SceneDocument* document) {
+void drawLights(SceneDocument* document, GizmoSettings* gizmo, const KeyMap& keys) {
     std::vector<Light>& lights = document->draft().lights;
     if (lights.empty()) {
         ui::hint("No point, spot or directional lights.");
@@ -87,11 +88,16 @@ void drawLights(SceneDocument* document) {
     }
     const std::vector<std::string_view> views(names.begin(), names.end());
     document->selectedLight = std::clamp(document->selectedLight, 0, static_cast<int>(lights.size()) - 1);
-    ui::choice("Light", &document->selectedLight, views);
+    if (ui::choice("Light", &document->selectedLight, views)) { document->selectedObject = -1; }
     ImGui::PushID(document->selectedLight);
     const float speed = std::max(maxComponent(document->bounds().extent()) * 0.002f, 1e-4f);
     drawLight(&lights[static_cast<size_t>(document->selectedLight)], std::isfinite(speed) ? speed : 0.01f);
     ImGui::PopID();
+    if (document->selectedObject < 0) { return drawGizmoRows(gizmo, keys); }
+    if (ui::button("Handles", ui::buttonWidth(1), "Moves and turns the light in the picture")) {
+        document->selectedObject = -1;
+        gizmo->mode = GizmoMode::Move;
+    }
 }
 
 /// For models that have no light but the studio's, or none any more.
@@ -109,9 +115,9 @@ void drawStudio(SceneDescription* scene) {
     }
 }
 
-void draw(SceneDocument* document, AssetReader* assets) {
+void draw(SceneDocument* document, AssetReader* assets, GizmoSettings* gizmo, const KeyMap* keys) {
     drawStudio(&document->draft());
-    drawLights(document);
+    drawLights(document, gizmo, *keys);
     drawEnvironment(&document->draft(), assets);
 }
 

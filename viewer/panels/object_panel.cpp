@@ -9,11 +9,11 @@
 #include <imgui.h>
 
 #include "viewer/model/camera_controller.h"
-#include "viewer/model/gizmo.h"
 #include "viewer/model/key_map.h"
 #include "viewer/model/object_edits.h"
 #include "viewer/model/placement.h"
 #include "viewer/model/scene_files.h"
+#include "viewer/panels/gizmo_rows.h"
 #include "viewer/panels/panel.h"
 #include "viewer/ui/widgets.h"
 
@@ -62,31 +62,6 @@ void drawPlacement(Object* object, float speed) {
     object->objectToWorld = withNumbers(object->objectToWorld, before, after);
 }
 
-void drawGizmo(GizmoSettings* gizmo, const KeyMap& keys) {
-    static constexpr ui::KindLabel<GizmoMode> kModes[]{{GizmoMode::Off, "Off"},
-                                                       {GizmoMode::Move, "Move"},
-                                                       {GizmoMode::Rotate, "Rotate"},
-                                                       {GizmoMode::Scale, "Scale"}};
-    ui::kindChoice("Gizmo", &gizmo->mode, kModes,
-                   keys.tip("Handles over the picture; the next kind", KeyAction::Gizmo).c_str());
-    if (gizmo->mode == GizmoMode::Off) { return; }
-    ui::toggle("Own axes", &gizmo->isLocal, "The object's instead of the world's; scaling always has these");
-    ui::toggle("Snap", &gizmo->snaps, "In steps; Ctrl while dragging does the opposite");
-    switch (gizmo->mode) {
-        case GizmoMode::Move:
-            ui::number("Step", &gizmo->moveStep, {.format = "%.3f m", .speed = 0.005f, .max = 1e6f});
-            break;
-        case GizmoMode::Rotate:
-            ui::number("Step", &gizmo->turnStepDeg, {.format = "%.1f°", .speed = 0.5f, .max = 180.0f});
-            break;
-        case GizmoMode::Scale:
-            ui::number("Step", &gizmo->scaleStep, {.format = "× %.2f", .speed = 0.005f, .max = 10.0f});
-            break;
-        case GizmoMode::Off:
-            break;
-    }
-}
-
 void drawActions(SceneDocument* document, const KeyMap& keys) {
     const float third = ui::buttonWidth(3);
     const auto button = [&](const char* label, const char* text, KeyAction action) {
@@ -123,7 +98,7 @@ void draw(SceneDocument* document, GizmoSettings* gizmo, SceneFiles* files, cons
         ui::text("Name", &object->name, "a name");
         drawMaterial(scene, object);
         drawPlacement(object, std::max(targetDistance(scene.camera) * 0.002f, 1e-5f));
-        drawGizmo(gizmo, *keys);
+        drawGizmoRows(gizmo, *keys);
         drawActions(document, *keys);
     }
     if (document->hidden().empty()) { return; }

@@ -34,6 +34,8 @@ int* selectionOf(SceneDocument* document, OutlinerEntry::Kind kind) {
 
 void select(SceneDocument* document, const OutlinerEntry& entry) {
     *selectionOf(document, entry.kind) = entry.index;
+    // The handles are the light's.
+    if (entry.kind == OutlinerEntry::Kind::Light) { document->selectedObject = -1; }
     if (entry.kind == OutlinerEntry::Kind::Object) {
         document->selectedMaterial = document->draft().objects[static_cast<size_t>(entry.index)].material;
     }

@@ -2,9 +2,11 @@
 
 #include <utility>
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include "engine/scene/object_box.h"
+#include "viewer/model/light_placement.h"
 #include "viewer/ui/widgets.h"
 #include "viewer/window/split_view.h"
 
@@ -16,6 +18,8 @@ constexpr float kReachUnits = 7.0f;
 constexpr const char* kNames[] = {"Gizmo X", "Gizmo Y", "Gizmo Z"};
 constexpr ImU32 kColors[] = {IM_COL32(235, 90, 80, 255), IM_COL32(120, 200, 70, 255),
                              IM_COL32(90, 140, 250, 255)};
+constexpr size_t kMostMarks = 500;
+constexpr ImU32 kBeam = IM_COL32(255, 235, 150, 255);
 constexpr ImU32 kMeant = IM_COL32(255, 225, 110, 255);
 
 ImVec2 im(Vec2 v) { return {v.x, v.y}; }
@@ -47,44 +51,99 @@ Vec3 GizmoView::pivotOf(const SceneDescription& scene, const Object& object) {
     return meshPivot_;
 }
 
+/// The selected object, or else the selected light; nothing where neither is there.
+std::optional<GizmoView::Target> GizmoView::targetOf(Workspace* workspace) {
+    SceneDocument& document = workspace->document;
+    SceneDescription& scene = document.draft();
+    const auto object = static_cast<size_t>(document.selectedObject);
+    const auto light = static_cast<size_t>(document.selectedLight);
+    if (document.selectedObject >= 0 && object < scene.objects.size()) {
+        Object* placed = &scene.objects[object];
+        const Vec3 pivot = pivotOf(scene, *placed);
+        return Target{workspace->gizmo,
+                      placed->objectToWorld * translate(pivot),
+                      {},
+                      [placed, pivot](const Affine& to) { placed->objectToWorld = to * translate(-pivot); }};
+    }
+    if (document.selectedLight < 0 || light >= scene.lights.size()) { return std::nullopt; }
+    Light* placed = &scene.lights[light];
+    const Affine place = placeOf(*placed, scene.camera.target);
+    const bool hasBeam = placed->kind != LightKind::Point;
+    return Target{settingsFor(*placed, workspace->gizmo), place,
+                  hasBeam ? std::optional(place.linear[2]) : std::nullopt,
+                  [placed](const Affine& to) { placeLight(placed, to); }};
+}
+
+/// Where lights stand that can be chosen by a click. True: the mouse is on one.
+bool GizmoView::handleMarks(Workspace* workspace, const ScreenView& view, Vec2 mouse, bool isPressed) {
+    const std::vector<Light>& lights = workspace->document.draft().lights;
+    for (size_t i = 0; i < lights.size() && i < kMostMarks; ++i) {
+        if (lights[i].kind == LightKind::Directional) { continue; }
+        if (const auto at = view.project(lights[i].position)) {
+            marks_.push_back({*at, static_cast<int>(i)});
+        }
+    }
+    for (const Mark& mark : marks_) {
+        if (glm::length(mark.at - mouse) > kReachUnits * ui::scale()) { continue; }
+        if (isPressed) {
+            workspace->document.selectedLight = mark.light;
+            workspace->document.selectedObject = -1;
+        }
+        return true;
+    }
+    return false;
+}
+
 bool GizmoView::handle(Workspace* workspace, const PlacedImage& placed, bool hovered, bool held) {
     const ImGuiIO& io = ImGui::GetIO();
-    SceneDescription& scene = workspace->document.draft();
-    const GizmoSettings& settings = workspace->gizmo;
-    const auto index = static_cast<size_t>(workspace->document.selectedObject);
-    const bool isPressed = held && !std::exchange(wasHeld_, held);
+    const SceneDescription& scene = workspace->document.draft();
+    const bool isPressed =
+        held && !std::exchange(wasHeld_, held) && ImGui::IsMouseDown(ImGuiMouseButton_Left);
     wasHeld_ = held;
     handles_.clear();
+    marks_.clear();
+    beam_.clear();
     meant_.reset();
-    const bool hasObject = workspace->document.selectedObject >= 0 && index < scene.objects.size();
-    if (settings.mode == GizmoMode::Off || !hasObject || isSideBySide(*workspace)) {
+    auto target = targetOf(workspace);
+    if (workspace->gizmo.mode == GizmoMode::Off || isSideBySide(*workspace)) {
         gizmo_.end();
         return false;
     }
-    Object& object = scene.objects[index];
-    const Vec3 pivot = pivotOf(scene, object);
     const Vec2i picture(scene.resolution.width, scene.resolution.height);
     const ScreenView view(scene.camera, picture, placed);
     const Vec2 mouse(io.MousePos.x, io.MousePos.y);
-    if (!held) { gizmo_.end(); }
+    if (!held || !target) { gizmo_.end(); }
     if (gizmo_.isDragging()) {
-        const bool snaps = settings.snaps != io.KeyCtrl;
-        object.objectToWorld = gizmo_.drag(settings, view, mouse, snaps) * translate(-pivot);
+        target->place(gizmo_.drag(target->settings, view, mouse, target->settings.snaps != io.KeyCtrl));
+        target = targetOf(workspace);
     }
-    const Affine pivoted = object.objectToWorld * translate(pivot);
-    handles_ = gizmo_.handles(pivoted, settings, view, kLengthUnits * ui::scale());
+    if (target) {
+        const float length = kLengthUnits * ui::scale();
+        handles_ = gizmo_.handles(target->placed, target->settings, view, length);
+        const Vec3 origin = target->placed.translation;
+        const auto from = view.project(origin);
+        const auto to = target->beam && from
+                            ? view.project(origin + *target->beam * view.metresPer(length, origin))
+                            : std::nullopt;
+        if (to) { beam_ = {*from, *to}; }
+    }
     meant_ = gizmo_.isDragging() ? std::optional(gizmo_.held())
              : hovered           ? Gizmo::nearest(handles_, mouse, kReachUnits * ui::scale())
                                  : std::nullopt;
-    if (isPressed && meant_ && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-        gizmo_.begin(*meant_, pivoted, settings, view, mouse);
-    }
-    return gizmo_.isDragging() || (meant_ && !held);
+    if (isPressed && meant_) { gizmo_.begin(*meant_, target->placed, target->settings, view, mouse); }
+    const bool isOnMark = handleMarks(workspace, view, mouse, isPressed && !meant_);
+    return gizmo_.isDragging() || ((meant_ || (isOnMark && hovered)) && !held) || (isOnMark && isPressed);
 }
 
 void GizmoView::draw() const {
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const float half = 5.0f * ui::scale();
+    for (const Mark& mark : marks_) {
+        draw->AddCircleFilled(im(mark.at), half, IM_COL32(0, 0, 0, 120));
+        draw->AddCircle(im(mark.at), half, kBeam, 0, 1.5f * ui::scale());
+        ui::area(fmt::format("Light mark {}", mark.light + 1).c_str(), mark.at - half, mark.at + half, "");
+    }
+    if (!beam_.empty()) { drawLine(beam_, kBeam); }
     for (const GizmoHandle& handle : handles_) {
         const bool isMeant = meant_ && isSame(*meant_, handle);
         const Vec2 end = handle.line.back();

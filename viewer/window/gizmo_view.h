@@ -1,6 +1,7 @@
-// The handles of the selected object over the picture, and the mouse that drags them.
+// The handles of the selected object or light over the picture, and the mouse that drags them.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "viewer/model/gizmo.h"
@@ -16,10 +17,25 @@ class GizmoView {
     void draw() const;
 
   private:
+    /// What the handles are of.
+    struct Target {
+        GizmoSettings settings;
+        Affine placed;
+        std::optional<Vec3> beam;  ///< where it shines, of unit length
+        std::function<void(const Affine&)> place;
+    };
+    struct Mark {
+        Vec2 at;
+        int light;
+    };
+    std::optional<Target> targetOf(Workspace* workspace);
+    bool handleMarks(Workspace* workspace, const ScreenView& view, Vec2 mouse, bool isPressed);
     Vec3 pivotOf(const SceneDescription& scene, const Object& object);
 
     Gizmo gizmo_;
     std::vector<GizmoHandle> handles_;
+    std::vector<Mark> marks_;
+    std::vector<Vec2> beam_;  ///< on the screen; empty: none
     std::optional<GizmoHandle> meant_;
     bool wasHeld_ = false;
     std::shared_ptr<const MeshData> pivotMesh_;  ///< that `meshPivot_` is of
