@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 
+#include "engine/io/environment_image.h"
 #include "engine/io/image_formats.h"
 #include "engine/io/image_io.h"
 #include "tests/support/temp_folder.h"
@@ -177,6 +178,72 @@ TEST(PictureFiles, DdsPixelsThatAreNotReadAreNamed) {
     const auto image = decodeImage(bytes, "a.dds");
     ASSERT_FALSE(image);
     EXPECT_THAT(image.error().format(), HasSubstr("has DDS pixels of kind BC7; expected DXT1"));
+}
+
+/// Six faces of 16 x 16 pixels with smaller copies, which show where they lie in Direct3D's space: x, y and z
+/// from 0 to 1.
+std::string ddsCube(bool isFloat, uint32_t caps) {
+    constexpr int kSize = 16;
+    std::string bytes = "DDS " + test::little(124, 4) + test::little(0x21007, 4) + test::little(kSize, 4) +
+                        test::little(kSize, 4) + std::string(8, '\0') + test::little(5, 4) +
+                        std::string(44, '\0') + test::little(32, 4) + test::little(isFloat ? 4 : 0x40, 4) +
+                        test::little(isFloat ? 116 : 0, 4) + test::little(24, 4) + test::little(0xff, 4) +
+                        test::little(0xff00, 4) + test::little(0xff0000, 4) + test::little(0, 4) +
+                        test::little(0x1000, 4) + test::little(caps, 4) + std::string(12, '\0');
+    // The middle of each face, and the directions to its right and to its bottom.
+    const Vec3 kFaces[][3] = {{{1, 0, 0}, {0, 0, -1}, {0, -1, 0}}, {{-1, 0, 0}, {0, 0, 1}, {0, -1, 0}},
+                              {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}},   {{0, -1, 0}, {1, 0, 0}, {0, 0, -1}},
+                              {{0, 0, 1}, {1, 0, 0}, {0, -1, 0}},  {{0, 0, -1}, {-1, 0, 0}, {0, -1, 0}}};
+    for (const auto& [middle, right, down] : kFaces) {
+        for (int i = 0; i < kSize * kSize; ++i) {
+            const float s = 2.0f * static_cast<float>(i % kSize) / (kSize - 1) - 1.0f;
+            const float t = 2.0f * static_cast<float>(i / kSize) / (kSize - 1) - 1.0f;
+            const Vec3 shown = 0.5f * glm::normalize(middle + s * right + t * down) + Vec3(0.5f);
+            for (int c = 0; c < 3; ++c) {
+                if (isFloat) {
+                    bytes.append(reinterpret_cast<const char*>(&shown[c]), 4);
+                } else {
+                    bytes += static_cast<char>(std::lround(255.0f * shown[c]));
+                }
+            }
+            if (isFloat) { bytes += std::string(4, '\0'); }
+        }
+        bytes += std::string((isFloat ? 16 : 3) * (64 + 16 + 4 + 1), '\x3f');  // smaller copies
+    }
+    return bytes;
+}
+
+TEST(PictureFiles, DdsCubeMapsAreEnvironments) {
+    for (const bool isFloat : {false, true}) {
+        auto cube = decodeImage(ddsCube(isFloat, 0xfe00), "a.dds");
+        ASSERT_TRUE(cube) << cube.error().format();
+        if (cube->bytes) {  // the numbers as they are
+            auto numbers = std::make_shared<ImageF>(ImageF{cube->bytes->width, cube->bytes->height, {}});
+            for (const uint8_t byte : cube->bytes->rgb) {
+                numbers->rgb.push_back(static_cast<float>(byte) / 255.0f);
+            }
+            *cube = {.source = {}, .bytes = nullptr, .floats = numbers};
+        }
+        std::vector<std::string> warnings;
+        const auto map = environmentImage(*cube, "a.dds", &warnings);
+        ASSERT_EQ(map->width, 64);
+        for (int i = 0; i < 64 * 32; ++i) {
+            const float latitude = kPi * (0.5f - (static_cast<float>(i / 64) + 0.5f) / 32.0f);
+            const float longitude = kPi * (1.0f - 2.0f * (static_cast<float>(i % 64) + 0.5f) / 64.0f);
+            const Vec3 d(std::sin(longitude) * std::cos(latitude), std::sin(latitude),
+                         std::cos(longitude) * std::cos(latitude));
+            const Vec3 shown = 0.5f * Vec3(d.x, d.y, -d.z) + Vec3(0.5f);
+            for (int c = 0; c < 3; ++c) {
+                ASSERT_NEAR(map->rgb[3 * static_cast<size_t>(i) + static_cast<size_t>(c)], shown[c], 0.02f)
+                    << i;
+            }
+        }
+    }
+    const auto part = decodeImage(ddsCube(false, 0x600), "a.dds");
+    ASSERT_FALSE(part);
+    EXPECT_THAT(part.error().format(), HasSubstr("is part of a cube map"));
+    const std::string whole = ddsCube(true, 0xfe00);
+    EXPECT_FALSE(decodeImage(whole.substr(0, whole.size() - 16 * 100), "a.dds"));
 }
 
 TEST(PictureFiles, XyzeHasItsColours) {
