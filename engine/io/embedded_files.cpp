@@ -53,6 +53,47 @@ class EmbeddedWriter {
     std::map<const std::string*, std::string> written_;
 };
 
+class Embedder {
+  public:
+    Embedder(fs::path folder, std::string scenePath)
+        : folder_(std::move(folder)), scenePath_(std::move(scenePath)) {}
+
+    template <class... Generators>
+    void embed(AssetSource<Generators...>* source) {
+        const auto* file = std::get_if<FileSource>(source);
+        if (file == nullptr) { return; }
+        const fs::path path = resolvePath(file->path, scenePath_);
+        std::error_code problem;
+        if (!fs::equivalent(path.parent_path(), folder_, problem) || problem) { return; }
+        std::shared_ptr<const std::string>& bytes = read_[path.string()];
+        if (!bytes) {
+            Result<std::string> read = readFile(path.string());
+            if (!read) { return; }
+            bytes = std::make_shared<const std::string>(std::move(*read));
+        }
+        *source = EmbeddedFile{path.filename().string(), bytes};
+    }
+
+  private:
+    fs::path folder_;
+    std::string scenePath_;
+    std::map<std::string, std::shared_ptr<const std::string>> read_;
+};
+
+/// Of every image and mesh.
+template <class Visit>
+void forEachSource(SceneDescription* scene, const Visit& visit) {
+    for (Texture& texture : scene->textures) {
+        visit(&texture.image.source);
+    }
+    for (SceneImage& image : scene->environmentImages) {
+        visit(&image.source);
+    }
+    for (Mesh& mesh : scene->meshes) {
+        visit(&mesh.source);
+    }
+}
+
 }  // namespace
 
 Result<std::string> writeBeside(const EmbeddedFile& file, const std::string& scenePath) {
@@ -73,16 +114,13 @@ Result<std::string> writeBeside(const EmbeddedFile& file, const std::string& sce
 
 Status writeEmbeddedFiles(SceneDescription* scene, const std::string& scenePath) {
     EmbeddedWriter writer(scenePath, scene->path);
-    for (Texture& texture : scene->textures) {
-        writer.write(&texture.image.source);
-    }
-    for (SceneImage& image : scene->environmentImages) {
-        writer.write(&image.source);
-    }
-    for (Mesh& mesh : scene->meshes) {
-        writer.write(&mesh.source);
-    }
+    forEachSource(scene, [&writer](auto* source) { writer.write(source); });
     return writer.status;
+}
+
+void embedFilesOf(const std::string& folder, SceneDescription* scene) {
+    Embedder embedder(folder, scene->path);
+    forEachSource(scene, [&embedder](auto* source) { embedder.embed(source); });
 }
 
 }  // namespace glint

@@ -14,6 +14,9 @@ namespace glint {
 /// Error: it cannot be written.
 Result<std::string> writeBeside(const EmbeddedFile& file, const std::string& scenePath);
 
+/// The scene's files in `folder` become embedded ones again; those that cannot be read stay as they are.
+void embedFilesOf(const std::string& folder, SceneDescription* scene);
+
 /// Each embedded file of `scene` is written so, and becomes a FileSource. Error: a file cannot be written.
 Status writeEmbeddedFiles(SceneDescription* scene, const std::string& scenePath);
 

@@ -86,14 +86,50 @@ TEST(SafetyNet, ACheckpointIsOpenedLikeAScene) {
     EXPECT_THAT(ran.output, HasSubstr("no.glintfilm: is not a Glint checkpoint"));
 }
 
+/// A triangle whose picture stands inside the file.
+const std::string kEmbedded =
+    R"({)"
+    "\n"
+    R"(  "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],)"
+    "\n"
+    R"(  "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "ma)"
+    R"(terial": 0}]}],)"
+    "\n"
+    R"(  "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "metallicFactor": 0)"
+    R"(}}],)"
+    "\n"
+    R"(  "textures": [{"source": 0}], "images": [{"uri": "data:image/png;base64,iVBORw0KGgoAAAANSUhEUg)"
+    R"(AAAAIAAAACCAIAAAD91JpzAAAAFElEQVR42mP4z8DAAMIM////ZwAAHu8E/HMcU8wAAAAASUVORK5CYII="}],)"
+    "\n"
+    R"(  "accessors": [)"
+    "\n"
+    R"(    {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [-1, 0, 0], "ma)"
+    R"(x": [1, 2, 0]},)"
+    "\n"
+    R"(    {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC2"},)"
+    "\n"
+    R"(    {"bufferView": 2, "componentType": 5123, "count": 3, "type": "SCALAR"}],)"
+    "\n"
+    R"(  "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 36}, {"buffer": 0, "byteOffset":)"
+    R"( 36, "byteLength": 24},)"
+    "\n"
+    R"(                  {"buffer": 0, "byteOffset": 60, "byteLength": 6}],)"
+    "\n"
+    R"(  "buffers": [{"byteLength": 66, "uri": "data:application/octet-stream;base64,AACAvwAAAAAAAAAAA)"
+    R"(ACAPwAAAAAAAAAAAAAAAAAAAEAAAAAAAAAAAAAAgD8AAIA/AACAPwAAAD8AAAAAAAABAAIA"}])"
+    "\n"
+    R"(})"
+    "\n";
+
 /// Plays in the background until `ready` is there, then kills it as a crash would.
-void playAndKill(const std::string& script, const std::string& ready) {
+void playAndKill(const std::string& script, const std::string& ready,
+                 const std::string& scene = "scene.json") {
     write("scene.json", kScene);
     write("crash.txt", script + "screenshot " + ready + "\nwait seconds 600\n");
     fs::remove(ready);
     std::system(
-        (std::string(GLINT_PROGRAM) +
-         " view scene.json --headless --threads 1 --passes 12 --recovery 0.1 --script crash.txt "
+        (std::string(GLINT_PROGRAM) + " view " + scene +
+         " --headless --threads 1 --passes 12 --recovery 0.1 --script crash.txt "
          "> crash.log 2>&1 & echo $! > crash.pid; i=0; while [ ! -s " +
          ready +
          " ] && [ $i -lt 1200 ]; do sleep 0.1; i=$((i+1)); done; sleep 0.3; kill -9 $(cat crash.pid); wait")
@@ -121,6 +157,50 @@ TEST(SafetyNet, AKilledSessionIsOfferedAgain) {
              "expect no-widget \"Restore\"\n",
              recovery));
     EXPECT_TRUE(fs::is_empty(folder));
+}
+
+TEST(SafetyNet, ImagesInMemoryAreKeptToo) {
+    setenv("XDG_STATE_HOME", fs::absolute("state").c_str(), 1);
+    const fs::path folder = fs::path("state") / "glint" / "sessions";
+    fs::remove_all("state");
+    fs::remove_all("saved");
+    fs::create_directories("saved");
+    write("embedded.gltf", kEmbedded);
+    playAndKill(
+        "wait passes 1\nopen \"Picture\"\nwait frames 2\nset \"Width\" 64\nset \"Height\" 48\nwait "
+        "finished\nwait seconds 1\n",
+        "ready.png", "embedded.gltf");
+    ASSERT_FALSE(fs::is_empty(folder));
+    write("embedded.gltf", kEmbedded.substr(0, kEmbedded.find("\"images\"")) +
+                               "\"images\": [{\"uri\": \"no.png\"}]" +
+                               kEmbedded.substr(kEmbedded.find("}],\n  \"accessors\"") + 2));
+    expectPlayed(
+        play("wait finished\nwait frames 3\nclick \"Restore\"\nwait jobs\nwait finished\n"
+             "expect passes-at-least 12\nopen \"Checkpoint\"\nwait frames 3\n"
+             "set \"Scene file\" saved/scene.json\nclick \"Save scene\"\nwait jobs\n",
+             "--passes 6 --recovery 3600"));
+    EXPECT_TRUE(fs::is_empty(folder)) << "with its files";
+    const Ran info = run("info saved/scene.json");
+    EXPECT_EQ(info.exitCode, 0);
+    EXPECT_THAT(info.output, HasSubstr("textures   1"));
+    EXPECT_EQ(std::distance(fs::directory_iterator("saved"), {}), 2) << "the scene and its picture";
+}
+
+TEST(SafetyNet, SavingSaysWhatIsHidden) {
+    expectPlayed(play(R"w(
+wait picture
+open "Checkpoint"
+move "Image"
+press
+release
+wait frames 3
+key h
+wait picture
+set "Scene file" hiding.json
+click "Save scene"
+wait jobs
+expect message "hiding.json without what is hidden (1)"
+)w"));
 }
 
 TEST(SafetyNet, ASessionThatLivesIsNobodysLeftover) {

@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "engine/base/log.h"
+#include "engine/io/embedded_files.h"
 #include "engine/render/checkpoint.h"
 
 namespace glint {
@@ -27,6 +28,9 @@ constexpr double kMostOfTime = 0.05;  // that saving may take
 double secondsNow() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
+
+/// Of files that the scene holds in memory.
+std::string folderOf(const std::string& file) { return file + ".files"; }
 
 std::string lockName(const std::string& file) { return file + ".lock"; }
 
@@ -43,8 +47,21 @@ int lockOf(const std::string& file) {
 void removeFile(const std::string& file, int lock) {
     std::error_code none;
     fs::remove(file, none);
+    fs::remove_all(folderOf(file), none);
     fs::remove(lockName(file), none);
     if (lock >= 0) { ::close(lock); }
+}
+
+/// The scene's text names files alone.
+Status saveWithFiles(const std::string& file, SessionCapture capture) {
+    auto scene = std::make_shared<SceneDescription>(*capture.scene);
+    std::error_code problem;
+    fs::create_directories(folderOf(file), problem);
+    if (Status written = writeEmbeddedFiles(scene.get(), folderOf(file) + "/scene.json"); !written) {
+        return written;
+    }
+    capture.scene = std::move(scene);
+    return saveCheckpoint(file, capture);
 }
 
 }  // namespace
@@ -100,6 +117,10 @@ std::string SessionBackup::takeOver() {
     return file_;
 }
 
+void SessionBackup::embedFiles(SceneDescription* scene) const {
+    if (!file_.empty()) { embedFilesOf(folderOf(file_), scene); }
+}
+
 void SessionBackup::discard() {
     removeFile(leftovers_.back().info.file, leftovers_.back().lock);
     leftovers_.pop_back();
@@ -122,9 +143,9 @@ void SessionBackup::save() {
     auto future = std::make_shared<std::future<std::optional<SessionCapture>>>(render_->captureLater());
     jobs_->start(
         [this, future, file = file_]() -> JobQueue::Completion {
-            const std::optional<SessionCapture> capture = future->get();
+            std::optional<SessionCapture> capture = future->get();
             const double began = secondsNow();
-            const Status saved = capture ? saveCheckpoint(file, *capture) : Status();
+            const Status saved = capture ? saveWithFiles(file, std::move(*capture)) : Status();
             if (!saved) { logWarning("The session cannot be kept for a crash: {}", saved.error().format()); }
             return [this, took = secondsNow() - began] {
                 isSaving_ = false;

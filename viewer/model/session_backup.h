@@ -42,6 +42,8 @@ class SessionBackup {
     const Leftover* leftover() const { return leftovers_.empty() ? nullptr : &leftovers_.back().info; }
     /// The leftover is this session's file from now on; returns its name, to be opened.
     std::string takeOver();
+    /// In a scene that was left behind, the files that it held in memory are in memory again.
+    void embedFiles(SceneDescription* scene) const;
     void discard();
 
   private:

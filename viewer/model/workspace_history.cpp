@@ -55,7 +55,10 @@ void Workspace::restart() {
 
 void Workspace::resumeFrom(std::optional<SceneDescription> scene, ResumePoint point,
                            const std::string& name) {
-    if (scene) { adopt(std::move(*scene), false); }
+    if (scene) {
+        backup.embedFiles(&*scene);
+        adopt(std::move(*scene), false);
+    }
     const FilmTake take = history.nextTake();
     history.record({name, document.version(), take, display.choices()}, 0);
     render.resume(document.posted(), std::move(point), take);
