@@ -138,6 +138,10 @@ Result<std::unique_ptr<GltfFile>> readGltfFile(const std::string& path) {
     }
     const std::string& version = file->model.asset.version;
     if (!version.starts_with("2.")) { return wrongVersion(*file, version); }
+    file->bytes = bytes->size();
+    for (const tinygltf::Buffer& buffer : file->model.buffers) {
+        file->bytes += buffer.data.size();
+    }
     if (Status unpacked = unpackViews(file.get()); !unpacked) { return unpacked.error(); }
     if (Status unpacked = unpackPrimitives(file.get()); !unpacked) { return unpacked.error(); }
     return file;

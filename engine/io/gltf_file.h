@@ -17,6 +17,7 @@ namespace glint {
 struct GltfFile {
     std::string path;
     tinygltf::Model model;
+    uint64_t bytes = 0;  ///< of the file and its buffers, before they are unpacked
     /// The bytes of those images that stand in a data URI; null: the others.
     std::vector<std::shared_ptr<const std::string>> dataImages;
     Remarks remarks;  ///< what is left out or approximated

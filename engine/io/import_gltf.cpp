@@ -17,7 +17,9 @@
 namespace glint {
 namespace {
 
-constexpr size_t kMaxObjects = 4'000'000;  ///< instances cost a file next to nothing
+/// Nodes that share a mesh of many primitives cost a file next to nothing, but 440 bytes an object: so many
+/// are placed whatever the file's size, one for each of its bytes beyond that, and never more than the most.
+constexpr uint64_t kFreeObjects = 100'000, kMaxObjects = 4'000'000;
 
 /// What kind of picture the camera makes, and its width over its height; 0: unknown. False: it makes no
 /// sense.
@@ -152,8 +154,10 @@ class GltfReader {
             file_.remark("nodes that are flattened or not finite are left out", node.name);
             return {};
         }
-        if (scene_.objects.size() > kMaxObjects) {
-            return file_.error(fmt::format("its nodes place more than {} meshes", kMaxObjects));
+        const uint64_t most = std::clamp(file_.bytes, kFreeObjects, kMaxObjects);
+        if (scene_.objects.size() + parts->size() > most) {
+            return file_.error(fmt::format(
+                "its nodes place more than {} meshes, which is too many for {} bytes", most, file_.bytes));
         }
         for (const GltfPart& part : *parts) {
             Object object;

@@ -29,6 +29,27 @@ std::string replaced(std::string in, const std::string& from, const std::string&
     return at == std::string::npos ? in : in.replace(at, from.size(), to);
 }
 
+/// 1000 nodes that share a mesh of 1000 primitives are a file of 60 KB, and would be a million objects.
+TEST(MalformedGltf, ObjectsAreBoundByTheFile) {
+    const TempFolder folder;
+    std::string primitives, nodes;
+    for (int i = 0; i < 1000; ++i) {
+        primitives += std::string(i > 0 ? "," : "") + R"({"attributes": {"POSITION": 0}, "indices": 2})";
+        nodes += std::string(i > 0 ? "," : "") + R"({"mesh": 0})";
+    }
+    const auto load = [&](const std::string& some) {
+        return loadScene(
+            folder.write("a.gltf", gltf(material(""), "\"meshes\": [{\"primitives\": [" + primitives + "]}]",
+                                        "\"nodes\": [" + some + "]")));
+    };
+    const auto many = load(nodes);
+    ASSERT_FALSE(many);
+    EXPECT_THAT(many.error().format(), HasSubstr("its nodes place more than 100000 meshes"));
+    const auto some = load(nodes.substr(0, 12 * 50 - 1));
+    ASSERT_TRUE(some) << some.error().format();
+    EXPECT_EQ(some->objects.size(), 50'001u) << "with the studio's ground";
+}
+
 TEST(MalformedGltf, FilesGiveOneErrorThatNamesThePlace) {
     const TempFolder folder;
     const std::string good = gltf(material(""));
