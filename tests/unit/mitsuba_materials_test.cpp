@@ -1,5 +1,6 @@
 // Mitsuba's spectra, textures and bsdfs as Glint's colours, textures and materials.
 #include <cmath>
+#include <functional>
 
 #include "engine/io/image_io.h"
 #include "engine/io/mitsuba_spectrum.h"
@@ -65,6 +66,23 @@ TEST(MitsubaSpectrum, NamedMetalsAreTheirSpectra) {
         EXPECT_NEAR(stored[c], expected[c], 0.01f) << c;
     }
     EXPECT_FALSE(mitsubaMetal("unobtainium"));
+    EXPECT_EQ(mitsubaMetal("W_palik")->eta, mitsubaMetal("W")->eta);
+    EXPECT_NE(mitsubaMetal("Cu_palik")->eta, mitsubaMetal("Cu")->eta) << "two measurements";
+    // Stephens and Malitson 1952; DeVore 1951, the extraordinary ray; wavelengths in micrometres, squared.
+    const auto periclase = [](double w) { return 2.956362 + 0.0219577 / (w - 0.01428322) - 0.01062387 * w; };
+    const auto rutile = [](double w) { return 7.197 + 0.3322 / (w - 0.0843); };
+    const std::pair<const char*, std::function<double(double)>> kFormulas[] = {{"MgO", periclase},
+                                                                               {"TiO2", rutile}};
+    for (const auto& [name, squared] : kFormulas) {
+        std::vector<SpectrumSample> index;
+        for (double nm = 360.0; nm <= 830.0; nm += 5.0) {
+            index.push_back({nm, std::sqrt(squared(nm * nm * 1e-6))});
+        }
+        const Vec3 computed = rgbOfSpectrum(index, SpectrumRole::Index);
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_NEAR(mitsubaMetal(name)->eta[c], computed[c], 0.01f * computed[c]) << name << " " << c;
+        }
+    }
     EXPECT_FLOAT_EQ(*mitsubaIndex("BK7"), 1.5046f);
     EXPECT_FALSE(mitsubaIndex("unobtainium"));
 }
