@@ -8,7 +8,9 @@ namespace {
 
 bool looksLike(std::string_view head) {
     const std::string_view text = firstText(head);
-    return text.starts_with("ply\n") || text.starts_with("ply\r");
+    const size_t end = text.find_first_not_of(" \t", 3);
+    return (text.starts_with("ply") || text.starts_with("PLY")) && end != std::string_view::npos &&
+           (text[end] == '\n' || text[end] == '\r');
 }
 
 }  // namespace

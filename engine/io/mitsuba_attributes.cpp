@@ -97,12 +97,7 @@ Result<PlyAttribute> readPlyAttribute(const std::string& bytes, const std::strin
     const Result<PlyHeader> header = parsePlyHeader(bytes, path);
     if (!header) { return header.error(); }
     if (header->format == PlyFormat::Ascii) {
-        uint64_t records = 0;
-        for (const PlyElement& element : header->elements) {
-            records += element.properties.empty() ? 0 : element.count;
-        }
-        return AttributeReader(*header, PlyTextSource(bytes, path, header->bodyOffset, records), name)
-            .run(path);
+        return AttributeReader(*header, PlyTextSource(bytes, path, *header), name).run(path);
     }
     const bool isBigEndian = header->format == PlyFormat::BinaryBigEndian;
     return AttributeReader(*header, PlyBinarySource(bytes, path, header->bodyOffset, isBigEndian), name)

@@ -6,12 +6,12 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "engine/io/ply_header.h"
+#include "engine/io/ply_elements.h"
 #include "engine/io/ply_mesh.h"
-#include "engine/io/remarks.h"
 
 namespace glint {
 
@@ -22,53 +22,64 @@ using PlySlots = std::array<int, kPlySlots>;
 PlySlots plySlotsOf(const PlyElement& vertex);
 const char* nameOf(PlySlot slot);
 
+/// Which property of a face or strip element holds what; -1: none. Corners' colours come before the face's.
+struct PlyFaceProperties {
+    int corners, uvs, texture, cornerColors;
+    int rgb[3];
+
+    bool hasRgb() const { return rgb[0] >= 0 && rgb[1] >= 0 && rgb[2] >= 0; }
+};
+PlyFaceProperties plyFacePropertiesOf(const PlyElement& face);
+
 template <class Source>
-class PlyBody {
+class PlyBody : public PlyElements<Source> {
   public:
-    PlyBody(const PlyHeader& header, Source source) : header_(header), source_(std::move(source)) {}
+    using PlyElements<Source>::PlyElements;
 
     /// Error: with its place; an element that does not fit into the file.
     Status run() {
-        for (const PlyElement& element : header_.elements) {
-            if (!fits(element)) { return *headerError_; }
-            const bool ok = element.is({"vertex", "vertices"})      ? readVertices(element)
-                            : element.is({"face", "faces"})         ? readFaces(element, false)
-                            : element.is({"tristrips", "tristrip"}) ? readFaces(element, true)
-                                                                    : skipElement(element);
-            if (!ok) { return headerError_ ? *headerError_ : source_.error(); }
+        const std::vector<PlyElement>& elements = header_.elements;
+        const auto vertices = std::ranges::find_if(elements, isVertex);
+        const bool facesFirst = std::any_of(elements.begin(), vertices, isFaceOrStrip);
+        const auto start = source_.place();
+        bool ok = true;
+        if (facesFirst && vertices != elements.end()) {
+            ok = readAll([&](const PlyElement& element) {
+                return isVertex(element) ? readVertices(element) : skipElement(element);
+            });
+            source_.goTo(start);
         }
+        ok = ok && readAll([&](const PlyElement& element) {
+                 return isFaceOrStrip(element)             ? readFaces(element)
+                        : isVertex(element) && !facesFirst ? readVertices(element)
+                                                           : skipElement(element);
+             });
+        if (!ok) { return headerError_ ? *headerError_ : source_.error(); }
         return {};
     }
 
     PlyMesh mesh;
     bool hasWholeColors = false;  ///< colours are stored as integers
-    const Remarks& remarks() const { return source_.remarks(); }
 
   private:
+    using Base = PlyElements<Source>;
+    using Base::header_, Base::source_, Base::headerError_;
+    using Base::headerFailure, Base::readCount, Base::skipElement, Base::skipProperty;
+
     /// Larger coordinates have squared lengths that overflow float.
     static constexpr double kMaxCoordinate = 1e18;
 
-    /// Which properties of a face hold what; -1: none.
-    struct FaceProperties {
-        int corners, uvs, texture;
-    };
-
-    bool headerFailure(const PlyElement& element, std::string message) {
-        headerError_ = Error{std::move(message), element.place};
-        return false;
+    static bool isVertex(const PlyElement& element) { return element.is({"vertex", "vertices"}); }
+    static bool isStrip(const PlyElement& element) { return element.is({"tristrips", "tristrip"}); }
+    static bool isFaceOrStrip(const PlyElement& element) {
+        return element.is({"face", "faces"}) || isStrip(element);
     }
 
-    /// Compares what the header promises with what the file still has, before anything is allocated for it.
-    bool fits(const PlyElement& element) {
-        uint64_t perRecord = 0;
-        for (const PlyProperty& property : element.properties) {
-            perRecord += Source::leastBytes(property.isList ? property.countType : property.type, 1);
-        }
-        if (perRecord == 0 || element.count <= source_.bytesLeft() / perRecord) { return true; }
-        return headerFailure(
-            element,
-            fmt::format("{} \"{}\" elements need at least {} bytes, but only {} are left in the file",
-                        element.count, element.name, element.count * perRecord, source_.bytesLeft()));
+    template <class Read>
+    bool readAll(const Read& read) {
+        return std::ranges::all_of(header_.elements, [&](const PlyElement& element) {
+            return this->fits(element) && read(element);
+        });
     }
 
     bool readVertices(const PlyElement& element) {
@@ -112,14 +123,23 @@ class PlyBody {
 
     bool readSlot(const PlyProperty& property, PlySlot slot, double* value) {
         if (!source_.read(property.type, nameOf(slot), value)) { return false; }
-        if (std::fabs(*value) <= kMaxCoordinate) { return true; }
-        if (slot <= kZ) {
-            return source_.fail(
-                fmt::format("{} is {}; expected a finite number below 1e18", nameOf(slot), *value));
+        if (slot > kZ) {
+            makeFinite(value);
+        } else if (!(std::fabs(*value) <= kMaxCoordinate)) {
+            if (!unplaced_) {
+                source_.fail(
+                    fmt::format("{} is {}; expected a finite number below 1e18", nameOf(slot), *value));
+                unplaced_ = {mesh.vertices.positions.size(), source_.error()};
+            }
+            *value = std::numeric_limits<double>::quiet_NaN();
         }
-        source_.remark("normals, texture coordinates and colours that are no finite numbers count as 0");
-        *value = 0.0;
         return true;
+    }
+
+    void makeFinite(double* attribute) {
+        if (std::fabs(*attribute) <= kMaxCoordinate) { return; }
+        source_.remark("normals, texture coordinates and colours that are no finite numbers count as 0");
+        *attribute = 0.0;
     }
 
     void appendVertex(const std::array<double, kPlySlots>& values, const PlySlots& slots) {
@@ -129,82 +149,93 @@ class PlyBody {
         };
         ObjPools& to = mesh.vertices;
         to.positions.emplace_back(number(kX), number(kY), number(kZ));
+        if (unplaced_ && !mesh.isPlaced(to.positions.size() - 1)) {
+            source_.remark(
+                "vertices without a place (not finite, or above 1e18) that no face uses are left out");
+        }
         if (has(kNx, 3)) { to.normals.emplace_back(number(kNx), number(kNy), number(kNz)); }
         if (has(kU, 2)) { to.uvs.emplace_back(number(kU), number(kV)); }
         if (has(kRed, 3)) { to.colors.emplace_back(number(kRed), number(kGreen), number(kBlue)); }
     }
 
-    bool readFaces(const PlyElement& element, bool areStrips) {
-        const FaceProperties which{
-            element.find({"vertex_indices", "vertex_index", "vertex_indexes", "vertices", "indices"}),
-            element.find({"texcoord", "texcoords", "texture_coordinates"}),
-            element.find({"texnumber", "texture_index"})};
-        if (which.corners < 0 || !element.properties[static_cast<size_t>(which.corners)].isList) {
+    bool readFaces(const PlyElement& element) {
+        PlyFaceProperties which = plyFacePropertiesOf(element);
+        if (which.corners < 0) {
             return headerFailure(element,
                                  fmt::format("expected the property \"list uchar int vertex_indices\" in "
                                              "the element {}",
                                              element.name));
         }
         if (mesh.vertices.positions.empty() && element.count > 0) {
-            return headerFailure(element,
-                                 fmt::format("expected the element vertex, with at least one, before the "
-                                             "element {}",
-                                             element.name));
+            return headerFailure(
+                element, fmt::format("expected the element vertex beside the element {}", element.name));
+        }
+        if (const int first = which.hasRgb() ? which.rgb[0] : which.cornerColors; first >= 0) {
+            if (!mesh.vertices.colors.empty() || isStrip(element)) {
+                source_.remark("colours of faces are left out where vertices have some, and in strips");
+                which.cornerColors = which.rgb[0] = -1;
+            } else {
+                hasWholeColors = !isFloat(element.properties[static_cast<size_t>(first)].type);
+            }
         }
         for (uint64_t i = 0; i < element.count; ++i) {
-            if (!readFace(element, which, areStrips)) { return false; }
+            if (!readFace(element, which)) { return false; }
         }
         return true;
     }
 
-    bool readFace(const PlyElement& element, const FaceProperties& which, bool isStrip) {
+    bool readFace(const PlyElement& element, const PlyFaceProperties& which) {
+        const bool areStrips = isStrip(element);
         corners_.clear();
         uvs_.clear();
+        colors_.clear();
         double texture = 0.0;
+        std::array<double, 3> rgb{};
         if (!source_.beginRecord()) { return false; }
         for (size_t p = 0; p < element.properties.size(); ++p) {
             const PlyProperty& property = element.properties[p];
             const int index = static_cast<int>(p);
-            const bool ok = index == which.corners                  ? readCorners(property, isStrip)
-                            : index == which.uvs && property.isList ? readUvs(property)
-                            : index == which.texture && !property.isList
-                                ? source_.read(property.type, "texnumber", &texture)
-                                : skipProperty(property);
+            const auto channel = static_cast<size_t>(std::ranges::find(which.rgb, index) - which.rgb);
+            const bool ok = index == which.corners ? readCorners(property, areStrips)
+                            : index == which.uvs   ? readNumbers(property, "a texture coordinate", &uvs_)
+                            : index == which.cornerColors ? readNumbers(property, "a colour", &colors_)
+                            : index == which.texture      ? source_.read(property.type, "texnumber", &texture)
+                            : channel < 3 ? source_.read(property.type, "a colour", &rgb[channel])
+                                          : skipProperty(property);
             if (!ok) { return false; }
         }
-        if (isStrip) {
+        for (size_t c = 0; c < 3 && which.hasRgb(); ++c) {
+            makeFinite(&rgb[c]);
+            colors_.push_back(static_cast<float>(rgb[c]));
+        }
+        if (areStrips) {
             mesh.addStrip(corners_);
-        } else if (!addFace(texture)) {
-            return false;
+        } else {
+            addFace(texture);
         }
         return source_.endRecord();
     }
 
-    bool addFace(double texture) {
+    void addFace(double texture) {
         if (corners_.size() < 3) {
             source_.remark("faces of fewer than 3 corners are left out");
-            return true;
-        }
-        if (!uvs_.empty() && uvs_.size() != corners_.size()) {
-            source_.remark("a face has other texture coordinates than corners; they are left out");
-            uvs_.clear();
+            return;
         }
         const bool isNamed = texture >= 0.0 && texture < static_cast<double>(header_.textures.size());
-        if (!mesh.addFace(corners_, uvs_, isNamed ? static_cast<size_t>(texture) : 0)) {
-            source_.remark("faces of thousands of corners that are not convex are left out");
-        }
-        return true;
+        const std::string_view leftOut =
+            mesh.addFace({corners_, uvs_, colors_, isNamed ? static_cast<size_t>(texture) : 0});
+        if (!leftOut.empty()) { source_.remark(leftOut); }
     }
 
     /// In strips, -1 ends one and begins another.
-    bool readCorners(const PlyProperty& property, bool isStrip) {
+    bool readCorners(const PlyProperty& property, bool areStrips) {
         uint64_t count = 0;
         if (!readCount(property, &count)) { return false; }
         const auto known = static_cast<double>(mesh.vertices.positions.size());
         for (uint64_t i = 0; i < count; ++i) {
             double index = 0.0;
             if (!source_.read(property.type, "a vertex number", &index)) { return false; }
-            if (isStrip && index == -1.0) {
+            if (areStrips && index == -1.0) {
                 mesh.addStrip(corners_);
                 corners_.clear();
                 continue;
@@ -214,64 +245,36 @@ class PlyBody {
                     fmt::format("there is no vertex {}; they count from 0 to {}", index, known - 1.0));
             }
             corners_.push_back(static_cast<uint32_t>(index));
+            if (unplaced_ && !mesh.isPlaced(corners_.back())) { return refuseUnplaced(corners_.back()); }
         }
         return true;
     }
 
-    bool readUvs(const PlyProperty& property) {
+    bool refuseUnplaced(uint32_t vertex) {
+        if (vertex == unplaced_->first) {
+            headerError_ = unplaced_->second;
+            return false;
+        }
+        return source_.fail(
+            fmt::format("vertex {} has no place: x, y or z is no finite number below 1e18", vertex));
+    }
+
+    bool readNumbers(const PlyProperty& property, const char* what, std::vector<float>* numbers) {
         uint64_t count = 0;
         if (!readCount(property, &count)) { return false; }
+        numbers->clear();
         for (uint64_t i = 0; i < count; ++i) {
             double number = 0.0;
-            if (!source_.read(property.type, "a texture coordinate", &number)) { return false; }
-            if (!(std::fabs(number) <= kMaxCoordinate)) { number = 0.0; }
-            if (i % 2 == 0) {
-                uvs_.emplace_back(static_cast<float>(number), 0.0f);
-            } else {
-                uvs_.back().y = static_cast<float>(number);
-            }
+            if (!source_.read(property.type, what, &number)) { return false; }
+            makeFinite(&number);
+            numbers->push_back(static_cast<float>(number));
         }
         return true;
     }
 
-    bool readCount(const PlyProperty& property, uint64_t* count) {
-        double number = 0.0;
-        if (!source_.read(property.countType, "the number of items", &number)) { return false; }
-        if (!(number >= 0.0 && number <= 4294967295.0 && number == std::floor(number)) ||
-            Source::leastBytes(property.type, static_cast<uint64_t>(number)) > source_.bytesLeft()) {
-            return source_.fail(
-                fmt::format("the list \"{}\" has {} items, but only {} bytes are left in the file",
-                            property.name, number, source_.bytesLeft()));
-        }
-        *count = static_cast<uint64_t>(number);
-        return true;
-    }
-
-    bool skipProperty(const PlyProperty& property) {
-        uint64_t count = 1;
-        if (property.isList && !readCount(property, &count)) { return false; }
-        for (uint64_t i = 0; i < count; ++i) {
-            if (!source_.skip(property.type)) { return false; }
-        }
-        return true;
-    }
-
-    bool skipElement(const PlyElement& element) {
-        for (uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
-            if (!source_.beginRecord()) { return false; }
-            for (const PlyProperty& property : element.properties) {
-                if (!skipProperty(property)) { return false; }
-            }
-            if (!source_.endRecord()) { return false; }
-        }
-        return true;
-    }
-
-    const PlyHeader& header_;
-    Source source_;
-    std::optional<Error> headerError_;
-    std::vector<uint32_t> corners_;  ///< scratch
-    std::vector<Vec2> uvs_;          ///< scratch
+    std::optional<std::pair<size_t, Error>> unplaced_;  ///< the first vertex without a place, and why
+    std::vector<uint32_t> corners_;                     ///< scratch
+    std::vector<float> uvs_, colors_;                   ///< scratch
 };
 
 }  // namespace glint

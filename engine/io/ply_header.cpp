@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "engine/io/file_kind.h"
+#include "engine/io/image_formats.h"
 #include "engine/io/text_cursor.h"
 
 namespace glint {
@@ -30,11 +32,9 @@ std::optional<PlyType> typeFromName(std::string_view name) {
     return std::nullopt;
 }
 
-bool sameWord(std::string_view a, std::string_view b) {
-    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c; };
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [&](char x, char y) { return lower(x) == lower(y); });
-}
+constexpr char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+bool sameWord(std::string_view a, std::string_view b) { return std::ranges::equal(a, b, {}, lower, lower); }
 
 class HeaderParser {
   public:
@@ -42,7 +42,7 @@ class HeaderParser {
         : begin_(bytes.data()), cursor_(bytes, path) {}
 
     Result<PlyHeader> run() {
-        if (cursor_.word() != "ply") {
+        if (keyword() != "ply") {
             cursor_.fail(begin_, "expected the word ply in the first line; is this a PLY file?");
             return cursor_.error();
         }
@@ -61,39 +61,57 @@ class HeaderParser {
     }
 
   private:
-    bool parseLine(bool* ended) {
+    /// The next word in small letters, which is how the format writes it.
+    std::string keyword() {
+        cursor_.atLineEnd();
         const char* where = cursor_.position();
-        const std::string_view keyword = cursor_.word();
-        if (keyword == "comment" || keyword == "obj_info") {
-            parseComment();
-            return true;
+        const std::string_view word = cursor_.word();
+        std::string small(word);
+        std::ranges::transform(word, small.begin(), lower);
+        if (small != word) { cursor_.remark(where, "words of the header in other case", word); }
+        return small;
+    }
+
+    bool parseLine(bool* ended) {
+        cursor_.atLineEnd();
+        const char* where = cursor_.position();
+        const std::string_view first = cursor_.word();
+        for (const std::string_view known :
+             {"comment", "obj_info", "format", "element", "property", "end_header"}) {
+            if (!sameWord(first, known)) { continue; }
+            cursor_.setPosition(where);
+            keyword();
+            *ended = known == "end_header";
+            return known == "format"     ? parseFormat()
+                   : known == "element"  ? parseElement(where)
+                   : known == "property" ? parseProperty(where)
+                                         : *ended || parseComment();
         }
-        if (keyword == "format") { return parseFormat(); }
-        if (keyword == "element") { return parseElement(where); }
-        if (keyword == "property") { return parseProperty(where); }
-        *ended = keyword == "end_header";
-        if (!*ended) {
-            cursor_.remark(where, "header lines that are no statement of the format are left out", keyword);
-            cursor_.restOfLine();
-        }
+        cursor_.remark(where, "header lines that are no statement of the format are left out", first);
+        cursor_.restOfLine();
         return true;
     }
 
     /// MeshLab and others name images in comments.
-    void parseComment() {
-        const char* at = cursor_.position();
-        if (sameWord(cursor_.word(), "TextureFile")) {
-            header_.textures.emplace_back(cursor_.restOfLine());
-        } else {
-            cursor_.setPosition(at);
-            cursor_.restOfLine();
+    bool parseComment() {
+        const char* where = cursor_.position();
+        std::string_view word = cursor_.word();
+        word = word.substr(0, word.find_last_not_of(':') + 1);
+        const std::string_view name = cursor_.restOfLine();
+        if (sameWord(word, "TextureFile")) {
+            header_.textures.emplace_back(name);
+        } else if ((sameWord(word, "texture") || sameWord(word, "texture_file")) &&
+                   kindByName(imageFormats(), std::string(name)) != nullptr) {
+            cursor_.remark(where, "comments that name an image in other words than TextureFile", name);
+            header_.textures.emplace_back(name);
         }
+        return true;
     }
 
     bool parseFormat() {
         cursor_.atLineEnd();
         const char* where = cursor_.position();
-        const std::string_view name = cursor_.word();
+        const std::string name = keyword();
         if (name == "ascii") {
             header_.format = PlyFormat::Ascii;
         } else if (name == "binary_little_endian") {
@@ -138,11 +156,11 @@ class HeaderParser {
         PlyProperty property;
         cursor_.atLineEnd();
         const char* at = cursor_.position();
-        property.isList = cursor_.word() == "list";
-        if (!property.isList) {
-            cursor_.setPosition(at);
-        } else if (!parseType(&property.countType)) {
-            return false;
+        property.isList = sameWord(cursor_.word(), "list");
+        cursor_.setPosition(at);
+        if (property.isList) {
+            keyword();
+            if (!parseType(&property.countType)) { return false; }
         }
         if (!parseType(&property.type)) { return false; }
         property.name = cursor_.word();
@@ -156,7 +174,7 @@ class HeaderParser {
     bool parseType(PlyType* type) {
         cursor_.atLineEnd();
         const char* where = cursor_.position();
-        const std::optional<PlyType> found = typeFromName(cursor_.word());
+        const std::optional<PlyType> found = typeFromName(keyword());
         *type = found.value_or(PlyType::Float32);
         return found ||
                cursor_.fail(where, "expected a type: char, uchar, short, ushort, int, uint, float or double");
@@ -182,6 +200,15 @@ int PlyElement::find(std::initializer_list<std::string_view> names) const {
         }
     }
     return -1;
+}
+
+size_t sizeOfPlyHeader(const std::string& bytes) {
+    constexpr std::string_view kEnd = "end_header";
+    const auto found = std::ranges::search(bytes, kEnd, {}, lower).begin();
+    size_t end = static_cast<size_t>(found - bytes.begin());
+    const bool hasFeeds = bytes.find('\n') < end;
+    end = std::min(bytes.find_first_of("\r\n", end), bytes.size());
+    return std::min(end + (hasFeeds && bytes[end] == '\r' ? 2 : 1), bytes.size());
 }
 
 Result<PlyHeader> parsePlyHeader(const std::string& bytes, const std::string& path) {

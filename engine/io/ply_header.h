@@ -44,10 +44,14 @@ struct PlyElement {
 struct PlyHeader {
     PlyFormat format = PlyFormat::Ascii;
     std::vector<PlyElement> elements;
-    std::vector<std::string> textures;  ///< what `comment TextureFile` lines name, in file order
-    size_t bodyOffset = 0;              ///< of the first byte after the line end_header
+    std::vector<std::string>
+        textures;           ///< what `comment TextureFile` lines (and the like) name, in file order
+    size_t bodyOffset = 0;  ///< of the first byte after the line end_header
     std::vector<std::string> warnings;
 };
+
+/// How many bytes it takes, with the end of its last line, whatever ends lines; all where it has no end.
+size_t sizeOfPlyHeader(const std::string& bytes);
 
 /// Error: with line and column.
 Result<PlyHeader> parsePlyHeader(const std::string& bytes, const std::string& path);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/io/image_io.h"
 #include "engine/io/named_files.h"
 #include "engine/io/plain_text.h"
 #include "engine/io/ply_body.h"
@@ -11,40 +12,55 @@
 namespace glint {
 namespace {
 
+Error noFaces(const PlyHeader& header, size_t vertices, const std::string& path) {
+    std::string others;
+    for (const PlyElement& element : header.elements) {
+        const bool hasLists = std::ranges::any_of(element.properties, &PlyProperty::isList);
+        if (hasLists && element.count > 0 && !element.is({"vertex", "vertices", "face", "faces"})) {
+            others +=
+                fmt::format("{} {} \"{}\"", others.empty() ? "; it has" : ",", element.count, element.name);
+        }
+    }
+    const std::string_view cloud = vertices > 0 && others.empty() ? ": a point cloud" : "";
+    return Error{fmt::format("the file has no faces ({} vertices){}{}; expected a mesh (an element face with "
+                             "vertex_indices)",
+                             vertices, cloud, others),
+                 {.file = path}};
+}
+
+/// Colours under an image that can be read are dropped: where programs write both, the image is the finer
+/// one, and what they show.
+void dropColorsUnderImages(const std::string& path, MeshFile* file) {
+    NamedFiles files;
+    for (MeshPart& part : file->parts) {
+        if (part.materialName.empty() || part.mesh->colors.empty()) { continue; }
+        const auto found = files.find(part.materialName, path);
+        if (!found) { continue; }
+        const Result<std::string> bytes = readImageFile(found->path);
+        if (!bytes || !decodeImage(*bytes, found->path)) { continue; }
+        part.mesh->colors.clear();
+        if (file->notes.empty()) {
+            file->notes.push_back(fmt::format("{}: vertex colours are left out where an image stands", path));
+        }
+    }
+}
+
 template <class Source>
 Result<MeshFile> readBody(const PlyHeader& header, Source source, const std::string& path) {
     PlyBody<Source> body(header, std::move(source));
     if (Status read = body.run(); !read) { return read.error(); }
-    if (body.mesh.empty()) {
-        return Error{
-            fmt::format("the file has no faces ({} vertices){}; expected a mesh (an element face with "
-                        "vertex_indices)",
-                        body.mesh.vertices.positions.size(),
-                        body.mesh.vertices.positions.empty() ? "" : ": a point cloud"),
-            {.file = path}};
-    }
+    if (body.mesh.empty()) { return noFaces(header, body.mesh.vertices.positions.size(), path); }
     MeshFile file = body.mesh.finish(header.textures);
     file.warnings = body.remarks().lines();
+    const bool hasUvs =
+        std::ranges::any_of(file.parts, [](const MeshPart& part) { return !part.mesh->uvs.empty(); });
+    if (!header.textures.empty() && !hasUvs) {
+        file.warnings.push_back(fmt::format("{}: an image without texture coordinates is left out: \"{}\"",
+                                            path, header.textures[0].substr(0, 80)));
+    }
+    dropColorsUnderImages(path, &file);
     decodeVertexColors(path, &file, body.hasWholeColors);
     return file;
-}
-
-uint64_t recordCount(const PlyHeader& header) {
-    uint64_t count = 0;
-    for (const PlyElement& element : header.elements) {
-        count += element.properties.empty() ? 0 : element.count;
-    }
-    return count;
-}
-
-/// With the end of its last line; all bytes where it has no end.
-size_t sizeOfHead(const std::string& bytes) {
-    constexpr std::string_view kEnd = "end_header";
-    size_t end = bytes.find(kEnd);
-    if (end == std::string::npos) { return bytes.size(); }
-    const bool hasFeeds = bytes.find('\n') < end;
-    end = std::min(bytes.find_first_of("\r\n", end), bytes.size());
-    return std::min(end + (hasFeeds && bytes[end] == '\r' ? 2 : 1), bytes.size());
 }
 
 }  // namespace
@@ -69,9 +85,26 @@ const char* nameOf(PlySlot slot) {
     return kNames[slot];
 }
 
+PlyFaceProperties plyFacePropertiesOf(const PlyElement& face) {
+    const auto find = [&face](bool isList, std::initializer_list<std::string_view> names) {
+        const int index = face.find(names);
+        return index >= 0 && face.properties[static_cast<size_t>(index)].isList == isList ? index : -1;
+    };
+    PlyFaceProperties which{
+        find(true, {"vertex_indices", "vertex_index", "vertex_indexes", "vertexindices", "vertexindex",
+                    "vertices", "indices"}),
+        find(true, {"texcoord", "texcoords", "texture_coordinates"}),
+        find(false, {"texnumber", "texture_index"}),
+        find(true, {"color", "colors", "colour"}),
+        {find(false, {"red", "r", "diffuse_red"}), find(false, {"green", "g", "diffuse_green"}),
+         find(false, {"blue", "b", "diffuse_blue"})}};
+    if (which.cornerColors >= 0) { which.rgb[0] = -1; }
+    return which;
+}
+
 Result<MeshFile> parsePly(const std::string& bytes, const std::string& path) {
     // A binary body is no text, and the header before it may have any line ends.
-    const size_t head = sizeOfHead(bytes);
+    const size_t head = sizeOfPlyHeader(bytes);
     std::optional<PlainText> plain = asPlainText(bytes.substr(0, head));
     const Result<PlyHeader> header = parsePlyHeader(plain ? plain->text : bytes, path);
     if (!header) { return header.error(); }
@@ -79,7 +112,7 @@ Result<MeshFile> parsePly(const std::string& bytes, const std::string& path) {
     if (header->format == PlyFormat::Ascii) {
         if (head < bytes.size()) { plain = asPlainText(bytes); }
         const std::string& text = plain ? plain->text : bytes;
-        file = readBody(*header, PlyTextSource(text, path, header->bodyOffset, recordCount(*header)), path);
+        file = readBody(*header, PlyTextSource(text, path, *header), path);
     } else {
         const bool isBigEndian = header->format == PlyFormat::BinaryBigEndian;
         file = readBody(*header, PlyBinarySource(bytes, path, header->bodyOffset, isBigEndian), path);
@@ -106,7 +139,10 @@ Status readPlyMaterials(const std::string& path, MeshFile* file) {
                 texture.name = part.materialName;
                 texture.image.source = FileSource{found->path};
             } else {
-                remarks.add("images are missing; a grey takes their place", place, part.materialName);
+                remarks.add(part.mesh->colors.empty()
+                                ? "images are missing; a grey takes their place"
+                                : "images are missing; the vertices' colours take their place",
+                            place, part.materialName);
             }
         }
         part.material = static_cast<int>(file->materials.size());

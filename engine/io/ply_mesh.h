@@ -3,7 +3,9 @@
 // which checks every number.
 #pragma once
 
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/io/mesh_file.h"
@@ -11,14 +13,24 @@
 
 namespace glint {
 
+/// A face as the file has it, with at least three corners.
+struct PlyFace {
+    const std::vector<uint32_t>& corners;
+    const std::vector<float>& uvs;     ///< two for each corner, or none
+    const std::vector<float>& colors;  ///< three or four for each corner or for the face, or none
+    size_t texture = 0;                ///< the number of an image that the header names, or 0
+};
+
 class PlyMesh {
   public:
-    ObjPools
-        vertices;  ///< normals, uvs, colors: empty or one for each position; uvs grow with faces' own ones
+    /// normals, uvs, colors: empty or one for each position; uvs grow with faces' own ones. Positions that
+    /// are no number are such as no face has.
+    ObjPools vertices;
 
-    /// At least three corners. `uvs` are the corners' own texture coordinates, or empty; `texture` is the
-    /// number of an image that the header names, or 0. False: too many corners for ear clipping (polygon.h).
-    bool addFace(const std::vector<uint32_t>& corners, const std::vector<Vec2>& uvs, size_t texture);
+    bool isPlaced(size_t vertex) const { return !isNan(vertices.positions[vertex]); }
+    /// The sentence of a remark on what of it is left out, or nothing: all of it where it has too many
+    /// corners for ear clipping (polygon.h).
+    std::string_view addFace(const PlyFace& face);
     /// Two corners of each triangle are the last ones of that before it, and every other one is turned over.
     void addStrip(const std::vector<uint32_t>& corners);
     bool empty() const { return triangles_.empty() && byTexture_.empty(); }
@@ -26,11 +38,20 @@ class PlyMesh {
     MeshFile finish(const std::vector<std::string>& textures);
 
   private:
-    MeshPart partOf(std::shared_ptr<MeshData> mesh, const std::vector<std::string>& textures,
-                    size_t texture) const;
+    /// The triangles of one image.
+    struct Part {
+        std::vector<ObjCorner> corners;  ///< three for each
+        std::vector<Vec3> colors;        ///< empty, or one for each corner
+    };
 
-    std::vector<uint32_t> triangles_;                ///< while no face has needed more
-    std::vector<std::vector<ObjCorner>> byTexture_;  ///< three for each triangle; empty until a face needs it
+    static bool isNan(const Vec3& p) { return !(p.x == p.x && p.y == p.y && p.z == p.z); }
+    bool triangulate(const std::vector<uint32_t>& corners);
+    ObjCorner cornerOf(uint32_t vertex, int32_t uv) const;
+    void addToPart(const PlyFace& face, bool hasUvs, size_t colorStep);
+    std::shared_ptr<MeshData> withCornerColors(const Part& part) const;
+
+    std::vector<uint32_t> triangles_;  ///< while no face has needed more
+    std::vector<Part> byTexture_;      ///< empty until a face needs it
     size_t vertexUvs_ = 0;
     std::vector<Vec3> polygon_;  ///< scratch
     std::vector<uint32_t> fan_;  ///< scratch

@@ -5,6 +5,7 @@
 // they mean.
 #pragma once
 
+#include <algorithm>
 #include <cstring>
 #include <optional>
 #include <string>
@@ -16,33 +17,44 @@
 
 namespace glint {
 
-/// Records are lines, unless the text has more lines than records, which then go on over line ends, or fewer,
-/// which then hold several: what is right is found out where a line first has too few or too many numbers.
+/// Records are lines, unless all numbers of the text are what the header promises wherever its lines end:
+/// found out where a line first has too few or too many of them.
 class PlyTextSource {
   public:
-    /// `records`: elements that have properties.
-    PlyTextSource(const std::string& bytes, const std::string& path, size_t offset, uint64_t records)
-        : cursor_(bytes, path), recordsLeft_(records) {
-        cursor_.setPosition(bytes.data() + offset);
+    struct Place {
+        const char* at;
+        uint64_t recordsBefore;
+    };
+
+    PlyTextSource(const std::string& bytes, const std::string& path, const PlyHeader& header)
+        : header_(header), cursor_(bytes, path) {
+        cursor_.setPosition(bytes.data() + header.bodyOffset);
     }
 
     /// The fewest bytes that `count` scalars of a type take: a digit and what parts it from the next one.
     static uint64_t leastBytes(PlyType, uint64_t count) { return 2 * count; }
     uint64_t bytesLeft() const { return 1 + static_cast<uint64_t>(cursor_.end() - cursor_.position()); }
 
+    /// Between two records.
+    Place place() const { return {cursor_.position(), recordsBefore_}; }
+    void goTo(const Place& place) {
+        cursor_.setPosition(place.at);
+        recordsBefore_ = place.recordsBefore;
+    }
+
     /// False, with error(), at the text's end.
     bool beginRecord() {
-        skipEmptyLines();
+        skipEmptyLines(&cursor_);
         last_ = record_ = cursor_.position();
         return !cursor_.atEnd() || cursor_.fail(last_, "the file ends too early");
     }
     bool endRecord() {
-        if (!cursor_.atLineEnd() && linesBeyondRecords() >= 0) {
+        if (!cursor_.atLineEnd() && !isFree()) {
             cursor_.remark(cursor_.position(),
                            "more numbers on a line than the header promises are left out");
             cursor_.restOfLine();
         }
-        --recordsLeft_;
+        ++recordsBefore_;
         return true;
     }
 
@@ -71,36 +83,57 @@ class PlyTextSource {
     const Remarks& remarks() const { return cursor_.remarks(); }
 
   private:
-    void skipEmptyLines() {
-        while (!cursor_.atEnd() && cursor_.atLineEnd()) {
-            cursor_.nextLine();
+    static void skipEmptyLines(TextCursor* cursor) {
+        while (!cursor->atEnd() && cursor->atLineEnd()) {
+            cursor->nextLine();
         }
     }
-    /// To the next line, where a record ends too early on its own.
+    /// To the next line, where a record may end too early on its own.
     void goOn() {
-        if (!cursor_.atLineEnd() || linesBeyondRecords() <= 0) { return; }
+        if (!cursor_.atLineEnd() || !isFree()) { return; }
         cursor_.remark(cursor_.position(), "elements are written over several lines");
-        skipEmptyLines();
+        skipEmptyLines(&cursor_);
     }
-    /// How many more lines than records are left, with the present record's: counted once, since the two run
-    /// on together afterwards.
-    int64_t linesBeyondRecords() {
-        if (!linesBeyondRecords_) {
-            TextCursor ahead = cursor_;
-            int64_t lines = 0;
-            for (ahead.setPosition(record_); !ahead.atEnd(); ahead.nextLine()) {
-                lines += ahead.atLineEnd() ? 0 : 1;
+    bool isFree() {
+        if (!isFree_) { isFree_ = fitsFreely(); }
+        return *isFree_;
+    }
+    /// Whether the text from the present record on has as many numbers as the header promises. The records
+    /// before it are lines, and would be the same ones.
+    bool fitsFreely() const {
+        TextCursor ahead = cursor_;
+        ahead.setPosition(record_);
+        uint64_t passed = recordsBefore_;
+        for (const PlyElement& element : header_.elements) {
+            if (element.properties.empty()) { continue; }
+            const uint64_t first = std::min(passed, element.count);
+            passed -= first;
+            for (uint64_t i = first; i < element.count; ++i) {
+                for (const PlyProperty& property : element.properties) {
+                    if (!skipFreely(property, &ahead)) { return false; }
+                }
             }
-            linesBeyondRecords_ = lines - static_cast<int64_t>(recordsLeft_);
         }
-        return *linesBeyondRecords_;
+        skipEmptyLines(&ahead);
+        return ahead.atEnd();
+    }
+    static bool skipFreely(const PlyProperty& property, TextCursor* ahead) {
+        int64_t count = 1;
+        skipEmptyLines(ahead);
+        if (property.isList && (!ahead->readInt("", &count) || count < 0)) { return false; }
+        for (int64_t i = 0; i < count; ++i) {
+            skipEmptyLines(ahead);
+            if (ahead->word().empty()) { return false; }
+        }
+        return true;
     }
 
+    const PlyHeader& header_;
     TextCursor cursor_;
     const char* last_ = nullptr;
     const char* record_ = nullptr;  ///< where the present one begins
-    uint64_t recordsLeft_ = 0;      ///< with the present one
-    std::optional<int64_t> linesBeyondRecords_;
+    uint64_t recordsBefore_ = 0;    ///< of elements that have properties
+    std::optional<bool> isFree_;
 };
 
 class PlyBinarySource {
@@ -110,6 +143,10 @@ class PlyBinarySource {
 
     static uint64_t leastBytes(PlyType type, uint64_t count) { return sizeOf(type) * count; }
     uint64_t bytesLeft() const { return bytes_.size() - at_; }
+
+    using Place = size_t;
+    Place place() const { return at_; }
+    void goTo(Place place) { at_ = place; }
 
     bool beginRecord() { return true; }
     bool endRecord() { return true; }

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -36,6 +37,10 @@ inline const char* parseFloat(const char* at, const char* end, float* out) {
     if (code == std::errc::result_out_of_range) {
         *out = outOfRangeFloat(first, last);
         return last;
+    }
+    if (code == std::errc() && *last == '#' && last[-1] == '.') {  // 1.#QNAN, as Microsoft's library has it
+        *out = std::numeric_limits<float>::quiet_NaN();
+        return std::find_if(last, end, [](char c) { return c <= ' '; });
     }
     return code == std::errc() ? last : nullptr;
 }

@@ -123,7 +123,7 @@ TEST(Malformed, PlyFiles) {
         {mesh + "0 0 0\n1 0 0\n0 1 0        \n", "ends too early"},
         {binary, ":3:16: 3 \"vertex\" elements need at least 36 bytes, but only 0 are left"},
         {binary + vertices, ":7:14: 1 \"face\" elements need at least 1 bytes"},
-        {binary + notANumber + "\3", "byte 185: y is nan"},
+        {binary + notANumber + std::string("\3\0\0\0\0\1\0\0\0\2\0\0\0", 13), "byte 185: y is nan"},
         {binary + vertices + "\3", "byte 205: the list \"vertex_indices\" has 3 items, but only 0 bytes"},
         {binary + vertices + std::string("\3\0\0\0\0\0\0\0\0\3\0\0\0", 13), "there is no vertex 3"},
     };

@@ -1,45 +1,22 @@
 // PLY files as MeshLab, Blender, CloudCompare and others write them.
+#include <array>
 #include <cstring>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "engine/io/image_io.h"
 #include "engine/io/ply_loader.h"
 #include "engine/io/scene_loader.h"
+#include "tests/support/ply_texts.h"
 #include "tests/support/temp_folder.h"
 
 namespace glint {
 namespace {
 
-using test::TempFolder;
+using namespace test;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-const std::string kXyz = "property float x\nproperty float y\nproperty float z\n";
-const std::string kList = "property list uchar int vertex_indices\n";
-const std::string kHead = "ply\nformat ascii 1.0\nelement vertex 4\n" + kXyz;
-const std::string kCorners = "-1 -1 0\n1 -1 0\n1 1 0\n-1 1 0\n";
-
-MeshFile parse(const std::string& text) {
-    auto file = parsePly(text, "in.ply");
-    EXPECT_TRUE(file) << file.error().format() << "\n" << text;
-    return file ? std::move(*file) : MeshFile{};
-}
-
-Vec3 areaOf(const MeshFile& file) {
-    Vec3 area(0.0f);
-    for (const MeshPart& part : file.parts) {
-        const MeshData& mesh = *part.mesh;
-        for (size_t i = 0; i < mesh.indices.size(); i += 3) {
-            const Vec3& a = mesh.positions[mesh.indices[i]];
-            area += 0.5f * glm::cross(mesh.positions[mesh.indices[i + 1]] - a,
-                                      mesh.positions[mesh.indices[i + 2]] - a);
-        }
-    }
-    return area;
-}
 
 TEST(PlyRepairs, GiveTheSquareAndOneWarning) {
     const std::string head = kHead + "element face 1\n" + kList + "end_header\n";
@@ -90,6 +67,92 @@ TEST(PlyRepairs, WhatTheFormatAllowsIsSilent) {
     }
 }
 
+TEST(PlyRepairs, HeadersInOtherCase) {
+    const std::string text = kHead + "element face 1\n" + kList + "end_header\n" + kCorners + "4 0 1 2 3\n";
+    std::string all = text.substr(0, text.find("end_header") + 10);
+    std::ranges::transform(all, all.begin(), [](char c) { return c >= 'a' && c <= 'z' ? c - 32 : c; });
+    for (const std::string& other :
+         {withWord(text, "ply\n", "PLY\n"), withWord(text, "format ascii", "Format ASCII"),
+          withWord(text, "element", "Element"), withWord(text, "float", "Float"),
+          withWord(text, "list uchar int", "LIST UCHAR INT"), withWord(text, "end_header", "End_Header"),
+          all + text.substr(all.size())}) {
+        const MeshFile file = parse(other);
+        EXPECT_EQ(areaOf(file), Vec3(0, 0, 4)) << other;
+        EXPECT_THAT(file.warnings, ElementsAre(HasSubstr("words of the header in other case"))) << other;
+    }
+    const TempFolder folder;
+    EXPECT_TRUE(loadScene(folder.write("a.txt", withWord(text, "ply\n", "PLY\n"))));
+    EXPECT_FALSE(loadScene(folder.write("a.ply", withWord(text, "ply\n", "PLY\n")), {.strict = true}));
+}
+
+/// A square of 5 by 5 squares of two triangles, its numbers so many on a line.
+std::string wrappedSquare(int perLine, const std::string& more = "") {
+    std::string numbers;
+    for (int i = 0; i < 36; ++i) {
+        numbers += std::to_string(i % 6) + " " + std::to_string(i / 6) + " 0 ";
+    }
+    for (int i = 0; i < 25; ++i) {
+        const int a = i % 5 + 6 * (i / 5);
+        for (const auto& [p, q, r] : {std::array{a, a + 1, a + 7}, std::array{a, a + 7, a + 6}}) {
+            numbers += "3 " + std::to_string(p) + " " + std::to_string(q) + " " + std::to_string(r) + " ";
+        }
+    }
+    int count = 0;
+    for (char& c : numbers) {
+        if (c == ' ' && ++count % perLine == 0) { c = '\n'; }
+    }
+    return withWord(kHead, "vertex 4", "vertex 36") + "element face 50\n" + kList + "end_header\n" + numbers +
+           more;
+}
+
+TEST(PlyRepairs, NumbersArePartedByAnyBlanks) {
+    for (int perLine = 1; perLine < 20; ++perLine) {
+        const MeshFile file = parse(wrappedSquare(perLine));
+        EXPECT_EQ(areaOf(file), Vec3(0, 0, 25)) << perLine;
+        EXPECT_EQ(file.warnings.size(), perLine % 12 == 0 ? 0u : 1u) << perLine;  // whole ones are silent
+    }
+    // What is no whole number of elements is an error, as is a line too short.
+    EXPECT_FALSE(parsePly(wrappedSquare(7, "1"), "in.ply"));
+    EXPECT_FALSE(parsePly(wrappedSquare(4, "0\n0\n"), "in.ply"));
+}
+
+TEST(PlyRepairs, FacesMayComeBeforeVertices) {
+    const std::string faces = "element face 1\n" + kList, vertices = "element vertex 4\n" + kXyz;
+    const std::string other = "element camera 1\nproperty list int int x\n";
+    const std::string ascii = "ply\nformat ascii 1.0\n";
+    for (const std::string& text :
+         {ascii + faces + vertices + "end_header\n4 0 1 2 3\n" + kCorners,
+          ascii + other + faces + other + vertices + "end_header\n2 5 5\n4 0 1 2 3\n0\n" + kCorners,
+          ascii + faces + vertices + other + "end_header\n4 0 1 2 3 -1 -1 0 1 -1 0 1 1 0 -1 1 0 0\n"}) {
+        const MeshFile file = parse(text);
+        EXPECT_EQ(areaOf(file), Vec3(0, 0, 4)) << text;
+        EXPECT_THAT(file.warnings, IsEmpty()) << text;
+    }
+    std::string binary = "ply\nformat binary_little_endian 1.0\n" + faces + vertices + "end_header\n" +
+                         std::string("\3\0\0\0\0\1\0\0\0\2\0\0\0", 13);
+    for (const float x : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 9.f, 9.f, 9.f}) {
+        binary.append(reinterpret_cast<const char*>(&x), 4);
+    }
+    EXPECT_EQ(areaOf(parse(binary)), Vec3(0, 0, 0.5f));
+}
+
+TEST(PlyRepairs, VerticesWithoutAPlaceThatNoFaceUses) {
+    const std::string head =
+        withWord(kHead, "vertex 4", "vertex 5") + "element face 1\n" + kList + "end_header\n";
+    for (const char* place : {"nan nan nan", "inf 0 0", "0 -1.#IND 0", "0 0 1e30"}) {
+        const MeshFile file = parse(head + kCorners + place + "\n4 0 1 2 3\n");
+        EXPECT_EQ(areaOf(file), Vec3(0, 0, 4)) << place;
+        EXPECT_EQ(file.parts.at(0).mesh->positions.back().z, 0.0f) << place;
+        EXPECT_THAT(file.warnings, ElementsAre(HasSubstr("in.ply:14: vertices without a place"))) << place;
+        const auto used = parsePly(head + kCorners + place + "\n3 0 1 4\n", "in.ply");
+        ASSERT_FALSE(used) << place;
+        EXPECT_THAT(used.error().format(), HasSubstr("in.ply:14:")) << place;
+    }
+    const auto second = parsePly(head + "nan 0 0\n1 0 0\n1 1 0\nnan 0 0\n0 1 0\n3 1 2 3\n", "in.ply");
+    ASSERT_FALSE(second);
+    EXPECT_THAT(second.error().format(), HasSubstr("in.ply:15:7: vertex 3 has no place"));
+}
+
 TEST(PlyRepairs, ALineTooShortInALineFileIsAnError) {
     const auto file =
         parsePly(kHead + "element face 1\n" + kList + "end_header\n-1 -1 0\n1 -1\n1 1 0\n-1 1 0\n4 0 1 2 3\n",
@@ -102,9 +165,9 @@ TEST(PlyRepairs, AttributesThatAreNoNumbersCountAsZero) {
     const MeshFile file =
         parse("ply\nformat ascii 1.0\nelement vertex 3\n" + kXyz +
               "property float nx\nproperty float ny\nproperty float nz\nelement face 1\n" + kList +
-              "end_header\n0 0 0 nan nan nan\n1 0 0 0 0 1\n0 1 0 0 inf 1\n3 0 1 2\n");
+              "end_header\n0 0 0 nan -nan(ind) 1.#QNAN\n1 0 0 0 0 1\n0 1 0 -1.#IND00 1.#INF 1\n3 0 1 2\n");
     EXPECT_THAT(file.parts[0].mesh->normals, ElementsAre(Vec3(0), Vec3(0, 0, 1), Vec3(0, 0, 1)));
-    EXPECT_THAT(file.warnings, ElementsAre(HasSubstr("no finite numbers count as 0 (and 3 more)")));
+    EXPECT_THAT(file.warnings, ElementsAre(HasSubstr("no finite numbers count as 0 (and 4 more)")));
 }
 
 TEST(PlyRepairs, Tristrips) {
@@ -156,56 +219,14 @@ TEST(PlyRepairs, PointCloudsAreRefusedByThatName) {
     }
 }
 
-TEST(PlyTextures, CornersHaveTheirOwnCoordinates) {
-    const std::string head =
-        kHead + "element face 2\n" + kList + "property list uchar float texcoord\nend_header\n" + kCorners;
-    const MeshFile joined = parse(head + "3 0 1 2 6 0 0 1 0 1 1\n3 0 2 3 6 0 0 1 1 0 1\n");
-    EXPECT_THAT(joined.parts.at(0).mesh->uvs, ElementsAre(Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)));
-    const MeshFile parted = parse(head + "3 0 1 2 6 0 0 1 0 1 1\n3 0 2 3 6 0.5 0 1 1 0 1\n");
-    EXPECT_EQ(parted.parts.at(0).mesh->positions.size(), 5u);
-    EXPECT_EQ(areaOf(parted), Vec3(0, 0, 4));
-    const MeshFile some = parse(head + "3 0 1 2 0\n3 0 2 3 6 0.5 0 1 1 0 1\n");
-    EXPECT_EQ(areaOf(some), Vec3(0, 0, 4));
-    const MeshFile wrong = parse(head + "3 0 1 2 4 0 0 1 0\n3 0 2 3 6 0 0 1 1 0 1\n");
-    EXPECT_THAT(wrong.warnings, ElementsAre(HasSubstr("other texture coordinates than corners")));
-}
-
-TEST(PlyTextures, ImagesNamedInCommentsAreUsed) {
-    const TempFolder folder;
-    ASSERT_TRUE(savePng(folder.path("a.png"), {1, 1, {255, 0, 0}}));
-    ASSERT_TRUE(savePng(folder.path("b c.png"), {1, 1, {0, 255, 0}}));
-    const std::string images = "comment TextureFile a.png\ncomment TextureFile B c.png\n";
-    const std::string vertexUvs = "property float texture_u\nproperty float texture_v\n";
-    const auto one = loadScene(folder.write(
-        "one.ply", "ply\nformat ascii 1.0\ncomment TextureFile C:\\x\\a.png\nelement vertex 3\n" + kXyz +
-                       vertexUvs + "element face 1\n" + kList +
-                       "end_header\n0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 1\n3 0 1 2\n"));
-    ASSERT_TRUE(one) << one.error().format();
-    EXPECT_EQ(one->materials.at(0).color.texture, 0);
-    EXPECT_TRUE(one->textures.at(0).image.isRead());
-
-    const auto two = loadScene(
-        folder.write("two.ply",
-                     "ply\nformat ascii 1.0\n" + images + "element vertex 4\n" + kXyz + "element face 2\n" +
-                         kList + "property list uchar float texcoord\nproperty int texnumber\nend_header\n" +
-                         kCorners + "3 0 1 2 6 0 0 1 0 1 1 0\n3 0 2 3 6 0 0 1 1 0 1 1\n"),
-        {.noStudio = true});
-    ASSERT_TRUE(two) << two.error().format();
-    ASSERT_EQ(two->objects.size(), 2u);
-    EXPECT_EQ(two->textures.at(static_cast<size_t>(two->materials.at(0).color.texture)).name, "a.png");
-    EXPECT_EQ(two->textures.at(static_cast<size_t>(two->materials.at(1).color.texture)).name, "B c.png");
-
-    const auto json = loadScene(folder.write(
-        "a.json", R"({"glint": 1, "objects": [{"type": "mesh", "mesh": {"file": "two.ply"}}]})"));
-    ASSERT_TRUE(json) << json.error().format();
-    EXPECT_EQ(json->objects.size(), 2u);
-    const auto missing = loadScene(
-        folder.write("one.ply", "ply\nformat ascii 1.0\ncomment TextureFile none.png\nelement vertex 3\n" +
-                                    kXyz + vertexUvs + "element face 1\n" + kList +
-                                    "end_header\n0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 1\n3 0 1 2\n"));
-    ASSERT_TRUE(missing);
-    EXPECT_THAT(missing->warnings,
-                ElementsAre(HasSubstr("images are missing; a grey takes their place: \"none.png\"")));
+TEST(PlyRepairs, ElementsThatAreNoFacesAreNamed) {
+    for (const char* name : {"trifan", "triangles", "polygons"}) {
+        const auto file = parsePly(
+            kHead + "element " + name + " 1\n" + kList + "end_header\n" + kCorners + "4 0 1 2 3\n", "in.ply");
+        ASSERT_FALSE(file);
+        EXPECT_THAT(file.error().format(),
+                    HasSubstr(std::string("no faces (4 vertices); it has 1 \"") + name + "\"; expected"));
+    }
 }
 
 }  // namespace

@@ -1,4 +1,6 @@
 // Vertex colours of OBJ and PLY mean the same, in all ranges that programs write, and are the albedo.
+#include "engine/io/vertex_colors.h"
+
 #include <gtest/gtest.h>
 
 #include "engine/io/scene_loader.h"
@@ -50,6 +52,25 @@ TEST(VertexColors, MeanTheSameInBothFormatsAndRanges) {
           colorOf("a.ply", ply("float", "255 51 0")), colorOf("a.ply", ply("uchar", "255.0 51.0 0"))}) {
         EXPECT_NEAR(glm::length(color - expected), 0.0f, 1e-5f) << color.x << " " << color.y;
     }
+}
+
+TEST(VertexColors, AFewAboveOneAreOverbright) {
+    const auto decoded = [](const std::vector<Vec3>& colors) {
+        MeshFile file;
+        file.parts.emplace_back().mesh = std::make_shared<MeshData>();
+        file.parts[0].mesh->colors = colors;
+        decodeVertexColors("in.ply", &file);
+        return file.parts[0].mesh->colors;
+    };
+    const float half = srgbToLinear(0.5f);
+    for (const Vec3& bright : {Vec3(2.5f, 0.5f, 0.5f), Vec3(3.5f, 0.5f, 1.0f), Vec3(300.0f, 0.5f, 0.25f)}) {
+        EXPECT_EQ(decoded({bright})[0].x, 1.0f);
+        EXPECT_EQ(decoded({bright})[0].y, half);
+    }
+    for (const Vec3& integers : {Vec3(255, 127.5f, 0.5f), Vec3(20.5f, 127.5f, 0), Vec3(3, 127.5f, 90)}) {
+        EXPECT_EQ(decoded({integers, Vec3(0)})[0].y, srgbToLinear(integers.y / 255.0f));
+    }
+    EXPECT_EQ(decoded({Vec3(3, 1, 0)})[0].x, srgbToLinear(3.0f / 255.0f));
 }
 
 }  // namespace
