@@ -26,9 +26,13 @@ std::optional<ToneMap> toneMapFromName(std::string_view name) {
     return found == kNames.end() ? std::nullopt : std::optional(static_cast<ToneMap>(found - kNames.begin()));
 }
 
-Vec3 toneMapped(Vec3 radiance, float exposureStops, ToneMap map) {
+Vec3 exposed(const Vec3& radiance, float exposureStops) {
     const float gain = std::exp2(exposureStops);
-    const Vec3 x{toneInput(radiance.x * gain), toneInput(radiance.y * gain), toneInput(radiance.z * gain)};
+    return {toneInput(radiance.x * gain), toneInput(radiance.y * gain), toneInput(radiance.z * gain)};
+}
+
+Vec3 toneMapped(Vec3 radiance, float exposureStops, ToneMap map) {
+    const Vec3 x = exposed(radiance, exposureStops);
     switch (map) {
         case ToneMap::Clamp:
             return {std::fmin(x.x, 1.0f), std::fmin(x.y, 1.0f), std::fmin(x.z, 1.0f)};

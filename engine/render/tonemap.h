@@ -9,11 +9,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 #include "engine/math/color.h"
+#include "engine/render/ocio_view.h"
 #include "engine/render/white_balance.h"
 #include "engine/scene/image.h"
 
@@ -81,8 +83,9 @@ inline Vec3 softHighlights(const Vec3& rgb) {
 /// Largest value that enters a curve: keeps every step finite in float for infinite input.
 constexpr float kMaxToneInput = 1e6f;
 
-/// Radiance to display values in [0, 1]: multiplied by 2^exposureStops, cut to [0, kMaxToneInput] (NaN
-/// becomes 0), then the operator.
+/// Multiplied by 2^exposureStops and cut to [0, kMaxToneInput]; NaN becomes 0.
+Vec3 exposed(const Vec3& radiance, float exposureStops);
+/// Radiance to display values in [0, 1]: exposed(), then the operator.
 Vec3 toneMapped(Vec3 radiance, float exposureStops, ToneMap map);
 
 /// All that stands between radiance and the bytes of a screen.
@@ -90,18 +93,21 @@ struct DisplayLook {
     float exposureStops = 0.0f;
     ToneMap toneMap = ToneMap::Srgb;
     WhiteBalance white{};
-    bool dithers = false;  ///< of pictures alone: bytes are rounded by ditherOffset()
+    bool dithers = false;                    ///< of pictures alone: bytes are rounded by ditherOffset()
+    std::shared_ptr<const OcioView> view{};  ///< in place of the tone map; null: none
 
     bool operator==(const DisplayLook&) const = default;
 };
 
-/// toneMapped() of many pixels, after the look's white balance.
+/// toneMapped() of many pixels, or what the look's view makes of them, after its white balance.
 class ToneMapper {
   public:
     explicit ToneMapper(const DisplayLook& look)
         : look_(look), isNeutral_(look.white.isNeutral()), balance_(whiteBalanceMatrix(look.white)) {}
     Vec3 operator()(const Vec3& radiance) const {
-        return toneMapped(isNeutral_ ? radiance : balance_ * radiance, look_.exposureStops, look_.toneMap);
+        const Vec3 balanced = isNeutral_ ? radiance : balance_ * radiance;
+        return look_.view ? (*look_.view)(exposed(balanced, look_.exposureStops))
+                          : toneMapped(balanced, look_.exposureStops, look_.toneMap);
     }
 
   private:

@@ -59,6 +59,7 @@ Status checkOutputs(const RenderCommandOptions& o, RunFiles* files) {
     if (o.replayPass) { return Error{"--pass needs --pixel X,Y: the path to look into", {}}; }
     const std::string numbered = interval->passes > 0 ? numberedPath(o.output, interval->passes) : "";
     files->reads("the scene", o.scene);
+    files->reads("the OpenColorIO configuration", parseOcioChoice(o.ocio).config);
     // A checkpoint that is gone on from may become the longer one.
     if (!isSameFile(o.resume, o.checkpoint)) { files->reads("the checkpoint to go on from", o.resume); }
     if (rendersFrames(o)) { return checkFrames(o, *files); }
@@ -103,6 +104,11 @@ void addRenderCommand(const Command& program) {
     command.footer(kRenderFooter);
     command.onRun([command, options] {
         options->sceneOptions = sceneOptionsAsWritten(command);
+        if (!options->ocio.empty()) {
+            auto view = loadOcioView(parseOcioChoice(options->ocio));
+            if (!view) { return reportError(view.error(), kExitBadInput); }
+            options->view = std::move(*view);
+        }
         return runCommand(*options);
     });
 }

@@ -67,6 +67,12 @@ void addImageOptions(const Command& command, RenderCommandOptions* o) {
         .oneOf({"clamp", "srgb", "filmic", "reinhard", "soft"})
         .group(group);
     command
+        .option("--ocio", &o->ocio,
+                "PNG: a view of an OpenColorIO configuration in place of the tone map, by default its first")
+        .typeName("CONFIG[:DISPLAY/VIEW]")
+        .excludes("--tone")
+        .group(group);
+    command
         .option(
             "--white-balance", &o->white.kelvin,
             "PNG: temperature of the light that is shown white, in K; by default 6504, which changes nothing")

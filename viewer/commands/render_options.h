@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,7 +32,9 @@ struct RenderCommandOptions {
     bool denoise = false;
     WhiteBalance white{};
     bool dither = false;
-    std::string tone;  ///< empty: sRGB, or the original's
+    std::string tone;                        ///< empty: sRGB, or the original's
+    std::string ocio;                        ///< empty: the tone map
+    std::shared_ptr<const OcioView> view{};  ///< of `ocio`, once it is loaded
     std::string checkpoint;
     std::string checkpointEvery;
     std::string resume;

@@ -237,7 +237,8 @@ class BatchRender {
         snapshot->aovs = std::make_shared<AovFilm>(capture.aovs);
         if (options_.denoise) { denoise(&snapshot); }
         ImageOptions image;
-        image.look = {exposureOf(*snapshot), toneMapOf(options_), options_.white, options_.dither};
+        image.look = {exposureOf(*snapshot), toneMapOf(options_), options_.white, options_.dither,
+                      options_.view};
         image.exrColor = options_.exrFloat ? ExrPixelType::Float : ExrPixelType::Half;
         // A failure may come before the layers are rendered; the picture is worth saving without them.
         image.aovs = capture.aovs.passes() > 0 ? aovs_.aovs : 0;

@@ -45,6 +45,7 @@ struct ViewCommandOptions {
     std::string backend = "cpu";
     int threads = 0;
     bool noAutoExposure = false;
+    std::string ocio;
     LoadOptions load;
 };
 
@@ -100,6 +101,11 @@ Result<ViewerOptions> viewerOptions(const ViewCommandOptions& o, RunFiles* files
     options.surface = {.width = size->x, .height = size->y, .contentScale = o.scale};
     options.passes = o.passes;
     options.noAutoExposure = o.noAutoExposure;
+    if (!o.ocio.empty()) {
+        auto view = loadOcioView(parseOcioChoice(o.ocio));
+        if (!view) { return view.error(); }
+        options.ocio = std::move(*view);
+    }
     options.screenshot = o.screenshot;
     options.output = o.output;
     options.frameStats = o.json;
@@ -119,6 +125,7 @@ int runCommand(const ViewCommandOptions& o) {
     RunFiles files;
     files.reads("the scene", o.scene);
     files.reads("the script", o.script);
+    files.reads("the OpenColorIO configuration", parseOcioChoice(o.ocio).config);
     auto options = viewerOptions(o, &files);
     if (!options) { return reportError(options.error(), kExitBadInput); }
     auto backend = makeBackend(o.backend, o.threads);
@@ -197,6 +204,10 @@ void addViewCommand(const Command& program) {
     command.option("--threads", &options->threads, "Threads that render; 0: all").range(0, 1024);
     command.flag("--no-auto-exposure", &options->noAutoExposure,
                  "Exposure 0 also where that shows a scene black or white");
+    command
+        .option("--ocio", &options->ocio,
+                "A view of an OpenColorIO configuration in place of the tone map, by default its first")
+        .typeName("CONFIG[:DISPLAY/VIEW]");
     addLoadOptions(command, &options->load);
     command.footer(kFooter);
     command.onRun([options] { return runCommand(*options); });

@@ -13,6 +13,7 @@ std::string editName(const DisplayChoices& before, const DisplayChoices& after) 
         bool differs;
     } all[] = {{"exposure", before.exposureStops != after.exposureStops},
                {"tone map", before.toneMap != after.toneMap},
+               {"OpenColorIO view", before.view != after.view},
                {"white", before.white.kelvin != after.white.kelvin},
                {"tint", before.white.tint != after.white.tint},
                {"dither", before.dithers != after.dithers},
@@ -30,6 +31,7 @@ void DisplaySettings::take(const DisplayLook& look) {
     toneMap = look.toneMap;
     white = look.white;
     dithers = look.dithers;
+    view = look.view;
 }
 
 IntegratorKind DisplaySettings::otherOf(IntegratorKind own) const {

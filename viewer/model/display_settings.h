@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -38,7 +39,8 @@ struct DisplayChoices {
     ToneMap toneMap = ToneMap::Srgb;
     WhiteBalance white{};
     bool dithers = false;
-    bool denoises = false;  ///< the radiance is shown and saved without its noise
+    std::shared_ptr<const OcioView> view{};  ///< in place of the tone map; null: none
+    bool denoises = false;                   ///< the radiance is shown and saved without its noise
     ShownImage shown = ShownImage::Radiance;
 
     bool operator==(const DisplayChoices&) const = default;
@@ -58,7 +60,7 @@ struct DisplaySettings : DisplayChoices {
     /// one of the table.
     std::optional<IntegratorKind> comparedWith{};
 
-    DisplayLook look() const { return {exposureStops, toneMap, white, dithers}; }
+    DisplayLook look() const { return {exposureStops, toneMap, white, dithers, view}; }
     void take(const DisplayLook& look);
     const DisplayChoices& choices() const { return *this; }
     void choose(const DisplayChoices& choices) { static_cast<DisplayChoices&>(*this) = choices; }

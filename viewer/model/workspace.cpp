@@ -32,6 +32,7 @@ bool isImage(const std::string& path) {
 Workspace::Workspace(std::unique_ptr<Backend> backend)
     : backup(&document, &render),
       render(std::move(backend)),
+      ocio(&jobs, &display, &notice),
       sceneFiles(
           &jobs, &notice, &inputs, &overwrite, [this](SceneDescription scene) { adopt(std::move(scene)); },
           [this](SceneDescription scene) { addObjectsOf(std::move(scene)); },

@@ -29,6 +29,7 @@
 #include "viewer/model/lens_settings.h"
 #include "viewer/model/material_presets.h"
 #include "viewer/model/notice.h"
+#include "viewer/model/ocio_chooser.h"
 #include "viewer/model/outliner.h"
 #include "viewer/model/picture_difference.h"
 #include "viewer/model/region_tool.h"
@@ -56,6 +57,7 @@ class Workspace {
     EditHistory history;   ///< of the document
     RenderControl render;
     DisplaySettings display;
+    OcioChooser ocio;
     LensSettings lens;
     FocusOverlay focusOverlay;
     Inspector inspector;

@@ -11,7 +11,7 @@ Part* partOf(Workspace* w) {
     return &std::get<Part&>(std::tie(w->notice, w->document, w->history, w->render, w->display, w->lens,
                                      w->inspector, w->region, w->gizmo, w->outliner, w->library, w->bookmarks,
                                      w->sceneFiles, w->filmFiles, w->assets, w->convergence, w->curveExport,
-                                     w->faults, w->snapshots, w->keys, w->frames));
+                                     w->faults, w->snapshots, w->keys, w->frames, w->ocio));
 }
 
 template Notice* partOf(Workspace*);
@@ -35,5 +35,6 @@ template FaultFinder* partOf(Workspace*);
 template Snapshots* partOf(Workspace*);
 template KeyMap* partOf(Workspace*);
 template FrameSeries* partOf(Workspace*);
+template OcioChooser* partOf(Workspace*);
 
 }  // namespace glint

@@ -11,6 +11,7 @@
 #include "viewer/model/convergence_watch.h"
 #include "viewer/model/display_settings.h"
 #include "viewer/model/key_map.h"
+#include "viewer/model/ocio_chooser.h"
 #include "viewer/model/scene_document.h"
 #include "viewer/panels/compare_view.h"
 #include "viewer/panels/panel.h"
@@ -73,7 +74,56 @@ void drawComparison(DisplaySettings* display, IntegratorKind own, const KeyMap& 
     }
 }
 
-void drawLook(DisplaySettings* display, const KeyMap& keys) {
+/// A row for each choice that the configuration offers.
+void drawOcioView(const OcioView& view, OcioChooser* ocio) {
+    std::vector<std::string_view> displays;
+    int display = 0;
+    for (const OcioDisplay& each : view.displays) {
+        if (each.name == view.choice.display) { display = static_cast<int>(displays.size()); }
+        displays.emplace_back(each.name);
+    }
+    if (ui::choice("OCIO display", &display, displays, "What the picture is to be seen on")) {
+        ocio->load({view.choice.config, std::string(displays[static_cast<size_t>(display)]), ""});
+    }
+    const std::vector<std::string>& names = view.displays[static_cast<size_t>(display)].views;
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    int index = static_cast<int>(std::ranges::find(names, view.choice.view) - names.begin());
+    if (ui::choice("OCIO view", &index, views, "In place of the tone map; also in PNGs that are saved")) {
+        ocio->load({view.choice.config, view.choice.display, names[static_cast<size_t>(index)]});
+    }
+}
+
+/// What leads from radiance to the screen. An OpenColorIO configuration is the choice after the tone maps.
+void drawCurve(DisplaySettings* display, OcioChooser* ocio) {
+    std::vector<std::string_view> names(kToneMaps.begin(), kToneMaps.end());
+    if (hasOcio()) { names.emplace_back("OpenColorIO"); }
+    int index = display->view || ocio->isWanted ? kToneMapCount : static_cast<int>(display->toneMap);
+    if (ui::choice("Tone map", &index, names, "From radiance to the screen; never restarts")) {
+        ocio->isWanted = index == kToneMapCount;
+        if (!ocio->isWanted) {
+            display->toneMap = static_cast<ToneMap>(index);
+            display->view = nullptr;
+        } else if (!ocio->config.empty()) {
+            ocio->load({ocio->config, "", ""});
+        }
+    }
+    if (!display->view && !ocio->isWanted) { return; }
+    if (ui::text("OCIO config", &ocio->config, "config.ocio",
+                 "An OpenColorIO configuration. Enter reads it") &&
+        !ocio->config.empty()) {
+        ocio->load({ocio->config, "", ""});
+    }
+    if (!display->view) {
+        if (ui::button(ocio->isLoading() ? "Reading…" : "Read the configuration", ui::buttonWidth(1)) &&
+            !ocio->config.empty()) {
+            ocio->load({ocio->config, "", ""});
+        }
+        return;
+    }
+    drawOcioView(*display->view, ocio);
+}
+
+void drawLook(DisplaySettings* display, OcioChooser* ocio, const KeyMap& keys) {
     const std::string tip = fmt::format("Doubles the brightness with each stop; never restarts ({} and {})",
                                         keys.textOf(KeyAction::Darker), keys.textOf(KeyAction::Brighter));
     ui::number(
@@ -82,10 +132,7 @@ void drawLook(DisplaySettings* display, const KeyMap& keys) {
     if (display->exposureStops != 0.0f && display->exposureStops == display->chosenExposureStops) {
         ui::hint("chosen when the scene was opened: it would be black or white");
     }
-    int toneMap = static_cast<int>(display->toneMap);
-    if (ui::choice("Tone map", &toneMap, kToneMaps, "From radiance to the screen; never restarts")) {
-        display->toneMap = static_cast<ToneMap>(toneMap);
-    }
+    drawCurve(display, ocio);
     ui::number("White", &display->white.kelvin,
                {.format = "%.0f K",
                 .min = kLeastKelvin,
@@ -106,9 +153,9 @@ void drawLook(DisplaySettings* display, const KeyMap& keys) {
 }
 
 void draw(DisplaySettings* display, const SceneDocument* document, const ConvergenceWatch* convergence,
-          const KeyMap* keys) {
+          OcioChooser* ocio, const KeyMap* keys) {
     const IntegratorKind own = document->draft().options.integrator;
-    drawLook(display, *keys);
+    drawLook(display, ocio, *keys);
     drawShown(display);
     if (const std::string why = missing(*display, own, *convergence); !why.empty()) { ui::hint(why.c_str()); }
     drawComparison(display, own, *keys);

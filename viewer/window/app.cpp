@@ -123,6 +123,7 @@ Status App::open(std::optional<SceneDescription> scene) {
     workspace_.frames.makeBackend = options_.anotherBackend;
     workspace_.sceneFiles.dialog.usesDesktop = !options_.headless;
     workspace_.display.autoExposure = !options_.noAutoExposure;
+    if (options_.ocio) { workspace_.ocio.use(options_.ocio); }
     if (options_.recoverySeconds > 0.0) {
         workspace_.rememberIn(stateFolder(), options_.recoverySeconds);
         // A script's keys mean the same on every machine.

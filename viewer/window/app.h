@@ -1,6 +1,7 @@
 // The viewer as a whole: a surface, the workspace, the shell, and the loop that joins them.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,8 +21,9 @@ struct ViewerOptions {
     SurfaceOptions surface;
     uint32_t passes = 0;  ///< stop limit; headless without a script: how many to wait for, 0: 64
     bool noAutoExposure = false;
-    std::string screenshot;  ///< headless: PNG of the whole window at the end
-    std::string output;      ///< headless: the picture alone, .png, .exr or .hdr
+    std::shared_ptr<const OcioView> ocio;  ///< in place of the tone map; null: none
+    std::string screenshot;                ///< headless: PNG of the whole window at the end
+    std::string output;                    ///< headless: the picture alone, .png, .exr or .hdr
     std::optional<std::vector<ScriptStatement>> script;
     std::string checkpoint;  ///< to be resumed with its scene
     double recoverySeconds =

@@ -15,9 +15,9 @@ size_t pixelsOf(const FilmSnapshot& snapshot) {
     return static_cast<size_t>(snapshot.width) * static_cast<size_t>(snapshot.height);
 }
 
-/// The shader would take too long over this picture.
-bool isForProcessor(const FilmSnapshot& snapshot, const ImageDisplay& display) {
-    return display.isSoftware() && pixelsOf(snapshot) > kDrawnAtOnce;
+/// The shader would take too long over this picture, or does not know its view.
+bool isForProcessor(const FilmSnapshot& snapshot, const DisplayLook& look, const ImageDisplay& display) {
+    return look.view || (display.isSoftware() && pixelsOf(snapshot) > kDrawnAtOnce);
 }
 
 bool isSame(const MapScale& a, const MapScale& b) {
@@ -85,7 +85,9 @@ bool ShownImageSource::isNew(const Wanted& wanted, ShownImage image, const Shown
         return true;
     }
     if (image == ShownImage::Radiance) {
-        return isForProcessor(*wanted.snapshot, display) && !(wanted.look == shown_.look);
+        const bool isColored = isForProcessor(*wanted.snapshot, wanted.look, display) ||
+                               isForProcessor(*wanted.snapshot, shown_.look, display);
+        return isColored && !(wanted.look == shown_.look);
     }
     return alongside != nullptr && alongside->shownImage() == image && shownImage_ == image &&
            alongside->scale().isThere() && !isSame(alongside->scale(), scale_);
@@ -94,9 +96,9 @@ bool ShownImageSource::isNew(const Wanted& wanted, ShownImage image, const Shown
 void ShownImageSource::bringUp(const Wanted& wanted, ShownImage image, const MapScale& scale,
                                ImageDisplay* display) {
     const bool isRadiance = image == ShownImage::Radiance;
-    if (isRadiance && !isForProcessor(*wanted.snapshot, *display)) {
+    if (isRadiance && !isForProcessor(*wanted.snapshot, wanted.look, *display)) {
         putRadiance(wanted, display);
-    } else if (!isRadiance && pixelsOf(*wanted.snapshot) <= kColoredAtOnce) {
+    } else if (pixelsOf(*wanted.snapshot) <= kColoredAtOnce) {
         put(colored(wanted, image, scale), display);
     } else {
         isBehind_ = true;
