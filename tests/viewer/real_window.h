@@ -183,7 +183,9 @@ class RealWindow : public testing::Test {
         write("scene.json", kWindowScene);
         // What sessions keep for a recovery is the test's own.
         setenv("XDG_STATE_HOME", std::filesystem::absolute("state").c_str(), 1);
+        setenv("XDG_CONFIG_HOME", std::filesystem::absolute("config").c_str(), 1);
         std::filesystem::remove_all("state");
+        std::filesystem::remove_all("config");
     }
 
     /// Where widgets are once a headless window has played the script, which begins with a picture.

@@ -157,6 +157,33 @@ TEST_F(RealWindow, TheKeyboardPausesAndQuits) {
     EXPECT_EQ(left["session"]["restarts"], 1);
 }
 
+TEST_F(RealWindow, AKeyIsChanged) {
+    openWindow();
+    if (HasFatalFailure()) { return; }
+    hand("windowfocus " + window_);
+    // Long enough for a frame to see it.
+    const auto press = [&](const std::string& key) {
+        hand("keydown " + key);
+        std::this_thread::sleep_for(std::chrono::seconds(1));
+        hand("keyup " + key);
+        std::this_thread::sleep_for(std::chrono::seconds(1));
+    };
+    press("F1");
+    findWidgets("key f1\nwait frames 3\n");
+    click("Key of pause");
+    press("KP_Add");
+    EXPECT_TRUE(until([] { return !read("config/glint/keys").empty(); }));
+    EXPECT_EQ(read("config/glint/keys"), "zoom-in +\npause kp+\n");
+    press("Escape");
+    press("space");
+    EXPECT_TRUE(titleSays("^scene.json ")) << "no key of anything now";
+    hand("keydown KP_Add");
+    EXPECT_TRUE(titleSays("paused")) << read("glint.log");
+    hand("keyup KP_Add");
+    hand("keydown ctrl keydown q");
+    EXPECT_EQ(glint_->exitCode(), 0) << read("glint.log");
+}
+
 TEST_F(RealWindow, ADisplayWithoutOpenGlIsExitTwoWithTheCause) {
     XServer display({"-extension", "GLX"});
     ASSERT_FALSE(display.name().empty()) << read("xvfb.log");
