@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "engine/base/result.h"
 #include "engine/io/byte_stream.h"
@@ -26,10 +25,5 @@ bool isReadable(const DdsHeader& header);
 SceneImage readDdsFace(const DdsHeader& header, ByteReader* bytes);
 /// Passes over its smaller copies, which follow it.
 void skipDdsCopies(const DdsHeader& header, ByteReader* bytes);
-
-/// Six square faces, in the order of Direct3D (Microsoft, "Cube textures"), one above the other as
-/// environment_image.h has them. What is seen from their middle is not mirrored, and their +z is the scene's
-/// -z.
-SceneImage ddsCubeMap(const std::vector<SceneImage>& faces);
 
 }  // namespace glint

@@ -7,12 +7,15 @@
 #include <ImfEnvmap.h>
 #include <fmt/format.h>
 
+#include "engine/io/cube_map.h"
 #include "engine/io/image_io.h"
 
 namespace glint {
 namespace {
 
 constexpr float kLargestHalf = 65504.0f;
+/// What the sun's radiance stays below in any unit, and sums over a map stay finite.
+constexpr float kLargestLight = 1e12f;
 
 bool isCubeMap(const ImageF& image) { return image.width > 1 && image.height == 6 * int64_t{image.width}; }
 
@@ -62,27 +65,33 @@ std::shared_ptr<ImageF> latitudeLongitude(const ImageF& cube) {
 }
 
 struct WrongValues {
-    size_t negative = 0, infinite = 0, notNumbers = 0;
+    size_t negative = 0, infinite = 0, tooLarge = 0, notNumbers = 0;
     size_t first = 0;  ///< index of the first wrong value
     float largest = kLargestHalf;
 
-    size_t count() const { return negative + infinite + notNumbers; }
+    size_t count() const { return negative + infinite + tooLarge + notNumbers; }
 };
 
 WrongValues findWrongValues(const ImageF& image) {
     WrongValues wrong;
     for (size_t i = 0; i < image.rgb.size(); ++i) {
         const float value = image.rgb[i];
-        if (value >= 0.0f && std::isfinite(value)) {
+        if (value >= 0.0f && value <= kLargestLight) {
             wrong.largest = std::max(wrong.largest, value);
             continue;
         }
         if (wrong.count() == 0) { wrong.first = i; }
         wrong.notNumbers += std::isnan(value) ? 1 : 0;
         wrong.infinite += std::isinf(value) && value > 0.0f ? 1 : 0;
+        wrong.tooLarge += std::isfinite(value) && value > kLargestLight ? 1 : 0;
         wrong.negative += value < 0.0f ? 1 : 0;
     }
     return wrong;
+}
+
+/// Within what rounding and a few lost rows make of it.
+bool isTwiceAsWide(const ImageF& image) {
+    return std::abs(image.width - 2 * image.height) <= 1 + image.height / 50;
 }
 
 std::string warningOf(const WrongValues& wrong, const ImageF& image, const std::string& name) {
@@ -93,6 +102,7 @@ std::string warningOf(const WrongValues& wrong, const ImageF& image, const std::
     add(wrong.negative, "below 0, taken for 0");
     add(wrong.notNumbers, "not a number, taken for 0");
     add(wrong.infinite, fmt::format("infinite, taken for {:g}", wrong.largest));
+    add(wrong.tooLarge, fmt::format("above {:g}, taken for {:g}", kLargestLight, wrong.largest));
     const size_t pixel = wrong.first / 3;
     const auto width = static_cast<size_t>(image.width);
     return fmt::format("{}: {} of its {} values cannot be light ({}), the first in column {}, row {}", name,
@@ -112,7 +122,17 @@ std::shared_ptr<const ImageF> environmentImage(const SceneImage& picture, const 
         }
         image = std::move(repaired);
     }
-    return isCubeMap(*image) ? latitudeLongitude(*image) : image;
+    if (isCubeMap(*image)) { return latitudeLongitude(*image); }
+    if (isTwiceAsWide(*image)) { return image; }
+    if (const std::vector<SceneImage> faces = facesOf(*image); !faces.empty()) {
+        return latitudeLongitude(*cubeColumn(faces).floats);
+    }
+    warnings->push_back(
+        fmt::format("{}: a picture of {} x {} pixels as light from everywhere is read as a map of latitude "
+                    "and longitude; "
+                    "expected one twice as wide as high, or a cube map: a column, a strip or a cross",
+                    name, image->width, image->height));
+    return image;
 }
 
 }  // namespace glint

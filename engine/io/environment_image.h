@@ -11,9 +11,10 @@
 namespace glint {
 
 /// A picture six times as high as wide is a cube map as OpenEXR lays them out, and becomes a map of the same
-/// resolution at the equator. Values below 0 and those that are not numbers become 0, infinite ones the
-/// largest finite one, at least 65504; a warning, appended to `warnings`, says how many and where they are.
-/// `name` is the file's.
+/// resolution at the equator; so do strips and crosses (cube_map.h). A warning where the picture is neither
+/// of these nor twice as wide as high. Values below 0 and those that are not numbers become 0, infinite ones
+/// and those above 1e12 the largest other one, at least 65504; a warning says how many and where they are.
+/// Warnings are appended to `warnings`; `name` is the file's.
 std::shared_ptr<const ImageF> environmentImage(const SceneImage& picture, const std::string& name,
                                                std::vector<std::string>* warnings);
 

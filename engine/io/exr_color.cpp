@@ -222,10 +222,12 @@ Result<ImageF> readColor(ExrFile* file, const ExrPart& part, const ColorChannels
     return image;
 }
 
-/// The picture as the display window shows it, black where there are no data.
+/// The picture as the display window shows it, black where there are no data; all data where it shows none.
 Result<ImageF> onDisplay(ImageF data, const ExrPart& part, const std::string& path) {
     const ExrWindow& display = part.display;
-    if (display == part.data) { return data; }
+    const bool isBeside = display.maxX < part.data.minX || display.minX > part.data.maxX ||
+                          display.maxY < part.data.minY || display.minY > part.data.maxY;
+    if (display == part.data || isBeside) { return data; }
     const auto width = static_cast<uint64_t>(std::max(display.width(), int64_t{0}));
     const auto height = static_cast<uint64_t>(std::max(display.height(), int64_t{0}));
     if (Status size = checkStatedSize(path, width, height, 1, HUGE_VAL); !size) { return size.error(); }

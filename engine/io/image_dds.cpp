@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/io/cube_map.h"
 #include "engine/io/dds_pixels.h"
 #include "engine/io/image_builder.h"
 #include "engine/io/image_formats.h"
@@ -147,7 +148,7 @@ Result<SceneImage> decode(const std::string& file, const std::string& path) {
         pictures.push_back(readDdsFace(header, &bytes));
     }
     if (bytes.failed()) { return brokenImage(path, "the file ends too early"); }
-    return header.isCubeMap ? ddsCubeMap(pictures) : std::move(pictures[0]);
+    return header.isCubeMap ? cubeColumn(pictures) : std::move(pictures[0]);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,21 +27,133 @@ SceneImage pictureOf(int width, int height, std::vector<float> rgb) {
 TEST(EnvironmentImage, TakesValuesThatLightCannotHaveForTheNearest) {
     constexpr float kInfinite = std::numeric_limits<float>::infinity();
     const SceneImage picture =
-        pictureOf(2, 2, {1, -0.01f, 2, 3, kInfinite, 70'000, -0.02f, std::nanf(""), 0, 5, 6, 7});
+        pictureOf(4, 2, {1, -0.01f, 2, 3, kInfinite, 70'000, -0.02f, std::nanf(""), 0, 5, 6, 7, 0, 0, 0, 0, 0,
+                         0, 0,      0, 0, 0,         0,      0});
     std::vector<std::string> warnings;
     const auto image = environmentImage(picture, "sky.exr", &warnings);
-    EXPECT_THAT(image->rgb, ElementsAre(1, 0, 2, 3, 70'000, 70'000, 0, 0, 0, 5, 6, 7));
+    EXPECT_THAT(image->rgb, ElementsAre(1, 0, 2, 3, 70'000, 70'000, 0, 0, 0, 5, 6, 7, 0, 0, 0, 0, 0, 0, 0, 0,
+                                        0, 0, 0, 0));
     EXPECT_THAT(warnings,
                 ElementsAre(HasSubstr(
-                    "sky.exr: 4 of its 12 values cannot be light (2 below 0, taken for 0, 1 not a "
+                    "sky.exr: 4 of its 24 values cannot be light (2 below 0, taken for 0, 1 not a "
                     "number, taken for 0, 1 infinite, taken for 70000), the first in column 0, row 0")));
 }
 
 TEST(EnvironmentImage, OfSoundValuesIsThePictureItself) {
-    const SceneImage picture = pictureOf(2, 1, {1, 0, 2, 3, 4, 1e30f});
+    const SceneImage picture = pictureOf(2, 1, {1, 0, 2, 3, 4, 1e12f});
     std::vector<std::string> warnings;
     EXPECT_EQ(environmentImage(picture, "sky.exr", &warnings), picture.floats);
     EXPECT_THAT(warnings, IsEmpty());
+}
+
+TEST(EnvironmentImage, TakesAbsurdlyBrightValuesForTheLargestOther) {
+    for (const float value : {3e38f, 1e30f, 2e12f, std::numeric_limits<float>::infinity()}) {
+        std::vector<std::string> warnings;
+        EXPECT_THAT(environmentImage(pictureOf(2, 1, {1, 2, value, 3, 4, 5}), "sky.exr", &warnings)->rgb,
+                    ElementsAre(1, 2, 65504, 3, 4, 5));
+        EXPECT_THAT(warnings, ElementsAre(HasSubstr("1 of its 6 values cannot be light")));
+        EXPECT_THAT(warnings, ElementsAre(HasSubstr("taken for 65504")));
+    }
+}
+
+/// Squares of one value each, `side` pixels wide, in rows.
+SceneImage squares(const std::vector<std::vector<float>>& rows, int side) {
+    std::vector<float> rgb;
+    for (size_t y = 0; y < rows.size() * static_cast<size_t>(side); ++y) {
+        for (const float value : rows[y / static_cast<size_t>(side)]) {
+            rgb.insert(rgb.end(), 3 * static_cast<size_t>(side), value);
+        }
+    }
+    const int columns = static_cast<int>(rows[0].size()), lines = static_cast<int>(rows.size());
+    return pictureOf(columns * side, lines * side, std::move(rgb));
+}
+
+/// Direct3D's +x, -x, +y, -y, +z, -z are 1 to 6; what is in front, +z, is the scene's -z, at the map's sides.
+TEST(EnvironmentImage, StripsAndCrossesAreCubeMaps) {
+    for (const auto& rows : {std::vector<std::vector<float>>{{1, 2, 3, 4, 5, 6}},
+                             {{0, 3, 0, 0}, {2, 5, 1, 6}, {0, 4, 0, 0}},
+                             {{9, 3, 9}, {2, 5, 1}, {0, 4, 7}, {9, 6, 9}}}) {
+        for (const int side : {8, 17}) {
+            std::vector<std::string> warnings;
+            const auto map = environmentImage(squares(rows, side), "cube.exr", &warnings);
+            EXPECT_THAT(warnings, IsEmpty());
+            ASSERT_EQ(map->width, 4 * side);
+            ASSERT_EQ(map->height, 2 * side);
+            const auto face = [&](int x, int y) {
+                return map->rgb[static_cast<size_t>(3 * (y * map->width + x))];
+            };
+            EXPECT_EQ(face(0, side), 5.0f);
+            EXPECT_EQ(face(side, side), 1.0f) << "right of the front";
+            EXPECT_EQ(face(2 * side, side), 6.0f);
+            EXPECT_EQ(face(3 * side, side), 2.0f);
+            EXPECT_EQ(face(2 * side, 0), 3.0f);
+            EXPECT_EQ(face(2 * side, 2 * side - 1), 4.0f);
+        }
+    }
+}
+
+/// What adjoins in a cross adjoins in the map: brightness that only grows with the height has no seams.
+TEST(EnvironmentImage, FacesOfCrossesLieTheRightWayUp) {
+    constexpr int kSide = 32;
+    const Vec3 front(0, 0, -1), right(1, 0, 0), up(0, 1, 0);
+    const auto cross = [&](int columns, int rows) {
+        std::vector<float> rgb;
+        for (int y = 0; y < rows * kSide; ++y) {
+            for (int x = 0; x < columns * kSide; ++x) {
+                const int column = x / kSide, row = y / kSide;
+                const float s = 2.0f * (static_cast<float>(x % kSide) + 0.5f) / kSide - 1.0f;
+                const float t = 1.0f - 2.0f * (static_cast<float>(y % kSide) + 0.5f) / kSide;
+                Vec3 d(0.0f);
+                if (row == 1) {  // left, front, right, back
+                    const Vec3 axes[] = {-right, front, right, -front},
+                               sides[] = {front, right, -front, -right};
+                    d = axes[column] + s * sides[column] + t * up;
+                } else if (column == 1) {  // above, below, and the back below that
+                    d = row == 0   ? up + s * right - t * front
+                        : row == 2 ? -up + s * right + t * front
+                                   : -front + s * right - t * up;
+                }
+                const Vec3 color = glm::length(d) > 0.0f ? Vec3(2.0f) + glm::normalize(d) : Vec3(0.0f);
+                rgb.insert(rgb.end(), {color.x, color.y, color.z});
+            }
+        }
+        return pictureOf(columns * kSide, rows * kSide, std::move(rgb));
+    };
+    for (const SceneImage& picture : {cross(4, 3), cross(3, 4)}) {
+        std::vector<std::string> warnings;
+        const auto map = environmentImage(picture, "cube.exr", &warnings);
+        EXPECT_THAT(warnings, IsEmpty());
+        for (int y = 0; y < map->height; ++y) {
+            for (int x = 0; x < map->width; ++x) {
+                const float longitude =
+                    2.0f * kPi * ((static_cast<float>(x) + 0.5f) / static_cast<float>(map->width));
+                const float latitude =
+                    kPi * (0.5f - (static_cast<float>(y) + 0.5f) / static_cast<float>(map->height));
+                // The map begins and ends with the front, and goes on to its right.
+                const Vec3 d =
+                    std::cos(latitude) * (std::cos(longitude) * front + std::sin(longitude) * right) +
+                    std::sin(latitude) * up;
+                const float* rgb = &map->rgb[static_cast<size_t>(3 * (y * map->width + x))];
+                ASSERT_NEAR(glm::length(Vec3(rgb[0], rgb[1], rgb[2]) - Vec3(2.0f) - d), 0.0f, 0.08f)
+                    << x << " " << y;
+            }
+        }
+    }
+}
+
+TEST(EnvironmentImage, OfOtherSidesIsReadWithAWarning) {
+    std::vector<float> noise;
+    for (int i = 0; i < 3 * 24 * 24; ++i) {
+        noise.push_back(static_cast<float>(i % 7));
+    }
+    for (const auto& [width, height] :
+         {std::pair{8, 8}, std::pair{12, 9}, std::pair{9, 12}, std::pair{16, 4}}) {
+        std::vector<std::string> warnings;
+        const std::vector<float> rgb(noise.begin(), noise.begin() + 3 * width * height);
+        const SceneImage picture = pictureOf(width, height, rgb);
+        EXPECT_EQ(environmentImage(picture, "sky.exr", &warnings), picture.floats);
+        EXPECT_THAT(warnings, ElementsAre(HasSubstr("expected one twice as wide as high"))) << width;
+    }
 }
 
 /// Faces of one colour each, in OpenEXR's order: +x, -x, +y, -y, +z, -z.

@@ -190,6 +190,21 @@ TEST_F(ExrColor, LiesInTheDisplayWindow) {
                 HasSubstr("data of 4 x 2 pixels in a display window of 10000 x 10000"));
 }
 
+TEST_F(ExrColor, BesideTheDisplayWindowIsAllThereIs) {
+    const std::vector<Channel> channels{{"R", 1}, {"G", 2}, {"B", 3}};
+    for (const Imath::Box2i& data :
+         {Imath::Box2i({kWidth, 0}, {kWidth + 3, 1}), Imath::Box2i({-9, -9}, {-6, -8}),
+          Imath::Box2i({0, kHeight}, {3, kHeight + 1}), Imath::Box2i({2, -700}, {5, -699})}) {
+        Imf::Header header = headerOf(channels);
+        header.dataWindow() = data;
+        const auto picture = decodeExrColor(written(channels, header), "a");
+        ASSERT_TRUE(picture) << picture.error().format();
+        EXPECT_EQ(picture->color.width, 4);
+        EXPECT_EQ(picture->color.height, 2);
+        EXPECT_EQ(picture->color.rgb.at(3 * 7), valueAt(channels[0], 7));
+    }
+}
+
 /// All ways to store floats.
 std::vector<Imf::Header> packings(const std::vector<Channel>& channels) {
     std::vector<Imf::Header> headers;
