@@ -9,6 +9,7 @@
 #include "engine/io/asset_cache.h"
 #include "engine/io/default_view.h"
 #include "engine/io/file_kind.h"
+#include "engine/io/gltf_animation.h"
 #include "engine/io/gltf_meshes.h"
 #include "engine/io/gltf_nodes.h"
 #include "engine/io/importer.h"
@@ -48,9 +49,6 @@ class GltfReader {
         if (Status nodes = readNodes(); !nodes) { return nodes.error(); }
         if (scene_.objects.empty()) {
             return file_.error("the file has no triangles in its scene; expected a mesh");
-        }
-        if (!file_.model.animations.empty()) {
-            file_.remark("animations are left out: all stands as at rest");
         }
         AssetCache assets(file_.path, counts);
         readUsedAssets(&assets, &scene_, [&](const Asset& asset, const Error& error) {
@@ -230,7 +228,11 @@ class GltfReader {
 Result<SceneDescription> load(const std::string& path, const LoadOptions& options) {
     const auto file = readGltfFile(path);
     if (!file) { return file.error(); }
-    return GltfReader(file->get(), options.noStudio).read(options.counts);
+    std::string pose;
+    if (Status posed = poseNodes(file->get(), options.parameters, &pose); !posed) { return posed.error(); }
+    auto scene = GltfReader(file->get(), options.noStudio).read(options.counts);
+    if (scene && !pose.empty()) { scene->notes.push_back(pose); }
+    return scene;
 }
 
 }  // namespace

@@ -24,7 +24,8 @@ void addLoadOptions(const Command& command, LoadOptions* options) {
                 options->parameters.emplace_back(text.substr(0, at), text.substr(at + 1));
                 return {};
             },
-            "A value for a Mitsuba scene's $NAME, before its own default")
+            "A value for a Mitsuba scene's $NAME, before its own default; of glTF, animation=NAME and "
+            "time=SECONDS")
         .oneValueEach()
         .typeName("NAME=VALUE");
 }
