@@ -2,8 +2,8 @@
 #include "engine/io/gltf_animation.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 
@@ -11,22 +11,10 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "engine/io/gltf_accessor.h"
+#include "engine/io/gltf_parameters.h"
 
 namespace glint {
 namespace {
-
-std::optional<double> numberIn(const std::string& text) {
-    double number = 0.0;
-    const char* end = text.data() + text.size();
-    const auto [rest, failed] = std::from_chars(text.data(), end, number);
-    return failed == std::errc() && rest == end && std::isfinite(number) ? std::optional(number)
-                                                                         : std::nullopt;
-}
-
-const std::string* findParameter(const SceneParameters& parameters, std::string_view name) {
-    const auto found = std::ranges::find(parameters, name, &SceneParameters::value_type::first);
-    return found != parameters.end() ? &found->second : nullptr;
-}
 
 /// Between which two keys a time lies, and how far.
 struct Span {
@@ -156,26 +144,16 @@ class Pose {
     uint64_t numbersRead_ = 0;
 };
 
-Result<size_t> chosenAnimation(const GltfFile& file, const SceneParameters& parameters) {
-    const std::string* name = findParameter(parameters, "animation");
-    if (name == nullptr) { return size_t{0}; }
-    const auto& animations = file.model.animations;
-    const auto found = std::ranges::find(animations, *name, &tinygltf::Animation::name);
-    if (found != animations.end()) { return static_cast<size_t>(found - animations.begin()); }
-    const std::optional<double> number = numberIn(*name);
-    if (number && *number >= 0.0 && *number < static_cast<double>(animations.size())) {
-        return static_cast<size_t>(*number);
-    }
-    return file.error(fmt::format("there is no animation \"{}\"; the file has {}", *name, animations.size()));
-}
-
 }  // namespace
 
 Status poseNodes(GltfFile* file, const SceneParameters& parameters, std::string* note) {
-    if (file->model.animations.empty() && findParameter(parameters, "animation") == nullptr) { return {}; }
-    const Result<size_t> index = chosenAnimation(*file, parameters);
-    if (!index) { return index.error(); }
-    const tinygltf::Animation& animation = file->model.animations[*index];
+    std::vector<std::string> names;
+    std::ranges::transform(file->model.animations, std::back_inserter(names), &tinygltf::Animation::name);
+    const auto chosen = chosenBy(parameters, "animation", names, *file);
+    if (!chosen) { return chosen.error(); }
+    if (names.empty()) { return {}; }
+    const size_t index = chosen->value_or(0);
+    const tinygltf::Animation& animation = file->model.animations[index];
     Pose pose(file, animation);
     if (Status times = pose.readTimes(); !times) { return times; }
     if (animation.channels.empty()) {
@@ -190,7 +168,7 @@ Status poseNodes(GltfFile* file, const SceneParameters& parameters, std::string*
     }
     *note = fmt::format(
         "animation {} \"{}\" of {}, from {:.4g} to {:.4g} s, stands at {:.4g} s (-D animation=, -D time=)",
-        *index, animation.name, file->model.animations.size(), pose.begin, pose.end, seconds);
+        index, animation.name, file->model.animations.size(), pose.begin, pose.end, seconds);
     return pose.apply(static_cast<float>(seconds));
 }
 

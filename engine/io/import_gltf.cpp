@@ -12,6 +12,7 @@
 #include "engine/io/gltf_animation.h"
 #include "engine/io/gltf_meshes.h"
 #include "engine/io/gltf_nodes.h"
+#include "engine/io/gltf_parameters.h"
 #include "engine/io/importer.h"
 #include "engine/io/used_assets.h"
 
@@ -228,10 +229,15 @@ class GltfReader {
 Result<SceneDescription> load(const std::string& path, const LoadOptions& options) {
     const auto file = readGltfFile(path);
     if (!file) { return file.error(); }
-    std::string pose;
+    std::string pose, variant;
     if (Status posed = poseNodes(file->get(), options.parameters, &pose); !posed) { return posed.error(); }
+    if (Status chosen = chooseVariant(file->get(), options.parameters, &variant); !chosen) {
+        return chosen.error();
+    }
     auto scene = GltfReader(file->get(), options.noStudio).read(options.counts);
-    if (scene && !pose.empty()) { scene->notes.push_back(pose); }
+    for (const std::string& note : {pose, variant}) {
+        if (scene && !note.empty()) { scene->notes.push_back(note); }
+    }
     return scene;
 }
 

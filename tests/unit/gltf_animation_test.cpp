@@ -1,4 +1,4 @@
-// Animations of glTF files: where their nodes stand.
+// Animations of glTF files, where their nodes stand; and variants of their materials.
 #include <gmock/gmock.h>
 
 #include "tests/support/gltf_test.h"
@@ -94,12 +94,37 @@ TEST_F(GltfAnimation, WhatIsNotThereIsRefused) {
     };
     const std::string moves = animation("moves", "translation", 3, 4);
     EXPECT_THAT(errorOf(moves, {{"animation", "runs"}}),
-                HasSubstr("there is no animation \"runs\"; the file has 1"));
+                HasSubstr("there is no animation \"runs\"; the file has moves"));
     EXPECT_THAT(errorOf(moves, {{"time", "late"}}), HasSubstr("time=late: expected seconds"));
     EXPECT_THAT(errorOf(animation("a", "translation", 3, 8), {}), HasSubstr("6 values for 3 times"));
     EXPECT_THAT(errorOf(animation("a", "translation", 6, 4), {}), HasSubstr("its times do not grow"));
     EXPECT_THAT(errorOf(animation("a", "translation", 30, 4), {}), HasSubstr("accessor 30"));
     EXPECT_THAT(errorOf(animation("a", "rotation", 3, 4), {}), HasSubstr("expected elements of 4 numbers"));
+}
+
+using GltfVariants = GltfTest;
+
+TEST_F(GltfVariants, OneIsChosen) {
+    const std::string text = gltf(
+        R"("materials": [{"name": "red"}, {"name": "green"}, {"name": "blue"}], "extensions": {"KHR_materials_variants":
+        {"variants": [{"name": "spring"}, {"name": "dusk"}, {"name": "night"}]}})",
+        R"("meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 2, "material": 0, "extensions":
+        {"KHR_materials_variants": {"mappings": [{"material": 1, "variants": [0]}, {"material": 2, "variants": [1, 2]}]}}}]}])");
+    const std::string path = folder.write("a.gltf", text);
+    const std::pair<const char*, const char*> kShown[] = {
+        {"", "red"}, {"spring", "green"}, {"dusk", "blue"}, {"2", "blue"}};
+    for (const auto& [variant, shown] : kShown) {
+        LoadOptions options{.noStudio = true};
+        if (*variant != '\0') { options.parameters.emplace_back("variant", variant); }
+        const auto scene = loadScene(path, options);
+        ASSERT_TRUE(scene) << scene.error().format();
+        EXPECT_EQ(scene->materials.at(static_cast<size_t>(scene->objects.at(0).material)).name, shown);
+        EXPECT_THAT(scene->notes, Contains(HasSubstr("variants spring, dusk or night; shown is")));
+    }
+    const auto none = loadScene(path, {.parameters = {{"variant", "noon"}}});
+    ASSERT_FALSE(none);
+    EXPECT_THAT(none.error().format(),
+                HasSubstr("there is no variant \"noon\"; the file has spring, dusk or night"));
 }
 
 }  // namespace

@@ -24,8 +24,8 @@ void addLoadOptions(const Command& command, LoadOptions* options) {
                 options->parameters.emplace_back(text.substr(0, at), text.substr(at + 1));
                 return {};
             },
-            "A value for a Mitsuba scene's $NAME, before its own default; of glTF, animation=NAME and "
-            "time=SECONDS")
+            "A value for a Mitsuba scene's $NAME, before its own default; of glTF, animation=NAME, "
+            "time=SECONDS and variant=NAME")
         .oneValueEach()
         .typeName("NAME=VALUE");
 }
