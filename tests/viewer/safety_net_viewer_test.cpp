@@ -186,6 +186,27 @@ TEST(SafetyNet, ImagesInMemoryAreKeptToo) {
     EXPECT_EQ(std::distance(fs::directory_iterator("saved"), {}), 2) << "the scene and its picture";
 }
 
+TEST(SafetyNet, WhatWasHiddenIsRestored) {
+    setenv("XDG_STATE_HOME", fs::absolute("state").c_str(), 1);
+    fs::remove_all("state");
+    std::string two(kScene);
+    two.insert(two.find("\"objects\": [") + 12,
+               R"({"type": "sphere", "material": "grey", "center": [1.6, 1, 0], "radius": 0.2}, )");
+    write("two.json", two);
+    playAndKill(
+        "wait finished\nmove \"Image\"\npress\nrelease\nwait frames 3\nkey h\nwait finished\nwait "
+        "seconds 1\n",
+        "ready.png", "two.json");
+    expectPlayed(
+        play("wait finished\nwait frames 3\nclick \"Restore\"\nwait jobs\nwait finished\n"
+             "expect passes-at-least 12\nopen \"Object\"\nwait frames 3\n"
+             "move \"Image\"\npress\nrelease\nwait frames 3\nexpect no-widget \"Object/Duplicate\"\n"
+             "click \"Show all\"\nwait picture\nmove \"Image\"\npress\nrelease\nwait frames 3\n"
+             "expect widget \"Object/Duplicate\"\nexpect \"Object/Material\" grey\n",
+             "--passes 6 --recovery 3600"));
+    EXPECT_TRUE(fs::is_empty(fs::path("state") / "glint" / "sessions"));
+}
+
 TEST(SafetyNet, SavingSaysWhatIsHidden) {
     expectPlayed(play(R"w(
 wait picture

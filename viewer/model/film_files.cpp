@@ -13,6 +13,7 @@
 #include "engine/render/image_file.h"
 #include "engine/render/snapshot.h"
 #include "viewer/base/checkpoint_file.h"
+#include "viewer/model/session_backup.h"
 
 namespace glint {
 namespace {
@@ -33,6 +34,7 @@ double secondsNow() {
 struct LoadedCheckpoint {
     Result<ResumePoint> point;
     std::optional<SceneDescription> scene{};  ///< that it is of; nothing: the one that is open
+    std::vector<Object> hidden{};             ///< of that scene
 };
 
 /// `open` may be null.
@@ -46,7 +48,8 @@ LoadedCheckpoint loadWithScene(const std::string& path, const SceneDescription* 
     Result<SceneDescription> scene = loadCheckpointScene(path);
     if (!scene) { return {scene.error()}; }
     Result<ResumePoint> point = loadCheckpoint(path, *scene);
-    return {std::move(point), std::move(*scene)};
+    std::vector<Object> hidden = restoreBeside(path, &*scene);
+    return {std::move(point), std::move(*scene), std::move(hidden)};
 }
 
 Status saveOverShorter(const std::string& path, const SessionCapture& capture) {
@@ -145,7 +148,8 @@ void FilmFiles::resume(const std::string& file) {
                     const char* how = loaded->scene ? ", with the scene it is of" : "";
                     guard_->mayReplace(path);
                     resume_(std::move(loaded->scene), std::move(*loaded->point),
-                            fmt::format("Resume {}", std::filesystem::path(path).filename().string()));
+                            fmt::format("Resume {}", std::filesystem::path(path).filename().string()),
+                            std::move(loaded->hidden));
                     notice_->tell({}, fmt::format("Resumed {} at {} passes{}", path, passes, how));
                 }
             };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <future>
@@ -15,6 +16,8 @@
 
 #include "engine/base/log.h"
 #include "engine/io/embedded_files.h"
+#include "engine/io/scene_json.h"
+#include "engine/io/scene_loader.h"
 #include "engine/render/checkpoint.h"
 
 namespace glint {
@@ -31,6 +34,9 @@ double secondsNow() {
 
 /// Of files that the scene holds in memory.
 std::string folderOf(const std::string& file) { return file + ".files"; }
+
+/// The scene with what was hidden as its last objects.
+std::string hiddenFileOf(const std::string& file) { return folderOf(file) + "/hidden.json"; }
 
 std::string lockName(const std::string& file) { return file + ".lock"; }
 
@@ -52,19 +58,37 @@ void removeFile(const std::string& file, int lock) {
     if (lock >= 0) { ::close(lock); }
 }
 
-/// The scene's text names files alone.
-Status saveWithFiles(const std::string& file, SessionCapture capture) {
+/// A checkpoint's scene names files alone, and has no objects that are out of it.
+Status saveWithFiles(const std::string& file, SessionCapture capture, const std::vector<Object>& hidden) {
     auto scene = std::make_shared<SceneDescription>(*capture.scene);
     std::error_code problem;
     fs::create_directories(folderOf(file), problem);
-    if (Status written = writeEmbeddedFiles(scene.get(), folderOf(file) + "/scene.json"); !written) {
-        return written;
-    }
-    capture.scene = std::move(scene);
-    return saveCheckpoint(file, capture);
+    if (Status written = writeEmbeddedFiles(scene.get(), hiddenFileOf(file)); !written) { return written; }
+    capture.scene = scene;
+    if (Status saved = saveCheckpoint(file, capture); !saved) { return saved; }
+    fs::remove(hiddenFileOf(file), problem);
+    if (hidden.empty()) { return {}; }
+    SceneDescription whole = *scene;
+    whole.objects.insert(whole.objects.end(), hidden.begin(), hidden.end());
+    return saveSceneJson(whole, hiddenFileOf(file));
 }
 
 }  // namespace
+
+std::vector<Object> restoreBeside(const std::string& file, SceneDescription* scene) {
+    embedFilesOf(folderOf(file), scene);
+    if (!fs::exists(hiddenFileOf(file))) { return {}; }
+    const Result<SceneDescription> whole = loadScene(hiddenFileOf(file));
+    const bool fits = whole && whole->objects.size() >= scene->objects.size() &&
+                      whole->meshes.size() == scene->meshes.size() &&
+                      whole->materials.size() == scene->materials.size();
+    if (!fits) {
+        logWarning("{}: what was hidden cannot be restored", hiddenFileOf(file));
+        return {};
+    }
+    const auto first = whole->objects.begin() + static_cast<std::ptrdiff_t>(scene->objects.size());
+    return {first, whole->objects.end()};
+}
 
 void SessionBackup::begin(const std::string& folder, double seconds) {
     std::error_code problem;
@@ -117,10 +141,6 @@ std::string SessionBackup::takeOver() {
     return file_;
 }
 
-void SessionBackup::embedFiles(SceneDescription* scene) const {
-    if (!file_.empty()) { embedFilesOf(folderOf(file_), scene); }
-}
-
 void SessionBackup::discard() {
     removeFile(leftovers_.back().info.file, leftovers_.back().lock);
     leftovers_.pop_back();
@@ -142,10 +162,10 @@ void SessionBackup::save() {
     savedPasses_ = render_->status().passes;
     auto future = std::make_shared<std::future<std::optional<SessionCapture>>>(render_->captureLater());
     jobs_->start(
-        [this, future, file = file_]() -> JobQueue::Completion {
+        [this, future, file = file_, hidden = document_->version().hidden]() -> JobQueue::Completion {
             std::optional<SessionCapture> capture = future->get();
             const double began = secondsNow();
-            const Status saved = capture ? saveWithFiles(file, std::move(*capture)) : Status();
+            const Status saved = capture ? saveWithFiles(file, std::move(*capture), *hidden) : Status();
             if (!saved) { logWarning("The session cannot be kept for a crash: {}", saved.error().format()); }
             return [this, took = secondsNow() - began] {
                 isSaving_ = false;

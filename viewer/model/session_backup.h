@@ -16,6 +16,11 @@
 
 namespace glint {
 
+/// What a session's checkpoint `file` does not hold stands in a folder beside it: the scene's own files,
+/// which are taken into memory again, and the objects that were hidden, which are returned. Of other
+/// checkpoints: nothing.
+std::vector<Object> restoreBeside(const std::string& file, SceneDescription* scene);
+
 class SessionBackup {
   public:
     SessionBackup(const SceneDocument* document, RenderControl* render)
@@ -42,8 +47,6 @@ class SessionBackup {
     const Leftover* leftover() const { return leftovers_.empty() ? nullptr : &leftovers_.back().info; }
     /// The leftover is this session's file from now on; returns its name, to be opened.
     std::string takeOver();
-    /// In a scene that was left behind, the files that it held in memory are in memory again.
-    void embedFiles(SceneDescription* scene) const;
     void discard();
 
   private:

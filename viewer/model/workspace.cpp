@@ -42,8 +42,9 @@ Workspace::Workspace(std::unique_ptr<Backend> backend)
               return hidden > 0 ? fmt::format(" without what is hidden ({})", hidden) : "";
           }),
       filmFiles(&jobs, &document, &render, &notice, &inputs, &overwrite,
-                [this](std::optional<SceneDescription> scene, ResumePoint point, const std::string& name) {
-                    resumeFrom(std::move(scene), std::move(point), name);
+                [this](std::optional<SceneDescription> scene, ResumePoint point, const std::string& name,
+                       std::vector<Object> hidden) {
+                    resumeFrom(std::move(scene), std::move(point), name, std::move(hidden));
                 }),
       assets(&jobs, &document, &notice),
       convergence(&document, &render, &notice),

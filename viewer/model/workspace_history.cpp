@@ -1,6 +1,7 @@
 // What leads from one version of the scene to another: edits, restarts, and the way back to one of before.
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "engine/base/log.h"
 #include "viewer/model/edit_name.h"
@@ -53,11 +54,11 @@ void Workspace::restart() {
     logInfo("Restarted by hand");
 }
 
-void Workspace::resumeFrom(std::optional<SceneDescription> scene, ResumePoint point,
-                           const std::string& name) {
+void Workspace::resumeFrom(std::optional<SceneDescription> scene, ResumePoint point, const std::string& name,
+                           std::vector<Object> hidden) {
     if (scene) {
-        backup.embedFiles(&*scene);
         adopt(std::move(*scene), false);
+        document.setHidden(std::move(hidden));
     }
     const FilmTake take = history.nextTake();
     history.record({name, document.version(), take, display.choices()}, 0);

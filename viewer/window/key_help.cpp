@@ -64,7 +64,7 @@ void KeyHelp::drawRows(KeyMap* keys) {
     const auto mouse = mouseInputs();
     const auto actions = keyActions();
     const size_t count = mouse.size() + actions.size();
-    const bool isWide = ImGui::GetContentRegionAvail().x > 1.9f * kColumnUnits * ui::scale();
+    const bool isWide = ImGui::GetContentRegionAvail().x > 1.8f * kColumnUnits * ui::scale();
     const size_t half = isWide ? (count + 1) / 2 : count;
     ImGui::Columns(isWide ? 2 : 1, "##columns", false);
     for (size_t i = 0; i < count; ++i) {
