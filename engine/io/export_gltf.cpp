@@ -41,6 +41,7 @@ class GltfExporter : public SceneExport {
             warn("approximated: there is no light from all around");
         }
         isLampLit_ = !hadStudio;
+        if (makeBumpsNormals(&scene_)) { warn("approximated: bump maps are normal maps"); }
         warnOfSettings();
         writeCamera();
         for (const Light& light : scene_.lights) {

@@ -19,6 +19,10 @@ bool flipsV(const SceneDescription& scene, int material);
 size_t writeGltfMaterial(const SceneDescription& scene, int material, bool isLamp, GltfImages* images,
                          GltfWriter* out, std::vector<std::string>* warnings);
 
+/// Gives materials with a height map and no normal map the normals of the heights, as steep as they are on
+/// the average of the material's objects. False: there were none.
+bool makeBumpsNormals(SceneDescription* scene);
+
 /// Whether it is made of a rotation, scales along the axes and a translation, as those of nodes must be.
 bool isPlacement(const Affine& toWorld);
 /// The place whose -z has this direction and length.

@@ -33,7 +33,8 @@ class MaterialWriter {
         model();
         normals();
         if (from_.emissive()) { emission(isLamp); }
-        if (!from_.emissive() || from_.emitsBothSides) { to_["doubleSided"] = true; }
+        const bool isBody = from_.kind == MaterialKind::Dielectric && !from_.thin;  // with an inside
+        if (from_.emissive() ? from_.emitsBothSides : !isBody) { to_["doubleSided"] = true; }
         return std::move(to_);
     }
 

@@ -101,6 +101,10 @@ GltfJson placementOf(const Texture& texture, bool isFlipped) {
 
 }  // namespace
 
+float shownNumber(const Texture& texture, size_t pixel) {
+    return adjusted(texture, numberAt(texture, pixel));
+}
+
 float GltfImages::roughnessFactor(int index) const {
     return isSquared(texture(index)) ? clampf(texture(index).gain, 0.0f, 1.0f) : 1.0f;
 }

@@ -16,6 +16,9 @@ namespace glint {
 /// metalness (blue, all 1).
 enum class GltfPictureUse { Color, Normal, Roughness };
 
+/// The single number that a pixel shows (kernels/texture.h).
+float shownNumber(const Texture& texture, size_t pixel);
+
 class GltfImages {
   public:
     /// `scene`, `out` and `warnings` must outlive it; pictures are embedded where `path` is a .glb file, and

@@ -230,6 +230,29 @@ TEST_F(GltfExport, PicturesAreWhatTheSpecificationWants) {
     EXPECT_EQ(opened.textures[0].image.bytes->width, 2);
 }
 
+/// A ramp that rises by 0.1 m over one of the square's two metres.
+TEST_F(GltfExport, BumpsBecomeNormals) {
+    SceneDescription scene = square();
+    Image8 ramp{8, 8, {}, {}};
+    for (int i = 0; i < 64; ++i) {
+        ramp.rgb.insert(ramp.rgb.end(), 3, static_cast<uint8_t>(32 * (i % 8)));
+    }
+    Material& material = scene.materials[0];
+    material.bump.texture = addTexture(&scene, ramp, ColorEncoding::Linear);
+    material.bumpHeight = 0.1f;
+    scene.textures[0].scale = Vec2(2.0f);
+    const SceneDescription opened = exported(scene);
+    EXPECT_THAT(warnings, ElementsAre("approximated: bump maps are normal maps"));
+    ASSERT_GE(opened.materials[0].normalMap.texture, 0);
+    const Texture& normals = opened.textures.at(static_cast<size_t>(opened.materials[0].normalMap.texture));
+    EXPECT_EQ(glm::abs(normals.scale), Vec2(2.0f));
+    const auto rise = static_cast<float>(256.0 / 255.0 * 0.1);
+    const uint8_t* code = &normals.image.bytes->rgb[3 * (3 * 8 + 3)];
+    const Vec3 normal = glm::normalize(Vec3(code[0], code[1], code[2]) / 127.5f - Vec3(1.0f));
+    EXPECT_NEAR(normal.x / normal.z, -rise, 0.01f);
+    EXPECT_NEAR(normal.y, 0.0f, 0.01f);
+}
+
 TEST_F(GltfExport, MaterialsKeepWhatGltfHas) {
     Material material;
     material.name = "\"gold\"";
