@@ -1,21 +1,11 @@
 // Ambient occlusion: a preview of shapes that needs neither light nor materials.
-#include "engine/builders/instance_builder.h"
 #include "engine/kernels/ambient_occlusion_kernel.h"
 #include "engine/render/cpu_context.h"
 #include "engine/render/integrator.h"
+#include "engine/render/occlusion_radius.h"
 
 namespace glint {
 namespace {
-
-/// Of the diagonal of the box around what has an end.
-constexpr float kRadiusShare = 0.1f;
-
-/// World units; infinite for a scene without finite objects.
-float radiusOf(const BuiltScene& scene) {
-    const Bounds& bounds = scene.instances->bounds;
-    const float diagonal = glm::length(bounds.extent());
-    return diagonal > 0.0f ? kRadiusShare * diagonal : kInfinity;
-}
 
 class CpuAmbientOcclusion final : public Integrator {
   public:
@@ -25,7 +15,7 @@ class CpuAmbientOcclusion final : public Integrator {
                             std::vector<PixelSample>* samples) override {
         if (!cpu_.scene) { return noScene(); }
         const SceneView view = cpu_.scene->view();
-        const float radius = radiusOf(*cpu_.scene);
+        const float radius = occlusionRadiusOf(*cpu_.scene);
         return renderTiles(cpu_, params, stop, samples, [&](const PixelRect& tile) {
             for (int y = tile.y0; y < tile.y1; ++y) {
                 PixelSample* row =

@@ -1,7 +1,7 @@
 // Ray casting: Phong's model under the scene's lights, without bounces.
-#include "engine/kernels/raycast_kernel.h"
 #include "engine/render/cpu_context.h"
 #include "engine/render/integrator.h"
+#include "engine/render/raycast_settings.h"
 
 namespace glint {
 namespace {
@@ -10,19 +10,13 @@ class CpuRayCast final : public Integrator {
   public:
     explicit CpuRayCast(const CpuContext& cpu) : cpu_(cpu) {}
 
-    void prepare(const SceneDescription& scene) override {
-        materials_.clear();
-        for (const Material& material : scene.materials) {
-            materials_.push_back({material.phongSpecular, material.phongExponent});
-        }
-        options_ = scene.rayCast;
-    }
+    void prepare(const SceneDescription& scene) override { settings_ = rayCastSettingsOf(scene); }
 
     Result<bool> renderPass(const PassParams& params, const std::atomic<bool>& stop, ImageStatistics*,
                             std::vector<PixelSample>* samples) override {
         if (!cpu_.scene) { return noScene(); }
         const SceneView view = cpu_.scene->view();
-        const RayCastView settings{viewOf(materials_), options_.ambient, options_.shadows, options_.falloff};
+        const RayCastView settings = settings_.view();
         return renderTiles(cpu_, params, stop, samples, [&](const PixelRect& tile) {
             for (int y = tile.y0; y < tile.y1; ++y) {
                 PixelSample* row =
@@ -36,8 +30,7 @@ class CpuRayCast final : public Integrator {
 
   private:
     const CpuContext& cpu_;
-    std::vector<PhongMaterial> materials_;
-    RayCastOptions options_;
+    RayCastSettings settings_;
 };
 
 class RayCast final : public IntegratorType {

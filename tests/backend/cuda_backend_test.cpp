@@ -156,13 +156,53 @@ TEST(CudaBackend, AImageThatDoesNotFitIsAnErrorBeforeItIsTaken) {
     EXPECT_EQ(cuda.control->allocations, allocations);
 }
 
-TEST(CudaBackend, SaysWhichIntegratorsItHasNoKernelsFor) {
+/// Two passes by the back end's integrator, one after the other.
+std::vector<PixelSample> previewSamples(Backend& backend, const SceneDescription& scene,
+                                        IntegratorKind kind) {
+    const std::atomic<bool> stop{false};
+    std::vector<PixelSample> all;
+    EXPECT_TRUE(backend.setScene(build(scene)));
+    Integrator* integrator = backend.integrator(kind).value();
+    integrator->prepare(scene);
+    PassParams params = passParamsOf(scene);
+    for (params.pass = 0; params.pass < 2; ++params.pass) {
+        std::vector<PixelSample> samples;
+        const auto done = integrator->renderPass(params, stop, nullptr, &samples);
+        EXPECT_TRUE(done && *done);
+        all.insert(all.end(), samples.begin(), samples.end());
+    }
+    return all;
+}
+
+TEST_P(CudaScenes, PreviewsEqualTheCpusBitForBit) {
+    SceneDescription description = GetParam().scene;
+    description.resolution = {67, 45};
+    for (Material& material : description.materials) {
+        material.phongSpecular = Vec3(0.5f, 0.4f, 0.3f);
+        material.phongExponent = 12.5f;
+    }
+    description.rayCast.ambient = Vec3(0.1f, 0.2f, 0.3f);
+    for (const IntegratorKind kind : {IntegratorKind::AmbientOcclusion, IntegratorKind::RayCast}) {
+        HostCuda cuda;
+        const auto cpu = makeCpuBackend(2);
+        const std::vector<PixelSample> samples = previewSamples(*cuda.backend, description, kind);
+        EXPECT_EQ(countDifferences(samples, previewSamples(*cpu, description, kind)), 0u)
+            << integratorInfo(kind).key;
+    }
+}
+
+TEST(CudaBackend, RayCastingTakesTheMaterialsOfEachPreparation) {
     HostCuda cuda;
-    EXPECT_TRUE(cuda.backend->integrator(IntegratorKind::PathTracing));
-    EXPECT_TRUE(cuda.backend->integrator(IntegratorKind::Sppm));
-    const auto missing = cuda.backend->integrator(IntegratorKind::AmbientOcclusion);
-    ASSERT_FALSE(missing);
-    EXPECT_NE(missing.error().message.find("no kernels for ao"), std::string::npos);
+    SceneDescription scene = test::cornellBox();
+    const auto dull = previewSamples(*cuda.backend, scene, IntegratorKind::RayCast);
+    for (Material& material : scene.materials) {
+        material.phongSpecular = Vec3(0.9f);
+        material.phongExponent = 2.0f;
+    }
+    const auto shiny = previewSamples(*cuda.backend, scene, IntegratorKind::RayCast);
+    EXPECT_GT(countDifferences(dull, shiny), 0u);
+    EXPECT_EQ(countDifferences(shiny, previewSamples(*makeCpuBackend(2), scene, IntegratorKind::RayCast)),
+              0u);
 }
 
 TEST(CudaBackend, GivesAllMemoryBack) {
