@@ -1,13 +1,7 @@
 // Malformed scene files: each gives one error that names the place and what was expected, and
 // nothing crashes.
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "engine/io/scene_loader.h"
 #include "tests/support/temp_folder.h"
@@ -15,7 +9,6 @@
 namespace glint {
 namespace {
 
-namespace fs = std::filesystem;
 using test::TempFolder;
 using testing::HasSubstr;
 
@@ -40,30 +33,12 @@ std::string nested(const char* open, int depth, const char* middle, const char* 
     return text;
 }
 
-/// A file of its own folder in the tests' temporary folder, removed at the end.
-class ScratchFile {
-  public:
-    ScratchFile(const std::string& fileName, const std::string& text)
-        : folder_(fs::path(testing::TempDir()) / ("glint_malformed_" + std::to_string(::getpid()))) {
-        fs::create_directories(folder_);
-        std::ofstream(path(fileName), std::ios::binary) << text;
-        path_ = path(fileName);
-    }
-    ~ScratchFile() { fs::remove_all(folder_); }
-
-    std::string path(const std::string& fileName) const { return (folder_ / fileName).string(); }
-    const std::string& path() const { return path_; }
-
-  private:
-    fs::path folder_;
-    std::string path_;
-};
-
 void expectError(const BadScene& bad, const std::string& extension) {
-    const ScratchFile file(std::string(bad.name) + extension, bad.text);
-    const auto scene = loadScene(file.path());
+    const TempFolder folder;
+    const std::string path = folder.write(bad.name + extension, bad.text);
+    const auto scene = loadScene(path);
     ASSERT_FALSE(scene.ok()) << "was read without an error";
-    EXPECT_THAT(scene.error().format(), testing::StartsWith(file.path() + bad.place));
+    EXPECT_THAT(scene.error().format(), testing::StartsWith(path + bad.place));
     EXPECT_THAT(scene.error().format(), HasSubstr(bad.message));
 }
 
@@ -251,144 +226,28 @@ const BadScene kBadText[] = {
 
 INSTANTIATE_TEST_SUITE_P(Robust, MalformedText, testing::ValuesIn(kBadText), testName);
 
-TEST(MalformedScene, FilesThatAreNoScenesAreNamed) {
-    const ScratchFile file("scene.xyz", "\x01\x02\x03");
-    EXPECT_THAT(loadScene(file.path()).error().format(), HasSubstr("expected Glint JSON (.json)"));
-    EXPECT_THAT(loadScene(file.path("none.json")).error().format(), HasSubstr("no such file"));
-    EXPECT_THAT(loadScene(fs::path(file.path()).parent_path().string()).error().format(),
-                HasSubstr("is a folder"));
-    EXPECT_THAT(loadScene("").error().format(), HasSubstr("no such file"));
-}
-
-TEST(MalformedScene, PipesAreRefusedWithoutWaitingForAWriter) {
-    const ScratchFile file("scene.json", "{}");
-    for (const char* const name : {"pipe", "pipe.json", "pipe.txt", "pipe.obj", "pipe.ply"}) {
-        const std::string pipe = file.path(name);
-        ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-        const auto scene = loadScene(pipe);
-        ASSERT_FALSE(scene) << name;
-        EXPECT_THAT(scene.error().format(), HasSubstr(pipe + ": is a pipe; expected a scene file"));
-    }
-}
-
-TEST(MalformedScene, APipeInPlaceOfAMeshIsRefused) {
-    const ScratchFile file("scene.txt", group("TriangleMesh { obj_file pipe.obj }"));
-    ASSERT_EQ(::mkfifo(file.path("pipe.obj").c_str(), 0600), 0);
-    const auto scene = loadScene(file.path());
-    ASSERT_FALSE(scene);
-    EXPECT_THAT(scene.error().format(), HasSubstr("is a pipe"));
-}
-
-TEST(MalformedScene, ContentDecidesWhereTheNameSaysNothing) {
-    const ScratchFile json("scene", "// a comment\n{\"glint\": 1}");
-    EXPECT_TRUE(loadScene(json.path()).ok());
-    const ScratchFile text("scene.scn", "Background { color 1 1 1 }");
-    EXPECT_TRUE(loadScene(text.path()).ok());
-}
-
-TEST(MalformedScene, MissingFilesOfATextAreOneWarningOfEachKind) {
-    std::string materials = "Materials { numMaterials 50\n", objects = "Group { numObjects 100\n";
-    for (int i = 0; i < 50; ++i) {
-        materials += "Material { texture none" + std::to_string(i) + ".png }\n";
-        objects += "MaterialIndex " + std::to_string(i) + " Sphere { center " + std::to_string(3 * i) +
-                   " 0 0 radius 1 }\n";
-        objects += "TriangleMesh { obj_file none" + std::to_string(i) + ".obj }\n";
-    }
-    const ScratchFile file("many.txt", materials + "}\n" + objects + "}");
-    EXPECT_FALSE(loadScene(file.path(), {.strict = true}));
-    const auto scene = loadScene(file.path());
-    ASSERT_TRUE(scene) << scene.error().format();
-    EXPECT_THAT(scene->warnings,
-                testing::ElementsAre(
-                    HasSubstr("many.txt:55: meshes are missing and left out: \"none0.obj\" (and 49 more)"),
-                    testing::AllOf(HasSubstr("many.txt:2: textures are missing"),
-                                   HasSubstr("\"none0.png\" (and 49 more)"))));
-}
-
-TEST(MalformedScene, WarningsAreBoundedHoweverManyFilesNeedOne) {
-    const TempFolder folder;
-    std::string objects;
-    for (int i = 0; i < 100; ++i) {
-        const std::string name = std::to_string(i) + ".obj";
-        folder.write(name, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2\n");
-        objects += std::string(i > 0 ? "," : "") + R"({"type":"mesh","material":"m","mesh":{"file":")" +
-                   name + R"("}})";
-    }
-    const auto scene = loadScene(folder.write("many.json", R"({"glint":1,"environment":{"color":1},
-        "materials":{"m":{"type":"diffuse"}},"objects":[)" + objects +
-                                                               "]}"));
-    ASSERT_TRUE(scene) << scene.error().format();
-    EXPECT_EQ(scene->warnings.size(), 40u);
-    EXPECT_EQ(scene->warnings.back(), "and 61 more like these");
-}
-
-TEST(MalformedScene, WhereNothingShinesTheMessageNamesWhatWouldInThatFormat) {
-    const TempFolder folder;
-    const auto warningsOf = [&](const std::string& name, const std::string& text) {
-        const auto scene = loadScene(folder.write(name, text));
-        EXPECT_TRUE(scene) << scene.error().format();
-        return scene ? scene->warnings : std::vector<std::string>();
-    };
-    const std::string ball = "Group { numObjects 1 Sphere { center 0 0 0 radius 1 } }";
-    EXPECT_THAT(warningsOf("dark.txt", "Background { color 0 0 0 }\n" + ball),
-                testing::ElementsAre(HasSubstr("a Lights block, or a Background that is not black")));
-    EXPECT_THAT(warningsOf("lit.txt", ball), testing::IsEmpty());
-    // The material that shines is on no object, and the light is switched off.
-    EXPECT_THAT(warningsOf("dark.json", R"({"glint":1,"materials":{"a":{"type":"diffuse"},
-        "b":{"type":"diffuse","emission":1}},"lights":[{"type":"point","position":[0,0,9],"intensity":0}],
-        "objects":[{"type":"sphere","material":"a"}]})"),
-                testing::ElementsAre(HasSubstr("\"lights\", or an \"environment\" that is not black")));
-    EXPECT_THAT(warningsOf("lit.json", R"({"glint":1,"materials":{"b":{"type":"diffuse","emission":1}},
-        "objects":[{"type":"sphere","material":"b"}]})"),
-                testing::IsEmpty());
-}
-
-TEST(MalformedScene, MissingFilesAreWarningsWhenAllowed) {
-    const ScratchFile file("scene.json", scene(R"("materials": {"m": {"type": "diffuse",
-                  "color": {"texture": {"file": "a.png"}, "fallback": [0.1, 0.2, 0.3]}}},
-               "objects": [{"type": "sphere", "material": "m"},
-                           {"type": "mesh", "material": "m", "mesh": {"file": "a.ply"}}],
-               "environment": {"image": {"file": "a.exr"}})"));
-    EXPECT_FALSE(loadScene(file.path()));
-    const auto loaded = loadScene(file.path(), {.allowMissing = true});
-    ASSERT_TRUE(loaded.ok()) << loaded.error().format();
-    EXPECT_THAT(loaded->warnings,
-                testing::ElementsAre(HasSubstr("files are missing and left out: \"a.ply\" (and 2 more)")));
-    EXPECT_EQ(loaded->materials.at(0).color.texture, -1);
-    EXPECT_EQ(loaded->materials[0].color.value, Vec3(0.1f, 0.2f, 0.3f));
-    EXPECT_EQ(loaded->objects.size(), 1u) << "the sphere";
-    EXPECT_EQ(loaded->environment.image, -1);
-}
-
-std::string readAll(const std::string& path) {
-    std::ostringstream text;
-    text << std::ifstream(path, std::ios::binary).rdbuf();
-    return text.str();
-}
-
 /// Loads `text` cut short and with single bytes changed: the result may be a scene or an error, never a crash
 /// or a hang.
 void damage(const std::string& text, const std::string& extension, size_t step, bool cutsMayBeScenes) {
-    const ScratchFile file("damaged" + extension, "");
+    const TempFolder folder;
+    const std::string name = "damaged" + extension;
     uint32_t state = 1;
     for (size_t at = 0; at < text.size(); at += step) {
-        std::ofstream(file.path(), std::ios::binary) << text.substr(0, at);
-        EXPECT_TRUE(!loadScene(file.path()).ok() || cutsMayBeScenes) << "cut at " << at;
+        EXPECT_TRUE(!loadScene(folder.write(name, text.substr(0, at))) || cutsMayBeScenes) << "cut at " << at;
         state = state * 1664525u + 1013904223u;
         std::string flipped = text;
         flipped[at] = static_cast<char>(state >> 24);
-        std::ofstream(file.path(), std::ios::binary) << flipped;
-        const auto scene = loadScene(file.path(), {.allowMissing = true});
+        const auto scene = loadScene(folder.write(name, flipped), {.allowMissing = true});
         if (!scene.ok()) { EXPECT_FALSE(scene.error().message.empty()); }
     }
 }
 
-TEST(MalformedScene, DamagedJsonNeverCrashes) {
-    damage(readAll(GLINT_SOURCE_DIR "/scenes/cornell.json"), ".json", 7, false);
-    damage(readAll(GLINT_SOURCE_DIR "/scenes/veach_mis.json"), ".json", 13, false);
+TEST(DamagedScene, JsonNeverCrashes) {
+    damage(TempFolder::read(GLINT_SOURCE_DIR "/scenes/cornell.json"), ".json", 7, false);
+    damage(TempFolder::read(GLINT_SOURCE_DIR "/scenes/veach_mis.json"), ".json", 13, false);
 }
 
-TEST(MalformedScene, DamagedTextNeverCrashes) {
+TEST(DamagedScene, TextNeverCrashes) {
     const std::string text =
         "Materials { numMaterials 2 Material { color 1 0 0 type 1 1 1 refr 1.5 } Material { emission 1 1 1 "
         "shininess 20} }\n"
@@ -397,8 +256,8 @@ TEST(MalformedScene, DamagedTextNeverCrashes) {
         " 30 } Scale 1 2 3 Matrix4f { 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 } Group { numObjects 1 Plane { normal "
         "0 1 0 offset"
         " -2 } } } Triangle { vertex0 0 0 0 vertex1 1 0 0 vertex2 0 1 0 } }";
-    const ScratchFile whole("whole.txt", text);
-    ASSERT_TRUE(loadScene(whole.path()).ok());
+    const TempFolder folder;
+    ASSERT_TRUE(loadScene(folder.write("whole.txt", text)));
     const std::string opening = "Lights { numLights 1 PointLight { position 0 0 0 color 1 1 1 } } ";
     damage(opening + text, ".txt", 3, true);  // A cut between two blocks leaves a scene.
 }

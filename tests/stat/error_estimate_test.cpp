@@ -100,16 +100,6 @@ std::vector<double> referenceOf(const SceneDescription& scene, uint32_t passes) 
     return trial.luminances();
 }
 
-/// P(X <= k) of a binomial variable, by summing its terms in logarithms.
-double binomialAtMost(int k, int n, double p) {
-    double sum = 0.0;
-    for (int i = 0; i <= k; ++i) {
-        sum += std::exp(std::lgamma(n + 1.0) - std::lgamma(i + 1.0) - std::lgamma(n - i + 1.0) +
-                        i * std::log(p) + (n - i) * std::log1p(-p));
-    }
-    return sum;
-}
-
 /// The whole picture's bands of all scenes, which the tests below fill in their order.
 class Estimate : public testing::Test {
   protected:

@@ -5,13 +5,13 @@
 #include "engine/kernels/light_sampling.h"
 
 #include <algorithm>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "engine/kernels/intersect.h"
 #include "engine/kernels/surface.h"
 #include "engine/math/color.h"
+#include "tests/support/cone_grid.h"
 #include "tests/support/light_scene.h"
 #include "tests/support/statistics.h"
 #include "tests/support/uniform_numbers.h"
@@ -21,12 +21,11 @@ namespace {
 
 using test::chiSquare;
 using test::ChiSquare;
+using test::ConeGrid;
+using test::expectedCounts;
 using test::LightScene;
 using test::UniformNumbers;
 
-constexpr int kBinsCos = 20;
-constexpr int kBinsPhi = 20;
-constexpr int kSubdivisions = 40;
 constexpr int kSamples = 200000;
 
 struct Case {
@@ -89,50 +88,6 @@ std::vector<Case> cases() {
     };
 }
 
-/// Cells over a cone of directions around an axis, equal in solid angle.
-struct ConeGrid {
-    Frame frame;
-    double oneMinusCosMax;
-
-    Vec3 direction(double cosPart, double phiPart) const {
-        const double oneMinusCos = cosPart * oneMinusCosMax;
-        const double r = std::sqrt(std::max(0.0, oneMinusCos * (2.0 - oneMinusCos)));
-        const double phi = 2.0 * std::numbers::pi * phiPart;
-        const glm::dvec3 w = r * std::cos(phi) * glm::dvec3(frame.s) +
-                             r * std::sin(phi) * glm::dvec3(frame.t) +
-                             (1.0 - oneMinusCos) * glm::dvec3(frame.n);
-        return Vec3(glm::normalize(w));
-    }
-    size_t cell(const Vec3& w) const {
-        const double x = glm::dot(glm::dvec3(w), glm::dvec3(frame.s)),
-                     y = glm::dot(glm::dvec3(w), glm::dvec3(frame.t));
-        const double z = glm::dot(glm::dvec3(w), glm::dvec3(frame.n));
-        const double oneMinusCos = z > 0.0 ? (x * x + y * y) / (1.0 + z) : 1.0 - z;
-        const double phi = std::atan2(y, x) / (2.0 * std::numbers::pi);
-        const int i = std::clamp(static_cast<int>(oneMinusCos / oneMinusCosMax * kBinsCos), 0, kBinsCos - 1);
-        const int j = std::clamp(static_cast<int>((phi < 0.0 ? phi + 1.0 : phi) * kBinsPhi), 0, kBinsPhi - 1);
-        return static_cast<size_t>(i * kBinsPhi + j);
-    }
-    double cellSolidAngle() const { return 2.0 * std::numbers::pi * oneMinusCosMax / (kBinsCos * kBinsPhi); }
-};
-
-/// Counts a stratified integral of `density` over every cell would expect.
-template <class Density>
-std::vector<double> expectedCounts(const ConeGrid& grid, UniformNumbers& random, int samples,
-                                   const Density& density) {
-    std::vector<double> expected(kBinsCos * kBinsPhi, 0.0);
-    constexpr double kShare = 1.0 / (kSubdivisions * kSubdivisions);
-    for (int i = 0; i < kBinsCos * kSubdivisions; ++i) {
-        for (int j = 0; j < kBinsPhi * kSubdivisions; ++j) {
-            const double a = (i + static_cast<double>(random.next())) / (kBinsCos * kSubdivisions);
-            const double b = (j + static_cast<double>(random.next())) / (kBinsPhi * kSubdivisions);
-            const auto cell = static_cast<size_t>(i / kSubdivisions * kBinsPhi + j / kSubdivisions);
-            expected[cell] += samples * density(grid.direction(a, b)) * grid.cellSolidAngle() * kShare;
-        }
-    }
-    return expected;
-}
-
 /// The cone around the light's directions that the samples fill, a little wider.
 ConeGrid gridAround(const std::vector<Vec3>& directions) {
     glm::dvec3 mean(0.0);
@@ -178,7 +133,7 @@ TEST_P(EmitterShape, DirectionsFollowTheirDensity) {
     EXPECT_LE(rejected, kSamples / 1000);
 
     const ConeGrid grid = gridAround(directions);
-    std::vector<double> counts(kBinsCos * kBinsPhi, 0.0);
+    std::vector<double> counts(ConeGrid::kCells, 0.0);
     for (const Vec3& w : directions) {
         counts[grid.cell(w)] += 1.0;
     }
@@ -206,101 +161,6 @@ INSTANTIATE_TEST_SUITE_P(Light, EmitterShape, testing::ValuesIn(cases()), [](con
     std::erase_if(name, [](char ch) { return ch == ' ' || ch == ','; });
     return name;
 });
-
-/// A dark image with a bright texel, a bright corner at the seam and some texture.
-SceneImage spottedImage() {
-    auto image = std::make_shared<ImageF>();
-    image->width = 16;
-    image->height = 8;
-    image->rgb.assign(16 * 8 * 3, 0.0f);
-    const auto set = [&](int x, int y, float value) {
-        for (int c = 0; c < 3; ++c) {
-            image->rgb[static_cast<size_t>(3 * (y * 16 + x) + c)] = value;
-        }
-    };
-    for (int x = 0; x < 16; ++x) {
-        set(x, 5, 0.5f + 0.1f * static_cast<float>(x % 3));
-    }
-    set(4, 2, 50.0f);
-    set(15, 6, 20.0f);
-    set(7, 0, 10.0f);
-    return {.floats = image};
-}
-
-SceneDescription environmentScene(bool image, float rotationDeg) {
-    SceneDescription scene;
-    scene.environment.color = Vec3(2.0f);
-    scene.environment.rotationDeg = rotationDeg;
-    if (image) {
-        scene.environmentImages.push_back(spottedImage());
-        scene.environment.image = 0;
-    }
-    return scene;
-}
-
-void checkEnvironment(const SceneDescription& description, const LightContext& at) {
-    const LightScene scene(description);
-    UniformNumbers random(11);
-    const ConeGrid grid{Frame::fromNormal(glm::normalize(Vec3(0.2f, 0.9f, -0.3f))), 2.0};
-    std::vector<double> counts(kBinsCos * kBinsPhi, 0.0);
-    constexpr int kImageSamples = 40000;
-    for (int i = 0; i < kImageSamples; ++i) {
-        const LightSample s = sampleLight<kAllFeatures>(scene.view, at, random.next(), random.next2());
-        ASSERT_GT(s.pdfSolidAngle, 0.0f);
-        EXPECT_NEAR(pdfLightEnvironment<kAllFeatures>(scene.view, at, s.wiWorld) / s.pdfSolidAngle, 1.0f,
-                    2e-2f)
-            << "at a cell's edge both sides are right, but hardly ever: sample " << i;
-        EXPECT_GE(minComponent(s.radiance), 0.0f);
-        counts[grid.cell(s.wiWorld)] += 1.0;
-    }
-    const auto density = [&](const Vec3& w) {
-        return static_cast<double>(pdfLightEnvironment<kAllFeatures>(scene.view, at, w));
-    };
-    const ChiSquare result = chiSquare(counts, expectedCounts(grid, random, kImageSamples, density));
-    EXPECT_TRUE(result.passes()) << result.statistic << " > " << result.critical();
-}
-
-TEST(Environment, ImageDirectionsFollowTheirDensity) {
-    checkEnvironment(environmentScene(true, 0.0f), {Vec3(0.0f), Vec3(0, 1, 0), false});
-    checkEnvironment(environmentScene(true, 77.0f), {Vec3(0.0f), Vec3(0, 1, 0), true});
-}
-
-TEST(Environment, ConstantDirectionsFollowTheirDensity) {
-    checkEnvironment(environmentScene(false, 0.0f), {Vec3(0.0f), glm::normalize(Vec3(1, 1, 0.3f)), false});
-    checkEnvironment(environmentScene(false, 0.0f), {Vec3(0.0f), glm::normalize(Vec3(1, 1, 0.3f)), true});
-}
-
-TEST(Environment, EveryBrightDirectionHasDensity) {
-    const LightScene scene(environmentScene(true, 30.0f));
-    const LightContext at{Vec3(0.0f), Vec3(0, 1, 0), true};
-    UniformNumbers random(3);
-    int bright = 0;
-    for (int i = 0; i < 100000; ++i) {
-        const Vec3 w = sampleSphere(random.next2());
-        if (luminance(environmentRadiance<kAllFeatures>(scene.view, w)) <= 1e-4f) { continue; }
-        ++bright;
-        EXPECT_GT(pdfLightEnvironment<kAllFeatures>(scene.view, at, w), 0.0f);
-    }
-    EXPECT_GT(bright, 1000);
-}
-
-TEST(Environment, MiddleLooksAlongMinusZAndRotationTurnsCounterClockwise) {
-    SceneDescription scene = environmentScene(true, 0.0f);
-    auto image = std::make_shared<ImageF>();
-    image->width = 4;
-    image->height = 1;
-    image->rgb = {1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4};
-    scene.environmentImages[0].floats = image;
-    scene.environment.color = Vec3(1.0f);
-    // Column centres lie at -135, -45, 45 and 135 degrees from -z towards +x.
-    const Vec3 right45 = glm::normalize(Vec3(1, 0, -1));
-    const Vec3 left45 = glm::normalize(Vec3(-1, 0, -1));
-    EXPECT_NEAR(environmentRadiance<kAllFeatures>(LightScene(scene).view, right45).x, 3.0f, 1e-4f);
-    EXPECT_NEAR(environmentRadiance<kAllFeatures>(LightScene(scene).view, left45).x, 2.0f, 1e-4f);
-    // Seen from above, counter-clockwise takes +x to -z: what was at right45 moves to left45.
-    scene.environment.rotationDeg = 90.0f;
-    EXPECT_NEAR(environmentRadiance<kAllFeatures>(LightScene(scene).view, left45).x, 3.0f, 1e-4f);
-}
 
 }  // namespace
 }  // namespace glint

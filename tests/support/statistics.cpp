@@ -32,4 +32,14 @@ ChiSquare chiSquare(const std::vector<double>& counts, const std::vector<double>
     return result;
 }
 
+double binomialAtMost(int k, int n, double p) {
+    // Its terms are summed by their logarithms: the factorials would overflow.
+    double sum = 0.0;
+    for (int i = 0; i <= k; ++i) {
+        sum += std::exp(std::lgamma(n + 1.0) - std::lgamma(i + 1.0) - std::lgamma(n - i + 1.0) +
+                        i * std::log(p) + (n - i) * std::log1p(-p));
+    }
+    return sum;
+}
+
 }  // namespace glint::test

@@ -31,6 +31,9 @@ struct ChiSquare {
 ChiSquare chiSquare(const std::vector<double>& counts, const std::vector<double>& expected,
                     double strays = 0.0);
 
+/// P(X <= k) of a binomial variable of n trials.
+double binomialAtMost(int k, int n, double p);
+
 /// Mean and its standard error (Welford 1962).
 class RunningMean {
   public:
