@@ -24,6 +24,40 @@ void frame(const Bounds& bounds, Camera* camera) {
     camera->apertureDiameter = 0.0f;
 }
 
+/// Of a mesh as it is placed, in world units squared.
+double areaOf(const MeshData& mesh, const Affine& toWorld) {
+    double area = 0.0;
+    for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const Vec3 a = toWorld.point(mesh.positions[mesh.indices[i]]);
+        const Vec3 b = toWorld.point(mesh.positions[mesh.indices[i + 1]]);
+        const Vec3 c = toWorld.point(mesh.positions[mesh.indices[i + 2]]);
+        area += 0.5 * static_cast<double>(glm::length(glm::cross(b - a, c - a)));
+    }
+    return area;
+}
+
+/// Whether all that shines are labels, screens and small lights: no brighter than white paper, and together
+/// too little for the surfaces around. Viewers light such models. What has no area lights nothing.
+bool isLitByScreensAlone(const SceneDescription& scene) {
+    constexpr double kLeastMean = 0.05;
+    if (!scene.lights.empty() || scene.environment.emissive()) { return false; }
+    double area = 0.0;
+    double emitted = 0.0;
+    for (const Object& object : scene.objects) {
+        if (object.shape != ShapeKind::Mesh) { return false; }
+        const Material& material = scene.materials[static_cast<size_t>(object.material)];
+        const double own = areaOf(*scene.meshes[static_cast<size_t>(object.mesh)].data, object.objectToWorld);
+        const bool hasImage = material.emission.texture >= 0;
+        const float radiance =
+            material.emissionStrength * (hasImage ? 1.0f : maxComponent(material.emission.value));
+        area += own;
+        if (!material.emissive() || !(own > 0.0)) { continue; }
+        if (radiance > 1.0f) { return false; }
+        emitted += own * static_cast<double>(radiance);
+    }
+    return emitted < kLeastMean * area;
+}
+
 }  // namespace
 
 void applyDefaultView(SceneDescription* scene, bool noStudio) {
@@ -37,7 +71,7 @@ void applyDefaultView(SceneDescription* scene, bool noStudio) {
         material.color.value = Vec3(0.7f);
         scene->materials.push_back(std::move(material));
     }
-    if (!hasLight(*scene)) { lightModel(scene, noStudio); }
+    if (!hasLight(*scene) || isLitByScreensAlone(*scene)) { lightModel(scene, noStudio); }
 }
 
 void lightModel(SceneDescription* scene, bool noStudio) {
@@ -47,7 +81,8 @@ void lightModel(SceneDescription* scene, bool noStudio) {
     }
     addStudio(scene);
     scene->notes.emplace_back(
-        "the file brings no light: a studio with a ground lights it (--no-studio: white light from "
+        "the file brings no light that shows its form: a studio with a ground lights it (--no-studio: white "
+        "light from "
         "everywhere)");
 }
 

@@ -12,7 +12,7 @@ namespace {
 constexpr size_t kMostParts = 64;
 constexpr size_t kMostProbes = 64;
 /// Of the root of the lamp's area: how near a wall behind it stands.
-constexpr double kReach = 0.1;
+constexpr double kReach = 0.25;
 
 enum class Side { Both, Front, Back };
 
@@ -136,9 +136,9 @@ void turnOver(MeshData* mesh) {
 }  // namespace
 
 void chooseLampSides(const std::string& path, MeshFile* file) {
-    std::vector<std::vector<const MeshPart*>> lamps(file->materials.size());
+    std::vector<std::vector<MeshPart*>> lamps(file->materials.size());
     size_t count = 0;
-    for (const MeshPart& part : file->parts) {
+    for (MeshPart& part : file->parts) {
         const auto material = static_cast<size_t>(part.material);
         if (file->materials[material].emissive() && ++count <= kMostParts) {
             lamps[material].push_back(&part);
@@ -147,16 +147,26 @@ void chooseLampSides(const std::string& path, MeshFile* file) {
     if (count > kMostParts) { return; }
     std::string names;
     for (size_t m = 0; m < lamps.size(); ++m) {
-        std::vector<Side> sides;
-        for (const MeshPart* lamp : lamps[m]) {
-            sides.push_back(sideOf(*file, *lamp));
+        std::vector<MeshPart*> oneSided;
+        for (MeshPart* lamp : lamps[m]) {
+            const Side side = sideOf(*file, *lamp);
+            if (side == Side::Back) { turnOver(lamp->mesh.get()); }
+            if (side != Side::Both) { oneSided.push_back(lamp); }
         }
-        if (sides.empty() || std::ranges::count(sides, Side::Both) > 0) { continue; }
-        for (size_t i = 0; i < sides.size(); ++i) {
-            if (sides[i] == Side::Back) { turnOver(lamps[m][i]->mesh.get()); }
-        }
-        file->materials[m].emitsBothSides = false;
+        if (oneSided.empty()) { continue; }
         names += (names.empty() ? "" : ", ") + file->materials[m].name;
+        Material outer = file->materials[m];
+        outer.emitsBothSides = false;
+        if (oneSided.size() == lamps[m].size()) {
+            file->materials[m] = std::move(outer);
+            continue;
+        }
+        // Other lamps of the material stand free.
+        outer.name += " (outer side)";
+        for (MeshPart* lamp : oneSided) {
+            lamp->material = static_cast<int>(file->materials.size());
+        }
+        file->materials.push_back(std::move(outer));
     }
     if (!names.empty()) {
         file->notes.push_back(fmt::format(

@@ -111,8 +111,8 @@ TextureChannel channelOf(char imfchan) {
     }
 }
 
-MtlMap mapOf(const std::string& file, const tinyobj::texture_option_t& options) {
-    MtlMap map{file, {}};
+MtlMap mapOf(const std::string& file, const tinyobj::texture_option_t& options, int line) {
+    MtlMap map{file, {}, line};
     map.shown.scale = {options.scale[0], options.scale[1]};
     map.shown.offset = {options.origin_offset[0], options.origin_offset[1]};
     map.shown.base = options.brightness;
@@ -121,8 +121,8 @@ MtlMap mapOf(const std::string& file, const tinyobj::texture_option_t& options) 
     return map;
 }
 
-MtlMap numberMapOf(const std::string& file, const tinyobj::texture_option_t& options) {
-    MtlMap map = mapOf(file, options);
+MtlMap numberMapOf(const std::string& file, const tinyobj::texture_option_t& options, int line) {
+    MtlMap map = mapOf(file, options, line);
     map.shown.channel = channelOf(options.imfchan);
     return map;
 }
@@ -158,16 +158,19 @@ MtlMaterial materialOf(const MtlEntry& entry, MtlLibrary* library) {
     const tinyobj::material_t values = entry.values();
     const MtlGlass glass = glassOf(entry, values, library->trIsOpacity);
     remarkLeftOut(entry, values, library->path, &library->file.remarks);
-    MtlMaterial mtl{.material = toGlint(entry, values, glass),
-                    .color = mapOf(values.diffuse_texname, values.diffuse_texopt),
-                    .emission = mapOf(values.emissive_texname, values.emissive_texopt),
-                    .roughness = numberMapOf(values.roughness_texname, values.roughness_texopt),
-                    .height = numberMapOf(values.bump_texname, values.bump_texopt),
-                    .bumpFactor = values.bump_texopt.bump_multiplier,
-                    .normal = mapOf(values.normal_texname, values.normal_texopt),
-                    .opacity = numberMapOf(values.alpha_texname, values.alpha_texopt),
-                    .glass = glass.isGlass ? glass.why : "",
-                    .doubt = glass.isGlass ? "" : glass.why};
+    MtlMaterial mtl{
+        .material = toGlint(entry, values, glass),
+        .color = mapOf(values.diffuse_texname, values.diffuse_texopt, entry.lineOf(MtlKey::MapKd)),
+        .emission = mapOf(values.emissive_texname, values.emissive_texopt, entry.lineOf(MtlKey::MapKe)),
+        .roughness =
+            numberMapOf(values.roughness_texname, values.roughness_texopt, entry.lineOf(MtlKey::MapPr)),
+        .height = numberMapOf(values.bump_texname, values.bump_texopt,
+                              entry.lineOf(entry.has(MtlKey::Bump) ? MtlKey::Bump : MtlKey::MapBump)),
+        .bumpFactor = values.bump_texopt.bump_multiplier,
+        .normal = mapOf(values.normal_texname, values.normal_texopt, entry.lineOf(MtlKey::Norm)),
+        .opacity = numberMapOf(values.alpha_texname, values.alpha_texopt, entry.lineOf(MtlKey::MapD)),
+        .glass = glass.isGlass ? glass.why : "",
+        .doubt = glass.isGlass ? "" : glass.why};
     mtl.roughness.shown.exponent = 2.0f;
     mtl.material.normalStrength = values.normal_texopt.bump_multiplier;
     if (mtl.opacity.file == mtl.color.file) { mtl.opacity.file.clear(); }

@@ -13,6 +13,7 @@ namespace glint {
 struct MtlMap {
     std::string file;  ///< as written, relative to the MTL file; empty: none
     Texture shown;     ///< how, without the image
+    int line = 0;      ///< of the MTL file
 };
 
 struct MtlMaterial {

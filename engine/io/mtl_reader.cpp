@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 #include <tiny_obj_loader.h>
 
+#include "engine/io/spectrum_colors.h"
 #include "engine/io/text_cursor.h"
 
 namespace glint {
@@ -55,6 +56,8 @@ bool sameWord(std::string_view a, std::string_view b) {
                       [&](char x, char y) { return lower(x) == lower(y); });
 }
 
+bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
 class MtlReader {
   public:
     MtlReader(const std::string& text, const std::string& path) : cursor_(text, path) {}
@@ -73,6 +76,7 @@ class MtlReader {
         const char* where = cursor_.position();
         const std::string_view word = cursor_.word();
         if (sameWord(word, "newmtl")) {
+            if (word != "newmtl") { cursor_.remark(where, kOtherCase, word); }
             begin(where);
             return;
         }
@@ -95,7 +99,7 @@ class MtlReader {
             cursor_.restOfLine();
         } else {
             const bool isUsual = key->name == word || word == "map_bump";
-            if (!isUsual) { cursor_.remark(where, "keywords in other case", word); }
+            if (!isUsual) { cursor_.remark(where, kOtherCase, word); }
             readValue(where, *key);
         }
     }
@@ -119,12 +123,19 @@ class MtlReader {
                           : key.form == Form::Number ? readNumber(where, bit)
                                                      : readMap(where);
         if (!line || skips_) { return; }
+        if (key.form == Form::Map) {
+            file_.entries.back().mapLines.emplace_back(static_cast<MtlKey>(bit), cursor_.lineOf(where));
+        }
         const bool isTint = key.name == "Kt";
         file_.entries.back().given |= 1u << (isTint ? static_cast<uint32_t>(MtlKey::Tf) : bit);
         file_.entries.back().lines += fmt::format("{} {}\n", key.name, *line);
     }
 
     std::optional<std::string> readColor(const char* where) {
+        cursor_.atLineEnd();
+        const char* begin = cursor_.position();
+        const bool isXyz = sameWord(cursor_.word(), "xyz");
+        if (!isXyz) { cursor_.setPosition(begin); }
         float rgb[3] = {};
         const int count = cursor_.readSomeFloats(3, rgb);
         if (count == 0) {
@@ -136,7 +147,8 @@ class MtlReader {
             rgb[i] = rgb[count - 1];
         }
         leaveOutRest(where);
-        return fmt::format("{} {} {}", rgb[0], rgb[1], rgb[2]);
+        const Vec3 color = isXyz ? rgbOfXyz({rgb[0], rgb[1], rgb[2]}) : Vec3(rgb[0], rgb[1], rgb[2]);
+        return fmt::format("{} {} {}", color.x, color.y, color.z);
     }
 
     std::optional<std::string> readNumber(const char* where, uint32_t bit) {
@@ -162,6 +174,11 @@ class MtlReader {
             if (at == std::string::npos || at == 0) { continue; }
             const std::string rest = name.substr(at);
             TextCursor behind(rest, rest);
+            behind.word();
+            float ignored = 0.0f;
+            // "a -s 2.png" is a name.
+            if (option.numbers > 0 && behind.readSomeFloats(1, &ignored) == 0) { continue; }
+            behind.setPosition(rest.data());
             options += readOptions(where, behind);
             name.resize(at);
         }
@@ -178,26 +195,53 @@ class MtlReader {
             const char* begin = cursor.position();
             const std::string_view word = cursor.word();
             const auto option = std::find_if(std::begin(kOptions), std::end(kOptions),
-                                             [&](const MapOption& known) { return known.name == word; });
-            if (option == std::end(kOptions)) {
+                                             [&](const auto& known) { return sameWord(known.name, word); });
+            if (option != std::end(kOptions)) {
+                out += option->numbers == 0 ? readWordOption(where, *option, cursor)
+                                            : readNumberOption(where, *option, cursor);
+            } else if (word.size() > 1 && word[0] == '-' && !cursor.atLineEnd() && isLetter(word[1])) {
+                cursor_.remark(where, kUnknownOption, word);
+                float ignored[3];
+                cursor.readSomeFloats(3, ignored);
+            } else {
                 cursor.setPosition(begin);
                 break;
             }
-            if (option->numbers == 0) {
-                const std::string_view value = cursor.word();
-                if (option->counts) { out += fmt::format("{} {} ", option->name, value); }
-                continue;
-            }
-            float values[3] = {option->missing, option->missing, option->missing};
-            if (cursor.readSomeFloats(option->numbers, values) == 0) {
-                cursor_.remark(where, "options of maps without a value are left out", word);
-            } else if (option->counts) {
-                out += fmt::format("{} {} ", option->name, fmt::join(values, values + option->numbers, " "));
-            } else if (word == "-t") {
-                cursor_.remark(where, "options of maps that Glint does not know are left out", word);
-            }
         }
         return out;
+    }
+
+    /// A word that the option cannot have is the file's name: -clamp alone is on, other options are left out.
+    std::string readWordOption(const char* where, const MapOption& option, TextCursor& cursor) {
+        cursor.atLineEnd();
+        const char* begin = cursor.position();
+        std::string_view value = cursor.word();
+        const auto isOneOf = [&](std::initializer_list<std::string_view> words) {
+            return std::ranges::any_of(words, [&](std::string_view word) { return sameWord(word, value); });
+        };
+        const bool isSwitch = option.name == "-clamp";
+        const bool isKnown = isSwitch                    ? isOneOf({"on", "off"})
+                             : option.name == "-imfchan" ? isOneOf({"r", "g", "b", "m", "l", "z"})
+                                                         : true;
+        if (!isKnown) {
+            cursor.setPosition(begin);
+            cursor_.remark(where, kNoValue, option.name);
+            value = "on";
+        }
+        const bool counts = option.counts && (isKnown || isSwitch);
+        return counts ? fmt::format("{} {} ", option.name, value) : "";
+    }
+
+    std::string readNumberOption(const char* where, const MapOption& option, TextCursor& cursor) {
+        float values[3] = {option.missing, option.missing, option.missing};
+        if (cursor.readSomeFloats(option.numbers, values) == 0) {
+            cursor_.remark(where, kNoValue, option.name);
+        } else if (option.counts) {
+            return fmt::format("{} {} ", option.name, fmt::join(values, values + option.numbers, " "));
+        } else if (option.name == "-t") {
+            cursor_.remark(where, kUnknownOption, option.name);
+        }
+        return "";
     }
 
     void leaveOutRest(const char* where) {
@@ -206,6 +250,10 @@ class MtlReader {
         }
     }
 
+    static constexpr std::string_view kOtherCase = "keywords in other case";
+    static constexpr std::string_view kNoValue = "options of maps without a value are left out";
+    static constexpr std::string_view kUnknownOption =
+        "options of maps that Glint does not know are left out";
     static constexpr std::string_view kUnusedMap = "maps of kinds that Glint does not draw are left out";
 
     TextCursor cursor_;

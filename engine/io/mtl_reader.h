@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/io/remarks.h"
@@ -48,11 +49,20 @@ enum class MtlKey : uint32_t {
 
 struct MtlEntry {
     std::string name;
-    int line = 0;        ///< of newmtl
-    uint32_t given = 0;  ///< bits of MtlKey
-    float tr = 0.0f;     ///< as written: tinyobjloader mixes d and Tr
-    std::string lines;   ///< all that it says, made regular
+    int line = 0;                                    ///< of newmtl
+    uint32_t given = 0;                              ///< bits of MtlKey
+    float tr = 0.0f;                                 ///< as written: tinyobjloader mixes d and Tr
+    std::string lines;                               ///< all that it says, made regular
+    std::vector<std::pair<MtlKey, int>> mapLines{};  ///< where each map stands
 
+    /// The last one of the map, or newmtl's.
+    int lineOf(MtlKey map) const {
+        int found = line;
+        for (const auto& [key, at] : mapLines) {
+            found = key == map ? at : found;
+        }
+        return found;
+    }
     bool has(MtlKey key) const { return (given & (1u << static_cast<uint32_t>(key))) != 0; }
     /// What tinyobjloader makes of it. Large: not to be kept for each material of a file.
     tinyobj::material_t values() const;

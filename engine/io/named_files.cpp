@@ -46,19 +46,26 @@ std::string lowerCase(std::string text) {
 
 std::string NamedFiles::inOtherCase(const std::string& folder, const std::string& name) {
     auto [listing, isNew] = listings_.try_emplace(folder);
-    std::error_code code;
-    for (fs::directory_iterator entry(folder.empty() ? "." : folder, code), end;
-         isNew && !code && entry != end; entry.increment(code)) {
-        const std::string known = entry->path().filename().string();
-        listing->second.try_emplace(lowerCase(known), known);
+    if (isNew) {
+        std::error_code code;
+        for (fs::directory_iterator entry(folder.empty() ? "." : folder, code), end; !code && entry != end;
+             entry.increment(code)) {
+            const std::string known = entry->path().filename().string();
+            listing->second.try_emplace(lowerCase(known), known);
+        }
     }
     const auto found = listing->second.find(lowerCase(name));
     return found == listing->second.end() ? std::string() : (fs::path(folder) / found->second).string();
 }
 
+std::string_view withoutComment(std::string_view name) {
+    const size_t mark = std::min(name.find(" #"), name.find("\t#"));
+    const size_t last = name.substr(0, mark).find_last_not_of(" \t\r");
+    return name.substr(0, last == std::string_view::npos ? 0 : last + 1);
+}
+
 std::optional<NamedFiles::Found> NamedFiles::find(const std::string& name, const std::string& from) {
-    const size_t comment = name.find(" #");
-    const std::string plain = unescaped(name.substr(0, comment));
+    const std::string plain = unescaped(std::string(withoutComment(name)));
     const fs::path base = fs::path(from).parent_path();
     const std::string candidates[] = {name, withSlashes(name), unescaped(name), plain};
     for (size_t i = 0; i < std::size(candidates); ++i) {

@@ -5,9 +5,13 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace glint {
+
+/// What stands before a blank and a #, without blanks at its end.
+std::string_view withoutComment(std::string_view name);
 
 class NamedFiles {
   public:

@@ -18,16 +18,13 @@ namespace {
 
 /// A name without its comment, quotes and capitals: what remains where a file spells it in two ways.
 std::string looseName(std::string_view name) {
-    name = name.substr(0, name.find(" #"));
+    name = withoutComment(name);
     if (name.size() > 1 && name.front() == '"' && name.back() == '"') {
         name = name.substr(1, name.size() - 2);
     }
     std::string out(name);
     std::ranges::transform(
         out, out.begin(), [](char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); });
-    while (!out.empty() && out.back() == ' ') {
-        out.pop_back();
-    }
     return out;
 }
 
@@ -118,13 +115,13 @@ Material MaterialResolver::take(const Found& found) {
     const MtlEntry& entry = library.file.entries[found.entry];
     MtlMaterial mtl = materialOf(entry, &library);
     Material& material = mtl.material;
-    material.color.texture = takeTexture(mtl.color, library.path, entry.line);
-    material.emission.texture = takeTexture(mtl.emission, library.path, entry.line);
-    material.roughness.texture = takeTexture(mtl.roughness, library.path, entry.line);
-    material.bump.texture = takeTexture(mtl.height, library.path, entry.line);
+    material.color.texture = takeTexture(mtl.color, library.path);
+    material.emission.texture = takeTexture(mtl.emission, library.path);
+    material.roughness.texture = takeTexture(mtl.roughness, library.path);
+    material.bump.texture = takeTexture(mtl.height, library.path);
     material.bumpHeight = mtl.bumpFactor;
-    material.normalMap.texture = takeTexture(mtl.normal, library.path, entry.line);
-    material.opacity.texture = takeTexture(mtl.opacity, library.path, entry.line);
+    material.normalMap.texture = takeTexture(mtl.normal, library.path);
+    material.opacity.texture = takeTexture(mtl.opacity, library.path);
     const bool lacksColor = !mtl.color.file.empty() && material.color.texture < 0;
     if (lacksColor && isZero(material.color.value)) {
         material.color.value = Vec3(0.5f);
@@ -143,10 +140,11 @@ Material MaterialResolver::take(const Found& found) {
 }
 
 /// Index into the file's textures, or -1.
-int MaterialResolver::takeTexture(const MtlMap& map, const std::string& library, int line) {
+int MaterialResolver::takeTexture(const MtlMap& map, const std::string& library) {
     if (map.file.empty()) { return -1; }
-    const auto place = [&] { return fmt::format("{}:{}", library, line); };
-    const auto file = files_.find(map.file, library);
+    const auto place = [&] { return fmt::format("{}:{}", library, map.line); };
+    auto file = files_.find(map.file, library);
+    if (!file) { file = files_.find(map.file, objPath_); }
     if (!file) {
         remarks_.add("images are missing; the material's own colour takes their place", place, map.file);
         return -1;
@@ -182,14 +180,11 @@ void MaterialResolver::scaleBumps() {
 }
 
 void MaterialResolver::finish() {
-    const auto warn = [this](const Remarks& remarks) {
-        const std::vector<std::string> lines = remarks.lines();
-        file_.warnings.insert(file_.warnings.end(), lines.begin(), lines.end());
-    };
-    warn(remarks_);
     for (const MtlLibrary& library : libraries_) {
-        warn(library.file.remarks);
+        remarks_.add(library.file.remarks);
     }
+    const std::vector<std::string> lines = remarks_.lines();
+    file_.warnings.insert(file_.warnings.end(), lines.begin(), lines.end());
     if (!glass_.empty()) {
         file_.notes.push_back(fmt::format("{}: read as glass: {}", objPath_, listed(glass_)));
     }

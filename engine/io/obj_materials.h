@@ -36,7 +36,7 @@ class MaterialResolver {
     void readLibrary(const std::string& path);
     const Found* findMaterial(const MeshPart& part);
     Material take(const Found& found);
-    int takeTexture(const MtlMap& map, const std::string& library, int line);
+    int takeTexture(const MtlMap& map, const std::string& library);
 
     const std::string& objPath_;
     MeshFile& file_;

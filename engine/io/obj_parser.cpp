@@ -63,7 +63,11 @@ bool ObjParser::runLines(bool (ObjParser::*parse)(std::string_view, const char*)
     return true;
 }
 
-Error ObjParser::noFaces() const {
+Error ObjParser::noFaces() {
+    if (firstOddFace_) { return *firstOddFace_; }
+    if (!unplaced_.empty() && !failAtVertex(static_cast<int32_t>(unplaced_[0].first))) {
+        return cursor_.error();
+    }
     if (firstOdd_ != nullptr && pools_.positions.empty()) {
         return {"expected an OBJ statement (v, vt, vn, f, g, o, usemtl, mtllib, …); is this an OBJ file?",
                 cursor_.placeOf(firstOdd_)};

@@ -5,8 +5,10 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "engine/base/result.h"
@@ -38,13 +40,19 @@ class ObjParser {
     bool parseAttribute(std::string_view keyword, const char* where);
     bool parseStatement(std::string_view keyword, const char* where);
     bool parseUnknown(std::string_view keyword, const char* where);
+    bool readPosition(Vec3* p);
+    bool failAtVertex(int32_t index);
     bool parsePosition();
     bool parseUv();
     bool parseNormal();
     bool parseFace(const char* where);
+    bool recoverFace(const char* where);
+    void keepFirstOddFace(const Error& error);
+    bool addFace(const char* where);
     bool parseCorner(ObjCorner* corner);
-    bool parseOptionalIndex(const char** at, Attribute attribute, int32_t* index);
-    bool parseIndex(const char** at, Attribute attribute, int32_t* index);
+    bool parseOptionalIndex(const char** at, const char* end, Attribute attribute, int32_t* index);
+    bool parseIndex(const char** at, const char* end, Attribute attribute, int32_t* index);
+    bool leaveOutIndex(const char** at, const char* end, Attribute attribute);
     bool resolveIndex(int64_t number, std::string_view word, Attribute attribute, int32_t* index);
     bool countLine(Attribute attribute);
     void leaveOutRest(const char* where);
@@ -52,7 +60,7 @@ class ObjParser {
     void useMaterial(const char* where);
     void useSmoothing();
     void finishPart();
-    Error noFaces() const;
+    Error noFaces();
 
     TextCursor cursor_;
     ObjPools pools_;
@@ -70,6 +78,10 @@ class ObjParser {
     std::string materialName_;              ///< in force now
     int materialLine_ = 0;
     const char* firstOdd_ = nullptr;  ///< the first line that no OBJ file has
+    /// vertices without a position, in rising order, and where their numbers stand
+    std::vector<std::pair<size_t, const char*>> unplaced_;
+    bool failedAtNumber_ = false;        ///< a corner names a vertex that is not there
+    std::optional<Error> firstOddFace_;  ///< of a face that was left out though it has corners
 };
 
 }  // namespace glint

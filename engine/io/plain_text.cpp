@@ -9,9 +9,10 @@ namespace {
 enum class Utf16 { No, LittleEndian, BigEndian };
 
 Utf16 utf16Of(std::string_view bytes) {
-    if (bytes.size() < 4 || bytes.size() % 2 != 0) { return Utf16::No; }
+    if (bytes.size() < 4) { return Utf16::No; }
     if (bytes.starts_with("\xff\xfe")) { return Utf16::LittleEndian; }
     if (bytes.starts_with("\xfe\xff")) { return Utf16::BigEndian; }
+    if (bytes.size() % 2 != 0) { return Utf16::No; }
     const bool evenZero = bytes[0] == 0 && bytes[2] == 0;
     const bool oddZero = bytes[1] == 0 && bytes[3] == 0;
     if (evenZero == oddZero) { return Utf16::No; }

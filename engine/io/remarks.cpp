@@ -1,5 +1,7 @@
 #include "engine/io/remarks.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace glint {
@@ -13,6 +15,18 @@ std::vector<std::string> Remarks::lines() const {
                                   entry.count > 1 ? fmt::format(" (and {} more)", entry.count - 1) : ""));
     }
     return out;
+}
+
+void Remarks::add(const Remarks& more) {
+    for (const Entry& other : more.entries_) {
+        const auto same =
+            std::ranges::find(entries_, other.kind.data(), [](const Entry& e) { return e.kind.data(); });
+        if (same != entries_.end()) {
+            same->count += other.count;
+        } else {
+            entries_.push_back(other);
+        }
+    }
 }
 
 void boundLines(std::vector<std::string>* lines) {

@@ -26,6 +26,9 @@ class Remarks {
         entries_.push_back({kind, place(), std::string(detail.substr(0, kShownDetail)), more(), 1});
     }
 
+    /// Those of another reader, counted with these.
+    void add(const Remarks& more);
+
     /// `place: sentence: "detail" (and 3 more)`, in the order of the first ones.
     std::vector<std::string> lines() const;
 

@@ -15,8 +15,8 @@ bool isGround(const Object& object) { return object.shape == ShapeKind::Plane &&
 
 SkySource studioLight() {
     SkySource light;
-    light.zenith = light.horizon = light.ground = Vec3(0.35f);
-    light.sun = Vec3(9.9f);  // irradiance 1.16 pi on what faces it
+    light.zenith = light.horizon = light.ground = Vec3(0.26f);
+    light.sun = Vec3(7.35f);  // irradiance 0.86 pi on what faces it: white stays below 1
     light.sunElevationDeg = 55.0f;
     light.sunAzimuthDeg = -77.0f;
     light.sunRadiusDeg = 20.0f;

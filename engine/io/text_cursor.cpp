@@ -14,15 +14,32 @@ namespace glint {
 namespace {
 
 constexpr size_t kShownWord = 40;
+/// Ctrl-Z, by which DOS marked the end of a text.
+constexpr char kDosEnd = '\x1a';
 
-/// The length of a backslash followed by a line's end, also with blanks between, or 0.
+/// The length of a backslash followed by a line's or the text's end, also with blanks between, or 0.
 int continuationLength(const char* p) {
     if (p[0] != '\\') { return 0; }
     const char* end = p + 1;
     while (*end == ' ' || *end == '\t' || *end == '\r') {
         ++end;
     }
-    return *end == '\n' ? static_cast<int>(end + 1 - p) : 0;
+    if (*end == '\n') { return static_cast<int>(end + 1 - p); }
+    return *end == '\0' ? static_cast<int>(end - p) : 0;
+}
+
+/// Where a text ends before zero bytes and Ctrl-Z, with line ends between them.
+const char* withoutPadding(const char* begin, const char* end) {
+    const char* first = end;
+    for (const char* p = end; p != begin; --p) {
+        const char c = p[-1];
+        if (c == '\0' || c == kDosEnd) {
+            first = p - 1;
+        } else if (c != '\n' && c != '\r' && c != ' ') {
+            break;
+        }
+    }
+    return first;
 }
 
 /// A number too small or too large for float: small ones become 0 or denormal, large ones infinite.
@@ -49,7 +66,9 @@ inline const char* parseFloat(const char* at, const char* end, float* out) {
 
 TextCursor::TextCursor(const std::string& text, const std::string& file)
     : begin_(text.data()), end_(text.data() + text.size()), at_(begin_), file_(file), countedTo_(begin_) {
-    if (text.starts_with("\xef\xbb\xbf")) {  // the mark some editors put before UTF-8
+    end_ = withoutPadding(begin_, end_);
+    // The mark some editors put before UTF-8, others before that of the first.
+    while (std::string_view(at_, static_cast<size_t>(end_ - at_)).starts_with("\xef\xbb\xbf")) {
         at_ += 3;
     }
 }
@@ -63,7 +82,7 @@ bool TextCursor::atLineEnd() {
         if (atBlank()) {
             ++at_;
         } else if (const int length = continuationLength(at_); length > 0) {
-            if (at_[1] != '\n' && at_[1] != '\r') {
+            if (at_[1] != '\n' && at_[1] != '\r' && at_[1] != '\0') {
                 remark(at_, "blanks behind the backslash that joins two lines");
             }
             at_ += length;
@@ -97,6 +116,7 @@ bool TextCursor::isWordEnd(const char* p) const {
         case '\\':
             return continuationLength(p) > 0;
         case '\0':
+        case kDosEnd:
             return p == end_;
         default:
             return false;

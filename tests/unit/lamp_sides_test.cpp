@@ -58,6 +58,29 @@ TEST(LampSides, AwayFromAWallCloseBehind) {
     }
 }
 
+TEST(LampSides, AQuarterOfTheirSizeBelowAWall) {
+    for (const double y : {1.95, 1.94, 1.9}) {
+        EXPECT_FALSE(lampOf(kCeiling + square(y) + "usemtl lamp\nf 5 6 7 8\n").bothSides) << y;
+    }
+    EXPECT_TRUE(lampOf(kCeiling + square(1.8) + "usemtl lamp\nf 5 6 7 8\n").bothSides);
+}
+
+TEST(LampSides, LampsOfOneMaterialAreDecidedOneByOne) {
+    const TempFolder folder;
+    folder.write("m.mtl", "newmtl wall\nKd .5 .5 .5\nnewmtl lamp\nKe 5 5 5\n");
+    const auto scene = loadScene(folder.write(
+        "in.obj", "mtllib m.mtl\n" + kCeiling + square(1.99) + "usemtl lamp\nf 5 6 7 8\n" + "usemtl wall\n" +
+                      square(-5.0) + "f 9 10 11\nusemtl lamp\n" + square(1.0) + "f 13 14 15 16\n"));
+    ASSERT_TRUE(scene) << scene.error().format();
+    std::vector<std::pair<std::string, bool>> lamps;
+    for (const Object& object : scene->objects) {
+        const Material& material = scene->materials[static_cast<size_t>(object.material)];
+        if (material.emissive()) { lamps.emplace_back(material.name, material.emitsBothSides); }
+    }
+    EXPECT_THAT(lamps,
+                testing::ElementsAre(testing::Pair("lamp (outer side)", false), testing::Pair("lamp", true)));
+}
+
 TEST(LampSides, BothWhereNothingOrNotAllIsBehind) {
     const Lamp low = lampOf(kCeiling + square(1.5) + "usemtl lamp\nf 5 6 7 8\n");
     EXPECT_TRUE(low.bothSides);

@@ -43,6 +43,8 @@ TEST(MtlGlass, OpaqueMaterialsStayOpaque) {
              "Kd 0.8 0.1 0.1\nTf 1 1 1\nNi 1.5\nillum 2\n",                 // 3ds Max
              "Kd 0.8 0.1 0.1\nTf 0 0 0\nillum 2\n",                         //
              "Kd 0.8 0.1 0.1\nd 0.2\nmap_d leaf.png\n",                     // cut out, not glass
+             "Kd 0.8 0.1 0.1\nd -1\n",                                      // says nothing
+             "illum 4\nKd 0.8 0.1 0.1\nTf xyz 0.9505 1 1.089\nNi 1\n",      // white
          }) {
         const Material material = materialOf(lines);
         EXPECT_EQ(material.kind, MaterialKind::Diffuse) << lines;
@@ -73,6 +75,27 @@ TEST(MtlGlass, GlassIsGlassAndTheNoteSaysWhy) {
     }
     EXPECT_EQ(materialOf("illum 4\nTf 0.2 0.9 0.2\nNi 1.5\n").color.value, Vec3(0.2f, 0.9f, 0.2f));
     EXPECT_EQ(materialOf("illum 4\nTf 0 0 0\n").color.value, Vec3(1.0f));
+}
+
+TEST(MtlGlass, WhatLetsSomeLightPassKeepsItsColour) {
+    const std::pair<const char*, float> cases[] = {
+        {"Ks .5 .5 .5\nNi 1.45\nd 0.9\nillum 6\n", 0.9f},  // Blender, of metal
+        {"Ks .5 .5 .5\nNi 1.45\nd 0.3\nillum 9\n", 0.3f},  // Blender, of all else
+        {"d 0.5\nillum 2\n", 0.5f},
+        {"d 0.4\nillum 9\n", 0.4f},
+        {"d 0.2\n", 0.2f},
+        {"Tr 0.6\n", 0.4f},
+        {"illum 4\nTf 0.5 0.5 0.5\nNi 1\n", 0.5f},
+    };
+    for (const auto& [lines, opacity] : cases) {
+        const Material material = materialOf(std::string("Kd 0.8 0.1 0.1\n") + lines);
+        EXPECT_NE(material.kind, MaterialKind::Dielectric) << lines;
+        EXPECT_EQ(material.color.value, Vec3(0.8f, 0.1f, 0.1f)) << lines;
+        EXPECT_FLOAT_EQ(material.opacity.value, opacity) << lines;
+    }
+    const Material metal = materialOf("Kd 0.8 0.1 0.1\nPm 1\nPr 0.3\nNi 1.45\nd 0.2\nillum 6\n");
+    EXPECT_EQ(metal.kind, MaterialKind::Conductor);
+    EXPECT_FLOAT_EQ(metal.opacity.value, 0.2f);
 }
 
 TEST(MtlGlass, WhatCouldHaveBeenGlassIsNoted) {

@@ -143,7 +143,7 @@ TEST(ObjLoader, WhatIsMissingIsReportedAndReplaced) {
         load(folder, std::string("mtllib m.mtl\nmtllib none.mtl\n") + kSquare +
                          "usemtl wood\nf 1 2 3\nusemtl wod\nf 1 3 4\nl 1 2\nl 2 3\nwhatever 1\n");
     EXPECT_THAT(scene.warnings, Contains(HasSubstr("in.obj: material files are missing: \"none.mtl\"")));
-    EXPECT_THAT(scene.warnings, Contains(testing::AllOf(HasSubstr("m.mtl:1: images are missing"),
+    EXPECT_THAT(scene.warnings, Contains(testing::AllOf(HasSubstr("m.mtl:3: images are missing"),
                                                         HasSubstr("\"planks.png\""))));
     EXPECT_THAT(scene.warnings, Contains(HasSubstr("m.mtl:4: maps of kinds that Glint does not draw")));
     EXPECT_THAT(scene.warnings, Contains(testing::AllOf(HasSubstr("in.obj:9"), HasSubstr("not defined"),

@@ -1,42 +1,23 @@
-// What is odd in OBJ and MTL files, but leaves no doubt of what is meant, is repaired with one warning for
-// each kind;
+// What is odd in OBJ files, but leaves no doubt of what is meant, is repaired with one warning for each kind;
 // --strict refuses it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "engine/io/image_io.h"
 #include "engine/io/scene_loader.h"
+#include "tests/support/obj_square.h"
 #include "tests/support/temp_folder.h"
 
 namespace glint {
 namespace {
 
+using test::kCorners;
+using test::kUvs;
+using test::loadSquare;
 using test::TempFolder;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
-
-/// The scene of a file, if it is as large as a square of two by two that faces +z.
-std::optional<SceneDescription> loadSquare(const std::string& path) {
-    Result<SceneDescription> scene = loadScene(path, {.noStudio = true});
-    EXPECT_TRUE(scene) << scene.error().format();
-    if (!scene) { return std::nullopt; }
-    Vec3 area(0.0f);
-    for (const Mesh& mesh : scene->meshes) {
-        const MeshData& data = *mesh.data;
-        for (size_t i = 0; i < data.indices.size(); i += 3) {
-            const Vec3& a = data.positions[data.indices[i]];
-            area += 0.5f * glm::cross(data.positions[data.indices[i + 1]] - a,
-                                      data.positions[data.indices[i + 2]] - a);
-        }
-    }
-    EXPECT_NEAR(glm::length(area - Vec3(0, 0, 4)), 0.0f, 1e-5f);
-    return std::move(*scene);
-}
-
-const std::string kCorners = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n";
-const std::string kUvs = "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
 
 struct Repaired {
     std::string text;
@@ -77,6 +58,51 @@ TEST(ObjRepairs, Faces) {
     });
 }
 
+TEST(ObjRepairs, Corners) {
+    const std::string square = kCorners + kUvs + "vn 0 0 1\n";
+    const std::string face = "f 1 2 3 4\n";
+    for (const char* corners :
+         {"f 1/1/1/ 2/2/1/ 3/3/1/ 4/4/1/", "f 1/1/1/1 2/2/1/1 3/3/1 4/4/1", "f 1/1/1//9 2/2/1 3/3/1 4/4/1"}) {
+        expectRepaired({{square + corners + "\n", ":10: what stands behind a corner's third slash"}});
+    }
+    for (const char* corners : {"f 1. 2. 3. 4.", "f 1e0 2e0 3.0e0 4", "f +1 +2 +3 +4", "f -4.0 -3 -2 -1",
+                                "f 1/1.0/1 2/2/+1 3/3/1 4/4/1e0"}) {
+        expectRepaired({{square + corners + "\n", ":10: a whole number is written with a point or a sign"}});
+    }
+    for (const char* corners : {"f 1/nan/1 2/2/1 3/3/1 4/4/1", "f 1/-/1 2/-/1 3/-/1 4/-/1",
+                                "f 1/x 2/x 3/x 4/x", "f 1//none 2//1 3//1 4//1"}) {
+        expectRepaired({{square + corners + "\n", ":10: texture coordinates and normals of corners"}});
+    }
+    for (const char* odd : {"f 1 2 x 4", "f a b c", "f 1/1 2/2y 3/3", "f 1 2 1.5 3"}) {
+        expectRepaired(
+            {{square + face + odd + "\n", ":11: faces with corners that are no numbers are left out"}});
+    }
+    expectRepaired({
+        {kCorners + "f 1 2 3 4 abc\n", ":5: more on a line than it can have"},
+        {kCorners + face + "f 99 98\n", ":6: faces of fewer than 3 corners are left out"},
+        {kCorners + face + "f 0\n", ":6: faces of fewer than 3 corners are left out"},
+    });
+    const TempFolder folder;
+    for (const std::string& text :
+         {kCorners + "f 1 2 3 4#abc\n", kCorners + "f 1 2 3 4\\", kCorners + face + "\x1a",
+          kCorners + face + std::string("\0\0\r\n\0", 5), "\xef\xbb\xbf\xef\xbb\xbf" + kCorners + face}) {
+        const auto scene = loadSquare(folder.write("in.obj", text));
+        ASSERT_TRUE(scene) << text;
+        EXPECT_THAT(scene->warnings, IsEmpty()) << text;
+    }
+}
+
+TEST(ObjRepairs, VerticesThatNoFaceUsesNeedNoPosition) {
+    const std::string kind = "vertices without a finite position, which no face uses, are left out";
+    const std::string face = "f 1 2 3 4\n";
+    expectRepaired({
+        {kCorners + "v 0 0 -1.#IND\n" + face, ":5: " + kind},
+        {kCorners + "v 0 0 1e30\nv nan nan nan\n" + face, ":5: " + kind + " (and 1 more)"},
+        {kCorners + "v 0 0\n" + face, ":5: " + kind},
+        {"v inf 0 0\n" + kCorners + "f 2 3 4 5\n", ":1: " + kind},
+    });
+}
+
 TEST(ObjRepairs, Attributes) {
     const std::string face = "f 1/1/1 2/2/1 3/3/1 4/4/1\n";
     expectRepaired({
@@ -109,6 +135,7 @@ TEST(ObjRepairs, Lines) {
         {wide, "the file is UTF-16"},
         {wideBackwards, "the file is UTF-16"},
         {wideWithoutMark, "the file is UTF-16"},
+        {wide + "\n", "the file is UTF-16"},
         {"Created by C:\\programs\\\n" + kCorners + "f 1 2 3 4\n", ":1: lines that are no statement"},
         {"; a comment of another kind\n// and another\n" + kCorners + "f 1 2 3 4\n", "(and 1 more)"},
         {kCorners + "f 1 2 3 4\n*** end ***\n", ":6: lines that are no statement"},
@@ -128,196 +155,6 @@ TEST(ObjRepairs, FacesMayComeBeforeTheirVertices) {
     const auto missing = loadScene(folder.write("in.obj", "f 1 2 5\n" + kCorners));
     ASSERT_FALSE(missing);
     EXPECT_THAT(missing.error().format(), HasSubstr(":1:7: there is no vertex 5; 4 are defined"));
-}
-
-/// The material of a square whose MTL file holds these lines; the other lines are in the OBJ file.
-Material materialOf(const TempFolder& folder, const std::string& mtl, std::vector<std::string>* warnings,
-                    const std::string& use = "mtllib m.mtl\nusemtl it\n") {
-    folder.write("m.mtl", mtl);
-    const auto scene =
-        loadSquare(folder.write("in.obj", use + kCorners + "vn 0 0 1\nf 1//1 2//1 3//1 4//1\n"));
-    if (!scene) { return {}; }
-    *warnings = scene->warnings;
-    return scene->materials.at(0);
-}
-
-TEST(MtlRepairs, OddLinesGiveTheirColour) {
-    const Vec3 red(0.8f, 0.1f, 0.1f);
-    const std::string good = "newmtl it\nKd 0.8 0.1 0.1\n";
-    std::string returns = good;
-    std::ranges::replace(returns, '\n', '\r');
-    const std::vector<std::pair<std::string, std::string>> cases = {
-        {"\xef\xbb\xbf" + good, ""},
-        {"newmtl it\n# C:\\models\\\nKd 0.8 0.1 0.1\n", ""},
-        {"newmtl it\r\nKd 0.8 \\\r\n 0.1 0.1\r\n", ""},
-        {"newmtl it\nkd 0.8 0.1 0.1\n", "m.mtl:2: keywords in other case: \"kd\""},
-        {"NEWMTL it\nKD 0.8 0.1 0.1\n", "keywords in other case"},
-        {"newmtl\nKd 0 0 1\n" + good, ":1: newmtl without a name"},
-        {good + "Ka spectral a.rfl\n", ""},
-        {good + "Ks spectral a.rfl 1\n", ":3: colours that are no numbers are left out"},
-        {good + "Ns much\n", ":3: values that are no number are left out"},
-        {"Ns 5\n" + good, ":1: what stands before the first newmtl is left out"},
-        {"newmtl it\nKd 0.8 0.1\n", ":2: colours of two numbers: blue is taken as green"},
-        {"newmtl it\nKd 0.8 0.1 0.1 1\n", ":2: more on a line than it can have is left out"},
-        {good + "Ks 0 0 nan\n", ":3: a number that is not finite counts as 0"},
-        {good + good, ":3: materials are defined twice; the first counts: \"it\""},
-        {good + "wibble 1\nwobble 2\n",
-         ":3: lines that are no statement of MTL files are left out: \"wibble\" (and 1 more)"},
-        {returns, "lines that end in a carriage return alone"},
-    };
-    const TempFolder folder;
-    for (const auto& [text, warning] : cases) {
-        SCOPED_TRACE(text);
-        std::vector<std::string> warnings;
-        const Material material = materialOf(folder, text, &warnings);
-        EXPECT_EQ(material.kind, MaterialKind::Diffuse);
-        EXPECT_EQ(material.color.value, red);
-        if (warning.empty()) {
-            EXPECT_THAT(warnings, IsEmpty());
-        } else {
-            EXPECT_THAT(warnings, testing::ElementsAre(HasSubstr(warning)));
-        }
-    }
-    std::vector<std::string> warnings;
-    EXPECT_EQ(materialOf(folder, "newmtl it\nKd 0.5\n", &warnings).color.value, Vec3(0.5f));
-}
-
-TEST(MtlRepairs, LibrariesAndMaterialsAreFoundByLikeNames) {
-    const TempFolder folder;
-    const std::string red = "newmtl Red\nKd 1 0 0\n";
-    folder.write("my mats.mtl", red);
-    folder.write("Other.MTL", red);
-    for (const char* use :
-         {"mtllib my\\ mats.mtl\nusemtl Red\n", "mtllib my mats.mtl\nusemtl Red\n",
-          "mtllib \"my mats.mtl\"\nusemtl Red\n", "mtllib my%20mats.mtl\nusemtl Red\n",
-          "mtllib other.mtl\nusemtl red\n", "mtllib C:\\work\\Other.MTL\nusemtl Red\n",
-          "mtllib /home/somebody/Other.MTL\nusemtl Red\n", "mtllib none.mtl Other.MTL\nusemtl Red\n"}) {
-        std::vector<std::string> warnings;
-        EXPECT_EQ(materialOf(folder, "", &warnings, use).color.value, Vec3(1, 0, 0)) << use;
-    }
-}
-
-TEST(MtlRepairs, ImagesAreFoundByLikeNamesAndKeepTheirScale) {
-    const TempFolder folder;
-    ASSERT_TRUE(savePng(folder.path("Wood 1.png"), {2, 1, {255, 0, 0, 0, 255, 0}}));
-    for (const char* name :
-         {"Wood 1.png", "C:\\work\\Wood 1.png", "/elsewhere/Wood 1.png", "wood 1.PNG", "\"Wood 1.png\"",
-          "textures\\Wood 1.png", "Wood%201.png", "-s 1 Wood 1.png", "-s 1 1 -o 0 Wood 1.png",
-          "Wood 1.png -s 1 1 1", "-bm 0.5 -mm 0 1 -clamp on -imfchan r -blendu off -t 0 0 Wood 1.png",
-          "Wood 1.png # oak"}) {
-        folder.write("m.mtl", std::string("newmtl it\nKd 0.5 0.5 0.5\nmap_Kd ") + name + "\n");
-        const auto scene = loadSquare(
-            folder.write("in.obj", "mtllib m.mtl\nusemtl it\n" + kCorners + kUvs + "f 1/1 2/2 3/3 4/4\n"));
-        ASSERT_TRUE(scene && scene->textures.size() == 1u) << name;
-        EXPECT_TRUE(scene->textures[0].image.isRead()) << name;
-        EXPECT_EQ(scene->materials[0].color.texture, 0) << name;
-        EXPECT_EQ(scene->textures[0].scale, Vec2(1.0f)) << name;
-    }
-}
-
-TEST(MtlRepairs, ImagesThatCannotBeReadShowTheColour) {
-    const TempFolder folder;
-    ASSERT_TRUE(savePng(folder.path("good.png"), {64, 64, std::vector<uint8_t>(3 * 64 * 64, 99)}));
-    const std::string png = TempFolder::read(folder.path("good.png"));
-    const std::pair<const char*, std::string> files[] = {
-        {"empty.png", ""}, {"t.dds", "DDS |and more"}, {"cut.png", png.substr(0, png.size() / 2)}};
-    for (const auto& [name, bytes] : files) {
-        folder.write(name, bytes);
-        std::vector<std::string> warnings;
-        const Material material =
-            materialOf(folder, std::string("newmtl it\nKd 0.8 0.1 0.1\nmap_Kd ") + name + "\n", &warnings);
-        EXPECT_EQ(material.color.value, Vec3(0.8f, 0.1f, 0.1f));
-        EXPECT_EQ(material.color.texture, -1);
-        EXPECT_THAT(warnings,
-                    testing::ElementsAre(testing::AllOf(HasSubstr(name), HasSubstr("cannot be read"))));
-        const Material black =
-            materialOf(folder, std::string("newmtl it\nKd 0 0 0\nmap_Kd ") + name + "\n", &warnings);
-        EXPECT_EQ(black.color.value, Vec3(0.5f));
-        // The same in a JSON scene that places the file.
-        const auto json = loadScene(folder.write(
-            "a.json", R"({"glint": 1, "objects": [{"type": "mesh", "mesh": {"file": "in.obj"}}]})"));
-        EXPECT_TRUE(json) << json.error().format();
-    }
-}
-
-/// One red pixel with an alpha of 0.
-constexpr char kClearPng[] =
-    // clang-format off
-        "\211\120\116\107\015\012\032\012\000\000\000\015\111\110\104\122\000\000\000\001"
-        "\000\000\000\001\010\006\000\000\000\037\025\304\211\000\000\000\015\111\104\101"
-        "\124\170\234\143\370\317\300\300\000\000\004\001\001\000\107\006\312\336\000\000"
-        "\000\000\111\105\116\104\256\102\140\202";
-// clang-format on
-
-TEST(MtlMaps, EmissionAndTransparency) {
-    const TempFolder folder;
-    folder.write("clear.png", std::string_view(kClearPng, sizeof kClearPng - 1));
-    std::vector<std::string> said;
-    for (const char* alphaMap : {"", "map_d clear.png\n", "map_d -imfchan m clear.png\nd 0.2\n"}) {
-        const Material cut =
-            materialOf(folder, std::string("newmtl it\nmap_Kd clear.png\n") + alphaMap, &said);
-        EXPECT_TRUE(cut.alphaCutsOut) << alphaMap;
-        EXPECT_EQ(cut.opacity, NumberInput{1.0f}) << "the image's own alpha is enough " << alphaMap;
-    }
-    EXPECT_THAT(said, IsEmpty());
-    ASSERT_TRUE(savePng(folder.path("spots.png"), {1, 1, {255, 0, 0}}));
-    for (const auto& [ke, strength] :
-         {std::pair("Ke 2 1 0\n", 2.0f), std::pair("Ke 0 0 0\n", 1.0f), std::pair("", 1.0f)}) {
-        std::vector<std::string> warnings;
-        const Material material =
-            materialOf(folder, std::string("newmtl it\nKd 0 0 0\nmap_Ke spots.png\n") + ke, &warnings);
-        EXPECT_EQ(material.emission.texture, 0);
-        EXPECT_EQ(material.emissionStrength, strength);
-        EXPECT_THAT(warnings, IsEmpty());
-    }
-}
-
-TEST(MtlMaps, OfBumpsNormalsOpacityAndRoughness) {
-    const TempFolder folder;
-    for (const char* name : {"h.png", "n.png", "o.png", "r.png"}) {
-        ASSERT_TRUE(savePng(folder.path(name), {1, 1, {128, 128, 255}}));
-    }
-    for (const char* bump :
-         {"map_Bump -bm 2 h.png\n", "bump h.png -bm 2\n", "map_bump -bm 2 -imfchan l h.png\n"}) {
-        folder.write("m.mtl", std::string("newmtl it\nKd 0.5 0.5 0.5\nPr 0.5\nnorm -bm 0.5 n.png\n") + bump +
-                                  "map_d -o 0.25 -clamp on -imfchan g o.png\nmap_Pr -mm 0.1 0.8 r.png\n");
-        // Two metres a width of the image, by the texture coordinates and -s.
-        const auto scene = loadSquare(folder.write(
-            "in.obj",
-            "mtllib m.mtl\nusemtl it\nv 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
-            "f 1/1 2/2 3/3 4/4\n"));
-        ASSERT_TRUE(scene) << bump;
-        EXPECT_THAT(scene->warnings, IsEmpty()) << bump;
-        const Material& it = scene->materials[0];
-        const auto texture = [&](int index) -> const Texture& {
-            return scene->textures.at(static_cast<size_t>(index));
-        };
-        EXPECT_EQ(texture(it.bump.texture).name, "h.png");
-        EXPECT_EQ(texture(it.bump.texture).channel, TextureChannel::Luminance);
-        EXPECT_NEAR(it.bumpHeight, 2.0f * 0.02f * 2.0f, 1e-6f) << bump;
-        EXPECT_EQ(texture(it.normalMap.texture).name, "n.png");
-        EXPECT_FLOAT_EQ(it.normalStrength, 0.5f);
-        EXPECT_EQ(it.kind, MaterialKind::Plastic);
-        const Texture& cut = texture(it.opacity.texture);
-        EXPECT_EQ(cut.name, "o.png");
-        EXPECT_EQ(cut.offset, Vec2(0.25f, 0.0f));
-        EXPECT_EQ(cut.wrapU, WrapMode::Clamp);
-        EXPECT_EQ(cut.channel, TextureChannel::Green);
-        const Texture& rough = texture(it.roughness.texture);
-        EXPECT_EQ(rough.name, "r.png");
-        EXPECT_FLOAT_EQ(rough.base, 0.1f);
-        EXPECT_FLOAT_EQ(rough.gain, 0.8f);
-        EXPECT_FLOAT_EQ(rough.exponent, 2.0f) << "GGX alpha is the square";
-    }
-    std::vector<std::string> warnings;
-    EXPECT_EQ(materialOf(folder, "newmtl it\nKd 1 1 1\nd 0.8\n", &warnings).opacity.value, 0.8f);
-    EXPECT_EQ(materialOf(folder, "newmtl it\nKd 1 1 1\nd 1\n", &warnings).opacity.value, 1.0f);
-    EXPECT_THAT(warnings, IsEmpty());
-    materialOf(folder, "newmtl it\nKd 1 1 1\nmap_Bump none.png\nmap_Ks h.png\nmap_Kd -t 1 1 1 h.png\n",
-               &warnings);
-    EXPECT_THAT(warnings,
-                testing::UnorderedElementsAre(HasSubstr("images are missing"), HasSubstr("does not draw"),
-                                              HasSubstr("does not know")));
 }
 
 TEST(ObjRepairs, WarningsAreBounded) {
