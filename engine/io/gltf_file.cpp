@@ -28,6 +28,7 @@ constexpr std::string_view kSupported[] = {"KHR_lights_punctual",
                                            "KHR_materials_unlit",
                                            "KHR_materials_transmission",
                                            "KHR_materials_volume",
+                                           "KHR_materials_diffuse_transmission",
                                            "KHR_materials_variants",
                                            "KHR_materials_pbrSpecularGlossiness"};
 

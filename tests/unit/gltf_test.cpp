@@ -57,6 +57,16 @@ TEST_F(Gltf, TextAndBinaryFilesHoldTheSameMesh) {
     EXPECT_EQ(load(apart).meshes.size(), 1u);
 }
 
+/// Of what is read, nothing is refused where a file needs it.
+TEST_F(Gltf, WhatIsReadMayBeNeeded) {
+    for (const char* extension : {"KHR_materials_diffuse_transmission", "KHR_materials_volume",
+                                  "KHR_materials_variants", "KHR_texture_transform", "KHR_lights_punctual"}) {
+        EXPECT_FALSE(
+            load(gltf(material("") + R"(, "extensionsRequired": [")" + extension + "\"]")).objects.empty())
+            << extension;
+    }
+}
+
 TEST_F(Gltf, EveryKindOfIndicesAndPrimitives) {
     const std::string positions = packed<float>({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0});
     const auto indicesOf = [&](const std::string& bytes, int type, int count, int mode) {
