@@ -2,6 +2,7 @@
 #include "engine/base/result.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/base/console.h"
 
@@ -10,13 +11,25 @@ namespace {
 
 constexpr size_t kShownColumns = 100;
 
-std::string oneLine(const std::string& text) { return printable(text, '?'); }
+constexpr bool isControl(char c) { return (static_cast<unsigned char>(c) < ' ' && c != '\t') || c == 0x7f; }
+
+/// Of unprintable characters in a row one is left.
+std::string oneLine(std::string text) {
+    const auto repeats =
+        std::ranges::unique(text, [](char a, char b) { return isControl(a) && isControl(b); });
+    text.erase(repeats.begin(), repeats.end());
+    return printable(std::move(text), '?');
+}
 
 std::string caretLines(const SourcePlace& place) {
     const size_t caret = static_cast<size_t>(place.column - 1);
     const size_t start = caret > kShownColumns / 2 ? caret - kShownColumns / 2 : 0;
     if (start > place.lineText.size()) { return {}; }
-    const std::string shown = oneLine(place.lineText.substr(start, kShownColumns));
+    const std::string bytes = place.lineText.substr(start, kShownColumns);
+    if (static_cast<size_t>(std::ranges::count_if(bytes, isControl)) > bytes.size() / 4) {
+        return {};
+    }  // no text
+    const std::string shown = printable(bytes, '?');
     return "\n  " + shown + "\n  " + std::string(std::min(caret - start, shown.size()), ' ') + "^";
 }
 

@@ -8,7 +8,7 @@
 namespace glint {
 
 extern const ImageFormat kImagePng, kImageJpeg, kImageBmp, kImageTga, kImageTiff, kImageWebp, kImageDds,
-    kImageHdr, kImageExr, kImageGif, kImagePnm, kImagePsd, kImageSoftimage;
+    kImageHdr, kImageExr, kImageGif, kImagePnm, kImagePfm, kImagePsd, kImageSoftimage;
 
 namespace {
 
@@ -19,9 +19,9 @@ std::string_view savedExtension(const ImageFormat& format) {
 }  // namespace
 
 std::span<const ImageFormat> imageFormats() {
-    static const ImageFormat kAll[] = {kImagePng,  kImageJpeg, kImageBmp,      kImageTga, kImageTiff,
-                                       kImageWebp, kImageDds,  kImageHdr,      kImageExr, kImageGif,
-                                       kImagePnm,  kImagePsd,  kImageSoftimage};
+    static const ImageFormat kAll[] = {kImagePng,  kImageJpeg, kImageBmp, kImageTga,      kImageTiff,
+                                       kImageWebp, kImageDds,  kImageHdr, kImageExr,      kImageGif,
+                                       kImagePnm,  kImagePfm,  kImagePsd, kImageSoftimage};
     return kAll;
 }
 
@@ -39,7 +39,7 @@ const ImageFormat* savedFormatOf(const std::string& path) {
 std::string listReadableImages() {
     std::vector<std::string_view> names;
     for (const ImageFormat& format : imageFormats()) {
-        if (format.isListed) { names.push_back(format.name); }
+        names.push_back(format.name);
     }
     return joinNames(names);
 }

@@ -33,7 +33,6 @@ struct ImageFormat {
     /// Saves atomically; null: not written.
     Status (*save)(const std::string& path, const ImageForms& image) = nullptr;
     bool hasLayers = false;  ///< saves ImageForms::layers
-    bool isListed = true;    ///< named where messages say what is read
 };
 
 std::span<const ImageFormat> imageFormats();

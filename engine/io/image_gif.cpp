@@ -114,7 +114,6 @@ extern const ImageFormat kImageGif;
 const ImageFormat kImageGif{.name = "GIF",
                             .extensions = ".gif",
                             .looksLike = [](std::string_view head) { return head.starts_with("GIF8"); },
-                            .decode = decode,
-                            .isListed = false};
+                            .decode = decode};
 
 }  // namespace glint

@@ -10,6 +10,7 @@
 
 #include "engine/io/atomic_file.h"
 #include "engine/io/file_kind.h"
+#include "engine/io/foreign_kind.h"
 #include "engine/io/image_builder.h"
 #include "engine/io/image_formats.h"
 #include "engine/math/color.h"
@@ -54,8 +55,7 @@ Result<SceneImage> decodeImage(const std::string& bytes, const std::string& path
     }
     const ImageFormat* format = imageFormatOf(path, bytes);
     if (format == nullptr || !format->looksLike(bytes)) {
-        return imageError(path,
-                          fmt::format("is not an image that can be read; expected {}", listReadableImages()));
+        return imageError(path, foreignImage(path, headOf(bytes)));
     }
     return format->decode(bytes, path);
 }

@@ -76,14 +76,12 @@ extern const ImageFormat kImagePsd, kImageSoftimage;
 const ImageFormat kImagePsd{.name = "PSD",
                             .extensions = ".psd",
                             .looksLike = [](std::string_view head) { return head.starts_with("8BPS"); },
-                            .decode = decode,
-                            .isListed = false};
+                            .decode = decode};
 const ImageFormat kImageSoftimage{
     .name = "Softimage PIC",
     .extensions = ".pic",
     .looksLike = [](std::string_view head) { return head.starts_with("\x53\x80\xf6\x34"); },
-    .decode = decode,
-    .isListed = false};
+    .decode = decode};
 
 std::optional<uint64_t> statedPixelBytes(const std::string& path) {
     const std::string head = readHead(path, size_t{64} << 10);

@@ -6,9 +6,10 @@
 namespace glint {
 namespace {
 
-/// The text form alone: the binary one has no mark.
+/// The text form, or the binary one, which has no mark, by its numbers.
 bool looksLike(std::string_view head) {
-    return firstText(head).starts_with("solid") && head.find("facet") != std::string_view::npos;
+    return (firstText(head).starts_with("solid") && head.find("facet") != std::string_view::npos) ||
+           looksLikeBinaryStl(head);
 }
 
 }  // namespace
@@ -20,6 +21,6 @@ const Importer kImportStl{.name = "STL",
                           .load = loadMeshScene,
                           .readMesh = parseStl,
                           .readMaterials = readStlMaterials,
-                          .hasMark = false};
+                          .canBe = canBeBinaryStl};
 
 }  // namespace glint

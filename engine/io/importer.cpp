@@ -48,7 +48,8 @@ Result<std::string> readMeshBytes(const std::string& path) {
     return readFileOfKind(path, [&](std::string_view head) {
         const Importer* importer = importerOf(path, head);
         return looksLikeText(head) ||
-               (importer != nullptr && (importer->looksLike(head) || !importer->hasMark));
+               (importer != nullptr &&
+                (importer->looksLike(head) || (importer->canBe != nullptr && importer->canBe(head))));
     });
 }
 

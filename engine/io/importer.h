@@ -26,7 +26,8 @@ struct Importer {
     Result<MeshFile> (*readMesh)(const std::string& bytes, const std::string& path) = nullptr;
     /// Gives a mesh file read from `path` its own materials; null: it has none.
     Status (*readMaterials)(const std::string& path, MeshFile* file) = nullptr;
-    bool hasMark = true;  ///< false: such files may begin with any bytes
+    /// Whether a file of such a name, if it is no text, can begin with these bytes; null: as looksLike says.
+    bool (*canBe)(std::string_view head) = nullptr;
     /// What brings light in such a file, for the message where nothing does.
     std::string_view lights = "a material that shines";
 };

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/io/file_kind.h"
 #include "engine/io/gzip_file.h"
 #include "engine/io/plain_text.h"
 
@@ -65,6 +66,19 @@ constexpr Form kForms[] = {{"Accelerator", 0, 1, true},
                            {"WorldBegin"},
                            {"WorldEnd"}};
 
+/// What is no text is not read to its end.
+Result<std::string> readPbrtText(const std::string& path) {
+    const auto isText = [](std::string_view head) {
+        return head.starts_with("\x1f\x8b") || looksLikeText(head);
+    };
+    const bool isOther = !isText(readHead(path));
+    Result<std::string> bytes = isOther ? Result<std::string>(std::string()) : readUnpacked(path);
+    if (isOther || (bytes && !looksLikeText(headOf(*bytes)))) {
+        return Error{"is no text; expected a pbrt scene", {.file = path}};
+    }
+    return bytes;
+}
+
 constexpr bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 /// As many numbers as `count`, in brackets or without.
@@ -97,7 +111,7 @@ bool PbrtParser::openFile(const std::string& path, const PbrtPlace& from, bool i
                                   kMaxLevels, kMaxFiles));
         return false;
     }
-    Result<std::string> bytes = readUnpacked(path);
+    Result<std::string> bytes = readPbrtText(path);
     if (!bytes && isFirst) {
         context_.error = bytes.error();
     } else if (!bytes) {

@@ -3,6 +3,7 @@
 #include "engine/io/stl_loader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <unordered_map>
 
@@ -55,10 +56,35 @@ class Solid {
 
 bool isInRange(const Vec3& p) { return maxComponent(absVec(p)) <= kMaxCoordinate; }  // false for NaN
 
-uint64_t facetCount(const std::string& bytes) {
+uint64_t facetCount(std::string_view bytes) {
     uint32_t count = 0;
     std::memcpy(&count, bytes.data() + kHeaderBytes - sizeof count, sizeof count);
     return count;
+}
+
+/// The coordinates of the facets that lie within the first bytes of a binary file.
+struct FirstCoordinates {
+    size_t sound = 0, odd = 0, zero = 0;
+};
+
+FirstCoordinates firstCoordinates(std::string_view head) {
+    constexpr float kLeast = 1e-18f;  // whole numbers of another format, taken for floats, are below it
+    FirstCoordinates found;
+    if (head.size() < kHeaderBytes) { return found; }
+    const uint64_t held = (head.size() - kHeaderBytes) / kFacetBytes;
+    ByteReader reader(head.substr(kHeaderBytes));
+    for (uint64_t facet = 0; facet < std::min(facetCount(head), held); ++facet) {
+        reader.readRaw(3 * sizeof(float));
+        for (int i = 0; i < 9; ++i) {
+            const float size = std::fabs(reader.read<float>());
+            size_t& kind = size == 0.0f                               ? found.zero
+                           : size >= kLeast && size <= kMaxCoordinate ? found.sound
+                                                                      : found.odd;
+            ++kind;
+        }
+        reader.readRaw(sizeof(uint16_t));
+    }
+    return found;
 }
 
 /// By its size, or by bytes that no text has: some writers leave more behind the last facet.
@@ -198,6 +224,18 @@ class TextParser {
 };
 
 }  // namespace
+
+bool looksLikeBinaryStl(std::string_view head) {
+    const FirstCoordinates found = firstCoordinates(head);
+    const bool isWhole = head.size() < kHeadBytes;
+    return found.odd == 0 && found.sound > found.zero / 8 && found.sound > 0 &&
+           (!isWhole || head.size() == kHeaderBytes + facetCount(head) * kFacetBytes);
+}
+
+bool canBeBinaryStl(std::string_view head) {
+    const FirstCoordinates found = firstCoordinates(head);
+    return found.odd <= 1 + found.sound / 8 && found.sound + found.odd + found.zero > 0;
+}
 
 Result<MeshFile> parseStl(const std::string& bytes, const std::string& path) {
     if (isBinary(bytes)) { return parseBinary(bytes, path); }

@@ -136,8 +136,8 @@ TEST(Malformed, PlyFiles) {
 /// As large as a film of a night may be, and without a byte that its kind begins with.
 TEST(Malformed, WhatIsOfNoKindIsNotReadWhole) {
     const TempFolder folder;
-    for (const char* name :
-         {"a.json", "a.txt", "a.obj", "a.ply", "a.gltf", "a.glb", "a.xml", "a.glintfilm"}) {
+    for (const char* name : {"a.json", "a.txt", "a.obj", "a.ply", "a.stl", "a.gltf", "a.glb", "a.xml",
+                             "a.pbrt", "a.glintfilm"}) {
         const std::string path = folder.write(name, "");
         std::error_code error;
         std::filesystem::resize_file(path, uintmax_t{1} << 30, error);
@@ -149,6 +149,21 @@ TEST(Malformed, WhatIsOfNoKindIsNotReadWhole) {
         EXPECT_THAT(message, testing::HasSubstr(name));
         EXPECT_THAT(read.paths(), testing::IsEmpty()) << name << ": " << message;
         std::filesystem::remove(path);
+    }
+}
+
+TEST(Malformed, BinaryTextIsNotShown) {
+    const std::string zeros(300, '\0');
+    const Error ofLine{"expected a word", {.file = "a.obj", .line = 3, .column = 150, .lineText = zeros}};
+    EXPECT_EQ(ofLine.format(), "a.obj:3:150: expected a word");
+    const Error ofWord{"\"" + zeros + "v\" is no word", {.file = "a.obj"}};
+    EXPECT_EQ(ofWord.format(), "a.obj: \"?v\" is no word");
+    const Error ofText{"expected a\tb", {.file = "a.obj", .line = 1, .column = 3, .lineText = "v \x01 2"}};
+    EXPECT_EQ(ofText.format(), "a.obj:1:3: expected a b\n  v ? 2\n    ^");
+    const TempFolder folder;
+    for (const std::string& bytes : {zeros, "Shape " + zeros + "\n", std::string("\1\2\3\4")}) {
+        const std::string message = loadScene(folder.write("a.pbrt", bytes)).error().format();
+        EXPECT_THAT(message, HasSubstr("a.pbrt: is no text; expected a pbrt scene"));
     }
 }
 
@@ -181,7 +196,7 @@ TEST(Malformed, Images) {
     const std::vector<BadFile> files = {
         {"", "the file is empty"},
         {"GIF89a", "the image is broken or cut off"},
-        {"hello", "expected PNG, JPEG, BMP, TGA, TIFF, WebP, DDS, HDR or EXR"},
+        {"hello", "expected PNG, JPEG, BMP, TGA, TIFF, WebP, DDS, HDR, EXR, GIF"},
         {png.substr(0, 20), "the image is broken or cut off"},
         {png.substr(0, png.size() / 2), "the image is broken or cut off"},
         {replaced(png, 45, std::string(8, '\xff')), "broken or cut off"},

@@ -147,6 +147,14 @@ void addPnm(std::vector<PictureFile>* files) {
     files->push_back({"grey.pgm",
                       "P5\n6 5\n255\n" + rowsOf(grey, false, [](const Pixel& p) { return bytesOf({p[0]}); }),
                       grey});
+    const Image8 clear = transparentImage();
+    const std::string pam = "P7\n# c\nWIDTH 6\nHEIGHT 5\nDEPTH 4\nMAXVAL 255\nTUPLTYPE RGB_ALPHA\nENDHDR\n";
+    files->push_back({"alpha.pam",
+                      pam + rowsOf(clear, false,
+                                   [](const Pixel& p) {
+                                       return bytesOf({p[0], p[1], p[2], p[3]});
+                                   }),
+                      clear});
 }
 
 void addPsd(std::vector<PictureFile>* files) {

@@ -83,7 +83,8 @@ TEST(FileKind, ListsNameEveryImporterAndFormat) {
               "Glint JSON (.json), 6.837 text (.txt), OBJ (.obj), PLY (.ply), STL (.stl), glTF (.gltf "
               ".glb), Mitsuba (.xml) or pbrt (.pbrt .gz)");
     EXPECT_EQ(listImporters(true), "OBJ (.obj), PLY (.ply) or STL (.stl)");
-    EXPECT_EQ(listReadableImages(), "PNG, JPEG, BMP, TGA, TIFF, WebP, DDS, HDR or EXR");
+    EXPECT_EQ(listReadableImages(),
+              "PNG, JPEG, BMP, TGA, TIFF, WebP, DDS, HDR, EXR, GIF, PNM, PFM, PSD or Softimage PIC");
     EXPECT_EQ(listSavedExtensions(), ".png, .hdr or .exr");
     for (const char* path : {"a.png", "a.PNG", "a.Hdr", "a.EXR"}) {
         EXPECT_NE(savedFormatOf(path), nullptr) << path;
@@ -128,6 +129,29 @@ TEST(FileKind, WhatGlintDoesNotReadIsRefusedByItsName) {
         EXPECT_THAT(mesh.error().format(), testing::HasSubstr(kind)) << name;
     }
     EXPECT_TRUE(loadScene(folder.write("b.json", R"({"glint": 1, "title": "\"asset\""})")));
+}
+
+TEST(FileKind, WhatIsNoModelIsNamedUnderTheNameOfOne) {
+    const TempFolder folder;
+    ASSERT_TRUE(savePng(folder.path("a.png"), {1, 1, {1, 2, 3}}));
+    const std::pair<std::string, const char*> files[] = {
+        {TempFolder::read(folder.path("a.png")), "is a PNG picture, no model"},
+        {TempFolder::read(folder.path("a.png")).substr(0, 16), "is a PNG picture, no model"},
+        {"\xff\xd8\xff\xe0" + std::string(30, '\0'), "is a JPEG picture, no model"},
+        {"GIF89a" + std::string(30, '\1'), "is a GIF picture, no model"},
+        {"version https://git-lfs.github.com/spec/v1\noid sha256:12\nsize 12\n", "is a Git LFS pointer"},
+        {"PK\x03\x04" + std::string(30, '\0') + "model.obj", "is a ZIP file, which"},
+        {"PK\x03\x04" + std::string(30, '\0') + "model.usdc", "is a USD file, which"},
+        {"<!DOCTYPE html>\n<html>", "is a HTML file, which"},
+        {"\n<HTML><body>404", "is a HTML file, which"},
+        {"%PDF-1.4\n", "is a PDF file, which"}};
+    for (const auto& [bytes, message] : files) {
+        for (const char* name : {"a.obj", "a.ply", "a.stl", "a.json", "a.pbrt", "a.dat"}) {
+            const auto scene = loadScene(folder.write(name, bytes));
+            ASSERT_FALSE(scene) << name;
+            EXPECT_THAT(scene.error().format(), testing::HasSubstr(message)) << name;
+        }
+    }
 }
 
 }  // namespace

@@ -96,6 +96,36 @@ TEST(Stl, BothFormsHoldTheSameMesh) {
     expectTetrahedron(replaced(text(facets), "vertex 0.000000", "vertex -0"));
 }
 
+TEST(Stl, TheBinaryFormIsKnownUnderOtherNames) {
+    const TempFolder folder;
+    const auto opens = [&](const char* name, const std::string& bytes) {
+        const auto scene = loadScene(folder.write(name, bytes), {.noStudio = true});
+        return scene && scene->meshes.at(0).data->triangleCount() > 0;
+    };
+    std::vector<Facet> many, flat;
+    for (int i = 0; i < 200; ++i) {
+        const float x = 0.1f * static_cast<float>(i);
+        many.push_back({{Vec3(x, 0, 0), Vec3(x, 1, -0.5f), Vec3(0, 2, 7)}});
+        flat.push_back({{Vec3(0), Vec3(x, 0, 0), Vec3(0, 0, 1)}});
+    }
+    for (const char* name : {"a.bin", "a", "a.obj", "a.ply", "a.json"}) {
+        EXPECT_TRUE(opens(name, binary(tetrahedron(), std::string(80, '\0')))) << name;
+        EXPECT_TRUE(opens(name, binary(many, std::string(80, '\0')))) << name;
+        EXPECT_TRUE(opens(name, binary(flat, std::string(80, '\0')))) << name;
+    }
+    std::mt19937 random(7);
+    std::string other = binary(tetrahedron(), std::string(80, '\0'));
+    for (int round = 0; round < 1000; ++round) {
+        for (size_t i = 84; i < other.size(); ++i) {
+            other[i] = static_cast<char>(random());
+        }
+        EXPECT_FALSE(looksLikeBinaryStl(other)) << round;
+        EXPECT_FALSE(looksLikeBinaryStl(other + "more"));
+    }
+    EXPECT_FALSE(looksLikeBinaryStl(std::string(4096, '\0')));
+    EXPECT_FALSE(looksLikeBinaryStl(std::string(4096, '\1'))) << "whole numbers, not floats";
+}
+
 TEST(Stl, SolidsAreParts) {
     const auto file =
         parseStl(text(tetrahedron(), "one") + text({}, "none") + text(tetrahedron(), "two"), "a.stl");
