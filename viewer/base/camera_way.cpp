@@ -14,6 +14,7 @@ namespace glint {
 namespace {
 
 constexpr uint32_t kLeastSteps = 256;  // of the way: chords keep within 1e-4 of a turn's radius
+constexpr uint32_t kMostSteps = 1024;  // so that the window can ask at any time
 
 std::string nameOf(const SceneDescription& scene, uint32_t object) {
     const std::string& name = scene.objects[object - 1].name;
@@ -24,20 +25,16 @@ std::string nameOf(const SceneDescription& scene, uint32_t object) {
 std::string crossing(const CameraWay& way, const SceneDescription& scene, const BuiltScene& built) {
     const uint32_t pictures = way.pictures();
     const uint32_t gaps = way.isTurntable() ? pictures : pictures - 1;
-    const uint32_t stepsOfGap = kLeastSteps / std::max(gaps, 1u) + 1;
-    Vec3 from = way.at(0.0f).position;
-    for (uint32_t gap = 0; gap < gaps; ++gap) {
-        for (uint32_t step = 1; step <= stepsOfGap; ++step) {
-            const float share = static_cast<float>(step) / static_cast<float>(stepsOfGap);
-            const Vec3 to = way.at(static_cast<float>(gap) + share).position;
-            const FirstHit hit = firstHitBetween(built, from, to);
-            if (hit.object == 0 || hit.object > scene.objects.size()) {
-                from = to;
-                continue;
-            }
-            return fmt::format("the camera goes through {} after picture {}", nameOf(scene, hit.object),
-                               gap + 1);
-        }
+    const uint32_t steps = std::clamp(gaps, kLeastSteps, kMostSteps);
+    const auto alongAt = [&](uint32_t step) {
+        return static_cast<float>(gaps) * static_cast<float>(step) / static_cast<float>(steps);
+    };
+    for (uint32_t step = 0; step < steps; ++step) {
+        const Vec3 from = way.at(alongAt(step)).position, to = way.at(alongAt(step + 1)).position;
+        const uint32_t object = firstHitBetween(built, from, to).object;
+        if (object == 0 || object > scene.objects.size()) { continue; }
+        return fmt::format("the camera goes through {} after picture {}", nameOf(scene, object),
+                           static_cast<uint32_t>(alongAt(step)) + 1);
     }
     return "";
 }
@@ -62,7 +59,8 @@ std::string hiding(const CameraWay& way, const SceneDescription& scene, const Bu
     const double radius = static_cast<double>(glm::length(first.position - first.target));
     const uint32_t lookedAt = firstHitBetween(built, first.position, first.target).object;
     std::set<uint32_t> small;
-    for (uint32_t picture = 1; picture < way.pictures(); ++picture) {
+    const uint32_t stride = way.pictures() / kMostSteps + 1;
+    for (uint32_t picture = 1; picture < way.pictures(); picture += stride) {
         const Camera camera = way.at(static_cast<float>(picture));
         const uint32_t object = firstHitBetween(built, camera.position, camera.target).object;
         if (object == 0 || object == lookedAt || object > scene.objects.size()) { continue; }
