@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -161,10 +162,15 @@ class PlyBody : public PlyElements<Source> {
     bool readFaces(const PlyElement& element) {
         PlyFaceProperties which = plyFacePropertiesOf(element);
         if (which.corners < 0) {
-            return headerFailure(element,
-                                 fmt::format("expected the property \"list uchar int vertex_indices\" in "
-                                             "the element {}",
-                                             element.name));
+            std::vector<std::string_view> found;
+            for (const PlyProperty& property : element.properties) {
+                found.push_back(property.name);
+            }
+            return headerFailure(
+                element,
+                fmt::format("expected the property \"list uchar int vertex_indices\" in the element {}, but "
+                            "found {}",
+                            element.name, fmt::join(found, ", ")));
         }
         if (mesh.vertices.positions.empty() && element.count > 0) {
             return headerFailure(

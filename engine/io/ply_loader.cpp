@@ -15,8 +15,9 @@ namespace {
 Error noFaces(const PlyHeader& header, size_t vertices, const std::string& path) {
     std::string others;
     for (const PlyElement& element : header.elements) {
-        const bool hasLists = std::ranges::any_of(element.properties, &PlyProperty::isList);
-        if (hasLists && element.count > 0 && !element.is({"vertex", "vertices", "face", "faces"})) {
+        const bool joinsVertices =
+            element.is({"edge", "edges"}) || std::ranges::any_of(element.properties, &PlyProperty::isList);
+        if (joinsVertices && element.count > 0 && !element.is({"vertex", "vertices", "face", "faces"})) {
             others +=
                 fmt::format("{} {} \"{}\"", others.empty() ? "; it has" : ",", element.count, element.name);
         }

@@ -227,6 +227,18 @@ TEST(PlyRepairs, ElementsThatAreNoFacesAreNamed) {
         EXPECT_THAT(file.error().format(),
                     HasSubstr(std::string("no faces (4 vertices); it has 1 \"") + name + "\"; expected"));
     }
+    const auto lines =
+        parsePly(kHead + "element edge 1\nproperty int vertex1\nproperty int vertex2\nend_header\n" +
+                     kCorners + "0 1\n",
+                 "in.ply");
+    ASSERT_FALSE(lines);
+    EXPECT_THAT(lines.error().format(), HasSubstr("it has 1 \"edge\"; expected"));
+    const auto other =
+        parsePly(kHead + "element face 1\nproperty int a\nproperty list uchar int b\nend_header\n" +
+                     kCorners + "0 1 1\n",
+                 "in.ply");
+    ASSERT_FALSE(other);
+    EXPECT_THAT(other.error().format(), HasSubstr("in the element face, but found a, b"));
 }
 
 }  // namespace
