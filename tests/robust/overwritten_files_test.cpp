@@ -160,10 +160,16 @@ TEST_F(OverwrittenFiles, NoInputOfAnyOtherCommandIsAnOutput) {
     before[at("part.xml")] = "<scene version=\"3.0.0\"/>";
     folder.write("part.xml", before[at("part.xml")]);
     expectRefused({"convert", scene, at("part.xml")}, "is there already");
+    before[at("part.gltf")] = "{\"asset\": {\"version\": \"2.0\", \"generator\": \"Blender\"}}";
+    folder.write("part.gltf", before[at("part.gltf")]);
+    expectRefused({"convert", scene, at("part.gltf")}, "is there already");
     for (int times = 0; times < 2; ++times) {
-        const ProgramRun run = runProgram({"convert", scene, at("own.xml")});
-        EXPECT_EQ(run.exitCode, 0) << "its own is replaced: " << run.err;
+        for (const char* own : {"own.xml", "own.gltf", "own.glb"}) {
+            const ProgramRun run = runProgram({"convert", scene, at(own)});
+            EXPECT_EQ(run.exitCode, 0) << "its own is replaced: " << run.err;
+        }
     }
+    EXPECT_FALSE(fs::exists(at("own-2.bin"))) << "the buffer is the same";
     before[at("notes.json")] = "{\"notes\": 1}";
     folder.write("notes.json", before[at("notes.json")]);
     expectRefused({"convert", scene, at("notes.json")}, "is there already");
