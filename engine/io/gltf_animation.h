@@ -10,8 +10,8 @@ namespace glint {
 
 /// Moves the nodes and weights that an animation moves to where it has them at a time: by the parameters
 /// "animation", its name or its number from 0 on (the first), and "time", in seconds (where it begins).
-/// `note` says which one, and is empty where the file has none. Error: as the accessors'; there is no such
-/// animation.
+/// `note` says which one, and is empty where the file has none. Channels that cannot be read are left out
+/// with a remark. Error: there is no such animation.
 Status poseNodes(GltfFile* file, const SceneParameters& parameters, std::string* note);
 
 }  // namespace glint

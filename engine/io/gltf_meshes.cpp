@@ -167,7 +167,8 @@ Status GltfMeshes::morph(const tinygltf::Primitive& from, const std::vector<doub
             if (!moves) { return moves.error(); }
             for (size_t i = 0; i < std::min(moves->count(), out->size()); ++i) {
                 const float* move = moves->at(i);
-                (*out)[i] += weight * Vec3(move[0], move[1], move[2]);
+                const Vec3 moved = (*out)[i] + weight * Vec3(move[0], move[1], move[2]);
+                if (isFinite(moved) || out == &mesh->positions) { (*out)[i] = moved; }
             }
         }
     }
@@ -216,10 +217,15 @@ Result<std::shared_ptr<MeshData>> GltfMeshes::read(const tinygltf::Primitive& fr
     if (Status attributes = readAttributes(from, material, what, mesh.get()); !attributes) {
         return attributes.error();
     }
-    if (Status morphed = morph(from, pose.weights, what, mesh.get()); !morphed) { return morphed.error(); }
-    if (!pose.joints.empty() && (posedVertices_ += mesh->positions.size()) > kMaxPosedVertices) {
-        return file_.error(fmt::format("its skins bend more than {} vertices", kMaxPosedVertices));
+    // Each target is read anew for each mesh.
+    const auto moves = std::ranges::count_if(pose.weights, [](double weight) { return weight != 0.0; });
+    const auto targets = std::min(static_cast<size_t>(moves), from.targets.size());
+    if (!pose.joints.empty() || targets > 0) { posedVertices_ += mesh->positions.size() * (1 + targets); }
+    if (posedVertices_ > kMaxPosedVertices) {
+        return file_.error(
+            fmt::format("its skins and morph targets move more than {} vertices", kMaxPosedVertices));
     }
+    if (Status morphed = morph(from, pose.weights, what, mesh.get()); !morphed) { return morphed.error(); }
     if (Status bent = bend(from, pose.joints, what, mesh.get()); !bent) { return bent.error(); }
     for (const Vec3& p : mesh->positions) {
         if (!(maxComponent(absVec(p)) <= kMaxCoordinate)) {

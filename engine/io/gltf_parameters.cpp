@@ -74,7 +74,9 @@ Result<std::optional<size_t>> chosenBy(const SceneParameters& parameters, std::s
     if (number && *number >= 0.0 && *number < static_cast<double>(names.size())) {
         return std::optional(static_cast<size_t>(*number));
     }
-    return file.error(fmt::format("there is no {} \"{}\"; the file has {}", kind, *wanted, listed(names)));
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    return file.error(fmt::format("there is no {} \"{}\"{}; the file has {}", kind, *wanted,
+                                  didYouMean(*wanted, known), listed(names)));
 }
 
 Status chooseVariant(GltfFile* file, const SceneParameters& parameters, std::string* note) {
