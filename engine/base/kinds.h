@@ -38,6 +38,7 @@ enum class MaterialKind : uint8_t {
     Plastic,      ///< diffuse base under a dielectric coat, smooth or GGX
     Mixture,      ///< stochastic choice of diffuse, mirror and smooth dielectric by weights
     Translucent,  ///< a thin sheet: diffuse reflection and diffuse transmission
+    Principled,   ///< a clear coat over sheen over a base between plastic and metal
 };
 
 /// Lights without a shape. Shapes shine through their material.

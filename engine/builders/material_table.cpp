@@ -123,7 +123,7 @@ void setCoat(const MaterialData* before, const std::vector<CoatRow>* rowsBefore,
              std::vector<CoatRow>* rows) {
     const CoatTableLayout layout = CoatTableLayout::of(*data);
     const CoatTableLayout layoutBefore = before != nullptr ? CoatTableLayout::of(*before) : layout;
-    const bool isKnown = before != nullptr && before->kind == MaterialKind::Plastic &&
+    const bool isKnown = before != nullptr && hasCoatTable(before->kind) &&
                          layoutBefore.alphas == layout.alphas && layoutBefore.iors == layout.iors &&
                          before->inputs.ior == data->inputs.ior &&
                          before->inputs.roughness == data->inputs.roughness;
@@ -208,6 +208,7 @@ Status setOwn(const Material& material, MaterialData* data) {
             if (const Status status = checkMixture(material); !status) { return status; }
             return setGlass(material, data);
         case MaterialKind::Plastic:
+        case MaterialKind::Principled:
             return checkCoat(material);
         case MaterialKind::Diffuse:
         case MaterialKind::Mirror:
@@ -271,7 +272,7 @@ Result<std::shared_ptr<const MaterialTable>> buildMaterialTable(
     for (size_t i = 0; i < scene.materials.size(); ++i) {
         Result<MaterialData> data = makeMaterial(scene.materials[i], textures);
         if (!data) { return data.error(); }
-        if (data->kind == MaterialKind::Plastic) {
+        if (hasCoatTable(data->kind)) {
             const bool hasBefore = previous && i < previous->materials.size();
             setCoat(hasBefore ? &previous->materials[i] : nullptr, hasBefore ? &previous->coats : nullptr,
                     &*data, &table->coats);

@@ -111,6 +111,7 @@ class MaterialWriter {
                 glass();
                 return;
             case MaterialKind::Plastic:
+                warn("approximated: light does not go back and forth under coats of plastic");
                 color();
                 surface(0.0f);
                 ior();
@@ -121,6 +122,46 @@ class MaterialWriter {
             case MaterialKind::Translucent:
                 sheet();
                 return;
+            case MaterialKind::Principled:
+                principled();
+                return;
+        }
+    }
+
+    void principled() {
+        color();
+        const NumberInput &rough = from_.roughness, &metal = from_.metallic;
+        surface(metal.texture >= 0 ? images_.metalnessFactor(metal.texture) : metal.value,
+                rough.texture >= 0 ? images_.roughnessFactor(rough.texture) : std::sqrt(rough.value));
+        if (rough.texture >= 0 || metal.texture >= 0) {
+            pbr()["metallicRoughnessTexture"] =
+                images_.info(rough.texture, metal.texture, GltfPictureUse::Roughness, isFlipped_);
+        }
+        ior();
+        layers();
+    }
+
+    void layers() {
+        for (const int index :
+             {from_.specular.texture, from_.specularTint.texture, from_.clearcoat.texture,
+              from_.clearcoatRoughness.texture, from_.sheenColor.texture, from_.sheenRoughness.texture}) {
+            if (index >= 0) { warn("approximated: coats, sheen and specular reflection are even"); }
+        }
+        const float specular = from_.specular.value;
+        if (specular != 1.0f || from_.specularTint.value != Vec3(1.0f)) {
+            out_.extend(&to_, "KHR_materials_specular",
+                        {{"specularFactor", gltfJson(specular)},
+                         {"specularColorFactor", gltfJson(from_.specularTint.value)}});
+        }
+        if (from_.clearcoat.value > 0.0f) {
+            out_.extend(&to_, "KHR_materials_clearcoat",
+                        {{"clearcoatFactor", gltfJson(from_.clearcoat.value)},
+                         {"clearcoatRoughnessFactor", gltfJson(std::sqrt(from_.clearcoatRoughness.value))}});
+        }
+        if (!isZero(from_.sheenColor.value)) {
+            out_.extend(&to_, "KHR_materials_sheen",
+                        {{"sheenColorFactor", gltfJson(from_.sheenColor.value)},
+                         {"sheenRoughnessFactor", gltfJson(std::sqrt(from_.sheenRoughness.value))}});
         }
     }
 
@@ -137,10 +178,8 @@ class MaterialWriter {
             warn("approximated: constants of metals are no images");
         }
         const Vec3 r = reflectanceOf(eta, k);
-        constexpr float kRounding = 1e-4f, kWhite = 0.9989f;
-        if (maxComponent(absVec(eta - (Vec3(1.0f) - r) / (Vec3(1.0f) + r))) > kRounding) {
-            warn("approximated: metals have the colour that they show from the front");
-        }
+        constexpr float kWhite = 0.9989f;
+        warn("approximated: metals have the colour that they show from the front");
         const bool isTextured = from_.color.texture >= 0;
         const Vec3 white = isTextured && minComponent(r) > kWhite ? Vec3(1.0f) : r;
         color(isTextured ? white : white * from_.color.value, from_.color.texture);

@@ -26,6 +26,8 @@ bool isChanged(const Texture& texture) {
 /// As glTF's own files are read: the square of a multiple.
 bool isSquared(const Texture& texture) { return texture.base == 0.0f && texture.exponent == 2.0f; }
 
+bool isMultiplied(const Texture& texture) { return texture.base == 0.0f && texture.exponent == 1.0f; }
+
 float adjusted(const Texture& texture, float value) {
     value = texture.base + texture.gain * value;
     return texture.exponent == 1.0f ? value : std::pow(std::max(value, 0.0f), texture.exponent);
@@ -109,16 +111,22 @@ float GltfImages::roughnessFactor(int index) const {
     return isSquared(texture(index)) ? clampf(texture(index).gain, 0.0f, 1.0f) : 1.0f;
 }
 
+float GltfImages::metalnessFactor(int index) const {
+    return isMultiplied(texture(index)) ? clampf(texture(index).gain, 0.0f, 1.0f) : 1.0f;
+}
+
 Image8 GltfImages::bake(const Picture& picture) {
     const Texture& size = texture(picture.color >= 0 ? picture.color : picture.alpha);
     Image8 image{widthOf(size.image), heightOf(size.image), {}, {}};
     const size_t pixels = static_cast<size_t>(image.width) * static_cast<size_t>(image.height);
     const Texture* color = picture.color >= 0 ? &texture(picture.color) : nullptr;
     const Texture* alpha = picture.alpha >= 0 ? &texture(picture.alpha) : nullptr;
-    const bool hasAlpha = color != nullptr && color->image.bytes && !color->image.bytes->alpha.empty();
+    const bool isSurface = picture.use == GltfPictureUse::Roughness;
+    const bool hasAlpha =
+        !isSurface && color != nullptr && color->image.bytes && !color->image.bytes->alpha.empty();
     for (size_t i = 0; i < pixels; ++i) {
         Vec3 rgb(1.0f);
-        if (color != nullptr && picture.use == GltfPictureUse::Roughness) {
+        if (color != nullptr && isSurface) {
             const float number = numberAt(*color, i);
             rgb.y = isSquared(*color) ? number : safeSqrt(adjusted(*color, number));
         } else if (color != nullptr && picture.use == GltfPictureUse::Normal) {
@@ -129,10 +137,14 @@ Image8 GltfImages::bake(const Picture& picture) {
         } else if (color != nullptr) {
             rgb = encodedColor(*color, i);
         }
+        if (alpha != nullptr && isSurface) {
+            const float number = numberAt(*alpha, i);
+            rgb.z = isMultiplied(*alpha) ? number : adjusted(*alpha, number);
+        }
         for (int c = 0; c < 3; ++c) {
             image.rgb.push_back(byteOf(rgb[c]));
         }
-        if (alpha != nullptr) {
+        if (alpha != nullptr && !isSurface) {
             image.alpha.push_back(byteOf(adjusted(*alpha, numberAt(*alpha, i))));
         } else if (hasAlpha) {
             image.alpha.push_back(color->image.bytes->alpha[i]);
@@ -226,8 +238,10 @@ GltfJson GltfImages::info(int color, int alpha, GltfPictureUse use, bool isFlipp
         return {};
     }
     if (color >= 0 && alpha >= 0 && !fits(color, alpha)) {
-        warnOnce("approximated: images of opacity that lie otherwise than those of colours are left out",
-                 &warnings_);
+        warnOnce(
+            "approximated: images of opacity or metalness that lie otherwise than those of colours or "
+            "roughness are left out",
+            &warnings_);
         alpha = -1;
     }
     const Texture& from = texture(color >= 0 ? color : alpha);

@@ -83,8 +83,8 @@ Result<ImageSource> GltfMaterials::sourceOf(int index) {
 }
 
 template <class Info>
-Result<GltfMaterials::Map> GltfMaterials::takeTexture(const Info& info, const Reading& reading) {
-    if (info.index < 0) { return Map{}; }
+Result<int> GltfMaterials::takeTexture(const Info& info, const Reading& reading) {
+    if (info.index < 0) { return -1; }
     const auto& textures = file_.model.textures;
     if (static_cast<size_t>(info.index) >= textures.size()) {
         return file_.error(
@@ -113,13 +113,16 @@ Result<GltfMaterials::Map> GltfMaterials::takeTexture(const Info& info, const Re
         texture.filter = isNearest ? TexelFilter::Nearest : TexelFilter::Bilinear;
     }
     const std::string key =
-        fmt::format("{} {} {} {} {} {} {} {} {} {}", info.index, static_cast<int>(reading.encoding),
-                    static_cast<int>(reading.channel), reading.gain, texture.scale.x, texture.scale.y,
-                    texture.offset.x, texture.offset.y, texture.rotationDeg, image);
+        fmt::format("{} {} {} {} {} {} {} {} {} {} {}", info.index, static_cast<int>(reading.encoding),
+                    static_cast<int>(reading.channel), reading.gain, reading.exponent, texture.scale.x,
+                    texture.scale.y, texture.offset.x, texture.offset.y, texture.rotationDeg, image);
     const auto [known, isNew] = textures_.try_emplace(key, static_cast<int>(scene_.textures.size()));
     if (isNew) { scene_.textures.push_back(std::move(texture)); }
-    return Map{known->second, static_cast<int>(numberOf(transform, "texCoord", info.texCoord))};
+    uvSets_.push_back(static_cast<int>(numberOf(transform, "texCoord", info.texCoord)));
+    return known->second;
 }
+
+template Result<int> GltfMaterials::takeTexture(const tinygltf::TextureInfo&, const Reading&);
 
 Result<GltfMaterials::Surface> GltfMaterials::surfaceImage(int index) {
     if (const auto known = surfaces_.find(index); known != surfaces_.end()) { return known->second; }
@@ -140,7 +143,8 @@ Result<GltfMaterials::Surface> GltfMaterials::surfaceImage(int index) {
         for (size_t i = 0; i + 2 < rgb.size(); i += 3) {
             roughness += rgb[i + 1];
             metalness += rgb[i + 2];
-            surface.isEven = surface.isEven && rgb[i + 1] == rgb[1];
+            surface.isEvenlyRough = surface.isEvenlyRough && rgb[i + 1] == rgb[1];
+            surface.isEvenlyMetallic = surface.isEvenlyMetallic && rgb[i + 2] == rgb[2];
         }
         const double scale = 3.0 / (255.0 * static_cast<double>(rgb.size()));
         surface.roughness = static_cast<float>(roughness * scale);
@@ -151,49 +155,62 @@ Result<GltfMaterials::Surface> GltfMaterials::surfaceImage(int index) {
     return surfaces_[index] = surface;
 }
 
-Result<GltfMaterials::Map> GltfMaterials::takeSurface(const tinygltf::Material& from, Material* out) {
-    const tinygltf::PbrMetallicRoughness pbr = gltfSurface(from);
-    float roughness = gltfNumber(pbr.roughnessFactor, 0.0, 1.0),
-          metallic = gltfNumber(pbr.metallicFactor, 0.0, 1.0);
-    Result<Map> map = Map{};
-    if (pbr.metallicRoughnessTexture.index >= 0) {
-        const Result<Surface> image = surfaceImage(pbr.metallicRoughnessTexture.index);
-        if (!image) { return image.error(); }
-        if (!image->isEven) {
-            map = takeTexture(pbr.metallicRoughnessTexture,
-                              {ColorEncoding::Linear, TextureChannel::Green, roughness, 2.0f});
-            if (!map) { return map; }
-        }
-        roughness *= image->roughness;
-        metallic *= image->metalness;
+Status GltfMaterials::takeSurfaceImage(const tinygltf::TextureInfo& info, bool isMetallic, Material* out) {
+    const Result<Surface> image = surfaceImage(info.index);
+    if (!image) { return image.error(); }
+    if (!image->isEvenlyRough) {
+        const float factor = std::sqrt(out->roughness.value);
+        const auto map = takeTexture(info, {ColorEncoding::Linear, TextureChannel::Green, factor, 2.0f});
+        if (!map) { return map.error(); }
+        out->roughness.texture = *map;
     }
-    out->roughness = {roughness * roughness, map->texture};
-    out->ior.value = gltfNumber(numberOf(extensionOf(from, "KHR_materials_ior"), "ior", 1.5), 0.01, 100.0);
+    if (isMetallic && !image->isEvenlyMetallic) {
+        const float factor = out->metallic.value;
+        const auto map = takeTexture(info, {ColorEncoding::Linear, TextureChannel::Blue, factor});
+        if (!map) { return map.error(); }
+        out->metallic.texture = *map;
+    }
+    out->roughness.value *= square(image->roughness);
+    out->metallic.value *= image->metalness;
+    return {};
+}
+
+Status GltfMaterials::takeSurface(const tinygltf::Material& from, Material* out) {
+    const tinygltf::PbrMetallicRoughness pbr = gltfSurface(from);
     const auto* transmission = extensionOf(from, "KHR_materials_transmission");
     const double passing = numberOf(transmission, "transmissionFactor", 0.0);
+    const bool isGlass = passing >= 0.5;
+    out->roughness.value = square(gltfNumber(pbr.roughnessFactor, 0.0, 1.0));
+    out->metallic.value = gltfNumber(pbr.metallicFactor, 0.0, 1.0);
+    if (pbr.metallicRoughnessTexture.index >= 0) {
+        const bool isMetallic = !isGlass && out->metallic.value > 0.0f;
+        const Status status = takeSurfaceImage(pbr.metallicRoughnessTexture, isMetallic, out);
+        if (!status) { return status; }
+    }
+    const float most = isGlass ? 0.01f : 1.0f;
+    out->ior.value = gltfNumber(numberOf(extensionOf(from, "KHR_materials_ior"), "ior", 1.5),
+                                static_cast<double>(most), 100.0);
     if (extensionOf(from, "KHR_materials_unlit") != nullptr) {
         out->kind = MaterialKind::Diffuse;
         out->emission = out->color;
         out->color = {Vec3(0.0f)};
         out->emitsBothSides = true;
         file_.remark("unlit materials are taken for surfaces that shine", from.name);
-    } else if (passing >= 0.5) {
+    } else if (isGlass) {
         out->kind = MaterialKind::Dielectric;
         takeVolume(extensionOf(from, "KHR_materials_volume"), out);
-    } else if (metallic >= 0.5f) {
-        makeMetal(out->color.value, out->color.texture >= 0, out);
     } else if (const auto* sheet = extensionOf(from, "KHR_materials_diffuse_transmission");
-               numberOf(sheet, "diffuseTransmissionFactor", 0.0) > 0.0) {
+               out->metallic.value < 0.5f && numberOf(sheet, "diffuseTransmissionFactor", 0.0) > 0.0) {
         takeSheet(*sheet, out);
         file_.remark("sheets that light passes diffusely have no highlights", from.name);
     } else {
-        out->kind = MaterialKind::Plastic;
+        out->kind = MaterialKind::Principled;
+        if (const Status status = takeLayers(from, out); !status) { return status; }
     }
-    const bool isMixed = (metallic > 0.0f && metallic < 1.0f) || (passing > 0.0 && passing < 1.0);
-    if (isMixed) {
-        file_.remark("materials between metal, glass and neither become the nearest one", from.name);
+    if (passing > 0.0 && passing < 1.0) {
+        file_.remark("materials that light passes in part become glass or let nothing through", from.name);
     }
-    return map;
+    return {};
 }
 
 void GltfMaterials::takeAlpha(const tinygltf::Material& from, int colorTexture, Material* out) {
@@ -222,7 +239,9 @@ void GltfMaterials::remarkLeftOut(const tinygltf::Material& from) {
         const bool isRead = name == "KHR_materials_ior" || name == "KHR_materials_pbrSpecularGlossiness" ||
                             name == "KHR_materials_unlit" || name == "KHR_materials_emissive_strength" ||
                             name == "KHR_materials_transmission" || name == "KHR_materials_volume" ||
-                            name == "KHR_materials_diffuse_transmission";
+                            name == "KHR_materials_diffuse_transmission" ||
+                            name == "KHR_materials_specular" || name == "KHR_materials_clearcoat" ||
+                            name == "KHR_materials_sheen";
         if (!isRead) { file_.remark("extensions of materials are left out", name); }
     }
 }
@@ -235,40 +254,36 @@ Result<GltfMaterial> GltfMaterials::take(int index) {
     }
     static const tinygltf::Material kDefault;
     const tinygltf::Material& from = index >= 0 ? materials[static_cast<size_t>(index)] : kDefault;
+    uvSets_.clear();
     Material out;
     out.name = !from.name.empty() ? from.name : index >= 0 ? fmt::format("material {}", index) : "default";
     const tinygltf::PbrMetallicRoughness pbr = gltfSurface(from);
-    const Result<Map> color = takeTexture(pbr.baseColorTexture, {ColorEncoding::Srgb});
+    const Result<int> color = takeTexture(pbr.baseColorTexture, {ColorEncoding::Srgb});
     if (!color) { return color.error(); }
-    out.color = {gltfColor(pbr.baseColorFactor), color->texture};
+    out.color = {gltfColor(pbr.baseColorFactor), *color};
     GltfMaterial taken{.index = static_cast<int>(scene_.materials.size())};
-    if (color->texture >= 0) { taken.vertexFactor = out.color.value; }
-    const Result<Map> roughness = takeSurface(from, &out);
-    if (!roughness) { return roughness.error(); }
-    const Result<Map> normal = takeTexture(from.normalTexture, {});
+    if (*color >= 0) { taken.vertexFactor = out.color.value; }
+    if (const Status status = takeSurface(from, &out); !status) { return status.error(); }
+    const Result<int> normal = takeTexture(from.normalTexture, {});
     if (!normal) { return normal.error(); }
-    out.normalMap.texture = normal->texture;
+    out.normalMap.texture = *normal;
     out.normalStrength = gltfNumber(from.normalTexture.scale, 0.0, 1e3);
-    const Result<Map> emission = takeTexture(from.emissiveTexture, {ColorEncoding::Srgb});
+    const Result<int> emission = takeTexture(from.emissiveTexture, {ColorEncoding::Srgb});
     if (!emission) { return emission.error(); }
     const Vec3 factor = from.emissiveFactor.empty() ? Vec3(0.0f) : gltfColor(from.emissiveFactor, 1e6);
     const auto* strength = extensionOf(from, "KHR_materials_emissive_strength");
     const float times = gltfNumber(numberOf(strength, "emissiveStrength", 1.0), 0.0, 1e9);
     if (maxComponent(factor) > 0.0f) {
-        out.emission = {factor, emission->texture};
-        out.emissionStrength = times * (emission->texture >= 0 ? maxComponent(factor) : 1.0f);
+        out.emission = {factor, *emission};
+        out.emissionStrength = times * (*emission >= 0 ? maxComponent(factor) : 1.0f);
         out.emitsBothSides = from.doubleSided;
-        if (emission->texture >= 0 && minComponent(factor) < maxComponent(factor)) {
+        if (*emission >= 0 && minComponent(factor) < maxComponent(factor)) {
             file_.remark("emission maps lose the colour of their factor", from.name);
         }
     }
-    takeAlpha(from, color->texture, &out);
-    std::vector<int> uvSets;
-    for (const Map& map : {*color, *normal, *emission, *roughness}) {
-        if (map.texture >= 0) { uvSets.push_back(map.uvSet); }
-    }
-    if (!uvSets.empty()) { taken.uvSet = uvSets.front(); }
-    if (std::ranges::any_of(uvSets, [&](int set) { return set != taken.uvSet; })) {
+    takeAlpha(from, *color, &out);
+    if (!uvSets_.empty()) { taken.uvSet = uvSets_.front(); }
+    if (std::ranges::any_of(uvSets_, [&](int set) { return set != taken.uvSet; })) {
         file_.remark("all maps of a material use the texture coordinates of one of them", from.name);
     }
     remarkLeftOut(from);

@@ -27,10 +27,9 @@ class GltfMaterials {
     ///   - KHR_materials_transmission of at least 0.5: a dielectric tinted by the base colour, with the index
     ///   of
     ///     KHR_materials_ior; thin where KHR_materials_volume gives no thickness.
-    ///   - metallic of at least 0.5, on the average of its texture: a GGX conductor whose reflectance is the
-    ///   base
-    ///     colour.
-    ///   - else plastic over the base colour, with the index of KHR_materials_ior (1.5).
+    ///   - KHR_materials_diffuse_transmission and metallic below 0.5: a translucent sheet.
+    ///   - else principled, with the index of KHR_materials_ior (1.5) and what KHR_materials_specular,
+    ///     _clearcoat and _sheen say.
     /// GGX alpha is the square of the roughness and its texture. Emission is the emissive
     /// factor times KHR_materials_emissive_strength, on both sides where the material is double-sided.
     /// Normal maps are taken as they are; alpha cuts out unless the material is opaque.
@@ -39,28 +38,35 @@ class GltfMaterials {
     Result<GltfMaterial> take(int material);
 
   private:
-    struct Map {
-        int texture = -1;
-        int uvSet = 0;
-    };
-
     /// How an image's numbers are read.
     struct Reading {
         ColorEncoding encoding = ColorEncoding::Linear;
         TextureChannel channel = TextureChannel::Red;
         float gain = 1.0f, exponent = 1.0f;
     };
+    /// Its number in the scene; -1: none.
     template <class Info>
-    Result<Map> takeTexture(const Info& info, const Reading& reading);
+    Result<int> takeTexture(const Info& info, const Reading& reading);
     Result<ImageSource> sourceOf(int image);
     /// What a texture's image holds of roughness (green) and metalness (blue), in [0, 1].
     struct Surface {
         float roughness = 1.0f, metalness = 1.0f;  ///< means; 1 where the image cannot be read
-        bool isEven = true;                        ///< one roughness everywhere
+        bool isEvenlyRough = true, isEvenlyMetallic = true;
     };
     Result<Surface> surfaceImage(int texture);
-    /// Returns the map of roughness.
-    Result<Map> takeSurface(const tinygltf::Material& from, Material* out);
+    Status takeSurface(const tinygltf::Material& from, Material* out);
+    /// What the image says of roughness, and of metalness where that is asked for.
+    Status takeSurfaceImage(const tinygltf::TextureInfo& info, bool isMetallic, Material* out);
+    /// KHR_materials_specular, _clearcoat and _sheen. In gltf_layers.cpp, as are the two below.
+    Status takeLayers(const tinygltf::Material& from, Material* out);
+    /// A factor of an extension and its image; both of them to the power of `reading.exponent`.
+    struct LayerKeys {
+        const char *factor, *image;
+        float otherwise;  ///< where the extension does not say the factor
+    };
+    Status takeNumber(const tinygltf::Value* extension, const LayerKeys& keys, Reading reading,
+                      NumberInput* out);
+    Status takeColor(const tinygltf::Value* extension, const LayerKeys& keys, ColorInput* out);
     /// What of the surface is there.
     void takeAlpha(const tinygltf::Material& from, int colorTexture, Material* out);
     void remarkLeftOut(const tinygltf::Material& from);
@@ -70,6 +76,7 @@ class GltfMaterials {
     std::map<int, GltfMaterial> taken_;
     std::map<std::string, int> textures_;
     std::map<int, Surface> surfaces_;
+    std::vector<int> uvSets_;  ///< of the textures of the material that is taken
 };
 
 }  // namespace glint

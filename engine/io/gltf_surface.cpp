@@ -4,20 +4,6 @@
 #include <cmath>
 
 namespace glint {
-namespace {
-
-Vec3 colorOf(const tinygltf::Value* extension, const char* key) {
-    std::vector<double> factor;
-    if (extension != nullptr && extension->Get(key).IsArray()) {
-        const tinygltf::Value& value = extension->Get(key);
-        for (size_t c = 0; c < value.ArrayLen(); ++c) {
-            factor.push_back(value.Get(static_cast<int>(c)).GetNumberAsDouble());
-        }
-    }
-    return gltfColor(factor);
-}
-
-}  // namespace
 
 float gltfNumber(double value, double least, double most) {
     return static_cast<float>(std::isfinite(value) ? std::clamp(value, least, most) : least);
@@ -29,6 +15,16 @@ Vec3 gltfColor(const std::vector<double>& factor, double most) {
         color[static_cast<int>(c)] = gltfNumber(factor[c], 0.0, most);
     }
     return color;
+}
+
+Vec3 gltfColor(const tinygltf::Value* extension, const char* key, const Vec3& otherwise) {
+    if (extension == nullptr || !extension->Get(key).IsArray()) { return otherwise; }
+    const tinygltf::Value& value = extension->Get(key);
+    std::vector<double> factor;
+    for (size_t c = 0; c < value.ArrayLen(); ++c) {
+        factor.push_back(value.Get(static_cast<int>(c)).GetNumberAsDouble());
+    }
+    return gltfColor(factor);
 }
 
 tinygltf::PbrMetallicRoughness gltfSurface(const tinygltf::Material& material) {
@@ -49,20 +45,11 @@ tinygltf::PbrMetallicRoughness gltfSurface(const tinygltf::Material& material) {
     return surface;
 }
 
-void makeMetal(const Vec3& color, bool isTextured, Material* out) {
-    out->kind = MaterialKind::Conductor;
-    out->metal.clear();
-    const Vec3 r = isTextured ? Vec3(0.999f) : glm::clamp(color, Vec3(0.0f), Vec3(0.999f));
-    out->eta.value = (Vec3(1.0f) - r) / (Vec3(1.0f) + r);
-    out->k.value = 2.0f * glm::sqrt(r) / (Vec3(1.0f) + r);
-    out->color.value = Vec3(1.0f);
-}
-
 void takeVolume(const tinygltf::Value* volume, Material* out) {
     out->thin = !(numberOf(volume, "thicknessFactor", 0.0) > 0.0);
     const double distance = numberOf(volume, "attenuationDistance", 0.0);
     if (out->thin || !(distance > 0.0)) { return; }
-    out->attenuationColor = colorOf(volume, "attenuationColor");
+    out->attenuationColor = gltfColor(volume, "attenuationColor");
     out->attenuationDistance = gltfNumber(distance, 1e-9, 1e9);
 }
 
@@ -70,7 +57,7 @@ void takeSheet(const tinygltf::Value& sheet, Material* out) {
     const float share = gltfNumber(numberOf(&sheet, "diffuseTransmissionFactor", 0.0), 0.0, 1.0);
     out->kind = MaterialKind::Translucent;
     out->color.value *= 1.0f - share;
-    out->transmission.value = share * colorOf(&sheet, "diffuseTransmissionColorFactor");
+    out->transmission.value = share * gltfColor(&sheet, "diffuseTransmissionColorFactor");
 }
 
 }  // namespace glint

@@ -13,11 +13,12 @@ float gltfNumber(double value, double least, double most);
 /// White where a factor is missing.
 Vec3 gltfColor(const std::vector<double>& factor, double most = 1.0);
 
+/// A colour of an extension, in [0, 1].
+Vec3 gltfColor(const tinygltf::Value* extension, const char* key, const Vec3& otherwise = Vec3(1.0f));
+
 /// KHR_materials_pbrSpecularGlossiness, which older files have, as a rough dielectric.
 tinygltf::PbrMetallicRoughness gltfSurface(const tinygltf::Material& material);
 
-/// A conductor of nearly this reflectance at normal incidence (mtl_loader.h), times its colour.
-void makeMetal(const Vec3& color, bool isTextured, Material* out);
 /// KHR_materials_volume of a glass: without a thickness a sheet; otherwise what it absorbs inside. Null:
 /// none.
 void takeVolume(const tinygltf::Value* volume, Material* out);

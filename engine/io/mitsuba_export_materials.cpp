@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/io/burley.h"
 #include "engine/io/mitsuba_writer.h"
 #include "engine/io/scene_export.h"
 #include "engine/scene/metals.h"
@@ -136,7 +137,32 @@ class MaterialWriter {
                 begin("diffuse", open);
                 diffuseColor();
                 return;
+            case MaterialKind::Principled:
+                principled(open);
+                return;
         }
+    }
+
+    /// Mitsuba's alpha is its roughness squared.
+    void principled(int* open) {
+        warn("approximated: principled materials have Mitsuba's lobes");
+        begin("principled", open);
+        color("base_color", material_.color);
+        number("roughness", squareRoot(material_.roughness));
+        number("metallic", material_.metallic);
+        const float root = (material_.ior.value - 1.0f) / (material_.ior.value + 1.0f);
+        out_.number("specular", std::fmin(material_.specular.value * root * root / 0.08f, 1.0f));
+        NumberInput coat = material_.clearcoat;
+        coat.value = std::fmin(coat.value / kBurleyCoat, 1.0f);
+        number("clearcoat", coat);
+        out_.number("clearcoat_gloss", burleyCoatGloss(material_.clearcoatRoughness.value));
+        const float sheen = maxComponent(material_.sheenColor.value) / kBurleySheen;
+        if (sheen > 0.0f) { out_.number("sheen", std::fmin(sheen, 1.0f)); }
+    }
+
+    static NumberInput squareRoot(NumberInput input) {
+        input.value = std::sqrt(std::fmax(input.value, 0.0f));
+        return input;
     }
 
     void diffuseColor() {

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "engine/io/burley.h"
+#include "engine/io/clear_coat.h"
 #include "engine/io/mitsuba_materials.h"
 #include "engine/math/color.h"
 
@@ -29,6 +31,11 @@ float diffuseFresnel(float index) {
 /// one takes white for the base there.
 Vec3 baseOfLinear(const Vec3& color, float internal) {
     return color / (Vec3(1.0f - internal) + internal * color);
+}
+
+/// Greys keep their digits.
+float numberIn(const Vec3& color) {
+    return color.x == color.y && color.y == color.z ? color.x : luminance(color);
 }
 
 float alphaOfExponent(float exponent) { return std::clamp(std::sqrt(2.0f / (exponent + 2.0f)), 0.0f, 1.0f); }
@@ -90,14 +97,16 @@ void MitsubaMaterials::readCoating(MitsubaObject* object, UvOrigin origin, Mitsu
     *out = nested(object, origin);
     object->passOver({"thickness", "sigma_a", "specular_reflectance"});
     const float ior = readIndex(object, "int_ior", 1.5046f) / readIndex(object, "ext_ior", kAir);
-    if (object->type() == "roughcoating") { readRoughness(object, origin, &out->material); }
-    if (out->material.kind != MaterialKind::Diffuse) {
-        object->approximated("approximated: coats over anything but diffuse surfaces are left out");
+    Material coat;
+    if (object->type() == "roughcoating") { readRoughness(object, origin, &coat); }
+    const bool isDiffuse = out->material.kind == MaterialKind::Diffuse;
+    if (!coatMaterial(std::clamp(ior, 1.0f, 100.0f), coat.roughness, &out->material)) {
+        object->approximated("approximated: coats over glass, plastic and sheets are left out");
         return;
     }
-    object->approximated("approximated: coats over diffuse surfaces are plastic that absorbs nothing");
-    out->material.kind = MaterialKind::Plastic;
-    out->material.ior.value = std::clamp(ior, 1.0f, 100.0f);
+    object->approximated(isDiffuse
+                             ? "approximated: coats over diffuse surfaces are plastic that absorbs nothing"
+                             : "approximated: coats over metal are clear ones of index 1.5");
 }
 
 void MitsubaMaterials::readBlend(MitsubaObject* object, UvOrigin origin, MitsubaSurface* out) {
@@ -142,41 +151,66 @@ void MitsubaMaterials::readBlend(MitsubaObject* object, UvOrigin origin, Mitsuba
     }
 }
 
+NumberInput MitsubaMaterials::numberOf(MitsubaObject* object, std::string_view name, UvOrigin origin,
+                                       float otherwise, float (*change)(float)) {
+    const auto input = mitsubaInput(object, {name}, SpectrumRole::Index);
+    const auto shown = [change](float value) {
+        const float clamped = std::clamp(value, 0.0f, 1.0f);
+        return change != nullptr ? change(clamped) : clamped;
+    };
+    if (!input) { return {shown(otherwise)}; }
+    if (input->texture == nullptr) { return {shown(numberIn(input->color))}; }
+    return textures_.number(*input->texture, origin,
+                            [&](const Vec3& color) { return Vec3(shown(numberIn(color))); });
+}
+
+void MitsubaMaterials::readPrincipledLayers(MitsubaObject* object, UvOrigin origin, const Vec3& base,
+                                            Material* material) {
+    material->kind = MaterialKind::Principled;
+    material->roughness = numberOf(object, "roughness", origin, 0.5f, square);
+    material->metallic = numberOf(object, "metallic", origin, 0.0f);
+    material->clearcoat =
+        numberOf(object, "clearcoat", origin, 0.0f, [](float coat) { return kBurleyCoat * coat; });
+    material->clearcoatRoughness = numberOf(object, "clearcoat_gloss", origin, 0.0f, burleyCoatAlpha);
+    material->specularTint.value = burleyTint(base, meanNumber(object, "spec_tint", 0.0f));
+    const Vec3 sheen = kBurleySheen * burleyTint(base, meanNumber(object, "sheen_tint", 0.0f));
+    const auto share = mitsubaInput(object, {"sheen"}, SpectrumRole::Reflectance);
+    material->sheenColor = colorOf(share.value_or(MitsubaInput{Vec3(0.0f), nullptr}), origin,
+                                   [&](const Vec3& c) { return numberIn(c) * sheen; });
+    material->sheenRoughness.value = kBurleySheenAlpha;
+    object->passOver({"anisotropic", "flatness"});
+}
+
 void MitsubaMaterials::readPrincipled(MitsubaObject* object, UvOrigin origin, MitsubaSurface* out) {
-    object->approximated("approximated: the principled model is a conductor, glass, plastic or a sheet");
+    object->approximated(
+        "approximated: the principled model is without anisotropy, and its layers gain nothing");
     Material& material = out->material;
-    material.color.value = Vec3(0.5f);
-    const auto color = mitsubaInput(object, {"base_color"}, SpectrumRole::Reflectance);
-    if (color) { material.color = colorOf(*color, origin); }
-    const float metallic = meanNumber(object, "metallic", 0.0f);
+    const auto given = mitsubaInput(object, {"base_color"}, SpectrumRole::Reflectance);
+    const MitsubaInput base = given.value_or(MitsubaInput{Vec3(0.5f), nullptr});
     const float passes = meanNumber(object, "spec_trans", 0.0f);
     const float specular = meanNumber(object, "specular", 0.5f);
     const float eta = meanNumber(object, "eta", 0.0f);
-    const float roughness = std::clamp(meanNumber(object, "roughness", 0.5f), 0.0f, 1.0f);
     const float share = 0.5f * std::clamp(meanNumber(object, "diff_trans", 0.0f), 0.0f, 2.0f);
-    object->passOver({"anisotropic", "clearcoat", "clearcoat_gloss", "sheen", "sheen_tint", "spec_tint",
-                      "flatness", "diffuse_reflectance_sampling_rate", "specular_reflectance_sampling_rate",
+    object->passOver({"diffuse_reflectance_sampling_rate", "specular_reflectance_sampling_rate",
                       "main_specular_sampling_rate", "clearcoat_sampling_rate"});
-    material.roughness.value = square(roughness);
     const float root = std::sqrt(0.08f * std::clamp(specular, 0.0f, 10.0f));
     material.ior.value = eta > 0.0f ? std::clamp(eta, 1.0f, 100.0f) : (1.0f + root) / (1.0f - root);
     out->isTwoSided = object->type() == "principledthin" || passes > 0.0f;
-    if (passes >= 0.5f) {
-        material.kind = MaterialKind::Dielectric;
-        material.thin = object->type() == "principledthin";
-        return;
-    }
-    if (share > 0.0f && metallic < 0.5f) {
-        const MitsubaInput base = color.value_or(MitsubaInput{Vec3(0.5f), nullptr});
+    const bool isMetal = meanNumber(object, "metallic", 0.0f) >= 0.5f;
+    if (share > 0.0f && passes < 0.5f && !isMetal) {
         material.kind = MaterialKind::Translucent;
         material.color = colorOf(base, origin, [share](const Vec3& c) { return (1.0f - share) * c; });
         material.transmission = colorOf(base, origin, [share](const Vec3& c) { return share * c; });
+        object->passOver({"roughness", "anisotropic", "sheen", "sheen_tint", "spec_tint", "flatness"});
         return;
     }
-    material.kind = metallic >= 0.5f ? MaterialKind::Conductor : MaterialKind::Plastic;
-    material.metal.clear();
-    material.eta.value = Vec3(1e-3f);  // the base colour is then the reflectance
-    material.k.value = Vec3(1e4f);
+    material.color = colorOf(base, origin);
+    const Vec3 mean = base.texture != nullptr ? textures_.meanOf(*base.texture) : base.color;
+    readPrincipledLayers(object, origin, mean, &material);
+    if (passes >= 0.5f) {
+        material.kind = MaterialKind::Dielectric;
+        material.thin = object->type() == "principledthin";
+    }
 }
 
 }  // namespace glint

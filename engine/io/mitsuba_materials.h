@@ -61,6 +61,7 @@ class MitsubaMaterials {
     void readBlend(MitsubaObject* object, UvOrigin origin, MitsubaSurface* out);
     void readNull(MitsubaObject* object, UvOrigin origin, MitsubaSurface* out);
     void readPrincipled(MitsubaObject* object, UvOrigin origin, MitsubaSurface* out);
+    void readPrincipledLayers(MitsubaObject* object, UvOrigin origin, const Vec3& base, Material* material);
 
     void readRoughness(MitsubaObject* object, UvOrigin origin, Material* material);
     /// The factors of what a smooth boundary reflects and lets through, as one tint.
@@ -69,6 +70,9 @@ class MitsubaMaterials {
     float readIndex(MitsubaObject* object, std::string_view name, float otherwise);
     ColorInput colorOf(const MitsubaInput& input, UvOrigin origin,
                        const MitsubaTextures::Change& change = nullptr);
+    /// A number in [0, 1], each of whose values `change` makes another one.
+    NumberInput numberOf(MitsubaObject* object, std::string_view name, UvOrigin origin, float otherwise,
+                         float (*change)(float) = nullptr);
     float meanNumber(MitsubaObject* object, std::string_view name, float otherwise);
 
     MitsubaContext& context_;

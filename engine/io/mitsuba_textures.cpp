@@ -30,8 +30,8 @@ ColorInput MitsubaTextures::color(const MitsubaElement& texture, UvOrigin origin
     return {Vec3(0.5f), take(texture, origin, Use::Color, change)};
 }
 
-NumberInput MitsubaTextures::number(const MitsubaElement& texture, UvOrigin origin) {
-    return {0.5f, take(texture, origin, Use::Number, nullptr)};
+NumberInput MitsubaTextures::number(const MitsubaElement& texture, UvOrigin origin, const Change& change) {
+    return {0.5f, take(texture, origin, Use::Number, change)};
 }
 
 int MitsubaTextures::take(const MitsubaElement& element, UvOrigin origin, Use use, const Change& change) {

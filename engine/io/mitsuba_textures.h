@@ -22,8 +22,8 @@ class MitsubaTextures {
     /// A colour. `change` (may be null) is applied to each texel.
     using Change = std::function<Vec3(const Vec3&)>;
     ColorInput color(const MitsubaElement& texture, UvOrigin origin, const Change& change = nullptr);
-    /// A number: the luminance of the texture.
-    NumberInput number(const MitsubaElement& texture, UvOrigin origin);
+    /// A number: the luminance of the texture, or of what `change` makes of it.
+    NumberInput number(const MitsubaElement& texture, UvOrigin origin, const Change& change = nullptr);
     /// The mean of the texture, for models that cannot have one.
     Vec3 meanOf(const MitsubaElement& texture);
     /// The name of the mesh attribute that the texture shows; empty: it is another one.

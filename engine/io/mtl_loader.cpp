@@ -41,9 +41,24 @@ void makePlastic(const tinyobj::material_t& values, Material* out) {
     out->ior.value = values.ior > 1.0f ? std::min(values.ior, 100.0f) : 1.5f;
 }
 
+/// Whether it lies between plastic and metal, or under a coat or sheen.
+bool isLayered(const tinyobj::material_t& values) {
+    return (values.metallic > 0.0f && values.metallic < 1.0f) || values.clearcoat_thickness > 0.0f ||
+           values.sheen > 0.0f;
+}
+
+void makePrincipled(const tinyobj::material_t& values, Material* out) {
+    const auto share = [](float value) { return std::clamp(value, 0.0f, 1.0f); };
+    out->kind = MaterialKind::Principled;
+    out->metallic.value = share(values.metallic);
+    out->clearcoat.value = share(values.clearcoat_thickness);
+    out->clearcoatRoughness.value = square(share(values.clearcoat_roughness));
+    out->sheenColor.value = Vec3(share(values.sheen));
+}
+
 /// Zeros are what exporters write that know the keys and not the material.
 bool usesPbr(const MtlEntry& entry, const tinyobj::material_t& values) {
-    return (entry.has(MtlKey::Pm) && values.metallic > 0.0f) ||
+    return isLayered(values) || (entry.has(MtlKey::Pm) && values.metallic > 0.0f) ||
            (entry.has(MtlKey::Pr) && values.roughness > 0.0f) || entry.has(MtlKey::MapPr);
 }
 
@@ -52,10 +67,11 @@ void makePbr(const MtlEntry& entry, const tinyobj::material_t& values, const Vec
         const float roughness = std::clamp(values.roughness, 0.0f, 1.0f);
         out->roughness.value = roughness * roughness;
     }
-    if (values.metallic >= 0.5f) {
+    if (values.metallic >= 1.0f && !isLayered(values)) {
         makeConductor(base, out);
     } else {
         makePlastic(values, out);
+        if (isLayered(values)) { makePrincipled(values, out); }
     }
 }
 
@@ -131,13 +147,7 @@ MtlMap numberMapOf(const std::string& file, const tinyobj::texture_option_t& opt
 void remarkLeftOut(const MtlEntry& entry, const tinyobj::material_t& values, const std::string& path,
                    Remarks* remarks) {
     const auto place = [&] { return fmt::format("{}:{}", path, entry.line); };
-    if (usesPbr(entry, values) && values.metallic > 0.0f && values.metallic < 1.0f) {
-        remarks->add("partly metallic materials become metal from Pm 0.5 on, plastic below", place,
-                     entry.name);
-    }
-    if (values.sheen > 0.0f || values.clearcoat_thickness > 0.0f || values.anisotropy != 0.0f) {
-        remarks->add("sheen, clear coat and anisotropy (Ps, Pc, aniso) are left out", place, entry.name);
-    }
+    if (values.anisotropy != 0.0f) { remarks->add("anisotropy (aniso) is left out", place, entry.name); }
 }
 
 }  // namespace

@@ -41,8 +41,9 @@ Result<MtlLibrary> loadMtl(const std::string& path);
 /// What an entry becomes, with remarks on what Glint does not draw of it. The first that applies gives the
 /// kind:
 ///   - Glass, a smooth dielectric with ior Ni, thin with ior 1.5 where Ni <= 1: by glassOf() in mtl_glass.h.
-///   - Pm or Pr above 0 (the PBR extension): Pm >= 0.5 a conductor whose reflectance at normal incidence is
-///     Kd, else plastic of Kd; GGX alpha is Pr squared.
+///   - Pm, Pr, Pc or Ps above 0 (the PBR extension): with Pm below 1, Pc or Ps a principled material with a
+///     coat of alpha Pcr squared; else with Pm a conductor whose reflectance at normal incidence is Kd, with
+///     Pr plastic of Kd. GGX alpha is Pr squared.
 ///   - Kd black, Ks not, illum 3 or 5: mirror of Ks. Kd black, Ks not: GGX conductor whose reflectance at
 ///     normal incidence is Ks, by eta = (1 - r)/(1 + r), k = 2 sqrt(r)/(1 + r) per channel (Gulbrandsen 2014,
 ///     "Artist Friendly Metallic Fresnel", with edge tint 1).

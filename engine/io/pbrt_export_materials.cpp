@@ -35,6 +35,8 @@ class MaterialWriter {
                 return pbrtString("type", "diffusetransmission") +
                        pbrtColorInput("reflectance", material_.color) +
                        pbrtColorInput("transmittance", material_.transmission);
+            case MaterialKind::Principled:
+                return principled(rough);
             case MaterialKind::Mixture:
                 break;
         }
@@ -68,6 +70,18 @@ class MaterialWriter {
 
     std::string diffuse() const {
         return pbrtString("type", "diffuse") + pbrtColorInput("reflectance", material_.color);
+    }
+
+    std::string principled(const std::string& rough) {
+        warn("approximated: principled materials are metals or coated diffuse ones");
+        const std::string color = pbrtColorInput("reflectance", material_.color);
+        if (material_.metallic.value < 0.5f) {
+            return pbrtString("type", "coateddiffuse") + color + pbrtNumber("eta", index()) + rough;
+        }
+        if (material_.clearcoat.value < 0.5f) { return pbrtString("type", "conductor") + color + rough; }
+        return pbrtString("type", "coatedconductor") + color + pbrtFlag("remaproughness", false) +
+               pbrtNumberInput("conductor.roughness", material_.roughness) +
+               pbrtNumberInput("interface.roughness", material_.clearcoatRoughness);
     }
 
     std::string mirror() {

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "engine/io/burley.h"
+#include "engine/io/clear_coat.h"
 #include "engine/io/pbrt_materials.h"
 #include "engine/math/color.h"
 
@@ -50,7 +52,7 @@ void PbrtMaterials::readCoatedDiffuse(const PbrtParams& params, PbrtSurface* out
 
 void PbrtMaterials::readCoatedConductor(const PbrtParams& params, PbrtSurface* out) {
     Material& material = out->material;
-    params.approximated("approximated: coats over metals are left out");
+    params.approximated("approximated: coats over metal are clear ones of index 1.5");
     material.kind = MaterialKind::Conductor;
     material.color.value = Vec3(1.0f);
     material.roughness = roughness(params, "conductor.", 0.0f);
@@ -62,8 +64,11 @@ void PbrtMaterials::readCoatedConductor(const PbrtParams& params, PbrtSurface* o
     } else {
         readMetal(params, "conductor.", &material);
     }
-    params.passOver({"interface.roughness", "interface.uroughness", "interface.vroughness", "interface.eta",
-                     "thickness", "maxdepth", "nsamples", "g", "albedo"});
+    const PbrtParam* eta = params.find("interface.eta");
+    const Vec3 index = eta != nullptr ? pbrtColor(params, *eta, SpectrumRole::Index) : Vec3(1.5f);
+    coatMaterial(std::clamp(luminance(index), 1.0f, 100.0f), roughness(params, "interface.", 0.0f),
+                 &material);
+    params.passOver({"thickness", "maxdepth", "nsamples", "g", "albedo"});
 }
 
 void PbrtMaterials::readTransmission(const PbrtParams& params, PbrtSurface* out) {
@@ -172,19 +177,42 @@ void PbrtMaterials::readSubsurface(const PbrtParams& params, PbrtSurface* out) {
 }
 
 void PbrtMaterials::readOldCoated(const PbrtParams& params, PbrtSurface* out) {
-    params.approximated("approximated: pbrt-v3's plastic, substrate, uber and disney are plastic");
+    params.approximated("approximated: pbrt-v3's plastic, substrate and uber are plastic");
     Material& material = out->material;
     material.kind = MaterialKind::Plastic;
-    material.color = reflectance(params, {"Kd", "color"}, 0.5f);
+    material.color = reflectance(params, {"Kd"}, 0.5f);
     material.roughness = roughness(params, "", 0.1f);
-    params.passOver({"Ks", "Kr", "Kt", "metallic", "spectrans", "anisotropic", "clearcoat", "clearcoatgloss",
-                     "sheen", "sheentint", "speculartint", "flatness", "difftrans", "thin",
-                     "scatterdistance"});
+    params.passOver({"Ks", "Kr", "Kt"});
     const float eta = params.number(params.has("index") ? "index" : "eta", 1.5f, 1.0f, 100.0f);
     material.ior.value = eta;
     if (const auto opacity = textures_.color(params, "opacity", SpectrumRole::Reflectance)) {
         out->share = {textures_.meanOf(*opacity)};
     }
+}
+
+void PbrtMaterials::readDisney(const PbrtParams& params, PbrtSurface* out) {
+    params.approximated("approximated: pbrt-v3's disney is without anisotropy, and its layers gain nothing");
+    Material& material = out->material;
+    material.kind = MaterialKind::Principled;
+    material.color = reflectance(params, {"color"}, 0.5f);
+    material.ior.value = params.number("eta", 1.5f, 1.0f, 100.0f);
+    const auto share = [&](std::string_view name, float otherwise, float exponent) {
+        const PbrtValue value = textures_.number(params, name).value_or(PbrtValue{Vec3(otherwise)});
+        NumberInput input = textures_.numberInput(PbrtTextures::adjusted(value, 0.0f, 1.0f, exponent));
+        input.value = std::clamp(input.value, 0.0f, 1.0f);
+        return input;
+    };
+    material.metallic = share("metallic", 0.0f, 1.0f);
+    material.roughness = share("roughness", 0.5f, 2.0f);
+    material.clearcoat.value = kBurleyCoat * std::clamp(meanNumber(params, "clearcoat", 0.0f), 0.0f, 1.0f);
+    material.clearcoatRoughness.value = burleyCoatAlpha(meanNumber(params, "clearcoatgloss", 1.0f));
+    const Vec3& base = material.color.value;
+    material.specularTint.value = burleyTint(base, meanNumber(params, "speculartint", 0.0f));
+    material.sheenColor.value = kBurleySheen * std::clamp(meanNumber(params, "sheen", 0.0f), 0.0f, 1.0f) *
+                                burleyTint(base, meanNumber(params, "sheentint", 0.5f));
+    material.sheenRoughness.value = kBurleySheenAlpha;
+    if (meanNumber(params, "spectrans", 0.0f) >= 0.5f) { material.kind = MaterialKind::Dielectric; }
+    params.passOver({"anisotropic", "flatness", "difftrans", "thin", "scatterdistance"});
 }
 
 }  // namespace glint

@@ -130,7 +130,7 @@ PbrtSurface PbrtMaterials::read(const Definition& definition) {
                                       {"plastic", &PbrtMaterials::readOldCoated},
                                       {"substrate", &PbrtMaterials::readOldCoated},
                                       {"uber", &PbrtMaterials::readOldCoated},
-                                      {"disney", &PbrtMaterials::readOldCoated},
+                                      {"disney", &PbrtMaterials::readDisney},
                                       {"translucent", &PbrtMaterials::readTransmission},
                                       {"kdsubsurface", &PbrtMaterials::readSubsurface}};
     PbrtSurface out;

@@ -75,6 +75,7 @@ class PbrtMaterials {
     void readSubsurface(const PbrtParams& params, PbrtSurface* out);
     void readMirror(const PbrtParams& params, PbrtSurface* out);
     void readOldCoated(const PbrtParams& params, PbrtSurface* out);
+    void readDisney(const PbrtParams& params, PbrtSurface* out);
 
     void readRelief(const PbrtParams& params, Material* material);
     /// roughness, or what its parameters for u and v have in common.

@@ -25,7 +25,7 @@ enum Feature : FeatureMask {
     kFeatureDiffuse = 1u << 9,
     kFeatureSpecular = 1u << 10,  ///< mirror, smooth conductor
     kFeatureDielectric = 1u << 11,
-    kFeatureGlossy = 1u << 12,  ///< any GGX lobe
+    kFeatureGlossy = 1u << 12,  ///< any GGX lobe but those of principled materials
     kFeaturePlastic = 1u << 13,
     kFeatureMixture = 1u << 14,
     kFeatureAreaLights = 1u << 15,
@@ -46,6 +46,7 @@ enum Feature : FeatureMask {
     kFeatureAccelerators = 1u << 29,  ///< acceleration structures other than bounding volume hierarchies
     kFeatureAttenuation = 1u << 30,   ///< glass that absorbs light on its way inside
     kFeatureTranslucent = 1u << 31,   ///< sheets that let light through diffusely
+    kFeaturePrincipled = 1ull << 32,  ///< coats and sheen over plastic or metal
     /// every surface point has dpdu and dpdv, not only those whose material needs them: for tests
     kFeatureTangents = 1ull << 63,
     /// any of these makes shading normals differ from geometric ones
@@ -53,10 +54,10 @@ enum Feature : FeatureMask {
 };
 
 /// All that a scene can ask for.
-constexpr FeatureMask kAllFeatures = (1ull << 32) - 1;
+constexpr FeatureMask kAllFeatures = (1ull << 33) - 1;
 constexpr FeatureMask kMaterialFeatures = kFeatureDiffuse | kFeatureSpecular | kFeatureDielectric |
                                           kFeatureGlossy | kFeaturePlastic | kFeatureMixture |
-                                          kFeatureTranslucent;
+                                          kFeatureTranslucent | kFeaturePrincipled;
 
 /// Whether the mask has the feature, or any of several.
 template <FeatureMask kMask>

@@ -38,7 +38,7 @@ struct CoatRow {
 
 /// What a model computes with at a point, but for the colour.
 struct ShadingInputs : MaterialInputs<Vec3, float> {
-    CoatRow coat;  ///< plastic
+    CoatRow coat;  ///< plastic, principled
 };
 
 /// An index into SceneView::textures, or none.
@@ -59,7 +59,7 @@ struct MaterialData {
     MaterialInputs<TextureSlot, TextureSlot> textures;  ///< none in masks without kFeatureInputTextures
     Dispersion dispersion;
     Vec3 absorption{0.0f};                    ///< of glass: per metre of a way inside
-    uint32_t coatTable = TextureSlot::kNone;  ///< plastic with textures: first row in SceneView::coats
+    uint32_t coatTable = TextureSlot::kNone;  ///< coat with textures: first row in SceneView::coats
     /// radiance, strength included; with a texture: the strength, which multiplies it
     Vec3 emission{0.0f};
     uint32_t emissionTexture = TextureSlot::kNone;  ///< none in masks without kFeatureInputTextures

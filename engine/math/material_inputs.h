@@ -17,14 +17,22 @@ struct MaterialInputs {
     Color eta{Vec3(0.2f)};
     /// conductor without a metal name: extinction at R, G, B
     Color k{Vec3(3.9f)};
-    /// dielectric, plastic, mixture: interior over exterior index of refraction, > 0
+    /// dielectric, plastic, mixture, principled: interior over exterior index of refraction, > 0
     Number ior{1.5f};
-    /// conductor, dielectric, plastic: GGX alpha in [0, 1]; below kSmoothAlpha: smooth
+    /// conductor, dielectric, plastic, principled: GGX alpha in [0, 1]; below kSmoothAlpha: smooth
     Number roughness{0.0f};
     /// mixture: diffuse, mirror, refractive; not negative, not all zero
     Color mixtureWeights{Vec3(1.0f, 0.0f, 0.0f)};
     /// translucent: what passes, diffusely; with the colour at most 1
     Color transmission{Vec3(0.25f)};
+    /// principled, all from here on, in [0, 1]: between plastic and a metal whose reflectance is the colour
+    Number metallic{0.0f};
+    Number specular{1.0f};            ///< factor on what the dielectric's boundary reflects
+    Color specularTint{Vec3(1.0f)};   ///< likewise, but for grazing incidence
+    Number clearcoat{0.0f};           ///< share of the surface that is coated
+    Number clearcoatRoughness{0.0f};  ///< GGX alpha; below kSmoothAlpha: smooth
+    Color sheenColor{Vec3(0.0f)};
+    Number sheenRoughness{0.3f};  ///< the smaller, the more at grazing incidence alone
 };
 
 /// What is true of an input whatever its value.
@@ -60,19 +68,36 @@ GLINT_HD constexpr auto withModelInputs(const Combine& combine) {
     constexpr uint32_t kPlastic = kindBit(MaterialKind::Plastic);
     constexpr uint32_t kMixture = kindBit(MaterialKind::Mixture);
     constexpr uint32_t kTranslucent = kindBit(MaterialKind::Translucent);
+    constexpr uint32_t kPrincipled = kindBit(MaterialKind::Principled);
     constexpr float kMost = 1e18f;
-    return combine(ModelInput{InputInfo{"eta", 0.0f, kMost, kConductor, true},
-                              [](auto& set) -> decltype(auto) { return (set.eta); }},
-                   ModelInput{InputInfo{"k", 0.0f, kMost, kConductor, true},
-                              [](auto& set) -> decltype(auto) { return (set.k); }},
-                   ModelInput{InputInfo{"ior", 1e-3f, 1e3f, kDielectric | kPlastic | kMixture, false, true},
-                              [](auto& set) -> decltype(auto) { return (set.ior); }},
-                   ModelInput{InputInfo{"roughness", 0.0f, 1.0f, kConductor | kDielectric | kPlastic},
-                              [](auto& set) -> decltype(auto) { return (set.roughness); }},
-                   ModelInput{InputInfo{"weights", 0.0f, kMost, kMixture},
-                              [](auto& set) -> decltype(auto) { return (set.mixtureWeights); }},
-                   ModelInput{InputInfo{"transmission", 0.0f, 1.0f, kTranslucent},
-                              [](auto& set) -> decltype(auto) { return (set.transmission); }});
+    return combine(
+        ModelInput{InputInfo{"eta", 0.0f, kMost, kConductor, true},
+                   [](auto& set) -> decltype(auto) { return (set.eta); }},
+        ModelInput{InputInfo{"k", 0.0f, kMost, kConductor, true},
+                   [](auto& set) -> decltype(auto) { return (set.k); }},
+        ModelInput{
+            InputInfo{"ior", 1e-3f, 1e3f, kDielectric | kPlastic | kMixture | kPrincipled, false, true},
+            [](auto& set) -> decltype(auto) { return (set.ior); }},
+        ModelInput{InputInfo{"roughness", 0.0f, 1.0f, kConductor | kDielectric | kPlastic | kPrincipled},
+                   [](auto& set) -> decltype(auto) { return (set.roughness); }},
+        ModelInput{InputInfo{"weights", 0.0f, kMost, kMixture},
+                   [](auto& set) -> decltype(auto) { return (set.mixtureWeights); }},
+        ModelInput{InputInfo{"transmission", 0.0f, 1.0f, kTranslucent},
+                   [](auto& set) -> decltype(auto) { return (set.transmission); }},
+        ModelInput{InputInfo{"metallic", 0.0f, 1.0f, kPrincipled},
+                   [](auto& set) -> decltype(auto) { return (set.metallic); }},
+        ModelInput{InputInfo{"specular", 0.0f, 1.0f, kPrincipled},
+                   [](auto& set) -> decltype(auto) { return (set.specular); }},
+        ModelInput{InputInfo{"specularTint", 0.0f, 1.0f, kPrincipled},
+                   [](auto& set) -> decltype(auto) { return (set.specularTint); }},
+        ModelInput{InputInfo{"clearcoat", 0.0f, 1.0f, kPrincipled},
+                   [](auto& set) -> decltype(auto) { return (set.clearcoat); }},
+        ModelInput{InputInfo{"clearcoatRoughness", 0.0f, 1.0f, kPrincipled},
+                   [](auto& set) -> decltype(auto) { return (set.clearcoatRoughness); }},
+        ModelInput{InputInfo{"sheenColor", 0.0f, 1.0f, kPrincipled},
+                   [](auto& set) -> decltype(auto) { return (set.sheenColor); }},
+        ModelInput{InputInfo{"sheenRoughness", 0.0f, 1.0f, kPrincipled},
+                   [](auto& set) -> decltype(auto) { return (set.sheenRoughness); }});
 }
 
 /// Calls visit(info, input...) for each input, with that of each of the `sets`.

@@ -40,7 +40,9 @@ std::span<const KindName<MaterialKind>> kindNames<MaterialKind>() {
         {"plastic", MaterialKind::Plastic, "A diffuse base under a clear coat."},
         {"mixture", MaterialKind::Mixture, "A random choice of diffuse, mirror and refractive scattering."},
         {"translucent", MaterialKind::Translucent,
-         "A thin sheet that reflects and lets through diffusely, on both sides alike: a leaf, paper."}};
+         "A thin sheet that reflects and lets through diffusely, on both sides alike: a leaf, paper."},
+        {"principled", MaterialKind::Principled,
+         "A clear coat over sheen over a base between plastic and metal: car paint, cloth, worn steel."}};
     return kNames;
 }
 

@@ -39,6 +39,7 @@ struct Material : MaterialInputs<ColorInput, NumberInput> {
 
     /// Diffuse, plastic: albedo. Translucent: what it reflects. Mirror: reflectance. Dielectric: tint of what
     /// passes and reflects. Mixture: all three. Conductor: a factor on the Fresnel reflectance, 1 by default.
+    /// Principled: albedo of plastic, reflectance of metal.
     /// Range [0, 1].
     ColorInput color;
 
@@ -97,6 +98,11 @@ inline Vec3 absorptionOf(const Material& material) {
 /// Whether something else than `ior` says what its index is.
 inline bool replacesIor(const Material& material) {
     return hasGlass(material) && (!material.glass.empty() || !isZero(material.iorRgb));
+}
+
+/// Whether its boundary has a table of albedos: CoatRow.
+inline bool hasCoatTable(MaterialKind kind) {
+    return kind == MaterialKind::Plastic || kind == MaterialKind::Principled;
 }
 
 /// Whether the material's model looks at an input.

@@ -254,11 +254,12 @@ template <>
 struct FieldsOf<Material> {
     static constexpr EditKind kEdit = EditKind::MaterialParameters;
     static constexpr uint32_t kConductor = only(MaterialKind::Conductor);
-    static constexpr uint32_t kRefractive =
-        only(MaterialKind::Dielectric, MaterialKind::Plastic, MaterialKind::Mixture);
+    static constexpr uint32_t kRefractive = only(MaterialKind::Dielectric, MaterialKind::Plastic,
+                                                 MaterialKind::Mixture, MaterialKind::Principled);
     static constexpr uint32_t kGlass = only(MaterialKind::Dielectric, MaterialKind::Mixture);
-    static constexpr uint32_t kRough =
-        only(MaterialKind::Conductor, MaterialKind::Dielectric, MaterialKind::Plastic);
+    static constexpr uint32_t kRough = only(MaterialKind::Conductor, MaterialKind::Dielectric,
+                                            MaterialKind::Plastic, MaterialKind::Principled);
+    static constexpr uint32_t kPrincipled = only(MaterialKind::Principled);
     static constexpr std::tuple kList{
         field("type", &Material::kind, {.edit = EditKind::MaterialKind, .required = true}),
         label("", &Material::name),
@@ -328,6 +329,43 @@ struct FieldsOf<Material> {
                                      .help = "what passes, diffusely; with the colour at most 1",
                                      .kinds = only(MaterialKind::Translucent),
                                      .onlyOwnKinds = true}),
+        field<Material, NumberInput>(
+            "metallic", &Material::metallic,
+            {.range = kUnitInterval,
+             .help = "0: plastic over the colour; 1: a metal that reflects the colour",
+             .kinds = kPrincipled,
+             .onlyOwnKinds = true}),
+        field<Material, NumberInput>("specular", &Material::specular,
+                                     {.range = kUnitInterval,
+                                      .help = "factor on what plastic reflects at its boundary",
+                                      .kinds = kPrincipled,
+                                      .onlyOwnKinds = true}),
+        field<Material, ColorInput>(
+            "specularTint", &Material::specularTint,
+            {.range = kReflectance,
+             .help = "likewise, but for grazing incidence, where reflection stays white",
+             .kinds = kPrincipled,
+             .onlyOwnKinds = true}),
+        field<Material, NumberInput>("clearcoat", &Material::clearcoat,
+                                     {.range = kUnitInterval,
+                                      .help = "share of the surface that has a clear coat of index 1.5",
+                                      .kinds = kPrincipled,
+                                      .onlyOwnKinds = true}),
+        field<Material, NumberInput>("clearcoatRoughness", &Material::clearcoatRoughness,
+                                     {.range = kUnitInterval,
+                                      .help = "GGX alpha of the coat; 0: smooth",
+                                      .kinds = kPrincipled,
+                                      .onlyOwnKinds = true}),
+        field<Material, ColorInput>("sheenColor", &Material::sheenColor,
+                                    {.range = kReflectance,
+                                     .help = "of light that fibres scatter at grazing incidence; 0: none",
+                                     .kinds = kPrincipled,
+                                     .onlyOwnKinds = true}),
+        field<Material, NumberInput>("sheenRoughness", &Material::sheenRoughness,
+                                     {.range = kUnitInterval,
+                                      .help = "0.05 and less: at the edges alone; 1: everywhere",
+                                      .kinds = kPrincipled,
+                                      .onlyOwnKinds = true}),
         field<Material, ColorInput>(
             "weights", &Material::mixtureWeights,
             {.range = kNotNegative,

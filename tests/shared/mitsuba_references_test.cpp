@@ -184,7 +184,7 @@ INSTANTIATE_TEST_SUITE_P(
         ReferenceScene{"bsdf_spheres/test_textured_roughconductor_path",
                        "bsdf_spheres/refs/test_textured_roughconductor", 0.01},
         ReferenceScene{"bsdf_spheres/test_texturedprincipled1_path",
-                       "bsdf_spheres/refs/test_texturedprincipled1", 0.25},
+                       "bsdf_spheres/refs/test_texturedprincipled1", 0.08},
         ReferenceScene{"projector/test_projector_constant_direct", "projector/refs/test_projector_constant",
                        0.05}),
     nameOf);

@@ -105,20 +105,23 @@ TEST_P(BsdfImportance, IsTheAdjointOfRadiance) {
 
 INSTANTIATE_TEST_SUITE_P(
     Materials, BsdfImportance,
-    testing::Values(ImportanceCase{"Diffuse", diffuseMaterial(Vec3(0.8f))},
-                    ImportanceCase{"Translucent", translucentMaterial(Vec3(0.3f), Vec3(0.6f))},
-                    ImportanceCase{"Mirror", mirrorMaterial(Vec3(0.9f))},
-                    ImportanceCase{"Glass", dielectricMaterial(1.5f, 0.0f)},
-                    ImportanceCase{"Diamond", dielectricMaterial(2.4f, 0.0f)},
-                    ImportanceCase{"Sheet", dielectricMaterial(1.5f, 0.0f, true)},
-                    ImportanceCase{"SmoothMetal", conductorMaterial("gold", 0.0f)},
-                    ImportanceCase{"RoughGlass", dielectricMaterial(1.5f, 0.3f), 6.0f},
-                    ImportanceCase{"GlossyGlass", dielectricMaterial(1.5f, 0.05f), 6.0f},
-                    ImportanceCase{"RoughMetal", conductorMaterial("gold", 0.3f), 6.0f},
-                    ImportanceCase{"Plastic", plasticMaterial(Vec3(0.5f), 1.5f, 0.0f), 6.0f},
-                    ImportanceCase{"RoughPlastic", plasticMaterial(Vec3(0.5f), 1.5f, 0.3f), 6.0f},
-                    ImportanceCase{"Mixture", mixtureMaterial(Vec3(0.8f), Vec3(0.3f, 0.3f, 0.4f), 1.5f),
-                                   6.0f}),
+    testing::Values(
+        ImportanceCase{"Diffuse", diffuseMaterial(Vec3(0.8f))},
+        ImportanceCase{"Translucent", translucentMaterial(Vec3(0.3f), Vec3(0.6f))},
+        ImportanceCase{"Mirror", mirrorMaterial(Vec3(0.9f))},
+        ImportanceCase{"Glass", dielectricMaterial(1.5f, 0.0f)},
+        ImportanceCase{"Diamond", dielectricMaterial(2.4f, 0.0f)},
+        ImportanceCase{"Sheet", dielectricMaterial(1.5f, 0.0f, true)},
+        ImportanceCase{"SmoothMetal", conductorMaterial("gold", 0.0f)},
+        ImportanceCase{"RoughGlass", dielectricMaterial(1.5f, 0.3f), 6.0f},
+        ImportanceCase{"GlossyGlass", dielectricMaterial(1.5f, 0.05f), 6.0f},
+        ImportanceCase{"RoughMetal", conductorMaterial("gold", 0.3f), 6.0f},
+        ImportanceCase{"Plastic", plasticMaterial(Vec3(0.5f), 1.5f, 0.0f), 6.0f},
+        ImportanceCase{"RoughPlastic", plasticMaterial(Vec3(0.5f), 1.5f, 0.3f), 6.0f},
+        ImportanceCase{"Paint", principledMaterial(Vec3(0.5f), 0.4f, 0.6f, 1.0f), 6.0f},
+        ImportanceCase{"Cloth", principledMaterial(Vec3(0.5f), 0.6f, 0.0f, 0.5f, 0.3f, Vec3(0.7f)), 6.0f},
+        ImportanceCase{"CoatedMirror", principledMaterial(Vec3(0.5f), 0.0f, 1.0f, 1.0f), 6.0f},
+        ImportanceCase{"Mixture", mixtureMaterial(Vec3(0.8f), Vec3(0.3f, 0.3f, 0.4f), 1.5f), 6.0f}),
     [](const auto& importanceCase) { return std::string(importanceCase.param.name); });
 
 }  // namespace

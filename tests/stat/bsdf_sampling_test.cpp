@@ -29,7 +29,7 @@ struct Histogram {
 /// Counts of kSamples samples and their expectations. The last bin holds what has no density: absorbed
 /// and specular.
 Histogram histogram(const Bsdf<kAllFeatures>& bsdf, uint64_t seed) {
-    const double smallest = std::fmax(0.1 * static_cast<double>(bsdf.inputs().roughness), 1e-4);
+    const double smallest = std::fmax(0.1 * static_cast<double>(narrowestAlpha(*bsdf.material)), 1e-4);
     const DirectionGrid reflected(lobeAxis(bsdf, false), smallest, 16, 8);
     const DirectionGrid transmitted(lobeAxis(bsdf, true), smallest, 16, 8);
     const auto sideOf = [&](const Vec3& wi) { return glm::dot(bsdf.ngWorld, wi) > 0.0f; };
@@ -87,11 +87,13 @@ TEST(BsdfSampling, FollowsItsDensity) {
 TEST(BsdfSampling, FollowsItsDensityWithBentShadingNormals) {
     TestSurface surface;
     surface.ns = glm::normalize(Vec3(0.5f, -0.2f, 0.8f));
-    const std::vector<BsdfCase> cases{{"diffuse", diffuseMaterial(Vec3(0.5f))},
-                                      {"translucent", translucentMaterial(Vec3(0.2f), Vec3(0.6f))},
-                                      {"conductor", conductorMaterial("silver", 0.3f)},
-                                      {"dielectric", dielectricMaterial(1.5f, 0.3f)},
-                                      {"plastic", plasticMaterial(Vec3(0.5f), 1.5f, 0.2f)}};
+    const std::vector<BsdfCase> cases{
+        {"diffuse", diffuseMaterial(Vec3(0.5f))},
+        {"translucent", translucentMaterial(Vec3(0.2f), Vec3(0.6f))},
+        {"conductor", conductorMaterial("silver", 0.3f)},
+        {"dielectric", dielectricMaterial(1.5f, 0.3f)},
+        {"plastic", plasticMaterial(Vec3(0.5f), 1.5f, 0.2f)},
+        {"principled", principledMaterial(Vec3(0.5f), 0.3f, 0.4f, 0.8f, 0.1f, Vec3(0.6f))}};
     const std::vector<float> cosines{0.9f, 0.1f, -0.3f};
     const double level = sidakLevel(kFamilyLevel, static_cast<int>(cases.size() * cosines.size()));
     uint64_t seed = 1000;

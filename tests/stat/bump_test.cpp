@@ -175,8 +175,9 @@ TEST(NormalMaps, TurnWithTheirImage) {
 TEST(Bumps, GainNoLightAndTurnNothingBlack) {
     UniformNumbers random(9);
     const auto noise = greyImage(64, 32, [&](int, int) { return random.next(); });
-    for (const MaterialKind kind : {MaterialKind::Diffuse, MaterialKind::Mirror, MaterialKind::Conductor,
-                                    MaterialKind::Dielectric, MaterialKind::Plastic, MaterialKind::Mixture}) {
+    for (const MaterialKind kind :
+         {MaterialKind::Diffuse, MaterialKind::Mirror, MaterialKind::Conductor, MaterialKind::Dielectric,
+          MaterialKind::Plastic, MaterialKind::Mixture, MaterialKind::Principled}) {
         Material material = diffuseMaterial(1.0f);
         material.kind = kind;
         material.roughness.value = 0.3f;
@@ -184,6 +185,9 @@ TEST(Bumps, GainNoLightAndTurnNothingBlack) {
         material.eta.value = Vec3(1e-3f);  // reflects all but nothing
         material.k.value = Vec3(100.0f);
         material.mixtureWeights.value = Vec3(0.4f, 0.3f, 0.3f);
+        material.metallic.value = 0.5f;
+        material.clearcoat.value = 1.0f;
+        material.sheenColor.value = Vec3(0.5f);
         material.bump.texture = 0;
         material.bumpHeight = 0.2f;
         SceneDescription scene = sceneOf(ShapeKind::Sphere, Affine{}, material);

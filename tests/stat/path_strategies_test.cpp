@@ -62,7 +62,7 @@ SceneDescription emittersOfEveryShape() {
     return scene;
 }
 
-/// Rough metal, rough glass and plastic under an environment image and one lamp.
+/// Rough metal, rough glass, plastic and coated paint under an environment image and one lamp.
 SceneDescription glossyUnderSky() {
     SceneDescription scene = corner();
     Material metal = diffuseMaterial(1.0f);
@@ -74,6 +74,14 @@ SceneDescription glossyUnderSky() {
     Material plastic = diffuseMaterial(0.6f);
     plastic.kind = MaterialKind::Plastic;
     plastic.roughness.value = 0.3f;
+    Material paint = diffuseMaterial(0.6f);
+    paint.kind = MaterialKind::Principled;
+    paint.roughness.value = 0.4f;
+    paint.metallic.value = 0.5f;
+    paint.clearcoat.value = 1.0f;
+    paint.clearcoatRoughness.value = 0.2f;
+    paint.sheenColor.value = Vec3(0.5f);
+    addObject(&scene, ShapeKind::Sphere, translate({0, 0.5f, 1.2f}) * scale(Vec3(0.5f)), paint);
     addObject(&scene, ShapeKind::Sphere, translate({-1.1f, 0.5f, 0}) * scale(Vec3(0.5f)), metal);
     addObject(&scene, ShapeKind::Sphere, translate({0, 0.5f, 0}) * scale(Vec3(0.5f)), glass);
     addObject(&scene, ShapeKind::Sphere, translate({1.1f, 0.5f, 0}) * scale(Vec3(0.5f)), plastic);

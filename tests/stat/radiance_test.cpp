@@ -140,9 +140,15 @@ TEST(Furnace, RoughAndCoatedMaterialsNeverGain) {
     Material conductor = shinyMaterial(MaterialKind::Conductor, 0.5f);
     conductor.eta.value = Vec3(0.01f);
     conductor.k.value = Vec3(1000.0f);
-    const Material materials[] = {conductor, shinyMaterial(MaterialKind::Dielectric, 0.3f),
-                                  shinyMaterial(MaterialKind::Plastic, 0.0f),
-                                  shinyMaterial(MaterialKind::Plastic, 0.3f)};
+    Material cloth = shinyMaterial(MaterialKind::Principled, 0.5f);
+    cloth.metallic.value = 0.3f;
+    cloth.sheenColor.value = Vec3(1.0f);
+    Material paint = shinyMaterial(MaterialKind::Principled, 0.4f);
+    paint.metallic.value = 0.5f;
+    paint.clearcoat.value = 1.0f;
+    const Material materials[] = {
+        conductor, shinyMaterial(MaterialKind::Dielectric, 0.3f), cloth,
+        paint,     shinyMaterial(MaterialKind::Plastic, 0.0f),    shinyMaterial(MaterialKind::Plastic, 0.3f)};
     for (const Material& material : materials) {
         SCOPED_TRACE(static_cast<int>(material.kind));
         Estimate byStrategy[3];

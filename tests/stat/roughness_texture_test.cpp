@@ -16,7 +16,7 @@ constexpr float kSharp = 0.08f, kDull = 0.9f;
 Material plate(MaterialKind kind, float roughness) {
     Material material;
     material.kind = kind;
-    material.color.value = kind == MaterialKind::Plastic ? Vec3(0.6f, 0.3f, 0.1f) : Vec3(1.0f);
+    material.color.value = kind == MaterialKind::Conductor ? Vec3(1.0f) : Vec3(0.6f, 0.3f, 0.1f);
     material.roughness.value = roughness;
     return material;
 }
@@ -84,7 +84,8 @@ TEST_P(RoughnessTexture, OfTwoHalvesIsTwoPlates) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, RoughnessTexture,
-                         testing::Combine(testing::Values(MaterialKind::Conductor, MaterialKind::Plastic),
+                         testing::Combine(testing::Values(MaterialKind::Conductor, MaterialKind::Plastic,
+                                                          MaterialKind::Principled),
                                           testing::Bool()));
 
 }  // namespace

@@ -104,6 +104,12 @@ TEST_P(SppmAgainstPaths, Bumps) { expectAgreementOf(bumpyBox(), params()); }
 TEST_P(SppmAgainstPaths, Cutouts) { expectAgreementOf(cutoutBox(), params()); }
 TEST_P(SppmAgainstPaths, AbsorbingGlass) { expectAgreementOf(absorbingGlassBox(), params()); }
 TEST_P(SppmAgainstPaths, TranslucentSheets) { expectAgreementOf(translucentBox(), params()); }
+TEST_P(SppmAgainstPaths, Principled) {
+    SppmParams finer = params();  // the balls are six pixels wide, and have highlights
+    finer.photonsPerPass = 32000;
+    finer.radiusFootprints = 1.0f;
+    expectAgreementOf(principledBox(), finer);
+}
 TEST_P(SppmAgainstPaths, DispersiveGlass) {
     SppmParams more = params();
     more.photonsPerPass = 20000;

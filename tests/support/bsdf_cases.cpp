@@ -54,6 +54,48 @@ MaterialData mixtureMaterial(const Vec3& color, const Vec3& probability, float i
     return data;
 }
 
+MaterialData principledMaterial(const Vec3& color, float alpha, float metallic, float coat, float coatAlpha,
+                                const Vec3& sheen) {
+    MaterialData data = plasticMaterial(color, 1.5f, alpha);
+    data.kind = MaterialKind::Principled;
+    data.inputs.metallic = metallic;
+    data.inputs.clearcoat = coat;
+    data.inputs.clearcoatRoughness = coatAlpha;
+    data.inputs.sheenColor = sheen;
+    return data;
+}
+
+/// Principled materials of which each has other layers.
+void addPrincipledCases(const Vec3& color, std::vector<BsdfCase>* cases) {
+    const Vec3 white(1.0f);
+    for (const float alpha : {0.0f, 0.05f, 0.3f, 1.0f}) {
+        cases->push_back({fmt::format("principled {}", alpha), principledMaterial(color, alpha, 0.0f)});
+        cases->push_back({fmt::format("principled metal {}", alpha), principledMaterial(color, alpha, 1.0f)});
+        cases->push_back({fmt::format("principled white, coated with its roughness {}", alpha),
+                          principledMaterial(white, alpha, 0.5f, 1.0f, alpha, white)});
+        cases->push_back({fmt::format("principled cloth {}", alpha),
+                          principledMaterial(white, 0.8f, 0.0f, 0.0f, 0.0f, Vec3(0.9f, 0.5f, 1.0f))});
+        cases->back().material.inputs.sheenRoughness = alpha;
+    }
+    cases->push_back({"principled car paint", principledMaterial(color, 0.4f, 0.7f, 1.0f, 0.0f)});
+    cases->push_back({"principled metal, coated", principledMaterial(white, 0.0f, 1.0f, 1.0f, 0.0f)});
+    cases->push_back(
+        {"principled mirror under a rough coat", principledMaterial(white, 0.0f, 1.0f, 0.8f, 0.2f)});
+    cases->push_back({"principled tinted", principledMaterial(color, 0.2f, 0.2f, 0.5f, 0.1f, Vec3(0.3f))});
+    cases->back().material.inputs.specular = 0.6f;
+    cases->back().material.inputs.specularTint = Vec3(0.0f, 1.0f, 0.4f);
+    cases->push_back({"principled black", principledMaterial(Vec3(0.0f), 0.0f, 0.0f)});
+    cases->back().material.inputs.specular = 0.0f;
+}
+
+float narrowestAlpha(const MaterialData& material) {
+    const ShadingInputs& in = material.inputs;
+    const bool hasRoughCoat = in.clearcoat > 0.0f && in.clearcoatRoughness >= kSmoothAlpha;
+    const float base =
+        material.kind == MaterialKind::Principled && detail::isSmooth(in) ? 1.0f : in.roughness;
+    return hasRoughCoat ? std::fmin(base, in.clearcoatRoughness) : base;
+}
+
 MaterialData translucentMaterial(const Vec3& color, const Vec3& transmission) {
     MaterialData data = diffuseMaterial(color);
     data.kind = MaterialKind::Translucent;
@@ -82,6 +124,7 @@ std::vector<BsdfCase> allBsdfCases() {
         {"plastic white smooth", plasticMaterial(Vec3(1.0f), 1.9f, 0.0f)},
         {"plastic black smooth", plasticMaterial(Vec3(0.0f), 1.5f, 0.0f)},
     };
+    addPrincipledCases(color, &cases);
     for (const float alpha : {1e-3f, 1e-2f, 0.1f, 0.3f, 1.0f}) {
         cases.push_back({fmt::format("conductor gold {}", alpha), conductorMaterial("gold", alpha)});
         cases.push_back({fmt::format("dielectric 1.5 {}", alpha), dielectricMaterial(1.5f, alpha)});

@@ -38,10 +38,16 @@ MaterialData conductorMaterial(const std::string& metal, float alpha);
 MaterialData dielectricMaterial(float ior, float alpha, bool thin = false);
 MaterialData plasticMaterial(const Vec3& color, float ior, float alpha);
 MaterialData mixtureMaterial(const Vec3& color, const Vec3& probability, float ior);
+/// An index of 1.5; `coat` is the share that has one of alpha coatAlpha.
+MaterialData principledMaterial(const Vec3& color, float alpha, float metallic, float coat = 0.0f,
+                                float coatAlpha = 0.0f, const Vec3& sheen = Vec3(0.0f));
 MaterialData translucentMaterial(const Vec3& color, const Vec3& transmission);
 
 /// Every kind over its range of parameters: roughness 0 and 1e-3 to 1, indices below and above 1.
 std::vector<BsdfCase> allBsdfCases();
+
+/// The GGX alpha of the narrowest lobe that has a density; 1 where none is GGX.
+float narrowestAlpha(const MaterialData& material);
 
 /// The unit direction at an angle of acos(cosine) to +z; negative cosines are on the back.
 Vec3 directionAt(float cosine, float phiRad = 0.7f);

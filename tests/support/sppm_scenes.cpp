@@ -122,6 +122,34 @@ SceneDescription translucentBox() {
     return scene;
 }
 
+SceneDescription principledBox() {
+    SceneDescription scene = small(cornellBox());
+    Material paint = diffuseMaterial(Vec3(0.6f, 0.1f, 0.1f));
+    paint.kind = MaterialKind::Principled;
+    paint.metallic.value = 0.6f;
+    paint.roughness.value = 0.35f;
+    paint.clearcoat.value = 1.0f;
+    Material cloth = diffuseMaterial(Vec3(0.1f, 0.2f, 0.5f));
+    cloth.kind = MaterialKind::Principled;
+    cloth.roughness.value = 0.7f;
+    cloth.sheenColor.value = Vec3(0.9f, 0.8f, 0.7f);
+    const Material balls[] = {paint, cloth};
+    int next = 0;
+    for (Object& object : scene.objects) {
+        if (object.shape == ShapeKind::Sphere) { object.material = addMaterial(&scene, balls[next++]); }
+    }
+    Material worn = paint;
+    worn.metallic.texture =
+        addTexture(&scene, greyImage(4, 4, [](int x, int y) { return (x + y) % 2 == 0 ? 0.1f : 1.0f; }));
+    worn.roughness.texture = addTexture(&scene, waves(16, 2));
+    scene.textures.back().base = 0.3f;
+    scene.textures.back().gain = 0.7f;
+    worn.clearcoatRoughness.value = 0.3f;
+    addObject(&scene, ShapeKind::Rectangle,
+              placeFlatShape({0.0f, 1.2f, -0.3f}, {0.0f, 1.0f, 0.6f}, 0.6f, 0.6f), worn);
+    return scene;
+}
+
 SceneDescription dispersiveGlass() {
     SceneDescription scene = small(emptyScene({0.0f, 2.0f, 3.0f}, {0.0f, 0.15f, 0.1f}, 32.0f, 32));
     const Vec3 up(0.0f, 1.0f, 0.0f);

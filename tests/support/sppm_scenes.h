@@ -27,6 +27,8 @@ SceneDescription absorbingGlassBox();
 
 /// A box with a sheet across it that light passes diffusely, and a ball of the same; small.
 SceneDescription translucentBox();
+/// A painted ball with a smooth coat, one of cloth, and a sheet of worn metal whose inputs are textures.
+SceneDescription principledBox();
 
 /// A ball and a cube of glass of extreme dispersion on a floor, one seen through the other: what a camera
 /// path and a photon are bent by meets on the floor, and in a second ball of rough glass; small.

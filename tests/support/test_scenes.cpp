@@ -134,7 +134,7 @@ SceneDescription texturedInputs() {
     scene.textures.push_back({"indices", checkerImage(4, 4, true), ColorEncoding::Linear, true, Vec2(1.0f)});
     const size_t first = scene.materials.size();
     for (const MaterialKind kind : {MaterialKind::Conductor, MaterialKind::Dielectric, MaterialKind::Plastic,
-                                    MaterialKind::Plastic, MaterialKind::Mixture}) {
+                                    MaterialKind::Plastic, MaterialKind::Mixture, MaterialKind::Principled}) {
         const int material = addMaterial(&scene, kind, Vec3(0.9f, 0.7f, 0.5f), 0.2f);
         const float x = 1.1f * (static_cast<float>(material) - static_cast<float>(first) - 2.0f);
         addObject(&scene, ShapeKind::Sphere, translate({x, 0.5f, 0.0f}) * scale(Vec3(0.5f)), material);
@@ -296,7 +296,8 @@ std::vector<NamedScene> allTestScenes() {
             {"kdTrees", kdTrees()},
             {"dispersiveBalls", dispersiveBalls()},
             {"absorbingGlass", absorbingGlassBox()},
-            {"translucentSheets", translucentBox()}};
+            {"translucentSheets", translucentBox()},
+            {"principled", principledBox()}};
 }
 
 }  // namespace glint::test

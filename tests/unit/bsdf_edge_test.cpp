@@ -21,6 +21,10 @@ std::vector<BsdfCase> edgeCases() {
     cases.push_back({"plastic of index 1", plasticMaterial(Vec3(0.5f), 1.0f, 0.2f)});
     cases.push_back({"plastic of index 1, black", plasticMaterial(Vec3(0.0f), 1.0f, 0.0f)});
     cases.push_back({"plastic of index 0.5", plasticMaterial(Vec3(0.5f), 0.5f, 0.0f)});
+    cases.push_back({"principled without an index",
+                     principledMaterial(Vec3(0.5f), 0.3f, 0.0f, 1.0f, kSmoothAlpha, Vec3(1.0f))});
+    cases.back().material.inputs.ior = 1.0f;
+    cases.back().material.inputs.sheenRoughness = 0.0f;
     MaterialData vacuum = conductorMaterial("gold", 0.1f);
     vacuum.inputs.eta = Vec3(1.0f);
     vacuum.inputs.k = Vec3(0.0f);
@@ -113,9 +117,9 @@ TEST(BsdfEdges, OpaqueMaterialsScatterOnTheBack) {
 TEST(BsdfShadingNormals, NeitherLeakNorGoBlack) {
     Random random(4);
     const MaterialData mirror = mirrorMaterial(Vec3(1.0f));
-    const std::vector<MaterialData> opaque{diffuseMaterial(Vec3(0.5f)),
-                                           plasticMaterial(Vec3(0.5f), 1.5f, 0.2f),
-                                           conductorMaterial("gold", 0.3f)};
+    const std::vector<MaterialData> opaque{
+        diffuseMaterial(Vec3(0.5f)), plasticMaterial(Vec3(0.5f), 1.5f, 0.2f), conductorMaterial("gold", 0.3f),
+        principledMaterial(Vec3(0.5f), 0.2f, 0.4f, 0.8f, 0.0f, Vec3(0.5f))};
     for (int i = 0; i < 3000; ++i) {
         TestSurface surface;
         surface.ns = directionAt(0.05f + 0.95f * random.uniform(), kTwoPi * random.uniform());
@@ -169,6 +173,9 @@ TEST(BsdfMasks, SpecularOnlyMaterialsSaySo) {
     EXPECT_TRUE(isSpecularOnly(testBsdf(mixtureMaterial(Vec3(1.0f), Vec3(0, 0.5f, 0.5f), 1.5f), wo)));
     EXPECT_FALSE(isSpecularOnly(testBsdf(mixtureMaterial(Vec3(1.0f), Vec3(0.1f, 0.4f, 0.5f), 1.5f), wo)));
     EXPECT_FALSE(isSpecularOnly(testBsdf(plasticMaterial(Vec3(1.0f), 1.5f, 0.0f), wo)));
+    EXPECT_FALSE(isSpecularOnly(testBsdf(principledMaterial(Vec3(1.0f), 0.0f, 0.9f), wo)));
+    EXPECT_TRUE(isSpecularOnly(testBsdf(principledMaterial(Vec3(1.0f), 0.0f, 1.0f, 1.0f), wo)));
+    EXPECT_FALSE(isSpecularOnly(testBsdf(principledMaterial(Vec3(1.0f), 0.0f, 1.0f, 1.0f, 0.1f), wo)));
 }
 
 }  // namespace

@@ -19,22 +19,18 @@ using Gltf = test::GltfTest;
 
 TEST_F(Gltf, MaterialsBecomeTheNearestOfGlint) {
     const Material plain = only("");
-    EXPECT_EQ(plain.kind, MaterialKind::Conductor) << "metallic is 1 unless it is said";
+    EXPECT_EQ(plain.kind, MaterialKind::Principled);
+    EXPECT_EQ(plain.metallic.value, 1.0f) << "unless it is said";
+    EXPECT_EQ(plain.clearcoat.value, 0.0f);
+    EXPECT_EQ(plain.sheenColor.value, Vec3(0.0f));
     const Material plastic =
         only(R"("pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.25, 1, 1], "metallicFactor": 0,
         "roughnessFactor": 0.5}, "extensions": {"KHR_materials_ior": {"ior": 1.3}})");
-    EXPECT_EQ(plastic.kind, MaterialKind::Plastic);
+    EXPECT_EQ(plastic.kind, MaterialKind::Principled);
+    EXPECT_EQ(plastic.metallic.value, 0.0f);
     EXPECT_EQ(plastic.color.value, Vec3(0.5f, 0.25f, 1.0f));
     EXPECT_EQ(plastic.roughness.value, 0.25f);
     EXPECT_FLOAT_EQ(plastic.ior.value, 1.3f);
-    const Material metal =
-        only(R"("pbrMetallicRoughness": {"baseColorFactor": [0.9, 0.6, 0.2, 1], "roughnessFactor": 0})");
-    ASSERT_EQ(metal.kind, MaterialKind::Conductor);
-    for (int c = 0; c < 3; ++c) {
-        const float n = metal.eta.value[c], k = metal.k.value[c];
-        EXPECT_NEAR(((n - 1) * (n - 1) + k * k) / ((n + 1) * (n + 1) + k * k), Vec3(0.9f, 0.6f, 0.2f)[c],
-                    1e-4f);
-    }
     const std::string passing = R"("extensions": {"KHR_materials_transmission": {"transmissionFactor": 1})";
     EXPECT_EQ(only(passing + "}").kind, MaterialKind::Dielectric);
     EXPECT_TRUE(only(passing + "}").thin);
@@ -47,7 +43,8 @@ TEST_F(Gltf, MaterialsBecomeTheNearestOfGlint) {
     const Material older =
         only(R"("extensions": {"KHR_materials_pbrSpecularGlossiness": {"diffuseFactor": [0.5, 0.25, 1, 1],
         "glossinessFactor": 0.5}})");
-    EXPECT_EQ(older.kind, MaterialKind::Plastic);
+    EXPECT_EQ(older.kind, MaterialKind::Principled);
+    EXPECT_EQ(older.metallic.value, 0.0f);
     EXPECT_EQ(older.color.value, Vec3(0.5f, 0.25f, 1.0f));
     EXPECT_EQ(older.roughness.value, 0.25f);
     const Material unlit = only(R"("pbrMetallicRoughness": {"baseColorFactor": [0.2, 0.4, 0.6, 1]},
@@ -59,6 +56,49 @@ TEST_F(Gltf, MaterialsBecomeTheNearestOfGlint) {
         only(R"("alphaMode": "BLEND", "pbrMetallicRoughness": {"baseColorFactor": [1, 1, 1, 0.25]})");
     EXPECT_TRUE(veil.alphaCutsOut);
     EXPECT_EQ(veil.opacity.value, 0.25f);
+}
+
+/// KHR_materials_specular, _clearcoat and _sheen, by their factors.
+TEST_F(Gltf, LayersAreThoseOfTheExtensions) {
+    const Material layered = only(R"("pbrMetallicRoughness": {"metallicFactor": 0.25}, "extensions": {
+        "KHR_materials_specular": {"specularFactor": 0.5, "specularColorFactor": [1, 0.5, 0.25]},
+        "KHR_materials_clearcoat": {"clearcoatFactor": 0.75, "clearcoatRoughnessFactor": 0.5},
+        "KHR_materials_sheen": {"sheenColorFactor": [0.1, 0.2, 0.3], "sheenRoughnessFactor": 0.5}})");
+    EXPECT_EQ(layered.kind, MaterialKind::Principled);
+    EXPECT_EQ(layered.metallic.value, 0.25f);
+    EXPECT_EQ(layered.specular.value, 0.5f);
+    EXPECT_EQ(layered.specularTint.value, Vec3(1.0f, 0.5f, 0.25f));
+    EXPECT_EQ(layered.clearcoat.value, 0.75f);
+    EXPECT_EQ(layered.clearcoatRoughness.value, 0.25f) << "alpha is the square";
+    EXPECT_EQ(layered.sheenColor.value, Vec3(0.1f, 0.2f, 0.3f));
+    EXPECT_EQ(layered.sheenRoughness.value, 0.25f);
+}
+
+TEST_F(Gltf, LayersHaveImages) {
+    ASSERT_TRUE(savePng(folder.path("t.png"), {2, 1, {9, 51, 255, 9, 204, 0}, {255, 51}}));
+    const SceneDescription scene = load(gltf(R"("materials": [{"extensions": {
+        "KHR_materials_specular": {"specularFactor": 0.5, "specularTexture": {"index": 0}},
+        "KHR_materials_clearcoat": {"clearcoatFactor": 1, "clearcoatTexture": {"index": 0},
+        "clearcoatRoughnessFactor": 0.5, "clearcoatRoughnessTexture": {"index": 0}},
+        "KHR_materials_sheen": {"sheenColorFactor": [0.5, 0.5, 0.5], "sheenColorTexture": {"index": 0}}},
+        "pbrMetallicRoughness": {"metallicFactor": 0.5, "metallicRoughnessTexture": {"index": 0}}}],
+        "textures": [{"source": 0}], "images": [{"uri": "t.png"}])"));
+    const Material& material = scene.materials[0];
+    const auto expectShown = [&](int index, TextureChannel channel, float gain, float exponent) {
+        ASSERT_GE(index, 0);
+        const Texture& texture = scene.textures.at(static_cast<size_t>(index));
+        EXPECT_EQ(texture.channel, channel);
+        EXPECT_EQ(texture.encoding, ColorEncoding::Linear);
+        EXPECT_EQ(texture.gain, gain);
+        EXPECT_EQ(texture.exponent, exponent);
+    };
+    expectShown(material.metallic.texture, TextureChannel::Blue, 0.5f, 1.0f);
+    expectShown(material.specular.texture, TextureChannel::Alpha, 0.5f, 1.0f);
+    expectShown(material.clearcoat.texture, TextureChannel::Red, 1.0f, 1.0f);
+    expectShown(material.clearcoatRoughness.texture, TextureChannel::Green, 0.5f, 2.0f);
+    ASSERT_GE(material.sheenColor.texture, 0);
+    EXPECT_EQ(scene.textures.at(static_cast<size_t>(material.sheenColor.texture)).encoding,
+              ColorEncoding::Srgb);
 }
 
 TEST_F(Gltf, VolumesAbsorbAndSheetsLetThrough) {
@@ -118,7 +158,8 @@ TEST_F(Gltf, RoughnessIsTheImagesGreenTimesItsFactorSquared) {
         "metallicRoughnessTexture": {"index": 0}}}], "textures": [{"source": 0}], "images": [{"uri": "t.png"}])");
     ASSERT_TRUE(savePng(folder.path("t.png"), {2, 1, {9, 51, 255, 9, 204, 255}}));
     const SceneDescription scene = load(text);
-    EXPECT_EQ(scene.materials[0].kind, MaterialKind::Conductor);
+    EXPECT_EQ(scene.materials[0].metallic.value, 1.0f);
+    EXPECT_EQ(scene.materials[0].metallic.texture, -1) << "metal everywhere";
     ASSERT_GE(scene.materials[0].roughness.texture, 0);
     const Texture& map = scene.textures[static_cast<size_t>(scene.materials[0].roughness.texture)];
     EXPECT_EQ(map.encoding, ColorEncoding::Linear);
@@ -150,11 +191,12 @@ TEST_F(Gltf, MasksHaveALimit) {
 
 TEST_F(Gltf, WhatGlintDoesNotDrawIsSaidOnceOfEachKind) {
     const SceneDescription scene = load(gltf(R"("materials": [{"name": "a", "alphaMode": "MASK",
-        "pbrMetallicRoughness": {"metallicFactor": 0.7}, "extensions": {"KHR_materials_sheen": {}}}],
+        "extensions": {"KHR_materials_transmission": {"transmissionFactor": 0.2},
+        "KHR_materials_iridescence": {}}}],
         "animations": [{"channels": [], "samplers": []}])"));
-    EXPECT_THAT(scene.warnings, Contains(HasSubstr("between metal, glass and neither")));
+    EXPECT_THAT(scene.warnings, Contains(HasSubstr("materials that light passes in part")));
     EXPECT_THAT(scene.warnings,
-                Contains(HasSubstr("extensions of materials are left out: \"KHR_materials_sheen\"")));
+                Contains(HasSubstr("extensions of materials are left out: \"KHR_materials_iridescence\"")));
     EXPECT_THAT(scene.warnings, Contains(HasSubstr("animations are left out")));
     EXPECT_FALSE(loadScene(scene.path, {.strict = true}));
 }

@@ -112,6 +112,28 @@ TEST_F(MitsubaExport, WhatMitsubaDoesNotHaveIsSaid) {
     EXPECT_THAT(warnings, Contains("approximated: mixtures are their heaviest part"));
 }
 
+TEST_F(MitsubaExport, PrincipledMaterialsKeepTheirInputs) {
+    SceneDescription scene = load("<shape type='sphere'/>");
+    Material& paint = scene.materials[0];
+    paint.kind = MaterialKind::Principled;
+    paint.color.value = Vec3(0.8f, 0.2f, 0.1f);
+    paint.metallic.value = 0.6f;
+    paint.roughness.value = 0.25f;
+    paint.clearcoat.value = 0.2f;
+    paint.clearcoatRoughness.value = 0.05f;
+    paint.sheenColor.value = Vec3(0.05f);
+    const Material opened = exported(scene).materials.at(0);
+    EXPECT_EQ(opened.kind, MaterialKind::Principled);
+    EXPECT_EQ(opened.color.value, paint.color.value);
+    EXPECT_EQ(opened.metallic.value, 0.6f);
+    EXPECT_NEAR(opened.roughness.value, 0.25f, 1e-6f);
+    EXPECT_NEAR(opened.ior.value, 1.5f, 1e-5f);
+    EXPECT_NEAR(opened.clearcoat.value, 0.2f, 1e-6f);
+    EXPECT_NEAR(opened.clearcoatRoughness.value, 0.05f, 1e-6f);
+    expectNear(opened.sheenColor.value, Vec3(0.05f), 1e-6f);
+    EXPECT_THAT(warnings, Contains(HasSubstr("approximated: principled materials")));
+}
+
 TEST_F(MitsubaExport, NamesAndColoursOfVerticesPass) {
     SceneDescription scene = load("<shape type='cube'/>");
     auto mesh = std::make_shared<MeshData>(*scene.meshes[0].data);

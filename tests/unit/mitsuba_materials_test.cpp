@@ -219,7 +219,7 @@ TEST_F(MitsubaMaterialsTest, EachFurtherModelIsApproximatedAndSaid) {
         EXPECT_THAT(warnings, Contains(HasSubstr("approximated: "))) << type;
     }
     EXPECT_EQ(materialOf("<bsdf type='principled'><float name='metallic' value='1'/></bsdf>").kind,
-              MaterialKind::Conductor);
+              MaterialKind::Principled);
     EXPECT_EQ(materialOf("<bsdf type='principled'><float name='spec_trans' value='1'/></bsdf>").kind,
               MaterialKind::Dielectric);
     EXPECT_FLOAT_EQ(

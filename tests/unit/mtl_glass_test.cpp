@@ -108,6 +108,21 @@ TEST(MtlGlass, WhatCouldHaveBeenGlassIsNoted) {
     EXPECT_EQ(materialOf("Kd 1 1 1\nd 0.9\n").opacity.value, 0.9f) << "there for as many rays";
 }
 
+TEST(MtlPbr, LayersArePrincipled) {
+    const Material coated = materialOf("Kd 0.8 0.1 0.1\nPr 0.5\nPm 1\nPc 0.75\nPcr 0.5\nPs 0.25\nNi 1.4\n");
+    EXPECT_EQ(coated.kind, MaterialKind::Principled);
+    EXPECT_EQ(coated.color.value, Vec3(0.8f, 0.1f, 0.1f));
+    EXPECT_EQ(coated.metallic.value, 1.0f);
+    EXPECT_EQ(coated.roughness.value, 0.25f);
+    EXPECT_EQ(coated.clearcoat.value, 0.75f);
+    EXPECT_EQ(coated.clearcoatRoughness.value, 0.25f);
+    EXPECT_EQ(coated.sheenColor.value, Vec3(0.25f));
+    EXPECT_FLOAT_EQ(coated.ior.value, 1.4f);
+    const Material half = materialOf("Kd 0.8 0.1 0.1\nPr 0.5\nPm 0.5\n");
+    EXPECT_EQ(half.kind, MaterialKind::Principled);
+    EXPECT_EQ(half.metallic.value, 0.5f);
+}
+
 TEST(MtlPbr, MetalAndPlasticByPmAndPr) {
     const Material metal = materialOf("Kd 0.8 0.1 0.1\nPr 0.2\nPm 1.0\n");
     EXPECT_EQ(metal.kind, MaterialKind::Conductor);
@@ -127,9 +142,9 @@ TEST(MtlPbr, MetalAndPlasticByPmAndPr) {
     EXPECT_EQ(materialOf("Kd 1 1 1\nd 0.1\nPr 0.3\nPm 0\n").kind, MaterialKind::Dielectric);
     // Ke is a factor on an image; where that is missing, the whole model would glow.
     EXPECT_FALSE(materialOf("Kd 1 1 1\nKe 1 1 1\nmap_Ke missing.png\n").emissive());
-    EXPECT_THAT(loadWith("Kd 1 1 1\nPr 0.3\nPc 1\nmap_Pr r.png\nnorm n.png\n").warnings,
+    EXPECT_THAT(loadWith("Kd 1 1 1\nPr 0.3\naniso 1\nmap_Pr r.png\nnorm n.png\n").warnings,
                 testing::UnorderedElementsAre(
-                    HasSubstr("clear coat"),
+                    HasSubstr("anisotropy"),
                     HasSubstr("images are missing; the material's own colour takes their place: \"r.png\" "
                               "(and 1 more)")));
 }

@@ -81,7 +81,7 @@ TEST_F(PbrtMaterialsTest, Conductors) {
 "float conductor.roughness" 0.04 "float interface.roughness" 0.1)");
     EXPECT_EQ(metal.metal, "aluminium");
     EXPECT_NEAR(metal.roughness.value, 0.2f, 1e-6f);
-    EXPECT_THAT(warnings, Contains(HasSubstr("coats over metals")));
+    EXPECT_THAT(warnings, Contains(HasSubstr("coats over metal")));
 }
 
 TEST_F(PbrtMaterialsTest, Dielectrics) {
@@ -111,6 +111,16 @@ TEST_F(PbrtMaterialsTest, CoatsAreOfPlastic) {
     EXPECT_THAT(warnings, IsEmpty());
     materialOf("Material \"coateddiffuse\" \"rgb albedo\" [0.5 0.5 0.5]");
     EXPECT_THAT(warnings, Contains(HasSubstr("nothing scatters within coats")));
+    const Material coated = materialOf(
+        "Material \"coatedconductor\" \"bool remaproughness\" false \"float interface.roughness\" 0.1 "
+        "\"float "
+        "conductor.roughness\" 0.3 \"rgb reflectance\" [0.9 0.6 0.3]");
+    EXPECT_EQ(coated.kind, MaterialKind::Principled);
+    EXPECT_EQ(coated.metallic.value, 1.0f);
+    expectNear(coated.color.value, Vec3(0.9f, 0.6f, 0.3f), 1e-4f);
+    EXPECT_FLOAT_EQ(coated.clearcoat.value, 1.0f);
+    EXPECT_FLOAT_EQ(coated.clearcoatRoughness.value, 0.1f);
+    EXPECT_FLOAT_EQ(coated.roughness.value, 0.3f);
 }
 
 TEST_F(PbrtMaterialsTest, NamedMaterialsAndMixtures) {
@@ -164,6 +174,12 @@ TEST_F(PbrtMaterialsTest, FurtherModelsAreApproximatedAndSaid) {
     EXPECT_FLOAT_EQ(skin.ior.value, 1.33f);
     EXPECT_EQ(materialOf("Material \"matte\" \"rgb Kd\" [0.1 0.2 0.3]").color.value, Vec3(0.1f, 0.2f, 0.3f));
     EXPECT_EQ(materialOf("Material \"mirror\"").kind, MaterialKind::Mirror);
+    const Material disney = materialOf(
+        "Material \"disney\" \"float metallic\" 0.5 \"float roughness\" 0.5 \"float clearcoat\" 1");
+    EXPECT_EQ(disney.kind, MaterialKind::Principled);
+    EXPECT_EQ(disney.metallic.value, 0.5f);
+    EXPECT_FLOAT_EQ(disney.roughness.value, 0.25f);
+    EXPECT_EQ(disney.clearcoat.value, 0.25f);
     EXPECT_EQ(materialOf("Material \"glass\" \"float index\" 1.7").ior.value, 1.7f);
     EXPECT_THAT(errorOf("Material \"velvet\" Shape \"sphere\""), HasSubstr("no material \"velvet\""));
 }

@@ -77,6 +77,8 @@ TEST(MaterialTable, RefusesWhatMeansNothing) {
     Material plastic = materialOf(MaterialKind::Plastic);
     plastic.ior.value = 0.9f;
     EXPECT_NE(errorOf(plastic), "");
+    plastic.kind = MaterialKind::Principled;
+    EXPECT_NE(errorOf(plastic), "") << "its dielectric has a boundary, too";
     Material mixture = materialOf(MaterialKind::Mixture);
     mixture.mixtureWeights.value = Vec3(0.0f);
     EXPECT_NE(errorOf(mixture), "");
@@ -199,6 +201,13 @@ TEST(FeatureScan, NamesExactlyWhatIsNeeded) {
     EXPECT_EQ(featuresOf(scene), needed);
     EXPECT_EQ(neededFeatures(needed, SamplerKind::Independent), needed | kFeatureIndependentSampler);
     EXPECT_EQ(neededFeatures(needed, SamplerKind::Sobol), needed);
+}
+
+TEST(FeatureScan, PrincipledMaterialsHaveABitOfTheirOwn) {
+    Material paint = materialOf(MaterialKind::Principled);
+    paint.roughness.value = 0.4f;
+    paint.clearcoat.value = 1.0f;
+    EXPECT_EQ(featuresOf(sceneOf({paint})), FeatureMask{kFeatureCurved | kFeaturePrincipled});
 }
 
 TEST(FeatureScan, Meshes) {

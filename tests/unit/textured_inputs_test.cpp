@@ -75,6 +75,9 @@ Material materialOf(MaterialKind kind) {
     material.kind = kind;
     material.color.value = Vec3(0.8f, 0.6f, 0.4f);
     material.metal = "";
+    material.specular.value = 0.7f;
+    material.clearcoat.value = 0.5f;
+    material.sheenColor.value = Vec3(0.3f);
     return material;
 }
 
@@ -156,6 +159,27 @@ INSTANTIATE_TEST_SUITE_P(
                     InputCase{"MetalEta", MaterialKind::Conductor, Vec3(0.2f, 0.9f, 1.1f), Vec3(2.0f),
                               [](Material* m) { return &m->eta.texture; },
                               [](Material* m, const Vec3& v) { m->eta.value = v; }},
+                    InputCase{"Metallic", MaterialKind::Principled, Vec3(0.0f), Vec3(0.7f),
+                              [](Material* m) { return &m->metallic.texture; },
+                              [](Material* m, const Vec3& v) { m->metallic.value = v.x; }},
+                    InputCase{"Specular", MaterialKind::Principled, Vec3(0.0f), Vec3(0.4f),
+                              [](Material* m) { return &m->specular.texture; },
+                              [](Material* m, const Vec3& v) { m->specular.value = v.x; }},
+                    InputCase{"SpecularTint", MaterialKind::Principled, Vec3(0.0f, 0.5f, 1.0f), Vec3(1.0f),
+                              [](Material* m) { return &m->specularTint.texture; },
+                              [](Material* m, const Vec3& v) { m->specularTint.value = v; }},
+                    InputCase{"Clearcoat", MaterialKind::Principled, Vec3(0.0f), Vec3(1.0f),
+                              [](Material* m) { return &m->clearcoat.texture; },
+                              [](Material* m, const Vec3& v) { m->clearcoat.value = v.x; }},
+                    InputCase{"ClearcoatRoughness", MaterialKind::Principled, Vec3(0.0f), Vec3(0.2f),
+                              [](Material* m) { return &m->clearcoatRoughness.texture; },
+                              [](Material* m, const Vec3& v) { m->clearcoatRoughness.value = v.x; }},
+                    InputCase{"SheenColor", MaterialKind::Principled, Vec3(0.0f), Vec3(1.0f, 0.5f, 0.2f),
+                              [](Material* m) { return &m->sheenColor.texture; },
+                              [](Material* m, const Vec3& v) { m->sheenColor.value = v; }},
+                    InputCase{"SheenRoughness", MaterialKind::Principled, Vec3(0.1f), Vec3(0.9f),
+                              [](Material* m) { return &m->sheenRoughness.texture; },
+                              [](Material* m, const Vec3& v) { m->sheenRoughness.value = v.x; }},
                     InputCase{"MetalK", MaterialKind::Conductor, Vec3(3.0f, 2.0f, 1.0f), Vec3(7.0f),
                               [](Material* m) { return &m->k.texture; },
                               [](Material* m, const Vec3& v) { m->k.value = v; }}),

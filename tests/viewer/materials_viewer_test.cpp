@@ -1,4 +1,4 @@
-// Glass that absorbs and sheets that light passes, in the Materials panel: edited live, and saved.
+// Glass that absorbs, sheets that light passes and layers, in the Materials panel: edited live, and saved.
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -47,6 +47,30 @@ set "Transmission" 0.5 0.25 0.125
 )");
     EXPECT_EQ(sheet.kind, MaterialKind::Translucent);
     EXPECT_EQ(sheet.transmission.value, Vec3(0.5f, 0.25f, 0.125f));
+}
+
+TEST(MaterialsViewer, LayersAreEdited) {
+    const Material paint = editedBy(R"(
+set "Materials/Kind" Principled
+expect no-widget "Coat roughness"
+expect no-widget "Sheen roughness"
+set "Metallic" 0.5
+set "Specular" 0.75
+set "Specular tint" 1 0.5 0.25
+set "Clear coat" 1
+set "Sheen" 0.5 0.25 0.125
+wait frames 2
+set "Coat roughness" 0.125
+set "Sheen roughness" 0.625
+)");
+    EXPECT_EQ(paint.kind, MaterialKind::Principled);
+    EXPECT_EQ(paint.metallic.value, 0.5f);
+    EXPECT_EQ(paint.specular.value, 0.75f);
+    EXPECT_EQ(paint.specularTint.value, Vec3(1.0f, 0.5f, 0.25f));
+    EXPECT_EQ(paint.clearcoat.value, 1.0f);
+    EXPECT_EQ(paint.clearcoatRoughness.value, 0.125f);
+    EXPECT_EQ(paint.sheenColor.value, Vec3(0.5f, 0.25f, 0.125f));
+    EXPECT_EQ(paint.sheenRoughness.value, 0.625f);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ struct FeatureName {
     FeatureMask bit;
     const char* name;
 };
-constexpr std::array<FeatureName, 31> kFeatureNames{
+constexpr std::array<FeatureName, 32> kFeatureNames{
     {{kFeatureCurved, "spheres"},
      {kFeaturePlane, "planes"},
      {kFeatureFlat, "rectangles and discs"},
@@ -47,6 +47,7 @@ constexpr std::array<FeatureName, 31> kFeatureNames{
      {kFeatureMixture, "mixtures"},
      {kFeatureAttenuation, "absorbing glass"},
      {kFeatureTranslucent, "translucent sheets"},
+     {kFeaturePrincipled, "principled materials"},
      {kFeatureAreaLights, "area lights"},
      {kFeatureDeltaLights, "point, spot and directional lights"},
      {kFeatureEnvironmentConstant, "constant environment"},
@@ -69,8 +70,8 @@ std::vector<NamedCount> countByKind(const Items& items, Kind Items::value_type::
 }
 
 /// Materials that gather light into caustics.
-constexpr FeatureMask kCasters =
-    kFeatureSpecular | kFeatureDielectric | kFeatureGlossy | kFeaturePlastic | kFeatureMixture;
+constexpr FeatureMask kCasters = kFeatureSpecular | kFeatureDielectric | kFeatureGlossy | kFeaturePlastic |
+                                 kFeatureMixture | kFeaturePrincipled;
 
 void countLights(const SceneDescription& scene, const BuiltScene& built, SceneReport* report) {
     report->lights = countByKind(scene.lights, &Light::kind);

@@ -86,10 +86,33 @@ MaterialPresetGroup paints() {
     return group;
 }
 
+MaterialPresetGroup layers() {
+    MaterialPresetGroup group{"Layers", {}};
+    for (const NamedColor& color : kPlastics) {
+        Material paint = ofKind(MaterialKind::Principled);
+        paint.color.value = color.linear;
+        paint.metallic.value = 0.7f;
+        paint.roughness.value = kBrushed;
+        paint.clearcoat.value = 1.0f;
+        group.presets.push_back({std::string(color.name) + ", car paint", paint});
+    }
+    for (const NamedColor& color : kPlastics) {
+        Material velvet = ofKind(MaterialKind::Principled);
+        velvet.color.value = 0.4f * color.linear;
+        velvet.roughness.value = 0.8f;
+        velvet.specular.value = 0.2f;
+        velvet.sheenColor.value = glm::sqrt(color.linear);
+        velvet.sheenRoughness.value = 0.15f;
+        group.presets.push_back({std::string(color.name) + ", velvet", velvet});
+    }
+    return group;
+}
+
 }  // namespace
 
 std::span<const MaterialPresetGroup> materialPresets() {
-    static const std::vector<MaterialPresetGroup> kGroups{metals(), glasses(), plastics(), paints()};
+    static const std::vector<MaterialPresetGroup> kGroups{metals(), glasses(), plastics(), paints(),
+                                                          layers()};
     return kGroups;
 }
 

@@ -6,10 +6,9 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "engine/scene/glasses.h"
-#include "engine/scene/metals.h"
 #include "viewer/model/scene_document.h"
 #include "viewer/panels/asset_state.h"
+#include "viewer/panels/material_model_rows.h"
 #include "viewer/panels/material_patch.h"
 #include "viewer/panels/panel.h"
 #include "viewer/ui/widgets.h"
@@ -18,12 +17,10 @@ namespace glint {
 namespace {
 
 constexpr ui::KindLabel<MaterialKind> kKinds[]{
-    {MaterialKind::Diffuse, "Diffuse"},        {MaterialKind::Mirror, "Mirror"},
-    {MaterialKind::Conductor, "Conductor"},    {MaterialKind::Dielectric, "Dielectric"},
-    {MaterialKind::Plastic, "Plastic"},        {MaterialKind::Mixture, "Mixture"},
-    {MaterialKind::Translucent, "Translucent"}};
-constexpr const char* kOwnMetal = "own constants";
-constexpr const char* kOwnGlass = "own index";
+    {MaterialKind::Diffuse, "Diffuse"},         {MaterialKind::Mirror, "Mirror"},
+    {MaterialKind::Conductor, "Conductor"},     {MaterialKind::Dielectric, "Dielectric"},
+    {MaterialKind::Plastic, "Plastic"},         {MaterialKind::Mixture, "Mixture"},
+    {MaterialKind::Translucent, "Translucent"}, {MaterialKind::Principled, "Principled"}};
 
 std::string nameOf(const Material& material, size_t index) {
     return material.name.empty() ? fmt::format("material {}", index) : material.name;
@@ -129,124 +126,11 @@ void drawRelief(const SceneDescription& scene, Material* material) {
     }
 }
 
-/// A choice among measured constants and one's own, whose name is empty. True: another one was chosen.
-bool drawMeasured(const char* label, const char* own, const std::vector<std::string_view>& measured,
-                  std::string* name, const char* tooltip) {
-    std::vector<std::string_view> names{own};
-    names.insert(names.end(), measured.begin(), measured.end());
-    const auto found = std::find(names.begin() + 1, names.end(), *name);
-    int index = found == names.end() ? 0 : static_cast<int>(found - names.begin());
-    if (!ui::choice(label, &index, names, tooltip)) { return false; }
-    *name = index == 0 ? "" : std::string(names[static_cast<size_t>(index)]);
-    return true;
-}
-
-void drawMetal(Material* material) {
-    const auto shown = findMetal(material->metal);
-    std::string metal = material->metal == "aluminum" ? "aluminium" : material->metal;
-    if (drawMeasured("Metal", kOwnMetal, listedMetals(), &metal,
-                     "Measured constants, or eta and k of one's own")) {
-        material->metal = metal;
-        if (shown) {
-            // One's own constants begin with those of the metal that was shown.
-            material->eta.value = shown->eta;
-            material->k.value = shown->k;
-        }
-    }
-    if (!material->metal.empty()) { return; }
-    ui::vector3("Eta", &material->eta.value,
-                {.format = "%.3f",
-                 .speed = 0.005f,
-                 .min = 0.001f,
-                 .max = 20.0f,
-                 .tooltip = "Index of refraction at R, G, B"});
-    ui::vector3("k", &material->k.value,
-                {.format = "%.3f", .speed = 0.005f, .max = 20.0f, .tooltip = "Extinction at R, G, B"});
-}
-
-void drawIor(Material* material) {
-    ui::number("IOR", &material->ior.value,
-               {.format = "%.3f",
-                .speed = 0.003f,
-                .min = 0.1f,
-                .max = 5.0f,
-                .tooltip = "Index of refraction, inside over outside"});
-}
-
-void drawGlass(Material* material) {
-    const auto shown = findGlass(material->glass);
-    if (drawMeasured("Glass", kOwnGlass, glassNames(), &material->glass,
-                     "Measured indices, which bend colours apart, or one's own") &&
-        shown) {
-        material->ior.value = shown->ior;
-        material->abbeNumber = abbeNumber(shown->dispersion, shown->ior);
-    }
-    if (!material->glass.empty()) { return; }
-    if (!isZero(material->iorRgb)) {
-        ui::vector3("IOR RGB", &material->iorRgb,
-                    {.format = "%.4f",
-                     .speed = 0.001f,
-                     .min = 0.1f,
-                     .max = 5.0f,
-                     .tooltip = "Indices at red, green and blue: the picture has three wavelengths"});
-        return;
-    }
-    drawIor(material);
-    ui::number("Abbe number", &material->abbeNumber,
-               {.format = "%.1f",
-                .max = 100.0f,
-                .zeroText = "no dispersion",
-                .slider = true,
-                .tooltip = "The lower, the further colours are bent apart: flint glass 25, crown glass 64"});
-}
-
-void drawAttenuation(Material* material) {
-    ui::color("Attenuation", &material->attenuationColor, 1.0f,
-              "What is left of light after the attenuation distance inside. White: all of it");
-    if (material->attenuationColor == Vec3(1.0f)) { return; }
-    ui::number("Attenuation distance", &material->attenuationDistance,
-               {.format = "%.4f m",
-                .speed = std::max(material->attenuationDistance * 0.01f, 1e-6f),
-                .min = 1e-6f,
-                .max = 1e6f,
-                .tooltip = "The way inside the glass that leaves the attenuation colour"});
-}
-
 void drawScattering(const SceneDescription& scene, AssetReader* assets, Material* material) {
-    const MaterialKind kind = material->kind;
-    const bool mixture = kind == MaterialKind::Mixture;
-    const bool conductor = kind == MaterialKind::Conductor;
-    const bool dielectric = kind == MaterialKind::Dielectric;
-    const bool plastic = kind == MaterialKind::Plastic;
     ui::color("Colour", &material->color.value, 1.0f, "Linear Rec.709. Click the patch for a picker");
     drawTexture(scene, "Texture", "An image that replaces the colour", &material->color.texture);
     drawAssetState(assets);
-    if (conductor) { drawMetal(material); }
-    if (dielectric || mixture) { drawGlass(material); }
-    if (plastic) { drawIor(material); }
-    if (conductor || dielectric || plastic) {
-        ui::number(
-            "Roughness", &material->roughness.value,
-            {.format = "%.3f", .max = 1.0f, .zeroText = "smooth", .slider = true, .tooltip = "GGX alpha"});
-    }
-    if (dielectric) {
-        ui::toggle("Thin", &material->thin, "A sheet without thickness: light passes straight");
-        if (!material->thin) { drawAttenuation(material); }
-    }
-    if (kind == MaterialKind::Translucent) {
-        ui::color("Transmission", &material->transmission.value, 1.0f,
-                  "What passes; with the colour at most 1");
-    }
-    if (!mixture) { return; }
-    Vec3 weights = material->mixtureWeights.value;
-    if (ui::vector3("Weights", &weights,
-                    {.format = "%.2f",
-                     .speed = 0.005f,
-                     .max = 1.0f,
-                     .tooltip = "Diffuse, mirror, refractive; their ratio counts"}) &&
-        maxComponent(weights) > 0.0f) {
-        material->mixtureWeights.value = weights;
-    }
+    drawModelInputs(material);
 }
 
 void drawEmission(Material* material) {

@@ -30,6 +30,7 @@
 #include "engine/kernels/bsdf/mirror.h"
 #include "engine/kernels/bsdf/mixture.h"
 #include "engine/kernels/bsdf/plastic.h"
+#include "engine/kernels/bsdf/principled.h"
 #include "engine/kernels/bsdf/translucent.h"
 
 namespace glint {
@@ -66,6 +67,8 @@ GLINT_HD auto withModel(const MaterialData& material, Visit&& visit) {
                 return visitIfCompiled<MixtureModel<kMask>, kMask>(visit);
             case MaterialKind::Translucent:
                 return visitIfCompiled<TranslucentModel<kMask>, kMask>(visit);
+            case MaterialKind::Principled:
+                return visitIfCompiled<PrincipledModel<kMask>, kMask>(visit);
         }
         return decltype(visit(DiffuseModel<kMask>{})){};
     }

@@ -59,6 +59,8 @@ GLINT_HD void readInputs(const Scene& scene, const MaterialData& material, Vec2 
     values = material.inputs;
     forEachModelInput(
         [&](const InputInfo& info, auto& value, const TextureSlot& slot) {
+            constexpr uint32_t kOnlyPrincipled = kindBit(MaterialKind::Principled);
+            if (!hasFeature<kMask>(kFeaturePrincipled) && info.kinds == kOnlyPrincipled) { return; }
             if (slot.index >= scene.textures.count) { return; }
             readInput<kMask>(scene.textures[slot.index], uv, uvWidth, info, &value);
         },

@@ -1,0 +1,55 @@
+#include "engine/io/clear_coat.h"
+
+#include "engine/scene/metals.h"
+
+namespace glint {
+namespace {
+
+/// Of a boundary, head on; k: extinction.
+Vec3 reflectance(const Vec3& eta, const Vec3& k) {
+    const Vec3 less = eta - Vec3(1.0f), more = eta + Vec3(1.0f);
+    return (less * less + k * k) / (more * more + k * k);
+}
+
+/// A metal of the same reflectance head on.
+void makePrincipled(Material* material) {
+    if (material->kind == MaterialKind::Conductor) {
+        const auto known = findMetal(material->metal);
+        const Vec3 head =
+            known ? reflectance(known->eta, known->k) : reflectance(material->eta.value, material->k.value);
+        material->color.value *= head;
+    }
+    if (material->kind == MaterialKind::Mirror) { material->roughness = {}; }
+    material->kind = MaterialKind::Principled;
+    material->metallic = {1.0f};
+    material->ior = {1.5f};
+}
+
+}  // namespace
+
+bool coatMaterial(float ior, const NumberInput& alpha, Material* material) {
+    switch (material->kind) {
+        case MaterialKind::Diffuse:
+            material->kind = MaterialKind::Plastic;
+            material->ior = {ior};
+            material->roughness = alpha;
+            return true;
+        case MaterialKind::Mirror:
+        case MaterialKind::Conductor:
+        case MaterialKind::Principled: {
+            const float root = (ior - 1.0f) / (ior + 1.0f);
+            if (material->kind != MaterialKind::Principled) { makePrincipled(material); }
+            material->clearcoat = {minf(root * root / 0.04f, 1.0f)};
+            material->clearcoatRoughness = alpha;
+            return true;
+        }
+        case MaterialKind::Dielectric:
+        case MaterialKind::Plastic:
+        case MaterialKind::Mixture:
+        case MaterialKind::Translucent:
+            break;
+    }
+    return false;
+}
+
+}  // namespace glint

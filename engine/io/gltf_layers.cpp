@@ -1,0 +1,90 @@
+// KHR_materials_specular, _clearcoat and _sheen of glTF's materials.
+#include <cmath>
+
+#include "engine/io/gltf_materials.h"
+#include "engine/io/gltf_surface.h"
+
+namespace glint {
+namespace {
+
+/// The reference to a texture that stands under `key`.
+tinygltf::TextureInfo textureOf(const tinygltf::Value* extension, const char* key) {
+    tinygltf::TextureInfo info;
+    if (extension == nullptr || !extension->Get(key).IsObject()) { return info; }
+    const tinygltf::Value& value = extension->Get(key);
+    info.index = static_cast<int>(numberOf(&value, "index", -1.0));
+    info.texCoord = static_cast<int>(numberOf(&value, "texCoord", 0.0));
+    const tinygltf::Value& extensions = value.Get("extensions");
+    for (const std::string& name : extensions.IsObject() ? extensions.Keys() : std::vector<std::string>()) {
+        info.extensions[name] = extensions.Get(name);
+    }
+    return info;
+}
+
+}  // namespace
+
+Status GltfMaterials::takeNumber(const tinygltf::Value* extension, const LayerKeys& keys, Reading reading,
+                                 NumberInput* out) {
+    const float factor =
+        gltfNumber(numberOf(extension, keys.factor, static_cast<double>(keys.otherwise)), 0.0, 1.0);
+    *out = {std::pow(factor, reading.exponent), -1};
+    if (factor == 0.0f) { return {}; }
+    reading.gain = factor;
+    const Result<int> map = takeTexture(textureOf(extension, keys.image), reading);
+    if (!map) { return map.error(); }
+    out->texture = *map;
+    return {};
+}
+
+Status GltfMaterials::takeColor(const tinygltf::Value* extension, const LayerKeys& keys, ColorInput* out) {
+    *out = {gltfColor(extension, keys.factor, Vec3(keys.otherwise)), -1};
+    if (isZero(out->value)) { return {}; }
+    const float gain = maxComponent(out->value);
+    const Result<int> map =
+        takeTexture(textureOf(extension, keys.image), {ColorEncoding::Srgb, TextureChannel::Red, gain});
+    if (!map) { return map.error(); }
+    out->texture = *map;
+    if (*map >= 0 && minComponent(out->value) < gain) {
+        file_.remark("maps of specular and sheen colours lose the colour of their factor");
+    }
+    return {};
+}
+
+Status GltfMaterials::takeLayers(const tinygltf::Material& from, Material* out) {
+    const auto* specular = extensionOf(from, "KHR_materials_specular");
+    const auto* coat = extensionOf(from, "KHR_materials_clearcoat");
+    const auto* sheen = extensionOf(from, "KHR_materials_sheen");
+    constexpr ColorEncoding kLinear = ColorEncoding::Linear;
+    Status status = takeNumber(specular, {"specularFactor", "specularTexture", 1.0f},
+                               {kLinear, TextureChannel::Alpha}, &out->specular);
+    if (status) {
+        status =
+            takeColor(specular, {"specularColorFactor", "specularColorTexture", 1.0f}, &out->specularTint);
+    }
+    if (status) {
+        status = takeNumber(coat, {"clearcoatFactor", "clearcoatTexture", 0.0f},
+                            {kLinear, TextureChannel::Red}, &out->clearcoat);
+    }
+    if (status) {
+        status = takeNumber(coat, {"clearcoatRoughnessFactor", "clearcoatRoughnessTexture", 0.0f},
+                            {kLinear, TextureChannel::Green, 1.0f, 2.0f}, &out->clearcoatRoughness);
+    }
+    if (status) {
+        status = takeColor(sheen, {"sheenColorFactor", "sheenColorTexture", 0.0f}, &out->sheenColor);
+    }
+    if (status) {
+        status = takeNumber(sheen, {"sheenRoughnessFactor", "sheenRoughnessTexture", 0.0f},
+                            {kLinear, TextureChannel::Alpha, 1.0f, 2.0f}, &out->sheenRoughness);
+    }
+    const bool isBare = out->metallic == NumberInput{0.0f} && out->clearcoat == NumberInput{0.0f} &&
+                        out->sheenColor == ColorInput{Vec3(0.0f)};
+    if (isBare && (out->specular == NumberInput{0.0f} || out->ior.value == 1.0f)) {
+        out->kind = MaterialKind::Diffuse;
+    }
+    if (coat != nullptr && coat->Has("clearcoatNormalTexture")) {
+        file_.remark("coats have the normals of what they coat", from.name);
+    }
+    return status;
+}
+
+}  // namespace glint

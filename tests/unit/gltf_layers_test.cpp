@@ -1,0 +1,90 @@
+// Principled materials written as glTF and opened again.
+#include <gmock/gmock.h>
+
+#include "engine/io/exporter.h"
+#include "tests/support/gltf_test.h"
+#include "tests/support/gltf_validity.h"
+
+namespace glint::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+class GltfLayers : public GltfTest {
+  protected:
+    SceneDescription exported(const SceneDescription& scene) {
+        const std::string path = folder.path("out.glb");
+        const Status saved = exporterOf(path)->save(scene, path, &warnings);
+        EXPECT_TRUE(saved) << saved.error().format();
+        expectValidGltf(path);
+        auto opened = loadScene(path, {.noStudio = true});
+        EXPECT_TRUE(opened) << opened.error().format();
+        return opened ? std::move(*opened) : SceneDescription();
+    }
+    /// In the dark.
+    SceneDescription square() {
+        SceneDescription scene = load(gltf(material("")));
+        scene.environment.color = Vec3(0.0f);
+        return scene;
+    }
+    static Material paintOf() {
+        Material paint;
+        paint.kind = MaterialKind::Principled;
+        paint.color.value = {0.75f, 0.25f, 0.125f};
+        paint.metallic.value = 0.5f;
+        paint.roughness.value = 0.25f;
+        paint.ior.value = 1.25f;
+        paint.specular.value = 0.5f;
+        paint.specularTint.value = {1.0f, 0.5f, 0.25f};
+        paint.clearcoat.value = 0.75f;
+        paint.clearcoatRoughness.value = 0.0625f;
+        paint.sheenColor.value = {0.5f, 0.25f, 0.0f};
+        paint.sheenRoughness.value = 0.5625f;
+        return paint;
+    }
+    static int addTexture(SceneDescription* scene, const Image8& image, TextureChannel channel) {
+        Texture texture;
+        texture.encoding = ColorEncoding::Linear;
+        texture.channel = channel;
+        texture.image.bytes = std::make_shared<const Image8>(image);
+        scene->textures.push_back(texture);
+        return static_cast<int>(scene->textures.size()) - 1;
+    }
+    std::vector<std::string> warnings;
+};
+
+TEST_F(GltfLayers, LayersKeepTheirInputs) {
+    SceneDescription scene = square();
+    const Material paint = paintOf();
+    scene.materials[0] = paint;
+    const Material opened = exported(scene).materials.at(0);
+    EXPECT_THAT(warnings, IsEmpty());
+    EXPECT_EQ(opened.kind, MaterialKind::Principled);
+    EXPECT_EQ(opened.color, paint.color);
+    forEachModelInput(
+        [](const InputInfo& info, const auto& now, const auto& before) {
+            if ((info.kinds & kindBit(MaterialKind::Principled)) != 0) { EXPECT_EQ(now, before) << info.key; }
+        },
+        opened, paint);
+}
+
+TEST_F(GltfLayers, RoughnessAndMetalnessAreOnePicture) {
+    SceneDescription scene = square();
+    Material& paint = scene.materials[0] = paintOf();
+    const Image8 image{2, 1, {0, 100, 255, 0, 200, 51}, {}};
+    paint.metallic.texture = addTexture(&scene, image, TextureChannel::Blue);
+    paint.roughness.texture = addTexture(&scene, image, TextureChannel::Green);
+    scene.textures.back().exponent = 2.0f;
+    const SceneDescription textured = exported(scene);
+    EXPECT_THAT(warnings, IsEmpty());
+    const Texture& metal = textured.textures.at(static_cast<size_t>(textured.materials[0].metallic.texture));
+    EXPECT_EQ(metal.channel, TextureChannel::Blue);
+    ASSERT_TRUE(metal.image.bytes);
+    EXPECT_THAT(metal.image.bytes->rgb, ElementsAre(255, 100, 255, 255, 200, 51));
+    EXPECT_EQ(textured.textures.at(static_cast<size_t>(textured.materials[0].roughness.texture)).exponent,
+              2.0f);
+}
+
+}  // namespace
+}  // namespace glint::test
