@@ -9,10 +9,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "engine/base/console.h"
 #include "engine/base/log.h"
-#include "engine/io/atomic_file.h"
-#include "engine/io/image_io.h"
 #include "viewer/base/interrupt.h"
 #include "viewer/base/progress.h"
 #include "viewer/base/state_folder.h"
@@ -23,6 +20,7 @@
 #include "viewer/window/key_codes.h"
 #include "viewer/window/script_player.h"
 #include "viewer/window/shell.h"
+#include "viewer/window/view_outputs.h"
 
 namespace glint {
 namespace {
@@ -64,10 +62,6 @@ class App {
     std::string currentTitle() const;
     bool headlessDone();
     Status finish();
-    Status saveScreenshot(const std::string& path) const;
-    Status saveWindow() const;
-    Status saveImageFile();
-    Status saveFrameStats();
 
     ViewerOptions options_;
     std::unique_ptr<Surface> surface_;
@@ -110,9 +104,9 @@ Status App::open(std::optional<SceneDescription> scene) {
     if (!rendererStarted_) { return Error{"Dear ImGui cannot use this OpenGL context", {}}; }
     if (Status created = panes_.create(surface_->gl()); !created) { return created.error(); }
     if (options_.script) {
-        player_ =
-            std::make_unique<ScriptPlayer>(*options_.script, &registry_, &workspace_,
-                                           [this](const std::string& path) { return saveScreenshot(path); });
+        player_ = std::make_unique<ScriptPlayer>(
+            *options_.script, &registry_, &workspace_,
+            [this](const std::string& path) { return saveScreenshot(*surface_, path); });
     }
     uint32_t& passLimit = workspace_.render.request.limits.passes;
     passLimit = options_.passes;
@@ -260,45 +254,7 @@ Status App::finish() {
     if (workspace_.render.status().state == SessionState::Failed && options_.headless) {
         return Error{workspace_.render.status().error, {}};
     }
-    // What cannot be written must not cost the rest.
-    const Status window = saveWindow(), image = saveImageFile(), stats = saveFrameStats();
-    return !window ? window : !image ? image : stats;
-}
-
-Status App::saveWindow() const {
-    if (options_.screenshot.empty()) { return {}; }
-    // Scenes and references that came later may have it as an input.
-    if (Status free = workspace_.inputs.checkIsNoInput(options_.screenshot); !free) { return free; }
-    const Status saved = saveScreenshot(options_.screenshot);
-    if (saved) { say("the window is in {}\n", options_.screenshot); }
-    return saved;
-}
-
-Status App::saveScreenshot(const std::string& path) const {
-    const Vec2i size = surface_->framebufferSize();
-    return savePng(path, Image8{size.x, size.y, readSurface(*surface_)});
-}
-
-Status App::saveImageFile() {
-    if (options_.output.empty()) { return {}; }
-    if (Status free = workspace_.inputs.checkIsNoInput(options_.output); !free) { return free; }
-    if (interrupt_.interrupted()) {
-        workspace_.render.request.paused = true;
-        workspace_.render.send();
-        if (!announceInterruption(workspace_.render.statusNow())) { return {}; }
-    }
-    const Status saved = workspace_.filmFiles.saveNow(options_.output, workspace_.display);
-    if (saved) { say("the picture is in {}\n", options_.output); }
-    return saved;
-}
-
-Status App::saveFrameStats() {
-    if (options_.frameStats.empty()) { return {}; }
-    if (Status free = workspace_.inputs.checkIsNoInput(options_.frameStats); !free) { return free; }
-    const std::string report = stats_.json(workspace_.render.statusNow(), workspace_.document.draft().camera);
-    if (options_.frameStats != "-") { return writeFileAtomically(options_.frameStats, report); }
-    putData(report);
-    return {};
+    return saveViewOutputs(options_, *surface_, stats_, interrupt_.interrupted(), &workspace_);
 }
 
 }  // namespace
