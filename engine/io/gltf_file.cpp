@@ -29,6 +29,9 @@ constexpr std::string_view kSupported[] = {"KHR_lights_punctual",
                                            "KHR_materials_transmission",
                                            "KHR_materials_volume",
                                            "KHR_materials_diffuse_transmission",
+                                           "KHR_materials_specular",
+                                           "KHR_materials_clearcoat",
+                                           "KHR_materials_sheen",
                                            "KHR_materials_variants",
                                            "KHR_materials_pbrSpecularGlossiness"};
 
