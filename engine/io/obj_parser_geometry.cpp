@@ -58,9 +58,12 @@ bool ObjParser::failAtVertex(int32_t index) {
     const auto line = std::ranges::lower_bound(unplaced_, static_cast<size_t>(index), {},
                                                &std::pair<size_t, const char*>::first);
     if (line == unplaced_.end() || line->first != static_cast<size_t>(index)) { return true; }
+    const char* behind = cursor_.position();
     cursor_.setPosition(line->second);
     Vec3 ignored;
-    return readPosition(&ignored);
+    const bool isRead = readPosition(&ignored);
+    cursor_.setPosition(behind);
+    return isRead;
 }
 
 bool ObjParser::parsePosition() {

@@ -69,6 +69,7 @@ TEST(Malformed, ObjFiles) {
         {triangle + "f 1 2 1.5\n", ":4:7: expected the number of a vertex"},
         {triangle + "f 1 2 3 x 2\n", ":4:9: expected the number of a vertex"},
         {triangle + "v 0 0 nan\nf 1 2 3\nf 2 3 4\n", ":4:7: expected z, a finite number"},
+        {"v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", ":1:7: expected z, a finite number"},
         {triangle + "v 0 0 1e20\nf 2 3 -1\n", ":4:7: this coordinate is too large"},
         {triangle + "f a b c\n", ":4:3: expected the number of a vertex"},
         {triangle + "f 1 2 3\nf 1 \\\n 2 \\\n 7\n", ":7:2: there is no vertex 7"},
