@@ -1,8 +1,6 @@
 #include "engine/io/gltf_parameters.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -50,30 +48,11 @@ int materialFor(const tinygltf::Value& mapping, size_t variant) {
 
 }  // namespace
 
-const std::string* findParameter(const SceneParameters& parameters, std::string_view name) {
-    const auto found = std::ranges::find(parameters, name, &SceneParameters::value_type::first);
-    return found != parameters.end() ? &found->second : nullptr;
-}
-
-std::optional<double> numberIn(const std::string& text) {
-    double number = 0.0;
-    const char* end = text.data() + text.size();
-    const auto [rest, failed] = std::from_chars(text.data(), end, number);
-    return failed == std::errc() && rest == end && std::isfinite(number) ? std::optional(number)
-                                                                         : std::nullopt;
-}
-
 Result<std::optional<size_t>> chosenBy(const SceneParameters& parameters, std::string_view kind,
                                        const std::vector<std::string>& names, const GltfFile& file) {
     const std::string* wanted = findParameter(parameters, kind);
     if (wanted == nullptr) { return std::optional<size_t>(); }
-    if (const auto found = std::ranges::find(names, *wanted); found != names.end()) {
-        return std::optional(static_cast<size_t>(found - names.begin()));
-    }
-    const std::optional<double> number = numberIn(*wanted);
-    if (number && *number >= 0.0 && *number < static_cast<double>(names.size())) {
-        return std::optional(static_cast<size_t>(*number));
-    }
+    if (const auto found = indexIn(names, *wanted)) { return found; }
     const std::vector<std::string_view> known(names.begin(), names.end());
     return file.error(fmt::format("there is no {} \"{}\"{}; the file has {}", kind, *wanted,
                                   didYouMean(*wanted, known), listed(names)));

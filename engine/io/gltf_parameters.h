@@ -7,15 +7,9 @@
 #include <vector>
 
 #include "engine/io/gltf_file.h"
-#include "engine/io/load_options.h"
+#include "engine/io/scene_choices.h"
 
 namespace glint {
-
-/// Null: it is not given.
-const std::string* findParameter(const SceneParameters& parameters, std::string_view name);
-
-/// A finite number, and nothing else.
-std::optional<double> numberIn(const std::string& text);
 
 /// Which of the things of these names the parameter of that kind names, or counts from 0 on; nothing where it
 /// is not given. Error: the file has no such thing.

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/io/image_io.h"
+#include "tests/support/gltf_files.h"
 #include "tests/support/program_test.h"
 #include "tests/support/used_assets.h"
 
@@ -204,6 +205,36 @@ TEST_F(InfoCommand, MemoryTellsUsedFromNotAllocated) {
         EXPECT_EQ(notAllocated, memory["not_allocated_bytes"].get<uint64_t>());
         EXPECT_GT(memory["checkpoint_peak_bytes"].get<uint64_t>(), 0u);
     }
+}
+
+TEST_F(InfoCommand, WhatAGltfFileLetsOneChoose) {
+    const std::string buffer = test::kSquare + test::packed<float>({1, 2.5f, 1, 0, 0, 4, 0, 0});
+    const std::string views =
+        R"("bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 92, "byteLength": 8},
+        {"buffer": 0, "byteOffset": 100, "byteLength": 24}], "accessors": [
+        {"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
+        {"bufferView": 1, "componentType": 5126, "count": 2, "type": "SCALAR", "min": [1], "max": [2.5]},
+        {"bufferView": 2, "componentType": 5126, "count": 2, "type": "VEC3"}])";
+    const std::string scene = folder.write(
+        "a.gltf",
+        test::gltf(R"("extensions": {"KHR_materials_variants": {"variants": [{"name": "red"}, {"name": ""}]}},
+            "animations": [{"name": "walk", "channels": [{"sampler": 0, "target": {"node": 0, "path":
+            "translation"}}], "samplers": [{"input": 1, "output": 2}]}])",
+                   R"("meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 6}]}])", test::kNode,
+                   views, buffer));
+    const ProgramRun text = runProgram({"info", scene});
+    ASSERT_EQ(text.exitCode, 0) << text.err;
+    EXPECT_TRUE(says(text.out, "animations walk (1 to 2.5 s)\n"));
+    EXPECT_TRUE(says(text.out, "variants   red, 1\n"));
+    const Json report = reportOf(scene);
+    EXPECT_EQ(report["animations"],
+              Json::parse(R"([{"name": "walk", "begin_seconds": 1.0, "end_seconds": 2.5}])"));
+    EXPECT_EQ(report["variants"], Json::parse(R"(["red", "1"])"));
+    EXPECT_EQ(reportOf(kCornell)["variants"], Json::array());
+    EXPECT_EQ(runProgram({"info", kCornell}).out.find("variants"), std::string::npos);
+    const ProgramRun wrong = runProgram({"info", scene, "-D", "variant=rad"});
+    EXPECT_EQ(wrong.exitCode, 1);
+    EXPECT_TRUE(says(wrong.err, "there is no variant \"rad\" (did you mean 'red'?)"));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/io/scene_loader.h"
+#include "tests/support/gltf_files.h"
 #include "tests/viewer/play_script.h"
 #include "viewer/model/workspace.h"
 
@@ -128,6 +129,93 @@ TEST(HotReload, WhatASceneIncludesIsWatched) {
     const auto files = filesOf(*loadScene("whole.xml"));
     EXPECT_THAT(files,
                 testing::ElementsAre(fs::absolute("part.xml").string(), fs::absolute("whole.xml").string()));
+}
+
+/// A square that a second animation moves from 4 to 8 in 2 seconds, grey, or red or green by its variants.
+std::string choosyGltf(float grey) {
+    const auto colored = [](const std::string& color) {
+        return R"({"pbrMetallicRoughness": {"metallicFactor": 0, "baseColorFactor": [)" + color + "]}}";
+    };
+    const std::string buffer = kSquare + packed<float>({0, 2, 4, 0, 0, 8, 0, 0});
+    const std::string views =
+        R"("bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 92, "byteLength": 8},
+        {"buffer": 0, "byteOffset": 100, "byteLength": 24}], "accessors": [
+        {"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
+        {"bufferView": 1, "componentType": 5126, "count": 2, "type": "SCALAR", "min": [0], "max": [2]},
+        {"bufferView": 2, "componentType": 5126, "count": 2, "type": "VEC3"}])";
+    return gltf(
+        R"("extensions": {"KHR_materials_variants": {"variants": [{"name": "red"}, {"name": "green"}]}},
+        "animations": [{"name": "rest", "channels": [], "samplers": []}, {"name": "walk", "channels":
+        [{"sampler": 0, "target": {"node": 0, "path": "translation"}}], "samplers": [{"input": 1, "output": 2}]}],
+        "materials": [)" +
+            colored(std::to_string(grey) + ", 0.5, 0.5, 1") + "," + colored("1, 0, 0, 1") + "," +
+            colored("0, 1, 0, 1") + "]",
+        R"("meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 6, "material": 0, "extensions":
+        {"KHR_materials_variants": {"mappings": [{"material": 1, "variants": [0]},
+        {"material": 2, "variants": [1]}]}}}]}])",
+        kNode, views, buffer);
+}
+
+TEST(HotReload, AGltfFileIsReadAgainAsItWasOpenedOrAsIsChosen) {
+    const std::string path = "choosy.gltf";
+    write(path, choosyGltf(0.5f));
+    Workspace workspace(makeCpuBackend(1));
+    SceneReading& reading = workspace.sceneFiles.reading;
+    const SceneDescription& draft = workspace.document.draft();
+    const auto colorIs = [&](const Vec3& color) {
+        const Object& square = draft.objects[0];
+        return draft.materials[static_cast<size_t>(square.material)].color.value == color;
+    };
+    reading = {.path = path, .options = {.parameters = {{"variant", "green"}}}};
+    workspace.adopt(*loadScene(path, reading.options));
+    ASSERT_TRUE(colorIs({0, 1, 0}));
+    workspace.document.draft().camera.position = {0, 1, 9};
+    workspace.document.noteSaved(workspace.document.posted());
+    setParameter(&reading.options.parameters, "animation", "walk");
+    setParameter(&reading.options.parameters, "time", "1");
+    workspace.sceneFiles.reload(path);
+    runUntil(&workspace, [&] { return draft.objects[0].objectToWorld.translation.x == 6.0f; });
+    EXPECT_TRUE(colorIs({0, 1, 0}));
+    EXPECT_EQ(reading.choices.variants.size(), 2u);
+    EXPECT_EQ(reading.choices.animations[1].endSeconds, 2.0f);
+    EXPECT_EQ(draft.camera.position, Vec3(0, 1, 9)) << "the camera stays";
+    setParameter(&reading.options.parameters, "variant", "");
+    workspace.sceneFiles.reload(path);
+    runUntil(&workspace, [&] { return colorIs({0.5f, 0.5f, 0.5f}); });
+    rewrite(path, choosyGltf(0.25f));
+    runUntil(&workspace, [&] { return colorIs({0.25f, 0.5f, 0.5f}); });
+    EXPECT_EQ(draft.objects[0].objectToWorld.translation.x, 6.0f) << "at the time that was chosen";
+    write("other.json", kScene);
+    workspace.sceneFiles.open("other.json");
+    runUntil(&workspace, [&] { return draft.path == "other.json"; });
+    EXPECT_TRUE(reading.choices.isEmpty());
+}
+
+TEST(HotReload, ThePanelOffersWhatTheFileHas) {
+    write("choosy.gltf", choosyGltf(0.5f));
+    write("choose.txt", R"(expect "Scene/Variant" red
+expect "Scene/Animation" walk
+expect "Scene/Time" 0.5
+set "Scene/Variant" green
+wait jobs
+wait picture
+expect "Scene/Variant" green
+set "Scene/Time" 1.5
+wait jobs
+expect "Scene/Time" 1.5
+set "Scene/Animation" rest
+wait jobs
+expect no-widget "Scene/Time"
+set "Scene/File" scene.json
+click "Scene/Open"
+wait jobs
+expect no-widget "Scene/Variant"
+expect no-error
+)");
+    write("scene.json", kScene);
+    expectPlayed(
+        run("view choosy.gltf --headless --threads 1 --script choose.txt -D variant=0 -D animation=walk "
+            "-D time=0.5"));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/builders/scene_builder.h"
+#include "engine/io/scene_choices.h"
 #include "engine/io/scene_loader.h"
 #include "engine/render/photon_store.h"
 #include "engine/render/sppm_state.h"
@@ -56,7 +57,18 @@ nlohmann::ordered_json usedByPart(const MemoryTable& table) {
     return out;
 }
 
-nlohmann::ordered_json jsonReport(const SceneDescription& scene, const SceneReport& report) {
+nlohmann::ordered_json jsonOf(const std::vector<SceneChoices::Animation>& animations) {
+    nlohmann::ordered_json out = nlohmann::ordered_json::array();
+    for (const SceneChoices::Animation& animation : animations) {
+        out.push_back({{"name", animation.name},
+                       {"begin_seconds", animation.beginSeconds},
+                       {"end_seconds", animation.endSeconds}});
+    }
+    return out;
+}
+
+nlohmann::ordered_json jsonReport(const SceneDescription& scene, const SceneChoices& choices,
+                                  const SceneReport& report) {
     return {{"scene", scene.path},
             {"title", scene.title},
             {"width", scene.resolution.width},
@@ -70,6 +82,8 @@ nlohmann::ordered_json jsonReport(const SceneDescription& scene, const SceneRepo
             {"textures", report.textures},
             {"used_textures", report.usedTextures},
             {"lights", jsonOf(report.lights)},
+            {"animations", jsonOf(choices.animations)},
+            {"variants", choices.variants},
             {"features", report.features},
             {"kernel", report.kernel},
             {"sppm_kernel", report.sppmKernel},
@@ -98,12 +112,13 @@ int runInfo(const InfoOptions& options) {
     const auto built = buildScene({scene, EditKind::Everything}, nullptr, 0, nullptr, nullptr);
     if (!built) { return reportError(built.error(), kExitBadInput); }
     const SceneReport report = reportOf(*scene, **built);
+    const SceneChoices choices = readSceneChoices(options.scene);
     if (!jsonTakesOutput(options.json)) {
-        printSceneReport(*scene, report);
+        printSceneReport(*scene, choices, report);
         if (options.memory) { printMemory(report.memory); }
     }
     if (options.json.empty()) { return kExitDone; }
-    const Status written = writeJson(options.json, "info", jsonReport(*scene, report));
+    const Status written = writeJson(options.json, "info", jsonReport(*scene, choices, report));
     return written ? kExitDone : reportError(written.error(), kExitFailed);
 }
 

@@ -55,6 +55,16 @@ std::vector<std::string> counted(const std::vector<NamedCount>& counts) {
     return items;
 }
 
+void printChoices(const SceneChoices& choices) {
+    std::vector<std::string> animations;
+    for (const SceneChoices::Animation& animation : choices.animations) {
+        animations.push_back(fmt::format("{} ({:.4g} to {:.4g} s)", animation.name, animation.beginSeconds,
+                                         animation.endSeconds));
+    }
+    if (!animations.empty()) { printList("animations", "", animations); }
+    if (!choices.variants.empty()) { printList("variants", "", choices.variants); }
+}
+
 /// The last count is that of the light table, where a mesh that shines is as many emitters as triangles.
 void printLights(const std::vector<NamedCount>& lights) {
     std::vector<std::string> items = counted(lights);
@@ -132,7 +142,7 @@ void printPhotons(const SceneDescription& scene, const SceneReport& report) {
 
 }  // namespace
 
-void printSceneReport(const SceneDescription& scene, const SceneReport& report) {
+void printSceneReport(const SceneDescription& scene, const SceneChoices& choices, const SceneReport& report) {
     put("{}\n", scene.title.empty() ? scene.path : scene.title);
     put("picture    {}x{} pixels, depth {}\n", scene.resolution.width, scene.resolution.height,
         scene.options.maxDepth);
@@ -145,6 +155,7 @@ void printSceneReport(const SceneDescription& scene, const SceneReport& report) 
         put("textures   {}\n", report.textures == 0 ? "none" : fmt::to_string(report.textures));
     }
     printLights(report.lights);
+    printChoices(choices);
     printList("needs", "", report.features);
     put("kernel     {}; photon mapping: {}\n", report.kernel, report.sppmKernel);
     printLeftOut(report.leftOut);

@@ -2,11 +2,12 @@
 // in info_command.
 #pragma once
 
+#include "engine/io/scene_choices.h"
 #include "viewer/commands/scene_report.h"
 
 namespace glint {
 
 /// To standard output.
-void printSceneReport(const SceneDescription& scene, const SceneReport& report);
+void printSceneReport(const SceneDescription& scene, const SceneChoices& choices, const SceneReport& report);
 
 }  // namespace glint

@@ -136,6 +136,7 @@ int runCommand(const ViewCommandOptions& o) {
         if (!checkpoint) { return reportError(checkpoint.error(), kExitBadInput); }
         options->checkpoint = o.scene;
     } else if (!o.scene.empty()) {
+        options->reading = {.path = o.scene, .options = o.load, .choices = readSceneChoices(o.scene)};
         auto loaded = loadScene(o.scene, o.load);
         if (!loaded) { return reportError(loaded.error(), kExitBadInput); }
         scene = std::move(*loaded);

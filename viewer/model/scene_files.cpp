@@ -19,22 +19,31 @@ void SceneFiles::open(const std::string& path) {
     }
     opening_ = true;
     error_.reset();
+    auto from = std::make_shared<SceneReading>(path == reading.path ? reading : SceneReading{.path = path});
     jobs_->start(
-        [this, path]() -> JobQueue::Completion {
-            auto loaded = std::make_shared<Result<SceneDescription>>(loadScene(path));
-            return [this, loaded] {
+        [this, from]() -> JobQueue::Completion {
+            auto loaded = std::make_shared<Result<SceneDescription>>(loadScene(from->path, from->options));
+            from->choices = readSceneChoices(from->path);
+            return [this, loaded, from] {
                 opening_ = false;
                 if (!*loaded) { logError("{}", loaded->error().format()); }
                 if (!next_.empty()) { return open(std::exchange(next_, "")); }
+                if (*loaded || from->path == reading.path) { reading = std::move(*from); }
                 if (*loaded) {
                     adopt_(std::move(loaded->value()));
                 } else {
                     error_ = loaded->error();
                     notice_->show(error_->format(), true);
                 }
+                isReload_ = false;
             };
         },
         false);
+}
+
+void SceneFiles::reload(const std::string& path) {
+    isReload_ = true;
+    open(path);
 }
 
 void SceneFiles::add(const std::string& path) {

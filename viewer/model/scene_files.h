@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "engine/io/load_options.h"
+#include "engine/io/scene_choices.h"
 #include "engine/scene/scene.h"
 #include "viewer/base/job_queue.h"
 #include "viewer/base/run_files.h"
@@ -15,6 +17,14 @@
 #include "viewer/model/recent_files.h"
 
 namespace glint {
+
+/// How a file was read, and what it lets its user choose.
+struct SceneReading {
+    std::string path = {};
+    LoadOptions options = {};
+    SceneChoices choices = {};
+    bool isStale = false;  ///< the options have been changed since
+};
 
 class SceneFiles {
   public:
@@ -40,6 +50,11 @@ class SceneFiles {
     /// last counts.
     void open(const std::string& path);
     bool opening() const { return opening_; }
+    /// The same of the scene that is shown, whose file has changed, or is to be read in another way.
+    void reload(const std::string& path);
+    bool reloading() const { return isReload_; }
+    /// Of the scene that was opened last. Its file is read with the same options again, any other without.
+    SceneReading reading;
     /// Hands the scene in that file to who adds its objects to the one that is open.
     void add(const std::string& path);
     const std::optional<Error>& error() const { return error_; }
@@ -67,6 +82,7 @@ class SceneFiles {
     Adopt add_;
     NoteSaved noteSaved_;
     bool opening_ = false;
+    bool isReload_ = false;
     std::string next_;  ///< asked for while another scene was being opened
     std::optional<Error> error_;
 };

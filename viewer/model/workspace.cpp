@@ -60,7 +60,7 @@ void Workspace::rememberIn(const std::string& folder, double backupSeconds) {
 }
 
 void Workspace::adopt(SceneDescription scene, bool isSaved) {
-    const bool isReload = std::exchange(isReloading_, false) && scene.path == document.draft().path;
+    const bool isReload = sceneFiles.reloading() && scene.path == document.draft().path;
     const Camera camera = document.draft().camera;
     for (const std::string& warning : scene.warnings) {
         logWarning("{}: {}", scene.path, warning);
@@ -161,15 +161,13 @@ void Workspace::reload() {
             fmt::format("{} has changed on the disk; your edits stay until it is opened again", path));
         return;
     }
-    isReloading_ = true;
-    sceneFiles.open(path);
+    sceneFiles.reload(path);
 }
 
 void Workspace::refresh() {
     jobs.runCompletions();
     if (assets.takeArrival()) { commitEdits(false); }
     if (!document.isOpen()) { examples.list(&jobs); }
-    if (!sceneFiles.opening()) { isReloading_ = false; }
     const double now =
         std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
     if (document.isOpen() && !sceneFiles.opening() && watch.hasChanged(now)) { reload(); }

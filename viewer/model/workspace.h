@@ -141,7 +141,6 @@ class Workspace {
     /// What was known of the scene before.
     void forgetScene();
 
-    bool isReloading_ = false;     ///< the next scene of this file is the one that is open, as it is now
     bool awaitsExposure_ = false;  ///< the scene was opened, and no picture of it has come
     uint64_t gesture_ = 1;         ///< counts what the user does at one go
 };

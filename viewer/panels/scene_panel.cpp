@@ -1,8 +1,10 @@
 // Which scene is open, opening another, and what went wrong with that.
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include "engine/io/importer.h"
@@ -28,6 +30,60 @@ void drawRecent(SceneFiles* files) {
     }
 }
 
+/// A choice among `names` that goes to a parameter. `none` is shown where that is not given; null: the first.
+bool chooseParameter(const char* parameter, SceneReading* reading, const char* label,
+                     const std::vector<std::string>& names, const char* none, const char* tooltip) {
+    std::vector<std::string_view> shown(names.begin(), names.end());
+    const size_t before = none != nullptr ? 1 : 0;
+    if (none != nullptr) { shown.insert(shown.begin(), none); }
+    const std::string* given = findParameter(reading->options.parameters, parameter);
+    const std::optional<size_t> found = given != nullptr ? indexIn(names, *given) : std::nullopt;
+    int index = found ? static_cast<int>(*found + before) : 0;
+    if (!ui::choice(label, &index, shown, tooltip)) { return false; }
+    const auto chosen = static_cast<size_t>(index);
+    setParameter(&reading->options.parameters, parameter, chosen < before ? "" : names[chosen - before]);
+    return true;
+}
+
+bool chooseTime(SceneReading* reading, const SceneChoices::Animation& animation) {
+    const float begin = animation.beginSeconds, end = animation.endSeconds;
+    if (!(begin < end)) { return false; }
+    const std::string* given = findParameter(reading->options.parameters, "time");
+    auto seconds = static_cast<float>(given != nullptr ? numberIn(*given).value_or(0.0) : double{begin});
+    if (!ui::number(
+            "Time", &seconds,
+            {.format = "%.3f s", .min = begin, .max = end, .slider = true, .tooltip = "Of the animation"})) {
+        return false;
+    }
+    setParameter(&reading->options.parameters, "time", fmt::to_string(seconds));
+    return true;
+}
+
+/// What a glTF file offers. It is read again for each choice, when a drag ends; the camera stays.
+void drawChoices(SceneFiles* files) {
+    SceneReading* reading = &files->reading;
+    const SceneChoices& choices = reading->choices;
+    if (!choices.variants.empty()) {
+        reading->isStale |= chooseParameter("variant", reading, "Variant", choices.variants, "–",
+                                            "Whose materials are shown; –: the file's own");
+    }
+    if (!choices.animations.empty()) {
+        std::vector<std::string> names;
+        for (const SceneChoices::Animation& animation : choices.animations) {
+            names.push_back(animation.name);
+        }
+        reading->isStale |=
+            chooseParameter("animation", reading, "Animation", names, nullptr, "Whose pose is shown");
+        const std::string* given = findParameter(reading->options.parameters, "animation");
+        const size_t shown = given != nullptr ? indexIn(names, *given).value_or(0) : 0;
+        reading->isStale |= chooseTime(reading, choices.animations[shown]);
+    }
+    if (reading->isStale && !ImGui::IsAnyItemActive()) {
+        reading->isStale = false;
+        files->reload(reading->path);
+    }
+}
+
 void draw(SceneFiles* files, const SceneDocument* document, const KeyMap* keys) {
     static const std::string help = "A scene to open: " + listImporters() + ". Enter opens it.";
     const bool entered = ui::text("File", &files->opened, "scene.json, .txt, .obj, .ply", help.c_str());
@@ -44,6 +100,7 @@ void draw(SceneFiles* files, const SceneDocument* document, const KeyMap* keys) 
         if (document->isOpen()) { ui::hint("The scene that was open goes on."); }
     }
     if (!document->isOpen()) { return; }
+    if (files->reading.path == document->draft().path) { drawChoices(files); }
     for (const std::string* text : {&document->draft().title, &document->draft().description}) {
         if (!text->empty()) { ui::hint(text->c_str()); }
     }

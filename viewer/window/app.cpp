@@ -124,6 +124,7 @@ Status App::open(std::optional<SceneDescription> scene) {
         const bool isScripted = options_.script && !options_.headless;
         if (!isScripted) { workspace_.keys.begin(preferencesFolder() + "/keys", keyNames()); }
     }
+    workspace_.sceneFiles.reading = options_.reading;
     if (scene) { workspace_.adopt(std::move(*scene)); }
     if (!options_.checkpoint.empty()) { workspace_.takeDroppedFile(options_.checkpoint); }
     return {};

@@ -10,6 +10,7 @@
 #include "engine/render/backend.h"
 #include "engine/scene/scene.h"
 #include "viewer/model/frame_series.h"
+#include "viewer/model/scene_files.h"
 #include "viewer/window/script.h"
 #include "viewer/window/surface.h"
 
@@ -26,6 +27,7 @@ struct ViewerOptions {
     std::string output;                    ///< headless: the picture alone, .png, .exr or .hdr
     std::optional<std::vector<ScriptStatement>> script;
     std::string checkpoint;  ///< to be resumed with its scene
+    SceneReading reading;    ///< of the scene
     double recoverySeconds =
         0.0;                 ///< between two saves for a recovery after a crash; 0: none, nor is one offered
     std::string frameStats;  ///< JSON file of frame times, "-": standard output; draws every frame for them
