@@ -81,9 +81,8 @@ void lightModel(SceneDescription* scene, bool noStudio) {
     }
     addStudio(scene);
     scene->notes.emplace_back(
-        "the file brings no light that shows its form: a studio with a ground lights it (--no-studio: white "
-        "light from "
-        "everywhere)");
+        "no light of the file shows its form: a studio with a ground lights it (--no-studio: white light all "
+        "round)");
 }
 
 }  // namespace glint
