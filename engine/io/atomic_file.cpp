@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <system_error>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -78,24 +80,40 @@ Error cannotCreate(const std::string& path, const std::string& target) {
 
 /// What is written to under a name.
 struct Target {
-    std::string path;       ///< without links
+    std::string path;
     mode_t mode = 0;        ///< of the old file; 0: there is none
-    bool isDevice = false;  ///< or a pipe
+    bool isStream = false;  ///< a device or a pipe
 };
 
-/// Follows links, also to a file that is not there yet. Error: a folder; a name that can be no file's.
+/// Whether the program has this pipe open for writing, as its standard output or bash's >(...). Any other may
+/// have no reader, and opening it would wait for one.
+bool isHeldForWriting(const struct stat& pipe) {
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd", ignored)) {
+        const int fd = std::atoi(entry.path().filename().c_str());
+        struct stat open {};
+        const bool isIt = ::fstat(fd, &open) == 0 && open.st_dev == pipe.st_dev && open.st_ino == pipe.st_ino;
+        if (isIt && (::fcntl(fd, F_GETFL) & O_ACCMODE) != O_RDONLY) { return true; }
+    }
+    return false;
+}
+
+/// Follows links, also to a file that is not there yet. Error: a folder, a socket, a pipe that is not held; a
+/// name that can be no file's.
 Result<Target> targetOf(const std::string& path) {
-    Target target{followLinks(path)};
     struct stat info {};
-    if (::stat(target.path.c_str(), &info) != 0) {
+    if (::stat(path.c_str(), &info) != 0) {
         return errno == ENOENT && !path.ends_with('/') && !path.empty()
-                   ? Result<Target>(target)
+                   ? Result<Target>(Target{followLinks(path)})
                    : Result<Target>(fileError(path, "cannot write", errno));
     }
     if (S_ISDIR(info.st_mode)) { return fileError(path, "is a folder; expected a file name to write to", 0); }
-    target.mode = info.st_mode & 07777;
-    target.isDevice = !S_ISREG(info.st_mode);
-    return target;
+    if (S_ISSOCK(info.st_mode) || (S_ISFIFO(info.st_mode) && !isHeldForWriting(info))) {
+        return notRegular(path, info.st_mode, "a file");
+    }
+    // What /dev/stdout links to is no name where that is a pipe.
+    if (!S_ISREG(info.st_mode)) { return Target{.path = path, .isStream = true}; }
+    return Target{.path = followLinks(path), .mode = info.st_mode & 07777};
 }
 
 Status replaceFile(const std::string& path, const Target& target, std::string_view bytes) {
@@ -120,8 +138,11 @@ Status replaceFile(const std::string& path, const Target& target, std::string_vi
 }
 
 Status writeDirectly(const std::string& path, std::string_view bytes) {
-    FileDescriptor fd(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-    if (!fd.valid()) { return fileError(path, "cannot open for writing", errno); }
+    // Opening waits for nobody: not for a reader, nor for a terminal's line. Writing does.
+    FileDescriptor fd(::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+    if (!fd.valid() || ::fcntl(fd.get(), F_SETFL, 0) != 0) {
+        return fileError(path, "cannot open for writing", errno == ENXIO ? EPIPE : errno);
+    }
     if (const int code = writeAll(fd.get(), bytes); code != 0) {
         return fileError(path, "cannot write", code);
     }
@@ -169,7 +190,7 @@ Result<std::string> readFile(const std::string& path, uint64_t most) {
 Status checkWritable(const std::string& path) {
     const Result<Target> target = targetOf(path);
     if (!target) { return target.error(); }
-    if (target->isDevice) {
+    if (target->isStream) {
         return ::access(path.c_str(), W_OK) == 0 ? Status() : Status(fileError(path, "cannot write", errno));
     }
     std::string temporary;
@@ -182,7 +203,7 @@ Status checkWritable(const std::string& path) {
 Status writeFileAtomically(const std::string& path, std::string_view bytes) {
     const Result<Target> target = targetOf(path);
     if (!target) { return target.error(); }
-    return target->isDevice ? writeDirectly(path, bytes) : replaceFile(path, *target, bytes);
+    return target->isStream ? writeDirectly(path, bytes) : replaceFile(path, *target, bytes);
 }
 
 }  // namespace glint

@@ -24,13 +24,15 @@ Status checkRegularFile(const std::string& path, std::string_view expected);
 Result<std::string> readFile(const std::string& path, uint64_t most = kMaxFileBytes);
 
 /// Error: writeFileAtomically() would find that nothing can be written to `path`: no such folder, none that
-/// may be written to, a folder, a name that is too long. Makes the new file and removes it again.
+/// may be written to, a folder, a pipe that nobody may read, a name that is too long. Makes the new file and
+/// removes it again.
 Status checkWritable(const std::string& path);
 
 /// Replaces `path` by `bytes`: writes a new file in the same folder, flushes it to the disk and renames it.
 /// On any error (no such folder, not writable, disk full, `path` is a folder) the old file stays and the new
 /// one is removed, as are those that killed saves left in the folder. A symbolic link stays, and its target
-/// is replaced or made. Devices and pipes cannot be replaced; they are written directly.
+/// is replaced or made. Devices cannot be replaced; they are written directly, as are pipes that the program
+/// was started with (/dev/stdout, bash's >(...)). Others are refused: they may have no reader.
 Status writeFileAtomically(const std::string& path, std::string_view bytes);
 
 }  // namespace glint

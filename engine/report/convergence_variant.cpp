@@ -141,7 +141,7 @@ VariantSettings ConvergenceVariant::applyTo(VariantSettings settings) const {
 
 Result<ConvergenceVariant> parseVariant(std::string_view text) {
     const std::vector<std::string> parts = pieces(text);
-    const std::optional<IntegratorKind> integrator = integratorByName(parts[0]);
+    const std::optional<IntegratorKind> integrator = integratorByName(inLowerCase(parts[0]));
     if (!integrator) {
         const std::vector<std::string_view> known = integratorNames();
         return inVariant(text, fmt::format("there is no integrator '{}'{}; expected one of {}", parts[0],

@@ -44,6 +44,14 @@ bool parseVector(std::string_view text, const NumberRange& range, int count, flo
     return true;
 }
 
+std::string inLowerCase(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower) {
+        c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    }
+    return lower;
+}
+
 std::string describeField(const FieldTraits& traits, bool capitalised) {
     const bool both = !traits.help.empty() && !traits.unit.empty();
     std::string text = fmt::format("{}{}{}", traits.help, both ? " " : "",

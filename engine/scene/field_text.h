@@ -18,6 +18,9 @@ bool parseWhole(std::string_view text, const NumberRange& range, int64_t* out);
 /// "x,y,z": `count` numbers, at most three.
 bool parseVector(std::string_view text, const NumberRange& range, int count, float* out);
 
+/// Of ASCII letters.
+std::string inLowerCase(std::string_view text);
+
 /// "half the filter's width (pixels)", in lower case or not.
 std::string describeField(const FieldTraits& traits, bool capitalised);
 
@@ -38,13 +41,14 @@ std::string fieldText(const Field<Owner, Member>& field, const Owner& owner) {
     }
 }
 
-/// Sets the field from text. False, and the field untouched, where the text is not what expectedText() says.
+/// Sets the field from text; the case of a kind's word counts nothing. False, and the field untouched, where
+/// the text is not what expectedText() says.
 template <class Owner, class Member>
 bool setFromText(const Field<Owner, Member>& field, std::string_view text, Owner* owner) {
     Member& value = owner->*field.member;
     const FieldTraits& traits = field.traits;
     if constexpr (std::is_enum_v<Member>) {
-        const std::optional<Member> kind = kindNamed<Member>(text);
+        const std::optional<Member> kind = kindNamed<Member>(inLowerCase(text));
         value = kind.value_or(value);
         return kind.has_value();
     } else if constexpr (std::is_same_v<Member, bool>) {

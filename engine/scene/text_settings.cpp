@@ -25,6 +25,12 @@ bool setRadius(std::string_view text, const SettingTargets& targets) {
     return true;
 }
 
+template <class Member>
+std::vector<std::string_view> wordsOf() {
+    if constexpr (std::is_enum_v<Member>) { return namesOf<Member>(); }
+    return {};
+}
+
 template <class Owner>
 void addSettings(std::optional<IntegratorKind> only, std::vector<TextSetting>* settings) {
     forEachField<Owner>([&]<class Member>(const Field<Owner, Member>& field) {
@@ -34,6 +40,7 @@ void addSettings(std::optional<IntegratorKind> only, std::vector<TextSetting>* s
                              .variant = traits.variant,
                              .help = describeField(traits, false),
                              .expected = expectedText(field),
+                             .words = wordsOf<Member>(),
                              .isNumber = std::is_arithmetic_v<Member> && !std::is_same_v<Member, bool>,
                              .isVector = std::is_same_v<Member, Vec3>,
                              .only = only,

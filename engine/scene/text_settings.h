@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/scene/camera.h"
 #include "engine/scene/render_options.h"
@@ -22,13 +23,14 @@ struct SettingTargets {
 };
 
 struct TextSetting {
-    std::string_view option;                  ///< "--depth", or empty
-    std::string_view variant;                 ///< "sampler", or empty
-    std::string help;                         ///< "most scattering events along a path"
-    std::string expected;                     ///< "sobol or independent"
-    bool isNumber = false;                    ///< `expected` is only a range
-    bool isVector = false;                    ///< "x,y,z"
-    std::optional<IntegratorKind> only = {};  ///< the integrator whose setting it is; nothing: of all
+    std::string_view option;                   ///< "--depth", or empty
+    std::string_view variant;                  ///< "sampler", or empty
+    std::string help;                          ///< "most scattering events along a path"
+    std::string expected;                      ///< "sobol or independent"
+    std::vector<std::string_view> words = {};  ///< those that are expected; none: numbers or a yes and no
+    bool isNumber = false;                     ///< `expected` is only a range
+    bool isVector = false;                     ///< "x,y,z"
+    std::optional<IntegratorKind> only = {};   ///< the integrator whose setting it is; nothing: of all
     /// False, and nothing set, where the text is not what is expected.
     std::function<bool(std::string_view text, const SettingTargets& targets)> set;
 };

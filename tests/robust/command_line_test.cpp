@@ -2,6 +2,7 @@
 // written, reports.
 #include <nlohmann/json.hpp>
 
+#include "engine/report/convergence_variant.h"
 #include "tests/support/program_test.h"
 
 namespace glint {
@@ -75,6 +76,41 @@ TEST_F(CommandLine, BadValuesAreRefusedWithOneMessage) {
         EXPECT_FALSE(run.err.empty());
     }
     EXPECT_EQ(folder.size(), 0u) << "a refused run must leave nothing behind";
+}
+
+TEST_F(CommandLine, WordsOfSettingsIgnoreCase) {
+    const std::string out = folder.path("a.png");
+    for (const char* name : {"PT", "Sppm", "ptt", "sppn"}) {
+        const ProgramRun run = runProgram(
+            {"render", kCornell, "-o", out, "--integrator", name, "--size", "8x8", "--passes", "1"});
+        const bool isRight = std::string_view(name) == "PT" || std::string_view(name) == "Sppm";
+        EXPECT_EQ(run.exitCode, isRight ? 0 : 1) << name << run.err;
+        EXPECT_EQ(says(run.err, "did you mean '"), !isRight) << name << run.err;
+    }
+    EXPECT_TRUE(parseVariant("PT:sampler=Independent"));
+}
+
+TEST_F(CommandLine, ANameThatIsOnlyAnEndingLacksTheRest) {
+    const std::vector<std::vector<std::string>> commands = {{"render", kCornell, "-o", ".png"},
+                                                            {"render", kCornell, "-o", folder.path(".exr")},
+                                                            {"convert", kCornell, folder.path(".json")}};
+    for (const std::vector<std::string>& words : commands) {
+        const ProgramRun run = runProgram(words);
+        EXPECT_EQ(run.exitCode, 1);
+        EXPECT_TRUE(says(run.err, "expected a name before the ending"));
+    }
+}
+
+/// Four passes of a picture without noise.
+TEST_F(CommandLine, AnErrorOfZeroIsNotUnknown) {
+    const std::string scene = folder.write("dark.json", R"({ "glint": 1, "resolution": [8, 8],
+        "camera": { "position": [0, 0, 4], "target": [0, 0, 0] } })");
+    const ProgramRun run =
+        runProgram({"render", scene, "-o", folder.path("a.png"), "--passes", "4", "--error", "0.01"});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_TRUE(says(run.out, "relative error 0.00 %"));
+    EXPECT_TRUE(says(run.out, "an error below 1 % is confirmed by more passes only"));
+    EXPECT_FALSE(says(run.out, "not known"));
 }
 
 TEST_F(CommandLine, BadScenesAreRefusedWithTheirPlace) {

@@ -130,28 +130,6 @@ TEST_F(OverwrittenFiles, AConvergeReportIsNoneOfItsFolder) {
     }
 }
 
-TEST_F(OverwrittenFiles, NumberedPicturesReplaceNoOutput) {
-    const ProgramRun run = runProgram({"render", scene, "-o", at("out.png"), "--passes", "3", "--json",
-                                       at("out-000002.png"), "--checkpoint-every", "1"});
-    EXPECT_EQ(run.exitCode, 0) << run.err;
-    EXPECT_TRUE(says(run.err, "two outputs go to one file"));
-    EXPECT_EQ(TempFolder::read(at("out-000002.png")).substr(0, 1), "{");
-}
-
-TEST_F(OverwrittenFiles, NumberedPicturesReplaceNoInputEither) {
-    fs::rename(at("idle.png"), at("out-000002.png"));
-    const std::string scene2 = folder.write("b.json", R"({ "glint": 1, "resolution": [8, 8],
-        "camera": { "position": [0, 0, 4], "target": [0, 0, 0] },
-        "textures": { "idle": { "file": "out-000002.png" } }, "environment": { "color": 1 } })");
-    const std::string old = TempFolder::read(at("out-000002.png"));
-    const ProgramRun run =
-        runProgram({"render", scene2, "-o", at("out.png"), "--passes", "3", "--checkpoint-every", "1"});
-    EXPECT_EQ(run.exitCode, 0) << run.err;
-    EXPECT_TRUE(says(run.err, "is a texture of the scene"));
-    EXPECT_EQ(TempFolder::read(at("out-000002.png")), old);
-    EXPECT_TRUE(fs::exists(at("out-000001.png")) && fs::exists(at("out.png")));
-}
-
 TEST_F(OverwrittenFiles, NoInputOfAnyOtherCommandIsAnOutput) {
     const std::string wood = at("maps/wood.png");
     expectRefused({"info", "--json", scene, at("a.json")}, "is not a report");
@@ -246,6 +224,11 @@ TEST_F(OverwrittenFiles, AShorterFilmDoesNotReplaceALongerOne) {
     EXPECT_TRUE(says(shorter.err, "holds a film of 8 passes"));
     EXPECT_TRUE(says(shorter.err, "--overwrite"));
     EXPECT_EQ(TempFolder::read(film), longer);
+    const std::string empty = folder.write("e.json", R"({ "glint": 1, "resolution": [8, 8],
+        "camera": { "position": [0, 0, 4], "target": [0, 0, 0] } })");
+    expectRefused({"render", empty, "-o", image, "--checkpoint", film, "--passes", "4"},
+                  "holds a film of 8 passes");
+    EXPECT_EQ(TempFolder::read(film), longer) << "of another scene";
     EXPECT_EQ(render("8").exitCode, 0) << "one as long";
     EXPECT_EQ(render("12", {"--resume", film}).exitCode, 0);
     EXPECT_EQ(render("2", {"--overwrite"}).exitCode, 0);

@@ -82,11 +82,6 @@ Camera CameraWay::at(float picture) const {
     return cameraBetween(views_, picture * static_cast<float>(views_.size() - 1) / last);
 }
 
-std::string numberedPath(const std::string& path, uint32_t number) {
-    const size_t dot = path.rfind('.');
-    return fmt::format("{}-{:06}{}", path.substr(0, dot), number, path.substr(dot));
-}
-
 std::string obstaclesOn(const CameraWay& way, const SceneDescription& scene, const BuiltScene& built) {
     const std::string through = crossing(way, scene, built);
     const std::string hidden = way.isTurntable() ? hiding(way, scene, built) : "";

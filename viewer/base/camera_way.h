@@ -33,9 +33,6 @@ class CameraWay {
     uint32_t pictures_;
 };
 
-/// "out.png" after 10 passes, or the tenth of many: "out-000010.png".
-std::string numberedPath(const std::string& path, uint32_t number);
-
 /// What people should know before the pictures are rendered: the camera goes through a surface, or something
 /// large hides the target of a turn. Of each the first, once: a sentence without its stop. "": nothing stands
 /// in the way.

@@ -71,6 +71,20 @@ Status RunFiles::checkCanWrite(const std::string& path) const {
     return free ? checkWritable(path) : free;
 }
 
+Status RunFiles::checkCanWrite(const NumberedFiles& pictures) const {
+    std::vector<std::string> suspects = pictures.shared();
+    const auto compareWith = [&](const std::string& other) {
+        const uint32_t number = pictures.numberOf(fs::path(followLinks(other)).filename().string());
+        if (number > 0) { suspects.push_back(numberedPath(pictures.path, number)); }
+    };
+    std::ranges::for_each(inputs_, compareWith, &Input::path);
+    std::ranges::for_each(outputs_, compareWith);
+    for (const std::string& suspect : suspects) {
+        if (Status writable = checkCanWrite(suspect); !writable) { return writable; }
+    }
+    return {};
+}
+
 Status RunFiles::checkIsNoOutput(const std::string& path) const {
     const bool isTaken =
         std::ranges::any_of(outputs_, [&](const std::string& other) { return isSameFile(path, other); });
@@ -107,6 +121,11 @@ Status RunFiles::checkHoldsNoInput(const std::string& folder) const {
         }
     }
     return {};
+}
+
+bool isOnlyEnding(const std::string& path) {
+    const std::string name = fs::path(path).filename().string();
+    return name.size() > 1 && name.rfind('.') == 0;
 }
 
 Status checkReplaces(const std::string& path, bool (*mayReplace)(std::string_view head),

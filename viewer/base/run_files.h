@@ -11,6 +11,7 @@
 
 #include "engine/base/result.h"
 #include "engine/scene/scene.h"
+#include "viewer/base/numbered_files.h"
 
 namespace glint {
 
@@ -27,11 +28,12 @@ class RunFiles {
     /// Error: `path` cannot be written (checkWritable), is a file that is read, or another output. Empty and
     /// "-" are none; devices and pipes can be many outputs.
     Status writes(const std::string& path);
-    /// Error: `path` is a file that is read or an output. For files that are written on the way, of which
-    /// there may be many.
+    /// Error: `path` is a file that is read or an output. For files that are written on the way.
     Status checkIsFree(const std::string& path) const;
     /// The same, or it cannot be written.
     Status checkCanWrite(const std::string& path) const;
+    /// The same of any of these, however many they are, at the cost of listing their folder.
+    Status checkCanWrite(const NumberedFiles& pictures) const;
     /// The first error of all outputs: again, after further inputs came to light.
     Status check() const;
     /// Error: `path` is a file that is read.
@@ -48,6 +50,9 @@ class RunFiles {
     std::vector<Input> inputs_;
     std::vector<std::string> outputs_;
 };
+
+/// True of ".png" and "a/.png", which are names without an ending.
+bool isOnlyEnding(const std::string& path);
 
 /// Error: `path` names an existing file that `mayReplace`, asked about its first bytes, does not accept.
 /// `kind`: "a report". Files without a byte, devices and pipes are always accepted.

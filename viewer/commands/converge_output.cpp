@@ -57,7 +57,9 @@ Status ConvergeFolder::check(bool overwrite, const RunFiles& files) const {
                                            "to replace an earlier run's results",
                                            name));
         }
-        if (const Status free = files.checkIsFree(file(name)); !free) { return free; }
+        const bool isFile = std::string_view(name) != kPictures && fs::exists(file(name), ignored);
+        const Status free = isFile ? files.checkCanWrite(file(name)) : files.checkIsFree(file(name));
+        if (!free) { return free; }
     }
     if (const Status free = files.checkHoldsNoInput(file(kPictures)); !free) { return free; }
     return files.checkIsFree(reference());

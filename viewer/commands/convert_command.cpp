@@ -19,7 +19,10 @@ struct ConvertOptions {
 int runConvert(const ConvertOptions& options) {
     const Exporter* exporter = exporterOf(options.out);
     if (exporter == nullptr) {
-        return reportError({fmt::format("'{}': expected the name of {}", options.out, listExporters()), {}},
+        return reportError({isOnlyEnding(options.out)
+                                ? fmt::format("'{}': expected a name before the ending", options.out)
+                                : fmt::format("'{}': expected the name of {}", options.out, listExporters()),
+                            {}},
                            kExitBadInput);
     }
     RunFiles files;

@@ -7,7 +7,7 @@
 #include "engine/base/log.h"
 #include "engine/io/image_formats.h"
 #include "engine/render/checkpoint.h"
-#include "viewer/base/camera_way.h"
+#include "viewer/base/numbered_files.h"
 #include "viewer/base/run_files.h"
 #include "viewer/commands/command_line.h"
 #include "viewer/commands/commands.h"
@@ -37,14 +37,25 @@ Status checkCheckpoint(const RenderCommandOptions& o) {
                        {}};
 }
 
+/// Beside the picture, or in its place.
+NumberedFiles numberedPictures(const RenderCommandOptions& o) {
+    if (frameCount(o) > 0) { return {.path = o.output, .last = frameCount(o)}; }
+    const uint32_t every = parseSaveInterval(o.checkpointEvery).value().passes;
+    // The last one has no number. Without a limit of passes, wrapping round leaves all.
+    return {.path = o.output, .every = every, .last = every > 0 ? finalLimits(o).passes - 1 : 0};
+}
+
 Status checkOutputs(const RenderCommandOptions& o, RunFiles* files) {
     if (o.output.empty()) {
         return Error{"no picture is named; expected -o OUT.png, OUT.exr or OUT.hdr", {}};
     }
     const ImageFormat* format = savedFormatOf(o.output);
     if (format == nullptr) {
-        return Error{fmt::format("-o {}: expected a name that ends in {}", o.output, listSavedExtensions()),
-                     {}};
+        return Error{
+            isOnlyEnding(o.output)
+                ? fmt::format("-o {}: expected a name before the ending", o.output)
+                : fmt::format("-o {}: expected a name that ends in {}", o.output, listSavedExtensions()),
+            {}};
     }
     if (!o.aovs.empty() && !format->hasLayers) {
         return Error{
@@ -57,17 +68,17 @@ Status checkOutputs(const RenderCommandOptions& o, RunFiles* files) {
         return Error{"--checkpoint-every with seconds needs --checkpoint FILE", {}};
     }
     if (o.replayPass) { return Error{"--pass needs --pixel X,Y: the path to look into", {}}; }
-    const std::string numbered = interval->passes > 0 ? numberedPath(o.output, interval->passes) : "";
     files->reads("the scene", o.scene);
     files->reads("the OpenColorIO configuration", parseOcioChoice(o.ocio).config);
     // A checkpoint that is gone on from may become the longer one.
     if (!isSameFile(o.resume, o.checkpoint)) { files->reads("the checkpoint to go on from", o.resume); }
-    if (rendersFrames(o)) { return checkFrames(o, *files); }
+    if (frameCount(o) > 0) { return checkFrames(o, *files); }
     for (const std::string& output : {o.output, o.checkpoint, o.json}) {
         if (Status writable = files->writes(output); !writable) { return writable; }
     }
-    if (!numbered.empty()) {
-        if (Status writable = files->checkCanWrite(numbered); !writable) { return writable; }
+    if (interval->passes > 0) {
+        const std::string first = numberedPath(o.output, interval->passes);
+        if (Status writable = files->checkCanWrite(first); !writable) { return writable; }
     }
     return checkCheckpoint(o);
 }
@@ -86,13 +97,16 @@ int runCommand(const RenderCommandOptions& options) {
         std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     files.readsScene(*loaded);
     if (Status outputs = files.check(); !outputs) { return reportError(outputs.error(), kExitBadInput); }
+    if (options.pixel.empty()) {
+        const Status pictures = files.checkCanWrite(numberedPictures(options));
+        if (!pictures) { return reportError(pictures.error(), kExitBadInput); }
+    }
     if (Status applied = applyTo(options.overrides, &*loaded); !applied) {
         return reportError(applied.error(), kExitBadInput);
     }
     if (!options.pixel.empty()) { return runReplay(*loaded, options); }
-    if (rendersFrames(options)) { return runFrames(*loaded, options, files, loadSeconds); }
-    return runRender(std::make_shared<SceneDescription>(std::move(*loaded)), options, files, loadSeconds)
-        .exitCode;
+    if (frameCount(options) > 0) { return runFrames(*loaded, options, loadSeconds); }
+    return runRender(std::make_shared<SceneDescription>(std::move(*loaded)), options, loadSeconds).exitCode;
 }
 
 }  // namespace

@@ -16,8 +16,6 @@
 namespace glint {
 namespace {
 
-uint32_t frameCount(const RenderCommandOptions& o) { return o.turntable > 0 ? o.turntable : o.flight; }
-
 std::vector<Camera> bookmarkedViews(const std::string& scene) {
     CameraBookmarks bookmarks;
     bookmarks.begin(stateFolder() + "/views");
@@ -39,7 +37,7 @@ void warnOfObstacles(const CameraWay& way, const SceneDescription& scene, int th
 
 }  // namespace
 
-bool rendersFrames(const RenderCommandOptions& options) { return frameCount(options) > 0; }
+uint32_t frameCount(const RenderCommandOptions& o) { return o.turntable > 0 ? o.turntable : o.flight; }
 
 Status checkFrames(const RenderCommandOptions& o, const RunFiles& files) {
     if (!o.checkpoint.empty() || !o.resume.empty() || !o.checkpointEvery.empty() || !o.json.empty()) {
@@ -54,16 +52,10 @@ Status checkFrames(const RenderCommandOptions& o, const RunFiles& files) {
                 o.scene),
             {}};
     }
-    for (uint32_t frame = 1; frame <= frameCount(o); ++frame) {
-        if (Status writable = files.checkCanWrite(numberedPath(o.output, frame)); !writable) {
-            return writable;
-        }
-    }
-    return {};
+    return files.checkCanWrite(numberedPath(o.output, 1));
 }
 
-int runFrames(const SceneDescription& scene, const RenderCommandOptions& options, const RunFiles& files,
-              double loadSeconds) {
+int runFrames(const SceneDescription& scene, const RenderCommandOptions& options, double loadSeconds) {
     const uint32_t frames = frameCount(options);
     const CameraWay way = options.flight > 0 ? CameraWay::flight(bookmarkedViews(options.scene), frames)
                                              : CameraWay::turntable(scene.camera, frames);
@@ -73,10 +65,7 @@ int runFrames(const SceneDescription& scene, const RenderCommandOptions& options
         auto moved = std::make_shared<SceneDescription>(scene);
         moved->camera = way.at(static_cast<float>(frame));
         ofFrame.output = numberedPath(options.output, frame + 1);
-        if (const Status free = files.checkIsFree(ofFrame.output); !free) {  // the scene is known now
-            return reportError(free.error(), kExitBadInput);
-        }
-        const RenderOutcome outcome = runRender(std::move(moved), ofFrame, files, loadSeconds);
+        const RenderOutcome outcome = runRender(std::move(moved), ofFrame, loadSeconds);
         if (outcome.exitCode != kExitDone) { return outcome.exitCode; }
         ofFrame.exposure = outcome.exposureStops;
     }

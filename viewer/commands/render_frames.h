@@ -7,15 +7,14 @@
 
 namespace glint {
 
-/// There are frames to render instead of one picture.
-bool rendersFrames(const RenderCommandOptions& options);
+/// How many frames there are to render instead of one picture; 0: none.
+uint32_t frameCount(const RenderCommandOptions& options);
 
-/// Adds every frame's picture to the files that are written. Error: also options that frames do not go with.
+/// Error: the first frame's picture cannot be written; there are options that frames do not go with.
 Status checkFrames(const RenderCommandOptions& options, const RunFiles& files);
 
 /// Renders all of them, with the first one's exposure where none is stated, and stops when interrupted.
 /// Returns an exit code.
-int runFrames(const SceneDescription& scene, const RenderCommandOptions& options, const RunFiles& files,
-              double loadSeconds);
+int runFrames(const SceneDescription& scene, const RenderCommandOptions& options, double loadSeconds);
 
 }  // namespace glint

@@ -16,11 +16,11 @@
 #include "engine/render/image_file.h"
 #include "engine/render/snapshot.h"
 #include "engine/render/sppm_state.h"
-#include "viewer/base/camera_way.h"
 #include "viewer/base/checkpoint_file.h"
 #include "viewer/base/interrupt.h"
 #include "viewer/base/make_backend.h"
 #include "viewer/base/memory_reserve.h"
+#include "viewer/base/numbered_files.h"
 #include "viewer/base/progress.h"
 #include "viewer/commands/commands.h"
 #include "viewer/commands/render_report.h"
@@ -35,10 +35,9 @@ constexpr double kPollSeconds = 0.1;
 class BatchRender {
   public:
     BatchRender(std::shared_ptr<const SceneDescription> scene, const RenderCommandOptions& options,
-                const RunFiles& files, double loadSeconds)
+                double loadSeconds)
         : scene_(std::move(scene)),
           options_(options),
-          files_(files),
           checkpoint_(options.checkpoint, options.overwrite),
           saves_(parseSaveInterval(options.checkpointEvery).value()),
           loadSeconds_(loadSeconds),
@@ -130,7 +129,8 @@ class BatchRender {
         if (!saved) { logError("{}", saved.error().format()); }
         const Status reported = reportRender({options_, *capture, session_->status(), loadSeconds_,
                                               photonsPerPass_, exposure_.value_or(0.0f), denoiseSeconds_});
-        if (!saved || status.state == SessionState::Failed || end == End::OutOfMemory) { return kExitFailed; }
+        const bool hasAll = saved && !lacksPicture_ && end != End::OutOfMemory;
+        if (!hasAll || status.state == SessionState::Failed) { return kExitFailed; }
         if (!reported) { return reportError(reported.error(), kExitFailed); }
         return end == End::Done ? kExitDone : kExitInterrupted;
     }
@@ -197,17 +197,19 @@ class BatchRender {
         return true;
     }
 
-    /// The checkpoint, and a picture where it has a name. The render is worth more than these: what cannot be
-    /// saved now may be at the end.
+    /// The checkpoint, and a picture where it has a name. The render is worth more than these; a checkpoint
+    /// that cannot be saved now may be at the end.
     void saveOnTheWay(const std::string& image = {}) {
+        bool hasPicture = image.empty();
         const Status saved = withMemory(image.empty() ? options_.checkpoint : image, [&] {
             const auto capture = session_->capture();
             if (!capture) { return Status(); }
-            const Status free = files_.checkIsFree(image);
-            const Status written = free && !image.empty() ? writeImage(*capture, image) : free;
+            const Status written = hasPicture ? Status() : writeImage(*capture, image);
+            hasPicture = static_cast<bool>(written);
             const Status kept = checkpoint_.save(*capture);
             return written ? kept : written;
         });
+        if (!hasPicture) { lacksPicture_ = true; }
         if (!saved) { logError("{}", saved.error().format()); }
     }
 
@@ -269,7 +271,6 @@ class BatchRender {
 
     std::shared_ptr<const SceneDescription> scene_;
     const RenderCommandOptions& options_;
-    const RunFiles& files_;
     CheckpointFile checkpoint_;
     SaveInterval saves_;
     double loadSeconds_;
@@ -278,6 +279,7 @@ class BatchRender {
     uint32_t photonsPerPass_ = 0;  ///< SPPM: what the budget allows
     uint32_t startPasses_ = 0;     ///< that the checkpoint brought
     uint32_t nextImage_ = 0;       ///< pass count of the next numbered picture; 0: none before the end
+    bool lacksPicture_ = false;    ///< a numbered one could not be written
     std::optional<float> exposure_ = statedExposure(options_);  ///< of PNGs
     std::optional<double> denoiseSeconds_;                      ///< that the last picture took
     RenderRequest request_;
@@ -289,8 +291,8 @@ class BatchRender {
 }  // namespace
 
 RenderOutcome runRender(std::shared_ptr<const SceneDescription> scene, const RenderCommandOptions& options,
-                        const RunFiles& files, double loadSeconds) {
-    BatchRender render(std::move(scene), options, files, loadSeconds);
+                        double loadSeconds) {
+    BatchRender render(std::move(scene), options, loadSeconds);
     const int exitCode = render.run();
     return {exitCode, render.exposure()};
 }

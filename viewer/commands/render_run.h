@@ -3,7 +3,6 @@
 
 #include <memory>
 
-#include "viewer/base/run_files.h"
 #include "viewer/commands/render_options.h"
 
 namespace glint {
@@ -13,10 +12,9 @@ struct RenderOutcome {
     std::optional<float> exposureStops;  ///< of its PNGs; nothing: there was none
 };
 
-/// Renders `scene` as `options` say and writes everything they name, but over none of the `files` that are
-/// read. Prints its own messages.
+/// Renders `scene` as `options` say and writes everything they name. Prints its own messages.
 RenderOutcome runRender(std::shared_ptr<const SceneDescription> scene, const RenderCommandOptions& options,
-                        const RunFiles& files, double loadSeconds);
+                        double loadSeconds);
 
 /// Prints the path of options.pixel in options.replayPass. Returns an exit code.
 int runReplay(const SceneDescription& scene, const RenderCommandOptions& options);

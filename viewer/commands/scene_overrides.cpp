@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "engine/base/nearest_name.h"
 #include "engine/builders/scene_validation.h"
 #include "viewer/commands/command_line.h"
 #include "viewer/commands/render_options.h"
@@ -76,7 +77,9 @@ Status applySetting(const SceneOverrides::Given& given, SceneDescription* scene)
                      {}};
     }
     if (!setting.set(text, {&scene->camera, &scene->options, &scene->sppm, &scene->rayCast})) {
-        return Error{fmt::format("{} is '{}'; expected {}", setting.option, text, setting.expected), {}};
+        return Error{fmt::format("{} is '{}'{}; expected {}", setting.option, text,
+                                 didYouMean(text, setting.words), setting.expected),
+                     {}};
     }
     if (setting.option == "--filter") { scene->options.filterRadius = usualRadius(scene->options.filter); }
     return {};

@@ -71,7 +71,7 @@ Result<Vec2i> parseSize(const std::string& text) {
 Status checkScreenshots(const std::vector<ScriptStatement>& script, const RunFiles& files) {
     for (const ScriptStatement& statement : script) {
         if (statement.verb != "screenshot") { continue; }
-        const Status free = files.checkIsFree(statement.words[0].text);
+        const Status free = files.checkCanWrite(statement.words[0].text);
         if (!free) { return statement.errorAt(0, free.error().format()); }
     }
     return {};
@@ -85,7 +85,9 @@ Result<ViewerOptions> viewerOptions(const ViewCommandOptions& o, RunFiles* files
         return Error{"--screenshot and --output need --headless", {}};
     }
     if (!o.screenshot.empty() && !hasExtension(o.screenshot, ".png")) {
-        return Error{fmt::format("--screenshot {}: expected a name that ends in .png", o.screenshot), {}};
+        return Error{fmt::format("--screenshot {}: expected a name {}", o.screenshot,
+                                 isOnlyEnding(o.screenshot) ? "before the ending" : "that ends in .png"),
+                     {}};
     }
     for (const std::string& output : {o.screenshot, o.output, o.json}) {
         if (const Status writable = files->writes(output); !writable) { return writable.error(); }

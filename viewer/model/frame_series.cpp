@@ -98,11 +98,8 @@ Status FrameSeries::checkFiles() const {
     std::error_code problem;
     std::filesystem::create_directories(folder, problem);
     if (problem) { return Error{fmt::format("cannot be made: {}", problem.message()), {folder, 0, 0, ""}}; }
-    for (int i = 1; i <= pictures; ++i) {
-        const std::string path = numberedPath(pathIn(folder), static_cast<uint32_t>(i));
-        if (Status free = inputs_->checkIsNoInput(path); !free) { return free; }
-    }
-    return {};
+    return inputs_->checkCanWrite(
+        NumberedFiles{.path = pathIn(folder), .last = static_cast<uint32_t>(pictures)});
 }
 
 void FrameSeries::start(const DisplaySettings& display) {
