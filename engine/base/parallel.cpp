@@ -7,6 +7,8 @@
 
 #include <omp.h>
 
+#include "engine/base/thread_limit.h"
+
 namespace glint {
 
 int defaultThreadCount() { return std::max(1, omp_get_max_threads()); }
@@ -15,10 +17,10 @@ void parallelChunks(int64_t count, int64_t chunkSize, int threads,
                     const std::function<void(int64_t begin, int64_t end)>& body) {
     const int64_t size = std::max<int64_t>(1, chunkSize);
     const int64_t chunks = (count + size - 1) / size;
-    const int used = threads > 0 ? threads : defaultThreadCount();
+    const int used = chunks > 1 ? startableThreads(threads) : 1;
     std::atomic<bool> hasFailed{false};
     std::exception_ptr problem;
-#pragma omp parallel for schedule(dynamic, 1) num_threads(used) if (chunks > 1 && used > 1)
+#pragma omp parallel for schedule(dynamic, 1) num_threads(used) if (used > 1)
     for (int64_t chunk = 0; chunk < chunks; ++chunk) {
         if (hasFailed.load(std::memory_order_relaxed)) { continue; }
         // No exception may leave the region: there is nobody to catch it.

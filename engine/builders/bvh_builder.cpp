@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "engine/base/check.h"
-#include "engine/base/parallel.h"
+#include "engine/base/thread_limit.h"
 #include "engine/builders/box_lanes.h"
 
 namespace glint {
@@ -177,8 +177,8 @@ BinaryTree buildBinaryTree(HugeVector<BuildPrimitive>* primitives, const BvhOpti
     const uint32_t count = static_cast<uint32_t>(primitives->size());
     tree.nodes.resize(2 * static_cast<size_t>(count));
     Builder builder(primitives, options, &tree.nodes);
-    const int threads = options.threads > 0 ? options.threads : defaultThreadCount();
-#pragma omp parallel num_threads(threads) if (count >= 2 * kTaskPrimitives && threads > 1)
+    const int threads = count >= 2 * kTaskPrimitives ? startableThreads(options.threads) : 1;
+#pragma omp parallel num_threads(threads) if (threads > 1)
 #pragma omp single
     builder.build(0, 0, count, builder.extentOf(0, count));
     tree.count = builder.nodeCount();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/log.h"
 #include "engine/base/parallel.h"
 #include "engine/math/color.h"
 
@@ -68,6 +69,18 @@ double fillCdf(const std::vector<double>& weights, float* cdf) {
     return sum;
 }
 
+/// A picture that packs well may be small as a file.
+void warnOfSize(const SceneImage& source) {
+    constexpr double kBytesAPixel = 4 * sizeof(float), kManyBytes = 1e9;
+    const int width = source.floats ? source.floats->width : source.bytes ? source.bytes->width : 0;
+    const int height = source.floats ? source.floats->height : source.bytes ? source.bytes->height : 0;
+    const double bytes = kBytesAPixel * width * height;
+    if (bytes > kManyBytes) {
+        logWarning("the environment's image has {}x{} pixels, which take {:.1f} GB of memory", width, height,
+                   1e-9 * bytes);
+    }
+}
+
 }  // namespace
 
 EnvironmentView EnvironmentTable::view() const {
@@ -85,6 +98,7 @@ size_t EnvironmentTable::bytes() const {
 }
 
 std::shared_ptr<const EnvironmentTable> buildEnvironmentTable(const SceneImage& source, int threads) {
+    warnOfSize(source);
     auto table = std::make_shared<EnvironmentTable>();
     table->source = source;
     table->image = linearImage(source, threads);

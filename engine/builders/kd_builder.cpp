@@ -9,7 +9,7 @@
 #include <cstring>
 
 #include "engine/base/check.h"
-#include "engine/base/parallel.h"
+#include "engine/base/thread_limit.h"
 #include "engine/kernels/kd_tree.h"
 
 namespace glint {
@@ -237,8 +237,8 @@ HugeVector<std::byte> buildKdTree(HugeVector<BuildPrimitive>* primitives, const 
         parts.push_back({{p.lo, -p.negatedHi}, p.index});
     }
     Tree tree;
-    const int threads = options.threads > 0 ? options.threads : defaultThreadCount();
-#pragma omp parallel num_threads(threads) if (parts.size() >= kTaskPrimitives && threads > 1)
+    const int threads = parts.size() >= kTaskPrimitives ? startableThreads(options.threads) : 1;
+#pragma omp parallel num_threads(threads) if (threads > 1)
 #pragma omp single
     builder.build(builder.bounds(), parts, 0, 0, &tree);
     primitives->clear();

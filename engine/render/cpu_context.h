@@ -12,6 +12,7 @@
 #include <fmt/core.h>
 
 #include "engine/base/result.h"
+#include "engine/base/thread_limit.h"
 #include "engine/builders/built_scene.h"
 #include "engine/render/backend.h"
 #include "engine/render/cpu_variants.h"
@@ -50,7 +51,8 @@ Result<bool> renderTiles(const CpuContext& cpu, const PassParams& params, const 
     const int firstRow = part.y0 / kTileSize;
     const int columns = (part.x1 + kTileSize - 1) / kTileSize - firstColumn;
     const int rows = (part.y1 + kTileSize - 1) / kTileSize - firstRow;
-#pragma omp parallel for schedule(dynamic, 1) num_threads(cpu.threads)
+    const int threads = startableThreads(cpu.threads);
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
     for (int index = 0; index < columns * rows; ++index) {
         if (stop.load(std::memory_order_relaxed)) { continue; }
         const int x = (firstColumn + index % columns) * kTileSize;

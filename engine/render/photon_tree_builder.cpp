@@ -1,7 +1,7 @@
 // The kd-tree of a PhotonStore: median splits on the widest axis, in place.
 #include <algorithm>
 
-#include "engine/base/parallel.h"
+#include "engine/base/thread_limit.h"
 #include "engine/math/bounds.h"
 #include "engine/render/photon_store.h"
 
@@ -52,7 +52,7 @@ void PhotonStore::buildTree(int threads) {
     axes_.resize(count_);
     const TreeBuilder builder(photons_.data(), axes_.data());
     const uint32_t count = count_;
-    const int used = threads > 0 ? threads : defaultThreadCount();
+    const int used = startableThreads(threads);
 #pragma omp parallel num_threads(used)
 #pragma omp single
     builder.build(0, count);

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "engine/base/nearest_name.h"
-#include "engine/base/parallel.h"
+#include "engine/base/thread_limit.h"
 #include "engine/report/stress_families.h"
 
 namespace glint {
@@ -141,7 +141,7 @@ Status runStressCases(const std::vector<StressCase>& cases, const StressEffort& 
     };
     {
         std::vector<std::jthread> threads;
-        const int count = effort.threads > 0 ? effort.threads : defaultThreadCount();
+        const int count = startableThreads(effort.threads);
         for (int i = 0; i < count; ++i) {
             threads.emplace_back(work);
         }

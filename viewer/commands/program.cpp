@@ -7,6 +7,7 @@
 #include <exception>
 #include <new>
 #include <string_view>
+#include <system_error>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -172,6 +173,10 @@ int runProgram(std::vector<std::string> arguments) {
         return flushOutput(parseAndRun(std::move(arguments)));
     } catch (const std::bad_alloc&) {
         say("error: not enough memory\n");
+        return kExitFailed;
+    } catch (const std::system_error& problem) {
+        const bool isThread = problem.code() == std::errc::resource_unavailable_try_again;
+        say("error: {}\n", isThread ? "no thread starts; memory or their number is limited" : problem.what());
         return kExitFailed;
     } catch (const std::exception& problem) {
         say("glint: {}\n", problem.what());

@@ -1,0 +1,69 @@
+// Where the system starts fewer threads than were asked for, a render goes on with those, and is the same;
+// what takes much memory is said.
+#include <sys/resource.h>
+
+#include "tests/support/program_test.h"
+
+namespace glint {
+namespace {
+
+using test::ProgramRun;
+using test::runProgram;
+using test::says;
+using test::TempFolder;
+
+using ScarceResources = test::ProgramTest;
+
+/// Room for some threads only, each of which takes a gigabyte for its stack.
+void limitThreads(rlim_t gigabytes) {
+    const rlimit stack{rlim_t{1} << 30, rlim_t{1} << 30};
+    const rlimit memory{gigabytes << 30, gigabytes << 30};
+    setrlimit(RLIMIT_STACK, &stack);
+    setrlimit(RLIMIT_AS, &memory);
+}
+
+TEST_F(ScarceResources, ARenderIsTheSame) {
+    const std::string scene = folder.write("a.json", R"({ "glint": 1, "resolution": [64, 64],
+        "camera": { "position": [0, 0, 4], "target": [0, 0, 0] },
+        "materials": { "grey": { "type": "diffuse", "color": 0.5 } },
+        "objects": [{ "type": "sphere", "material": "grey", "center": [0, 0, 0], "radius": 1 }],
+        "environment": { "color": 1 } })");
+    for (const char* integrator : {"pt", "sppm"}) {
+        const auto render = [&](const char* name, const char* threads, const test::RunSetup& setup) {
+            return runProgram(
+                {"render", scene, "-o", folder.path(name), "--checkpoint", folder.path("a.film"),
+                 "--overwrite", "--passes", "2", "--threads", threads, "--integrator", integrator},
+                setup);
+        };
+        ASSERT_EQ(render("all.png", "2", {}).exitCode, 0);
+        const std::string picture = TempFolder::read(folder.path("all.png"));
+        for (const rlim_t gigabytes : {4, 5, 6, 9}) {
+            const ProgramRun run = render("few.png", "24", {.before = [=] { limitThreads(gigabytes); }});
+            EXPECT_EQ(run.exitCode, 0) << integrator << gigabytes << run.err;
+            EXPECT_TRUE(says(run.err, "of 24 threads start; memory or their number is limited"));
+            EXPECT_EQ(TempFolder::read(folder.path("few.png")), picture) << integrator << gigabytes;
+        }
+    }
+    const ProgramRun none = runProgram({"render", scene, "-o", folder.path("no.png"), "--passes", "2"},
+                                       {.before = [] { limitThreads(1); }});
+    EXPECT_EQ(none.exitCode, 2) << none.err;
+    EXPECT_TRUE(says(none.err, "no thread starts; memory or their number is limited"));
+}
+
+/// 1 GB of numbers in 67 MB of bytes; there is no room for them here.
+TEST_F(ScarceResources, ALargeEnvironmentIsSaidBeforeItIsMade) {
+    folder.write("sky.pgm", "P5 8193 8192 255\n" + std::string(size_t{8193} * 8192, 'a'));
+    const std::string scene = folder.write("sky.json", R"({ "glint": 1, "resolution": [8, 8],
+        "camera": { "position": [0, 0, 4], "target": [0, 0, 0] },
+        "environment": { "image": { "file": "sky.pgm" } } })");
+    const ProgramRun run =
+        runProgram({"render", scene, "-o", folder.path("a.png"), "--passes", "1"}, {.before = [] {
+                       const rlimit limit{rlim_t{1200} << 20, rlim_t{1200} << 20};
+                       setrlimit(RLIMIT_AS, &limit);
+                   }});
+    EXPECT_EQ(run.exitCode, 2) << run.err;
+    EXPECT_TRUE(says(run.err, "the environment's image has 8193x8192 pixels, which take 1.1 GB of memory"));
+}
+
+}  // namespace
+}  // namespace glint
