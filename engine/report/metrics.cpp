@@ -196,6 +196,13 @@ double relativeTo(double bias, double reference) {
     return reference != 0.0 ? bias / reference : std::copysign(std::numeric_limits<double>::infinity(), bias);
 }
 
+/// Only epsilon would be left of the denominators.
+void giveUpRelativeErrors(ImageMetrics* metrics) {
+    for (double* error : {&metrics->relMse, &metrics->relMseTrimmed, &metrics->mape}) {
+        if (*error > 0.0) { *error = std::numeric_limits<double>::infinity(); }
+    }
+}
+
 }  // namespace
 
 double ImageMetrics::relativeRmse() const { return std::sqrt(relMse); }
@@ -232,6 +239,7 @@ Result<ImageMetrics> compareImages(const ImageF& test, const ImageF& reference,
     metrics.trimmedPixels = static_cast<uint64_t>(options.trimmedShare * pixels);
     const uint64_t kept = sums.pixels - metrics.trimmedPixels;
     metrics.relMseTrimmed = sumOfSmallest(comparison, kept) / static_cast<double>(kept);
+    if (sums.reference == 0.0) { giveUpRelativeErrors(&metrics); }
     addViewerMetrics(comparison, options, &metrics);
     return metrics;
 }

@@ -34,7 +34,7 @@ struct MetricOptions {
 };
 
 /// With t the test picture, r the reference, and the mean over all compared pixels and their 3
-/// channels alike:
+/// channels alike (relMse, relMseTrimmed and mape are infinite where the mean of r is 0 and they are not):
 struct ImageMetrics {
     double mse = 0.0;            ///< mean of (t - r)^2, in squared radiance
     double rmse = 0.0;           ///< square root of mse, in radiance

@@ -143,6 +143,19 @@ TEST_F(DiffCommand, EightBitsBesideFloatsAreWarnedOf) {
     }
 }
 
+TEST_F(DiffCommand, NothingIsRelativeToABlackReference) {
+    const std::string grey = exr("a.exr", test::flatImage(8, 8, 0.5f));
+    const std::string black = exr("b.exr", test::flatImage(8, 8, 0.0f));
+    const ProgramRun run = runProgram({"diff", grey, black});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    size_t count = 0;
+    for (size_t at = 0;
+         (at = run.out.find("none          the reference is black\n", at)) != std::string::npos; ++at) {
+        ++count;
+    }
+    EXPECT_EQ(count, 5u) << run.out;
+}
+
 TEST_F(DiffCommand, ComparesKindsAsLinearColours) {
     // 188 / 255 in sRGB is 0.5029 linear.
     Image8 bytes{.width = 16, .height = 16, .rgb = std::vector<uint8_t>(3 * 256, 188)};

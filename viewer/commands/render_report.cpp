@@ -60,10 +60,12 @@ void reportFaults(const RenderReport& r) {
 }
 
 /// What --error would have taken, where another limit or Ctrl-C came first.
-void printTimeToError(const RenderReport& r) {
+void printTimeToError(const RenderReport& r, const ErrorEstimate& error) {
     const double target = r.options.limits.relativeError;
     if (!(target > 0.0) || hasReached(r.capture.curve, target)) { return; }
-    if (const auto ahead = forecastError(r.capture.curve, target)) {
+    if (error.high <= target) {
+        put("an error below {:g} % is confirmed by more passes only\n", 100.0 * target);
+    } else if (const auto ahead = forecastError(r.capture.curve, target)) {
         put("an error below {:g} % would take about {:.3g} s more ({:.3g} to {:.3g})\n", 100.0 * target,
             ahead->secondsLeft, ahead->secondsLow, ahead->secondsHigh);
     } else {
@@ -145,7 +147,7 @@ Status reportRender(const RenderReport& r) {
     const ErrorEstimate error = estimateError(r.capture.film, r.capture.statistics.get(), r.options.threads);
     if (!jsonTakesOutput(r.options.json)) {
         printSummary(r, error);
-        printTimeToError(r);
+        printTimeToError(r, error);
     }
     reportFaults(r);
     if (const float clamp = r.capture.scene->options.fireflyClamp; clamp > 0.0f) {
