@@ -42,9 +42,9 @@ void makePlastic(const tinyobj::material_t& values, Material* out) {
 }
 
 /// Whether it lies between plastic and metal, or under a coat or sheen.
-bool isLayered(const tinyobj::material_t& values) {
-    return (values.metallic > 0.0f && values.metallic < 1.0f) || values.clearcoat_thickness > 0.0f ||
-           values.sheen > 0.0f;
+bool isLayered(const MtlEntry& entry, const tinyobj::material_t& values) {
+    return entry.has(MtlKey::MapPm) || (values.metallic > 0.0f && values.metallic < 1.0f) ||
+           values.clearcoat_thickness > 0.0f || values.sheen > 0.0f;
 }
 
 void makePrincipled(const tinyobj::material_t& values, Material* out) {
@@ -58,7 +58,7 @@ void makePrincipled(const tinyobj::material_t& values, Material* out) {
 
 /// Zeros are what exporters write that know the keys and not the material.
 bool usesPbr(const MtlEntry& entry, const tinyobj::material_t& values) {
-    return isLayered(values) || (entry.has(MtlKey::Pm) && values.metallic > 0.0f) ||
+    return isLayered(entry, values) || (entry.has(MtlKey::Pm) && values.metallic > 0.0f) ||
            (entry.has(MtlKey::Pr) && values.roughness > 0.0f) || entry.has(MtlKey::MapPr);
 }
 
@@ -67,11 +67,11 @@ void makePbr(const MtlEntry& entry, const tinyobj::material_t& values, const Vec
         const float roughness = std::clamp(values.roughness, 0.0f, 1.0f);
         out->roughness.value = roughness * roughness;
     }
-    if (values.metallic >= 1.0f && !isLayered(values)) {
+    if (values.metallic >= 1.0f && !isLayered(entry, values)) {
         makeConductor(base, out);
     } else {
         makePlastic(values, out);
-        if (isLayered(values)) { makePrincipled(values, out); }
+        if (isLayered(entry, values)) { makePrincipled(values, out); }
     }
 }
 
@@ -174,6 +174,7 @@ MtlMaterial materialOf(const MtlEntry& entry, MtlLibrary* library) {
         .emission = mapOf(values.emissive_texname, values.emissive_texopt, entry.lineOf(MtlKey::MapKe)),
         .roughness =
             numberMapOf(values.roughness_texname, values.roughness_texopt, entry.lineOf(MtlKey::MapPr)),
+        .metallic = numberMapOf(values.metallic_texname, values.metallic_texopt, entry.lineOf(MtlKey::MapPm)),
         .height = numberMapOf(values.bump_texname, values.bump_texopt,
                               entry.lineOf(entry.has(MtlKey::Bump) ? MtlKey::Bump : MtlKey::MapBump)),
         .bumpFactor = values.bump_texopt.bump_multiplier,

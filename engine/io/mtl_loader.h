@@ -21,6 +21,7 @@ struct MtlMaterial {
     MtlMap color;             ///< map_Kd
     MtlMap emission;          ///< map_Ke
     MtlMap roughness;         ///< map_Pr
+    MtlMap metallic;          ///< map_Pm
     MtlMap height;            ///< map_Bump, bump
     float bumpFactor = 1.0f;  ///< -bm: multiplies what a height is for the model (obj_materials.h)
     MtlMap normal;            ///< norm
@@ -41,7 +42,8 @@ Result<MtlLibrary> loadMtl(const std::string& path);
 /// What an entry becomes, with remarks on what Glint does not draw of it. The first that applies gives the
 /// kind:
 ///   - Glass, a smooth dielectric with ior Ni, thin with ior 1.5 where Ni <= 1: by glassOf() in mtl_glass.h.
-///   - Pm, Pr, Pc or Ps above 0 (the PBR extension): with Pm below 1, Pc or Ps a principled material with a
+///   - Pm, Pr, Pc or Ps above 0 (the PBR extension): with Pm below 1, map_Pm, Pc or Ps a principled material
+///   with a
 ///     coat of alpha Pcr squared; else with Pm a conductor whose reflectance at normal incidence is Kd, with
 ///     Pr plastic of Kd. GGX alpha is Pr squared.
 ///   - Kd black, Ks not, illum 3 or 5: mirror of Ks. Kd black, Ks not: GGX conductor whose reflectance at

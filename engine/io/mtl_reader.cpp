@@ -25,17 +25,17 @@ struct Key {
 };
 
 /// First those of MtlKey, in its order.
-constexpr Key kKeys[] = {{"Kd", Form::Color},         {"Ks", Form::Color},       {"Ke", Form::Color},
-                         {"Tf", Form::Color},         {"Ns", Form::Number},      {"Ni", Form::Number},
-                         {"d", Form::Number},         {"Tr", Form::Number},      {"illum", Form::Number},
-                         {"Pr", Form::Number},        {"Pm", Form::Number},      {"Ps", Form::Number},
-                         {"Pc", Form::Number},        {"Pcr", Form::Number},     {"aniso", Form::Number},
-                         {"anisor", Form::Number},    {"map_Kd", Form::Map},     {"map_Ke", Form::Map},
-                         {"map_d", Form::Map},        {"map_Bump", Form::Map},   {"bump", Form::Map},
-                         {"norm", Form::Map},         {"map_Pr", Form::Map},     {"Kt", Form::Color},
-                         {"map_Ka", Form::Silent},    {"Ka", Form::Silent},      {"Km", Form::Silent},
-                         {"sharpness", Form::Silent}, {"map_aat", Form::Silent}, {"disp", Form::UnusedMap},
-                         {"decal", Form::UnusedMap},  {"refl", Form::UnusedMap}};
+constexpr Key kKeys[] = {{"Kd", Form::Color},       {"Ks", Form::Color},         {"Ke", Form::Color},
+                         {"Tf", Form::Color},       {"Ns", Form::Number},        {"Ni", Form::Number},
+                         {"d", Form::Number},       {"Tr", Form::Number},        {"illum", Form::Number},
+                         {"Pr", Form::Number},      {"Pm", Form::Number},        {"Ps", Form::Number},
+                         {"Pc", Form::Number},      {"Pcr", Form::Number},       {"aniso", Form::Number},
+                         {"anisor", Form::Number},  {"map_Kd", Form::Map},       {"map_Ke", Form::Map},
+                         {"map_d", Form::Map},      {"map_Bump", Form::Map},     {"bump", Form::Map},
+                         {"norm", Form::Map},       {"map_Pr", Form::Map},       {"map_Pm", Form::Map},
+                         {"Kt", Form::Color},       {"map_Ka", Form::Silent},    {"Ka", Form::Silent},
+                         {"Km", Form::Silent},      {"sharpness", Form::Silent}, {"map_aat", Form::Silent},
+                         {"disp", Form::UnusedMap}, {"decal", Form::UnusedMap},  {"refl", Form::UnusedMap}};
 
 /// Options of maps, how many values each may have (0: a word), what a missing one is, and whether it counts.
 struct MapOption {

@@ -44,6 +44,7 @@ enum class MtlKey : uint32_t {
     Bump,
     Norm,
     MapPr,
+    MapPm,
     Count
 };
 

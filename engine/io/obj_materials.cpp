@@ -118,6 +118,7 @@ Material MaterialResolver::take(const Found& found) {
     material.color.texture = takeTexture(mtl.color, library.path);
     material.emission.texture = takeTexture(mtl.emission, library.path);
     material.roughness.texture = takeTexture(mtl.roughness, library.path);
+    material.metallic.texture = takeTexture(mtl.metallic, library.path);
     material.bump.texture = takeTexture(mtl.height, library.path);
     material.bumpHeight = mtl.bumpFactor;
     material.normalMap.texture = takeTexture(mtl.normal, library.path);

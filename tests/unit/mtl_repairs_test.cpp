@@ -229,6 +229,25 @@ TEST(MtlMaps, EmissionAndTransparency) {
     }
 }
 
+TEST(MtlMaps, OfMetalnessMakePrincipledMaterials) {
+    const TempFolder folder;
+    ASSERT_TRUE(savePng(folder.path("m.png"), {1, 1, {0, 0, 0}}));
+    for (const char* metal :
+         {"map_Pm m.png\n", "Pm 1\nmap_Pm m.png\n", "map_pm -imfchan b m.png\nPr 0.5\n"}) {
+        std::vector<std::string> warnings;
+        const Material it = materialOf(folder, std::string("newmtl it\nKd 0.8 0.1 0.1\n") + metal, &warnings);
+        EXPECT_EQ(it.kind, MaterialKind::Principled) << metal;
+        EXPECT_EQ(it.metallic.texture, 0) << metal;
+        EXPECT_EQ(it.color.value, Vec3(0.8f, 0.1f, 0.1f)) << metal;
+    }
+    std::vector<std::string> warnings;
+    const Material it =
+        materialOf(folder, "newmtl it\nKd 0.8 0.1 0.1\nPm 0.25\nmap_Pm none.png\n", &warnings);
+    EXPECT_EQ(it.metallic.texture, -1);
+    EXPECT_EQ(it.metallic.value, 0.25f);
+    EXPECT_THAT(warnings, testing::ElementsAre(HasSubstr("m.mtl:4: images are missing")));
+}
+
 TEST(MtlMaps, OfBumpsNormalsOpacityAndRoughness) {
     const TempFolder folder;
     for (const char* name : {"h.png", "n.png", "o.png", "r.png"}) {
