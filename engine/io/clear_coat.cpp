@@ -11,14 +11,21 @@ Vec3 reflectance(const Vec3& eta, const Vec3& k) {
     return (less * less + k * k) / (more * more + k * k);
 }
 
+Vec3 reflectanceOf(const Material& metal) {
+    const auto known = findMetal(metal.metal);
+    return known ? reflectance(known->eta, known->k) : reflectance(metal.eta.value, metal.k.value);
+}
+
+/// Whether one colour cannot say what the metal reflects.
+bool hasReflectanceOfTextures(const Material& metal) {
+    constexpr float kWhite = 0.95f;
+    return metal.eta.texture >= 0 || metal.k.texture >= 0 ||
+           (metal.color.texture >= 0 && minComponent(reflectanceOf(metal)) < kWhite);
+}
+
 /// A metal of the same reflectance head on.
 void makePrincipled(Material* material) {
-    if (material->kind == MaterialKind::Conductor) {
-        const auto known = findMetal(material->metal);
-        const Vec3 head =
-            known ? reflectance(known->eta, known->k) : reflectance(material->eta.value, material->k.value);
-        material->color.value *= head;
-    }
+    if (material->kind == MaterialKind::Conductor) { material->color.value *= reflectanceOf(*material); }
     if (material->kind == MaterialKind::Mirror) { material->roughness = {}; }
     material->kind = MaterialKind::Principled;
     material->metallic = {1.0f};
@@ -34,8 +41,10 @@ bool coatMaterial(float ior, const NumberInput& alpha, Material* material) {
             material->ior = {ior};
             material->roughness = alpha;
             return true;
-        case MaterialKind::Mirror:
         case MaterialKind::Conductor:
+            if (hasReflectanceOfTextures(*material)) { return false; }
+            [[fallthrough]];
+        case MaterialKind::Mirror:
         case MaterialKind::Principled: {
             const float root = (ior - 1.0f) / (ior + 1.0f);
             if (material->kind != MaterialKind::Principled) { makePrincipled(material); }

@@ -36,26 +36,40 @@ double areaOf(const MeshData& mesh, const Affine& toWorld) {
     return area;
 }
 
+/// Of an object's mesh, 0 where it is none.
+double areaOf(const SceneDescription& scene, const Object& object) {
+    if (object.shape != ShapeKind::Mesh) { return 0.0; }
+    return areaOf(*scene.meshes[static_cast<size_t>(object.mesh)].data, object.objectToWorld);
+}
+
 /// Whether all that shines are labels, screens and small lights: no brighter than white paper, and together
 /// too little for the surfaces around. Viewers light such models. What has no area lights nothing.
 bool isLitByScreensAlone(const SceneDescription& scene) {
     constexpr double kLeastMean = 0.05;
     if (!scene.lights.empty() || scene.environment.emissive()) { return false; }
-    double area = 0.0;
+    const auto materialOf = [&](const Object& object) -> const Material& {
+        return scene.materials[static_cast<size_t>(object.material)];
+    };
     double emitted = 0.0;
+    double area = 0.0;
     for (const Object& object : scene.objects) {
+        const Material& material = materialOf(object);
+        if (!material.emissive()) { continue; }
         if (object.shape != ShapeKind::Mesh) { return false; }
-        const Material& material = scene.materials[static_cast<size_t>(object.material)];
-        const double own = areaOf(*scene.meshes[static_cast<size_t>(object.mesh)].data, object.objectToWorld);
+        const double own = areaOf(scene, object);
         const bool hasImage = material.emission.texture >= 0;
-        const float radiance =
-            material.emissionStrength * (hasImage ? 1.0f : maxComponent(material.emission.value));
-        area += own;
-        if (!material.emissive() || !(own > 0.0)) { continue; }
-        if (radiance > 1.0f) { return false; }
+        const float factor = hasImage ? 1.0f : maxComponent(material.emission.value);
+        const float radiance = material.emissionStrength * factor;
+        // A strength above 1 is a lamp's, however dim.
+        if (own > 0.0 && maxf(radiance, material.emissionStrength) > 1.0f) { return false; }
         emitted += own * static_cast<double>(radiance);
+        area += own;
     }
-    return emitted < kLeastMean * area;
+    for (const Object& object : scene.objects) {
+        if (emitted < kLeastMean * area) { return true; }
+        if (!materialOf(object).emissive()) { area += areaOf(scene, object); }
+    }
+    return emitted < kLeastMean * area || emitted == 0.0;
 }
 
 }  // namespace

@@ -149,7 +149,8 @@ class Pose {
         const Result<GltfNumbers>& numbers = numbersOf(sampler.output);
         if (!numbers) { return numbers.error(); }
         const size_t parts = isCubic ? 3 : 1, expected = times->size() * parts * width;
-        if (numbers->values.size() != expected || !takeNumbers(width)) {
+        if (!takeNumbers(width)) { return file_.error("its channels have too many numbers"); }
+        if (numbers->values.size() != expected) {
             return file_.error(fmt::format("accessor {} has {} numbers; expected {} for {} keys",
                                            sampler.output, numbers->values.size(), expected, times->size()));
         }

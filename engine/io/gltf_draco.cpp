@@ -24,8 +24,8 @@ uint64_t readVarint(ByteReader* bytes) {
 }
 
 /// Draco allocates what the first bytes state before it looks at the others ("Draco Bitstream Specification",
-/// version 2.2, sections 2 to 6).
-Status checkStatedCounts(const GltfFile& file, std::string_view data, const std::string& what) {
+/// version 2.2, sections 2 to 6). Faces and vertices together.
+Result<uint64_t> statedCounts(const GltfFile& file, std::string_view data, const std::string& what) {
     constexpr uint64_t kMostPerByte = 4096, kMostCount = uint64_t{1} << 26;
     ByteReader bytes(data);
     const std::string_view magic = bytes.readRaw(5);
@@ -39,14 +39,17 @@ Status checkStatedCounts(const GltfFile& file, std::string_view data, const std:
     }
     constexpr uint8_t kEdgebreaker = 1;
     if (method == kEdgebreaker) { bytes.read<uint8_t>(); }
+    uint64_t both = 0;
     for (int i = 0; i < 2; ++i) {  // faces and vertices, the one or the other first
         const uint64_t count = readVarint(&bytes);
         if (count > kMostCount || count > kMostPerByte * data.size()) {
             return file.error(fmt::format("{}: {} vertices or faces are more than its {} bytes can hold",
                                           what, count, data.size()));
         }
+        both += count;
     }
-    return bytes.failed() ? Status(file.error(what + " is cut off")) : Status();
+    if (bytes.failed()) { return file.error(what + " is cut off"); }
+    return both;
 }
 
 /// A further buffer with a view of it, which is returned.
@@ -97,18 +100,24 @@ std::vector<unsigned char> valuesOf(const draco::PointAttribute& attribute, uint
 
 class DracoReader {
   public:
-    explicit DracoReader(GltfFile* file) : file_(*file), model_(file->model) {}
+    explicit DracoReader(GltfFile* file) : file_(*file), model_(file->model) {
+        constexpr uint64_t kAlways = uint64_t{64} << 20, kBytesPerByte = 1024;
+        budgetBytes_ = kAlways;
+        for (const tinygltf::Buffer& buffer : model_.buffers) {
+            budgetBytes_ += kBytesPerByte * buffer.data.size();
+        }
+    }
 
     Status unpack(tinygltf::Primitive* primitive, const std::string& what) {
         const auto* packed = extensionOf(*primitive, kDraco);
         if (packed == nullptr) { return {}; }
-        const auto view = static_cast<int>(numberOf(packed, "bufferView", -1.0));
+        const auto view = indexOf(packed, "bufferView");
         const Result<const draco::Mesh*> mesh = meshOf(view, what);
         if (!mesh) { return mesh.error(); }
         const tinygltf::Value& attributes = packed->Get("attributes");
         for (const std::string& name :
              attributes.IsObject() ? attributes.Keys() : std::vector<std::string>()) {
-            const auto id = static_cast<int>(numberOf(&attributes, name.c_str(), -1.0));
+            const auto id = indexOf(&attributes, name.c_str());
             if (Status read = readAttribute(**mesh, view, id, name, what, primitive); !read) { return read; }
         }
         primitive->mode = TINYGLTF_MODE_TRIANGLES;
@@ -117,13 +126,22 @@ class DracoReader {
     }
 
   private:
+    /// Of the memory that all meshes together may take, since views may share their bytes.
+    Status take(uint64_t bytes, const std::string& what) {
+        if (bytes > budgetBytes_) { return file_.error(what + ": the file's meshes unpack to too much"); }
+        budgetBytes_ -= bytes;
+        return {};
+    }
+
     /// Primitives may share one.
     Result<const draco::Mesh*> meshOf(int view, const std::string& what) {
         std::unique_ptr<draco::Mesh>& mesh = meshes_[view];
         if (mesh) { return mesh.get(); }
         const Result<std::string_view> bytes = bufferViewBytes(file_, view, what);
         if (!bytes) { return bytes.error(); }
-        if (Status counts = checkStatedCounts(file_, *bytes, what); !counts) { return counts.error(); }
+        const Result<uint64_t> count = statedCounts(file_, *bytes, what);
+        if (!count) { return count.error(); }
+        if (Status taken = take(*count * kBytesPerElement, what); !taken) { return taken.error(); }
         draco::DecoderBuffer buffer;
         buffer.Init(bytes->data(), bytes->size());
         try {
@@ -153,6 +171,7 @@ class DracoReader {
                 return file_.error(fmt::format("{}: its accessor states {} of {}, Draco holds {}", what,
                                                accessor.count, name, points));
             }
+            if (Status taken = take(uint64_t{points} * kBytesPerElement, what); !taken) { return taken; }
             accessor.bufferView = addView(valuesOf(*attribute, points, accessor), &model_);
             accessor.byteOffset = 0;
             known->second = add(std::move(accessor));
@@ -184,8 +203,12 @@ class DracoReader {
         return static_cast<int>(model_.accessors.size()) - 1;
     }
 
+    /// About what a face or a vertex takes, decoded.
+    static constexpr uint64_t kBytesPerElement = 16;
+
     GltfFile& file_;
     tinygltf::Model& model_;
+    uint64_t budgetBytes_ = 0;
     std::map<int, std::unique_ptr<draco::Mesh>> meshes_;  ///< by buffer view
     std::map<std::array<int, 3>, int> accessors_;         ///< by buffer view, attribute and accessor
 };

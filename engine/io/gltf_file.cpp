@@ -157,4 +157,10 @@ double numberOf(const tinygltf::Value* extension, const char* key, double otherw
     return value.IsNumber() ? value.GetNumberAsDouble() : otherwise;
 }
 
+int indexOf(const tinygltf::Value* extension, const char* key, int otherwise) {
+    constexpr double kMost = std::numeric_limits<int>::max();
+    const double number = numberOf(extension, key, static_cast<double>(otherwise));
+    return number > -1.0 ? static_cast<int>(std::min(number, kMost)) : -1;
+}
+
 }  // namespace glint

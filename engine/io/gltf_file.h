@@ -46,5 +46,7 @@ const tinygltf::Value* extensionOf(const Owner& owner, const char* name) {
 
 /// A member of an extension; `otherwise` where there is none that is a number.
 double numberOf(const tinygltf::Value* extension, const char* key, double otherwise);
+/// As numberOf(), an int; -1 below it.
+int indexOf(const tinygltf::Value* extension, const char* key, int otherwise = -1);
 
 }  // namespace glint

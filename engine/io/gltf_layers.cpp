@@ -12,8 +12,8 @@ tinygltf::TextureInfo textureOf(const tinygltf::Value* extension, const char* ke
     tinygltf::TextureInfo info;
     if (extension == nullptr || !extension->Get(key).IsObject()) { return info; }
     const tinygltf::Value& value = extension->Get(key);
-    info.index = static_cast<int>(numberOf(&value, "index", -1.0));
-    info.texCoord = static_cast<int>(numberOf(&value, "texCoord", 0.0));
+    info.index = indexOf(&value, "index");
+    info.texCoord = indexOf(&value, "texCoord", 0);
     const tinygltf::Value& extensions = value.Get("extensions");
     for (const std::string& name : extensions.IsObject() ? extensions.Keys() : std::vector<std::string>()) {
         info.extensions[name] = extensions.Get(name);

@@ -92,7 +92,7 @@ Result<int> GltfMaterials::takeTexture(const Info& info, const Reading& reading)
     }
     const tinygltf::Texture& from = textures[static_cast<size_t>(info.index)];
     const auto* webp = extensionOf(from, "EXT_texture_webp");
-    const int image = webp != nullptr ? static_cast<int>(numberOf(webp, "source", -1.0)) : from.source;
+    const int image = webp != nullptr ? indexOf(webp, "source") : from.source;
     Result<ImageSource> source = sourceOf(image);
     if (!source) { return source.error(); }
     Texture texture;
@@ -118,7 +118,7 @@ Result<int> GltfMaterials::takeTexture(const Info& info, const Reading& reading)
                     texture.scale.y, texture.offset.x, texture.offset.y, texture.rotationDeg, image);
     const auto [known, isNew] = textures_.try_emplace(key, static_cast<int>(scene_.textures.size()));
     if (isNew) { scene_.textures.push_back(std::move(texture)); }
-    uvSets_.push_back(static_cast<int>(numberOf(transform, "texCoord", info.texCoord)));
+    uvSets_.push_back(indexOf(transform, "texCoord", info.texCoord));
     return known->second;
 }
 

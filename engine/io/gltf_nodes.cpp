@@ -51,7 +51,7 @@ Result<std::vector<Affine>> instancesOf(const GltfFile& file, const tinygltf::No
         {"SCALE", 3, &tinygltf::Node::scale}};
     for (const auto& [name, width, member] : parts) {
         if (!attributes.Has(name)) { continue; }
-        const auto accessor = static_cast<int>(numberOf(&attributes, name, -1.0));
+        const auto accessor = indexOf(&attributes, name);
         const auto values = readNumbers(file, accessor, width, width, fmt::format("instances, {}", name));
         if (!values) { return values.error(); }
         if (values->count() > kMaxInstances) {

@@ -40,7 +40,7 @@ int materialFor(const tinygltf::Value& mapping, size_t variant) {
     for (size_t i = 0; i < variants.ArrayLen(); ++i) {
         const tinygltf::Value& index = variants.Get(static_cast<int>(i));
         if (index.IsNumber() && index.GetNumberAsDouble() == static_cast<double>(variant)) {
-            return static_cast<int>(numberOf(&mapping, "material", -1.0));
+            return indexOf(&mapping, "material");
         }
     }
     return -1;

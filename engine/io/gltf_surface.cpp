@@ -37,8 +37,8 @@ tinygltf::PbrMetallicRoughness gltfSurface(const tinygltf::Material& material) {
     }
     const tinygltf::Value& map = older->Get("diffuseTexture");
     if (map.IsObject()) {
-        surface.baseColorTexture.index = static_cast<int>(numberOf(&map, "index", -1.0));
-        surface.baseColorTexture.texCoord = static_cast<int>(numberOf(&map, "texCoord", 0.0));
+        surface.baseColorTexture.index = indexOf(&map, "index");
+        surface.baseColorTexture.texCoord = indexOf(&map, "texCoord", 0);
     }
     surface.metallicFactor = 0.0;
     surface.roughnessFactor = 1.0 - numberOf(older, "glossinessFactor", 1.0);

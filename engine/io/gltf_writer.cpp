@@ -31,8 +31,7 @@ std::string dumpedGltf(const GltfJson& document) {
     return document.dump(-1, ' ', false, GltfJson::error_handler_t::replace);
 }
 
-std::string binaryGltf(const GltfJson& document, std::string_view buffer) {
-    std::string json = dumpedGltf(document);
+std::string binaryGltf(std::string json, std::string_view buffer) {
     pad(' ', &json);
     constexpr uint32_t kVersion = 2, kHeaders = 28;
     std::string out = "glTF";
@@ -154,7 +153,7 @@ std::string GltfWriter::text(const std::string& bufferUri) {
 std::string GltfWriter::binary() {
     pad('\0', &buffer_);
     if (!buffer_.empty()) { add("buffers", GltfJson::object({{"byteLength", buffer_.size()}})); }
-    return binaryGltf(document_, buffer_);
+    return binaryGltf(dumpedGltf(document_), buffer_);
 }
 
 }  // namespace glint

@@ -24,7 +24,7 @@ inline GltfJson gltfJson(const Vec3& v) { return gltfJson(std::span(&v.x, 3)); }
 /// The document as text. Names from foreign files may hold anything.
 std::string dumpedGltf(const GltfJson& document);
 /// A binary file (section 4.4).
-std::string binaryGltf(const GltfJson& document, std::string_view buffer);
+std::string binaryGltf(std::string json, std::string_view buffer);
 
 /// A relative path as a URI.
 std::string gltfUri(const std::string& path);

@@ -235,6 +235,13 @@ Result<SceneDescription> load(const std::string& path, const LoadOptions& option
         return chosen.error();
     }
     auto scene = GltfReader(file->get(), options.noStudio).read(options.counts);
+    for (const auto& [name, value] : options.parameters) {
+        const bool isKnown = name == "animation" || name == "variant" ||
+                             (name == "time" && !(*file)->model.animations.empty());
+        if (scene && !isKnown) {
+            scene->warnings.push_back(fmt::format("{}: the scene has no parameter \"{}\"", path, name));
+        }
+    }
     for (const std::string& note : {pose, variant}) {
         if (scene && !note.empty()) { scene->notes.push_back(note); }
     }

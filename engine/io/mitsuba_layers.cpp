@@ -101,7 +101,8 @@ void MitsubaMaterials::readCoating(MitsubaObject* object, UvOrigin origin, Mitsu
     if (object->type() == "roughcoating") { readRoughness(object, origin, &coat); }
     const bool isDiffuse = out->material.kind == MaterialKind::Diffuse;
     if (!coatMaterial(std::clamp(ior, 1.0f, 100.0f), coat.roughness, &out->material)) {
-        object->approximated("approximated: coats over glass, plastic and sheets are left out");
+        object->approximated(
+            "approximated: coats over glass, plastic, sheets and metals of textures are left out");
         return;
     }
     object->approximated(isDiffuse

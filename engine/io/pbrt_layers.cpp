@@ -66,8 +66,10 @@ void PbrtMaterials::readCoatedConductor(const PbrtParams& params, PbrtSurface* o
     }
     const PbrtParam* eta = params.find("interface.eta");
     const Vec3 index = eta != nullptr ? pbrtColor(params, *eta, SpectrumRole::Index) : Vec3(1.5f);
-    coatMaterial(std::clamp(luminance(index), 1.0f, 100.0f), roughness(params, "interface.", 0.0f),
-                 &material);
+    if (!coatMaterial(std::clamp(luminance(index), 1.0f, 100.0f), roughness(params, "interface.", 0.0f),
+                      &material)) {
+        params.approximated("approximated: coats over metals of textures are left out");
+    }
     params.passOver({"thickness", "maxdepth", "nsamples", "g", "albedo"});
 }
 

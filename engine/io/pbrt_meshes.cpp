@@ -9,6 +9,7 @@
 
 #include "engine/base/parallel.h"
 #include "engine/io/file_path.h"
+#include "engine/io/files_read.h"
 #include "engine/io/gzip_file.h"
 #include "engine/io/mesh_normals.h"
 #include "engine/io/mitsuba_normals.h"
@@ -211,6 +212,9 @@ PbrtMeshes::Content PbrtMeshes::contentOf(const File& file) {
 void PbrtMeshes::readFiles() {
     const std::vector<File> files = std::exchange(waiting_, {});
     std::vector<Content> contents(files.size());
+    for (const File& file : files) {  // other threads' reading is not noted
+        FilesRead::note(file.path);
+    }
     parallelChunks(static_cast<int64_t>(files.size()), 1, 0, [&](int64_t begin, int64_t) {
         contents[static_cast<size_t>(begin)] = contentOf(files[static_cast<size_t>(begin)]);
     });

@@ -264,6 +264,26 @@ TEST_F(GltfDraco, WhatDoesNotFitIsRefused) {
     EXPECT_THAT(errorOf(dracoFile(many, vertices, kDracoIds)), HasSubstr("are more than its"));
 }
 
+/// A thousand views of the same bytes.
+TEST_F(GltfDraco, WhatUnpacksToTooMuchIsRefused) {
+    const std::string bytes = dracoTorus(draco::MESH_EDGEBREAKER_ENCODING);
+    std::string text = dracoFile(bytes, dracoVertices(bytes), kDracoIds);
+    std::string views, primitives;
+    constexpr int kViews = 2000;
+    for (int i = 0; i < kViews; ++i) {
+        views += R"({"buffer": 0, "byteLength": )" + std::to_string(bytes.size()) + "},";
+        primitives += R"({"attributes": {"POSITION": 1}, "indices": 0, "extensions":
+            {"KHR_draco_mesh_compression": {"bufferView": )" +
+                      std::to_string(i) + R"(, "attributes": {"POSITION": 0}}}},)";
+    }
+    const std::string viewsKey = "\"bufferViews\": [", primitivesKey = "\"primitives\": [";
+    text.insert(text.find(viewsKey) + viewsKey.size(), views);
+    text.insert(text.find(primitivesKey) + primitivesKey.size(), primitives);
+    const auto scene = loadScene(folder.write("many.gltf", text));
+    ASSERT_FALSE(scene);
+    EXPECT_THAT(scene.error().format(), HasSubstr("unpack to too much"));
+}
+
 TEST_F(GltfMeshopt, WhatDoesNotFitIsRefused) {
     const std::string good = packedTorus().json(torusAccessors(), kTorusAttributes);
     const auto errorOf = [&](const std::string& from, const std::string& to) {

@@ -125,6 +125,7 @@ TEST(Studio, LightsModelsWhoseOwnLightsAreFaintOrSmall) {
     EXPECT_FALSE(bringsItsLight("Ke 50 50 50\n", point)) << "has no area";
     EXPECT_TRUE(bringsItsLight("Ke 1.5 0 0\n", diode)) << "a lamp";
     EXPECT_TRUE(bringsItsLight("Ke .9 .9 .9\n", ceiling));
+    EXPECT_FALSE(bringsItsLight("Ke 0 0 0\n", ceiling));
 }
 
 }  // namespace
