@@ -113,8 +113,8 @@ Status checkMixture(const Material& material) {
 
 Status checkCoat(const Material& material) {
     if (material.ior.value >= 1.0f) { return {}; }
-    return materialError(material, fmt::format("the coat's index of refraction is {}; expected 1 or more",
-                                               material.ior.value));
+    return materialError(
+        material, fmt::format("the index of refraction is {}; expected 1 or more", material.ior.value));
 }
 
 /// The coat's constant row, or the first of its rows behind those in `rows`. Taken from the previous table

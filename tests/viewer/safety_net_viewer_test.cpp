@@ -186,12 +186,11 @@ TEST(SafetyNet, ImagesInMemoryAreKeptToo) {
     EXPECT_EQ(std::distance(fs::directory_iterator("saved"), {}), 2) << "the scene and its picture";
 }
 
-TEST(SafetyNet, WhatWasHiddenIsRestored) {
+void expectRestored(const std::string& hidden) {
     setenv("XDG_STATE_HOME", fs::absolute("state").c_str(), 1);
     fs::remove_all("state");
     std::string two(kScene);
-    two.insert(two.find("\"objects\": [") + 12,
-               R"({"type": "sphere", "material": "grey", "center": [1.6, 1, 0], "radius": 0.2}, )");
+    two.insert(two.find("\"objects\": [") + 12, hidden + ", ");
     write("two.json", two);
     playAndKill(
         "wait finished\nmove \"Image\"\npress\nrelease\nwait frames 3\nkey h\nwait finished\nwait "
@@ -205,6 +204,16 @@ TEST(SafetyNet, WhatWasHiddenIsRestored) {
              "expect widget \"Object/Duplicate\"\nexpect \"Object/Material\" grey\n",
              "--passes 6 --recovery 3600"));
     EXPECT_TRUE(fs::is_empty(fs::path("state") / "glint" / "sessions"));
+}
+
+TEST(SafetyNet, WhatWasHiddenIsRestored) {
+    expectRestored(R"({"type": "sphere", "material": "grey", "center": [1.6, 1, 0], "radius": 0.2})");
+}
+
+TEST(SafetyNet, HiddenMeshesAreRestored) {
+    expectRestored(
+        R"({"type": "mesh", "material": "grey", "mesh": {"generator": "sphere", "triangleCount": 400},
+        "transform": [{"scale": 0.2}, {"translate": [1.6, 1, 0]}]})");
 }
 
 TEST(SafetyNet, SavingSaysWhatIsHidden) {

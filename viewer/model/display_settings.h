@@ -51,6 +51,10 @@ std::string editName(const DisplayChoices& before, const DisplayChoices& after);
 
 struct DisplaySettings : DisplayChoices {
     bool autoExposure = true;  ///< a scene that is opened gets the exposure that its first picture needs
+    /// No exposure was chosen since the scene was opened, neither by the user nor for its first picture.
+    bool awaitsExposure() const {
+        return autoExposure && exposureStops == 0.0f && chosenExposureStops == 0.0f;
+    }
     ImageFraming framing;
     bool split = false;    ///< two integrators beside each other, at equal render time
     float splitAt = 0.5f;  ///< the divider, as a share of the width of what is seen of the image

@@ -32,7 +32,10 @@ void EditHistory::record(State state, uint64_t gesture) {
 
 void EditHistory::noteExposure(const SceneDocument::Opened* opened, float stops) {
     for (State& state : states_) {
-        if (state.version.opened.get() != opened || state.display.exposureStops != 0.0f) { continue; }
+        if (state.version.opened.get() != opened || state.display.exposureStops != 0.0f ||
+            state.display.chosenExposureStops != 0.0f) {
+            continue;
+        }
         state.display.exposureStops = state.display.chosenExposureStops = stops;
     }
 }

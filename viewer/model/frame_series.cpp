@@ -98,6 +98,7 @@ Status FrameSeries::checkFiles() const {
     std::error_code problem;
     std::filesystem::create_directories(folder, problem);
     if (problem) { return Error{fmt::format("cannot be made: {}", problem.message()), {folder, 0, 0, ""}}; }
+    if (Status s = inputs_->checkCanWrite(numberedPath(pathIn(folder), 1)); !s) { return s; }
     return inputs_->checkCanWrite(
         NumberedFiles{.path = pathIn(folder), .last = static_cast<uint32_t>(pictures)});
 }

@@ -22,4 +22,9 @@ void OcioChooser::use(const std::shared_ptr<const OcioView>& view) {
     isWanted = false;
 }
 
+void OcioChooser::giveUp() {
+    ++asked_;
+    isLoading_ = isWanted = false;
+}
+
 }  // namespace glint

@@ -21,6 +21,8 @@ class OcioChooser {
     /// Shows that view as soon as it is read, or says why it cannot. Of several, the last counts.
     void load(const OcioChoice& choice);
     void use(const std::shared_ptr<const OcioView>& view);
+    /// Something else was chosen: what is being read is shown no more.
+    void giveUp();
     bool isLoading() const { return isLoading_; }
 
   private:

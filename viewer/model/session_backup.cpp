@@ -26,6 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kExtension = ".glintfilm";
+constexpr const char* kFolderExtension = ".files";
 constexpr double kMostOfTime = 0.05;  // that saving may take
 
 double secondsNow() {
@@ -33,7 +34,7 @@ double secondsNow() {
 }
 
 /// Of files that the scene holds in memory.
-std::string folderOf(const std::string& file) { return file + ".files"; }
+std::string folderOf(const std::string& file) { return file + kFolderExtension; }
 
 /// The scene with what was hidden as its last objects.
 std::string hiddenFileOf(const std::string& file) { return folderOf(file) + "/hidden.json"; }
@@ -77,7 +78,8 @@ Status saveWithFiles(const std::string& file, SessionCapture capture, const std:
 
 std::vector<Object> restoreBeside(const std::string& file, SceneDescription* scene) {
     embedFilesOf(folderOf(file), scene);
-    if (!fs::exists(hiddenFileOf(file))) { return {}; }
+    std::error_code problem;
+    if (!fs::exists(hiddenFileOf(file), problem)) { return {}; }
     const Result<SceneDescription> whole = loadScene(hiddenFileOf(file));
     const bool fits = whole && whole->objects.size() >= scene->objects.size() &&
                       whole->meshes.size() == scene->meshes.size() &&
@@ -85,6 +87,10 @@ std::vector<Object> restoreBeside(const std::string& file, SceneDescription* sce
     if (!fits) {
         logWarning("{}: what was hidden cannot be restored", hiddenFileOf(file));
         return {};
+    }
+    // Of meshes that only hidden objects place, the checkpoint's scene has read nothing.
+    for (size_t i = 0; i < scene->meshes.size(); ++i) {
+        if (!scene->meshes[i].data) { scene->meshes[i].data = whole->meshes[i].data; }
     }
     const auto first = whole->objects.begin() + static_cast<std::ptrdiff_t>(scene->objects.size());
     return {first, whole->objects.end()};
@@ -109,10 +115,17 @@ void SessionBackup::begin(const std::string& folder, double seconds) {
 void SessionBackup::findLeftovers(const std::string& folder) {
     std::error_code problem;
     std::vector<std::pair<fs::file_time_type, std::string>> files;
+    std::vector<fs::path> folders;
     for (const auto& entry : fs::directory_iterator(folder, problem)) {
         if (entry.path().extension() == kExtension) {
             files.emplace_back(entry.last_write_time(problem), entry.path().string());
+        } else if (entry.path().extension() == kFolderExtension) {
+            folders.push_back(entry.path().parent_path() / entry.path().stem());
         }
+    }
+    for (const fs::path& file : folders) {  // of checkpoints that were never finished
+        if (fs::exists(file, problem)) { continue; }
+        if (const int lock = lockOf(file.string()); lock >= 0) { removeFile(file.string(), lock); }
     }
     std::ranges::sort(files);
     for (const auto& [time, file] : files) {

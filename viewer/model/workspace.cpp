@@ -217,7 +217,7 @@ void Workspace::chooseExposure() {
     const auto& picture = render.snapshot();
     if (!awaitsExposure_ || !picture || render.awaitsImage()) { return; }
     awaitsExposure_ = false;
-    if (display.exposureStops != 0.0f) { return; }
+    if (!display.awaitsExposure()) { return; }
     const float stops = autoExposure(picture->radiance, picture->width, picture->height);
     display.exposureStops = display.chosenExposureStops = stops;
     history.noteExposure(document.version().opened.get(), stops);

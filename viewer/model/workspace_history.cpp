@@ -33,6 +33,7 @@ void Workspace::goTo(size_t index) {
     const SceneDocument::Version before = document.version();
     const FilmTake take = history.take();
     const EditHistory::State& state = history.goTo(index);
+    ocio.giveUp();
     display.choose(state.display);
     if (state.version == before && state.take == take) { return; }
     const EditKind kinds = document.show(state.version);
@@ -40,9 +41,7 @@ void Workspace::goTo(size_t index) {
         convergence.forget();
         watch.watch(filesOf(document.draft()));
     }
-    if (state.version.opened != before.opened) {
-        awaitsExposure_ = display.autoExposure && display.exposureStops == 0.0f;
-    }
+    if (state.version.opened != before.opened) { awaitsExposure_ = display.awaitsExposure(); }
     forgetScene();
     render.post({document.posted(), kinds}, state.take);
 }

@@ -99,6 +99,7 @@ void drawCurve(DisplaySettings* display, OcioChooser* ocio) {
     if (hasOcio()) { names.emplace_back("OpenColorIO"); }
     int index = display->view || ocio->isWanted ? kToneMapCount : static_cast<int>(display->toneMap);
     if (ui::choice("Tone map", &index, names, "From radiance to the screen; never restarts")) {
+        ocio->giveUp();
         ocio->isWanted = index == kToneMapCount;
         if (!ocio->isWanted) {
             display->toneMap = static_cast<ToneMap>(index);

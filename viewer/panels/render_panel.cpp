@@ -22,6 +22,7 @@ namespace glint {
 namespace {
 
 const char* stateText(const RenderControl& render) {
+    if (render.isHeld && !render.request.paused) { return "Waits for the turntable"; }
     switch (render.status().state) {
         case SessionState::Empty:
             return "No scene";
@@ -59,7 +60,8 @@ void drawActions(RenderControl* render, const KeyMap& keys) {
         ui::button("Finished", width, "A stop limit is reached. Raise or clear it to go on.");
         ImGui::PopStyleVar();
     } else if (ui::button(render->request.paused ? "Start" : "Pause", width,
-                          keys.tip("Keeps the picture", KeyAction::Pause).c_str(), true)) {
+                          keys.tip("Keeps the picture", KeyAction::Pause).c_str(), true) &&
+               !render->isHeld) {
         render->request.paused = !render->request.paused;
     }
     ImGui::SameLine();

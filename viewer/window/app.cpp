@@ -218,7 +218,7 @@ Result<bool> App::run(bool* scriptFailed) {
 
 bool App::mustEnd() {
     if (surface_->shouldClose()) {
-        shell_.dialogs.askToClose(workspace_.document);
+        shell_.dialogs.askToClose(workspace_);
         surface_->refuseClose();
         pacer_.noteInput();
     }
@@ -228,7 +228,7 @@ bool App::mustEnd() {
 std::string App::currentTitle() const {
     if (!workspace_.document.isOpen()) { return "Glint"; }
     const std::string file = std::filesystem::path(workspace_.document.draft().path).filename().string();
-    const bool paused = workspace_.render.status().state == SessionState::Paused;
+    const bool paused = workspace_.render.status().state == SessionState::Paused && !workspace_.render.isHeld;
     const bool isUnsaved = workspace_.document.unsaved() != SceneDocument::Unsaved::Nothing;
     return fmt::format("{}{}{} – Glint", file, isUnsaved ? "*" : "", paused ? " (paused)" : "");
 }

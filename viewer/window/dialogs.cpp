@@ -64,8 +64,23 @@ void Dialogs::drawOverwrite(OverwriteGuard* guard) const {
                  });
 }
 
+void Dialogs::drawEndOfSeries(const FrameSeries& frames) {
+    const std::string text = fmt::format("Picture {}.", frames.progressText());
+    drawQuestion("##series", "Pictures are being rendered", text, [&] {
+        const float width = ui::buttonWidth(2);
+        if (ui::button("Close", width, "The pictures that are done stay")) { isDecided_ = true; }
+        ImGui::SameLine();
+        if (ui::button("Go on", width, "Esc") || isEscaped()) { asksToClose_ = false; }
+    });
+}
+
 void Dialogs::drawClose(Workspace* workspace) {
     const SceneDocument& document = workspace->document;
+    if (!document.hasUnsavedEdits()) {
+        if (workspace->frames.isRunning()) { return drawEndOfSeries(workspace->frames); }
+        asksToClose_ = false;
+        return;
+    }
     const std::string saved = fileName(workspace->sceneFiles.saved);
     std::string text = fmt::format("Saving writes the scene as edited to {}.", saved);
     if (workspace->notice.isError() && !isSaving_) { text += " " + workspace->notice.text(); }
@@ -135,8 +150,8 @@ void Dialogs::draw(Workspace* workspace) {
     if (workspace->backup.leftover() != nullptr) { drawRecovery(workspace); }
 }
 
-void Dialogs::askToClose(const SceneDocument& document) {
-    asksToClose_ = document.hasUnsavedEdits();
+void Dialogs::askToClose(const Workspace& workspace) {
+    asksToClose_ = workspace.document.hasUnsavedEdits() || workspace.frames.isRunning();
     isDecided_ = !asksToClose_;
 }
 

@@ -10,14 +10,15 @@ class Dialogs {
   public:
     void draw(Workspace* workspace);
 
-    /// The window is to be closed: the user is asked where there are unsaved edits.
-    void askToClose(const SceneDocument& document);
+    /// The window is to be closed: the user is asked where there are unsaved edits, or pictures are rendered.
+    void askToClose(const Workspace& workspace);
     /// Nothing speaks against it any more.
     bool mustClose(const SceneDocument& document) const;
 
   private:
     void drawOverwrite(OverwriteGuard* guard) const;
     void drawClose(Workspace* workspace);
+    void drawEndOfSeries(const FrameSeries& frames);
     void drawRecovery(Workspace* workspace) const;
     void drawBrowser(FileDialog* dialog) const;
 

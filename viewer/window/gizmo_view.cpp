@@ -104,11 +104,11 @@ bool GizmoView::handle(Workspace* workspace, const PlacedImage& placed, bool hov
     marks_.clear();
     beam_.clear();
     meant_.reset();
-    auto target = targetOf(workspace);
     if (workspace->gizmo.mode == GizmoMode::Off || isSideBySide(*workspace)) {
         gizmo_.end();
         return false;
     }
+    auto target = targetOf(workspace);
     const Vec2i picture(scene.resolution.width, scene.resolution.height);
     const ScreenView view(scene.camera, picture, placed);
     const Vec2 mouse(io.MousePos.x, io.MousePos.y);

@@ -44,7 +44,7 @@ void Shell::handleKeys(Workspace* workspace) {
     }
     if (is(KeyAction::Help)) { help_.toggle(); }
     if (is(KeyAction::OpenScene)) { workspace->sceneFiles.browse(); }
-    if (is(KeyAction::Quit)) { dialogs.askToClose(document); }
+    if (is(KeyAction::Quit)) { dialogs.askToClose(*workspace); }
     if (is(KeyAction::Undo)) { workspace->history.askUndo(); }
     if (is(KeyAction::Redo)) { workspace->history.askRedo(); }
     if (is(KeyAction::Panels)) { panelsShown_ = !panelsShown_; }
@@ -60,7 +60,7 @@ void Shell::handleSceneKeys(Workspace* workspace) const {
     bool& paused = workspace->render.request.paused;
     if (is(KeyAction::SavePng)) { workspace->filmFiles.savePng(display); }
     if (is(KeyAction::SaveScene)) { workspace->sceneFiles.saveAs(document.posted()); }
-    if (is(KeyAction::Pause)) { paused = !paused; }
+    if (is(KeyAction::Pause) && !workspace->render.isHeld) { paused = !paused; }
     if (is(KeyAction::Restart)) { workspace->render.restart(); }
     if (is(KeyAction::Keep)) { workspace->snapshots.askToKeep(); }
     if (is(KeyAction::Flip)) { display.flipsToRight = !display.flipsToRight; }
