@@ -23,11 +23,10 @@ constexpr FeatureMask kMaskDiffuseMeshes = kMaskDiffuseShapes | kMeshes | kFeatu
                                            kFeatureTextures | kFeatureManyLights | kFeatureCameraArea;
 /// Everything with one sampler, but for what few scenes have: textures on inputs other than the colour,
 /// placed and mip-mapped ones, surfaces of revolution, bumps, cut-outs, dispersion, glass that absorbs,
-/// translucent sheets, principled materials and other acceleration structures.
+/// translucent sheets and other acceleration structures.
 constexpr FeatureMask kMaskOneSampler =
-    kAllFeatures &
-    ~(kFeatureIndependentSampler | kFeatureInputTextures | kFeaturePlacedTextures | kFeatureMipmaps |
-      kFeatureRevolved | kFeatureBumps | kFeatureCutouts | kFeatureDispersion | kFeatureAttenuation |
-      kFeatureTranslucent | kFeaturePrincipled | kFeatureAccelerators);
+    kAllFeatures & ~(kFeatureIndependentSampler | kFeatureInputTextures | kFeaturePlacedTextures |
+                     kFeatureMipmaps | kFeatureRevolved | kFeatureBumps | kFeatureCutouts |
+                     kFeatureDispersion | kFeatureAttenuation | kFeatureTranslucent | kFeatureAccelerators);
 
 }  // namespace glint
