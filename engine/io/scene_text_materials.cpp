@@ -1,4 +1,7 @@
 // 6.837-style scenes: materials with the three scattering types, and image textures.
+#include <algorithm>
+#include <string_view>
+
 #include <fmt/format.h>
 
 #include "engine/io/scene_text_reader.h"
@@ -17,6 +20,10 @@ void SceneTextReader::readMaterials() {
     tokens_.expect("{", "Materials");
     tokens_.expect("numMaterials", "'Materials {'");
     const int count = tokens_.integer("numMaterials", 0, 1'000'000);
+    // The file cannot hold more; growing as they come takes half as much again.
+    constexpr size_t kLeastBytes = std::string_view("Material{}").size();
+    scene_.materials.reserve(
+        std::min(static_cast<size_t>(count), tokens_.source().text.size() / kLeastBytes));
     for (int i = 0; i < count && !tokens_.failed(); ++i) {
         tokens_.expect("Material", fmt::format("{} of {} materials", i, count));
         readMaterial();

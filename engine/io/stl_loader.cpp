@@ -228,7 +228,7 @@ class TextParser {
 bool looksLikeBinaryStl(std::string_view head) {
     const FirstCoordinates found = firstCoordinates(head);
     const bool isWhole = head.size() < kHeadBytes;
-    return found.odd == 0 && found.sound > found.zero / 8 && found.sound > 0 &&
+    return !looksLikeText(head) && found.odd == 0 && found.sound > found.zero / 8 && found.sound > 0 &&
            (!isWhole || head.size() == kHeaderBytes + facetCount(head) * kFacetBytes);
 }
 
