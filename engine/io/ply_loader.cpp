@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "engine/io/image_io.h"
 #include "engine/io/named_files.h"
 #include "engine/io/plain_text.h"
 #include "engine/io/ply_body.h"
@@ -29,23 +28,6 @@ Error noFaces(const PlyHeader& header, size_t vertices, const std::string& path)
                  {.file = path}};
 }
 
-/// Colours under an image that can be read are dropped: where programs write both, the image is the finer
-/// one, and what they show.
-void dropColorsUnderImages(const std::string& path, MeshFile* file) {
-    NamedFiles files;
-    for (MeshPart& part : file->parts) {
-        if (part.materialName.empty() || part.mesh->colors.empty()) { continue; }
-        const auto found = files.find(part.materialName, path);
-        if (!found) { continue; }
-        const Result<std::string> bytes = readImageFile(found->path);
-        if (!bytes || !decodeImage(*bytes, found->path)) { continue; }
-        part.mesh->colors.clear();
-        if (file->notes.empty()) {
-            file->notes.push_back(fmt::format("{}: vertex colours are left out where an image stands", path));
-        }
-    }
-}
-
 template <class Source>
 Result<MeshFile> readBody(const PlyHeader& header, Source source, const std::string& path) {
     PlyBody<Source> body(header, std::move(source));
@@ -59,7 +41,6 @@ Result<MeshFile> readBody(const PlyHeader& header, Source source, const std::str
         file.warnings.push_back(fmt::format("{}: an image without texture coordinates is left out: \"{}\"",
                                             path, header.textures[0].substr(0, 80)));
     }
-    dropColorsUnderImages(path, &file);
     decodeVertexColors(path, &file, body.hasWholeColors);
     return file;
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/io/image_io.h"
+#include "engine/io/scene_json.h"
 #include "engine/io/scene_loader.h"
 #include "tests/support/ply_texts.h"
 #include "tests/support/temp_folder.h"
@@ -11,6 +12,7 @@ namespace glint {
 namespace {
 
 using namespace test;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -74,6 +76,25 @@ TEST(PlyColors, StayWhereTheImageIsMissingOrBroken) {
     ASSERT_TRUE(shown) << shown.error().format();
     EXPECT_THAT(shown->meshes.at(0).data->colors, IsEmpty());
     EXPECT_THAT(shown->warnings, IsEmpty());
+    EXPECT_THAT(shown->notes, Contains(HasSubstr("vertex colours are left out where an image stands")));
+}
+
+/// As in PLY; what `convert` writes looks the same.
+TEST(ObjColors, AreLeftOutUnderAnImageThatIsRead) {
+    const TempFolder folder;
+    ASSERT_TRUE(savePng(folder.path("a.png"), {1, 1, {0, 255, 0}}));
+    const std::string obj =
+        "mtllib m.mtl\nv 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\nvt 0 0\nusemtl it\nf 1/1 2/1 3/1\n";
+    for (const char* image : {"a.png", "gone.png"}) {
+        folder.write("m.mtl", std::string("newmtl it\nmap_Kd ") + image + "\n");
+        const auto scene = loadScene(folder.write("a.obj", obj), {.noStudio = true});
+        ASSERT_TRUE(scene) << scene.error().format();
+        EXPECT_EQ(scene->meshes.at(0).data->colors.empty(), std::string_view(image) == "a.png") << image;
+        ASSERT_TRUE(saveSceneJson(*scene, folder.path("a.json")));
+        const auto again = loadScene(folder.path("a.json"));
+        ASSERT_TRUE(again) << again.error().format();
+        EXPECT_EQ(again->meshes.at(0).data->colors.size(), scene->meshes[0].data->colors.size()) << image;
+    }
 }
 
 TEST(PlyTextures, NamedInOtherWordsOrWithoutCoordinates) {
