@@ -12,7 +12,14 @@ using test::runProgram;
 using test::says;
 using test::TempFolder;
 
-using ScarceResources = test::ProgramTest;
+class ScarceResources : public test::ProgramTest {
+  protected:
+    void SetUp() override {
+#if defined(__SANITIZE_ADDRESS__) || GLINT_THREAD_SANITIZER
+        GTEST_SKIP() << "sanitizers take terabytes of addresses";
+#endif
+    }
+};
 
 /// Room for some threads only, each of which takes a gigabyte for its stack.
 void limitThreads(rlim_t gigabytes) {
