@@ -15,6 +15,7 @@ using test::TempFolder;
 class ScarceResources : public test::ProgramTest {
   protected:
     void SetUp() override {
+        ProgramTest::SetUp();
 #if defined(__SANITIZE_ADDRESS__) || GLINT_THREAD_SANITIZER
         GTEST_SKIP() << "sanitizers take terabytes of addresses";
 #endif
