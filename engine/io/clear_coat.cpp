@@ -5,27 +5,16 @@
 namespace glint {
 namespace {
 
-/// Of a boundary, head on; k: extinction.
-Vec3 reflectance(const Vec3& eta, const Vec3& k) {
-    const Vec3 less = eta - Vec3(1.0f), more = eta + Vec3(1.0f);
-    return (less * less + k * k) / (more * more + k * k);
-}
-
-Vec3 reflectanceOf(const Material& metal) {
-    const auto known = findMetal(metal.metal);
-    return known ? reflectance(known->eta, known->k) : reflectance(metal.eta.value, metal.k.value);
-}
-
 /// Whether one colour cannot say what the metal reflects.
 bool hasReflectanceOfTextures(const Material& metal) {
     constexpr float kWhite = 0.95f;
     return metal.eta.texture >= 0 || metal.k.texture >= 0 ||
-           (metal.color.texture >= 0 && minComponent(reflectanceOf(metal)) < kWhite);
+           (metal.color.texture >= 0 && minComponent(reflectanceHeadOn(metal)) < kWhite);
 }
 
 /// A metal of the same reflectance head on.
 void makePrincipled(Material* material) {
-    if (material->kind == MaterialKind::Conductor) { material->color.value *= reflectanceOf(*material); }
+    if (material->kind == MaterialKind::Conductor) { material->color.value *= reflectanceHeadOn(*material); }
     if (material->kind == MaterialKind::Mirror) { material->roughness = {}; }
     material->kind = MaterialKind::Principled;
     material->metallic = {1.0f};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/io/studio.h"
+#include "engine/scene/mesh_area.h"
 #include "engine/scene/object_box.h"
 #include "engine/scene/scene_use.h"
 
@@ -22,18 +23,6 @@ void frame(const Bounds& bounds, Camera* camera) {
     camera->up = Vec3(0.0f, 1.0f, 0.0f);
     camera->focalDistance = distance;
     camera->apertureDiameter = 0.0f;
-}
-
-/// Of a mesh as it is placed, in world units squared.
-double areaOf(const MeshData& mesh, const Affine& toWorld) {
-    double area = 0.0;
-    for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        const Vec3 a = toWorld.point(mesh.positions[mesh.indices[i]]);
-        const Vec3 b = toWorld.point(mesh.positions[mesh.indices[i + 1]]);
-        const Vec3 c = toWorld.point(mesh.positions[mesh.indices[i + 2]]);
-        area += 0.5 * static_cast<double>(glm::length(glm::cross(b - a, c - a)));
-    }
-    return area;
 }
 
 /// Of an object's mesh, 0 where it is none.
@@ -57,12 +46,11 @@ bool isLitByScreensAlone(const SceneDescription& scene) {
         if (!material.emissive()) { continue; }
         if (object.shape != ShapeKind::Mesh) { return false; }
         const double own = areaOf(scene, object);
-        const bool hasImage = material.emission.texture >= 0;
-        const float factor = hasImage ? 1.0f : maxComponent(material.emission.value);
-        const float radiance = material.emissionStrength * factor;
+        const float radiance = material.emissionStrength * maxComponent(material.emission.value);
         // A strength above 1 is a lamp's, however dim.
         if (own > 0.0 && maxf(radiance, material.emissionStrength) > 1.0f) { return false; }
-        emitted += own * static_cast<double>(radiance);
+        // What shows an image is a label or a screen.
+        if (material.emission.texture < 0) { emitted += own * static_cast<double>(radiance); }
         area += own;
     }
     for (const Object& object : scene.objects) {

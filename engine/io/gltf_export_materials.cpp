@@ -10,12 +10,6 @@
 namespace glint {
 namespace {
 
-/// Reflectance at normal incidence.
-Vec3 reflectanceOf(const Vec3& eta, const Vec3& k) {
-    const Vec3 below = eta - Vec3(1.0f), above = eta + Vec3(1.0f);
-    return (below * below + k * k) / (above * above + k * k);
-}
-
 class MaterialWriter {
   public:
     MaterialWriter(const SceneDescription& scene, int material, GltfImages* images, GltfWriter* out,
@@ -172,12 +166,10 @@ class MaterialWriter {
     }
 
     void metal() {
-        const auto known = findMetal(from_.metal);
-        const Vec3 eta = known ? known->eta : from_.eta.value, k = known ? known->k : from_.k.value;
-        if (!known && (from_.eta.texture >= 0 || from_.k.texture >= 0)) {
+        if (!findMetal(from_.metal) && (from_.eta.texture >= 0 || from_.k.texture >= 0)) {
             warn("approximated: constants of metals are no images");
         }
-        const Vec3 r = reflectanceOf(eta, k);
+        const Vec3 r = reflectanceHeadOn(from_);
         constexpr float kWhite = 0.9989f;
         warn("approximated: metals have the colour that they show from the front");
         const bool isTextured = from_.color.texture >= 0;

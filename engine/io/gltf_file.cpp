@@ -91,12 +91,18 @@ Status checkExtensions(const GltfFile& file) {
 
 }  // namespace
 
+uint64_t gltfJsonEnd(std::string_view head, uint64_t fileBytes) {
+    if (!head.starts_with("glTF")) { return fileBytes; }
+    uint32_t length = 0;
+    if (head.size() < kBinaryHeader) { return fileBytes; }
+    std::memcpy(&length, head.data() + 12, sizeof length);
+    return std::min<uint64_t>(kBinaryHeader + uint64_t{length}, fileBytes);
+}
+
 std::string_view gltfJsonText(std::string_view bytes) {
     if (!bytes.starts_with("glTF")) { return bytes; }
-    uint32_t length = 0;
     if (bytes.size() < kBinaryHeader) { return {}; }
-    std::memcpy(&length, bytes.data() + 12, sizeof length);
-    return bytes.substr(kBinaryHeader, length);
+    return bytes.substr(0, gltfJsonEnd(bytes, bytes.size())).substr(kBinaryHeader);
 }
 
 std::string_view gltfBinary(std::string_view bytes) {

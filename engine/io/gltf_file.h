@@ -32,6 +32,8 @@ struct GltfFile {
 /// The JSON of a text or binary file's bytes, and the buffer of a binary one; empty where they end too early.
 std::string_view gltfJsonText(std::string_view bytes);
 std::string_view gltfBinary(std::string_view bytes);
+/// Where the JSON of a file ends whose first 20 bytes or more these are; `fileBytes` for text.
+uint64_t gltfJsonEnd(std::string_view head, uint64_t fileBytes);
 
 /// With its buffers, unpacked. Error: the file or a buffer cannot be read, is no glTF 2.x, or needs an
 /// extension that is not supported.

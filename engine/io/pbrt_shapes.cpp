@@ -1,29 +1,13 @@
 #include "engine/io/pbrt_shapes.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
+#include "engine/scene/mesh_area.h"
 #include "engine/scene/scene_use.h"
 
 namespace glint {
-namespace {
-
-/// In the units of pbrt's "power": where the triangles stand.
-double areaOf(const MeshData& mesh, const Affine& toWorld) {
-    double sum = 0.0;
-    for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        const auto at = [&](size_t k) {
-            return glm::dvec3(toWorld.point(mesh.positions[mesh.indices[i + k]]));
-        };
-        sum += 0.5 * glm::length(glm::cross(at(1) - at(0), at(2) - at(0)));
-    }
-    return sum;
-}
-
-}  // namespace
-
 PbrtShapes::Piece PbrtShapes::ofMesh(int mesh, const Wish& wish) {
     Piece piece;
     piece.isThere = mesh >= 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -57,10 +58,15 @@ SceneChoices::Animation animationOf(const Json& animation, size_t index, const J
 
 SceneChoices readSceneChoices(const std::string& path) {
     SceneChoices choices;
-    if (!checkRegularFile(path, "a scene file") || !looksLikeGltf(readHead(path))) { return choices; }
-    const Result<std::string> bytes = readFile(path);
-    if (!bytes) { return choices; }
-    const Json file = Json::parse(gltfJsonText(*bytes), nullptr, false);
+    if (!checkRegularFile(path, "a scene file")) { return choices; }
+    const std::string head = readHead(path);
+    if (!looksLikeGltf(head)) { return choices; }
+    // Buffers behind it are of no use here.
+    std::error_code failed;
+    const uintmax_t fileBytes = std::filesystem::file_size(path, failed);
+    if (failed || fileBytes > kMaxFileBytes) { return choices; }
+    const std::string bytes = readHead(path, gltfJsonEnd(head, fileBytes));
+    const Json file = Json::parse(gltfJsonText(bytes), nullptr, false);
     for (const Json& animation : memberOf(file, "animations")) {
         choices.animations.push_back(
             animationOf(animation, choices.animations.size(), memberOf(file, "accessors")));

@@ -62,4 +62,11 @@ std::vector<std::string_view> listedMetals() {
     return names;
 }
 
+Vec3 reflectanceHeadOn(const Material& metal) {
+    const auto known = findMetal(metal.metal);
+    const Vec3 eta = known ? known->eta : metal.eta.value, k = known ? known->k : metal.k.value;
+    const Vec3 less = eta - Vec3(1.0f), more = eta + Vec3(1.0f);
+    return (less * less + k * k) / (more * more + k * k);
+}
+
 }  // namespace glint

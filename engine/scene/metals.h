@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/math/vec.h"
+#include "engine/scene/material.h"
 
 namespace glint {
 
@@ -21,5 +21,9 @@ std::optional<MetalConstants> findMetal(std::string_view name);
 std::vector<std::string_view> metalNames();
 /// Each metal once.
 std::vector<std::string_view> listedMetals();
+
+/// How much of light from the front a metal's boundary reflects, by its name or its constants' values,
+/// without its colour (Fresnel's equations at normal incidence).
+Vec3 reflectanceHeadOn(const Material& metal);
 
 }  // namespace glint

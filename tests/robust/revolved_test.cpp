@@ -62,6 +62,19 @@ TEST_P(Revolved, RaysThatAreNearlyHorizontalOrVertical) {
     EXPECT_LT(tally.skipped, tally.rays / 4);
 }
 
+/// A root that rounding puts beyond the end of its part of the profile, by little of the parameter and much
+/// of the ray, which rises by a millionth.
+TEST(RevolvedShape, RootsAtTheEndsOfTheirPartsAreExact) {
+    const TestedProfile profile(namedProfiles()[5].object(), 1.0);
+    RevolvedTally tally;
+    compareHits(
+        profile,
+        Ray{{2.7406201f, -0.9276794f, 1.0850893f}, {-0.88190144f, 1e-6f, -0.4714338f}, 0.0f, kInfinity},
+        &tally);
+    EXPECT_EQ(tally.hits, 2);
+    EXPECT_EQ(tally.wrong, 0) << tally.firstWrong;
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Revolved, testing::ValuesIn(namedProfiles()), [](const auto& each) {
     std::string name = each.param.name;
     std::ranges::replace(name, ' ', '_');

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "engine/io/image_io.h"
 #include "engine/io/scene_json.h"
 #include "engine/io/scene_loader.h"
 #include "engine/scene/object_box.h"
@@ -109,6 +110,7 @@ TEST(Studio, IsSavedAndLeftOutWhereThereIsLight) {
 bool bringsItsLight(const std::string& emission, const std::string& quad) {
     const TempFolder folder;
     folder.write("m.mtl", "newmtl l\nKd 0 0 0\n" + emission);
+    EXPECT_TRUE(savePng(folder.path("label.png"), {1, 1, {255, 255, 255}}));
     const auto scene =
         loadScene(folder.write("in.obj", "mtllib m.mtl\n" + kCube + quad + "usemtl l\nf -4 -3 -2 -1\n"));
     EXPECT_TRUE(scene) << scene.error().format();
@@ -126,6 +128,8 @@ TEST(Studio, LightsModelsWhoseOwnLightsAreFaintOrSmall) {
     EXPECT_TRUE(bringsItsLight("Ke 1.5 0 0\n", diode)) << "a lamp";
     EXPECT_TRUE(bringsItsLight("Ke .9 .9 .9\n", ceiling));
     EXPECT_FALSE(bringsItsLight("Ke 0 0 0\n", ceiling));
+    EXPECT_FALSE(bringsItsLight("Ke .9 .9 .9\nmap_Ke label.png\n", ceiling)) << "a label or a screen";
+    EXPECT_TRUE(bringsItsLight("Ke 1.5 1.5 1.5\nmap_Ke label.png\n", ceiling)) << "a lamp with an image";
 }
 
 }  // namespace

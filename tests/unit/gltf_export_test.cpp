@@ -1,15 +1,14 @@
 // Scenes written as glTF: valid files that show the same picture when they are opened again, bit for bit
 // where nothing is approximated.
+#include "tests/support/gltf_export_test.h"
+
 #include <gmock/gmock.h>
 
 #include "engine/io/atomic_file.h"
-#include "engine/io/exporter.h"
 #include "engine/io/image_io.h"
+#include "engine/scene/mesh_area.h"
 #include "engine/scene/metals.h"
 #include "tests/support/film_bits.h"
-#include "tests/support/gltf_test.h"
-#include "tests/support/gltf_validity.h"
-#include "tests/support/mesh_area.h"
 #include "tests/support/render_scene.h"
 
 namespace glint::test {
@@ -19,47 +18,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-class GltfExport : public GltfTest {
-  protected:
-    /// The scene as it is opened from its export.
-    SceneDescription exported(const SceneDescription& scene, const std::string& name = "out.glb") {
-        const std::string path = folder.path(name);
-        warnings.clear();
-        const Status saved = exporterOf(path)->save(scene, path, &warnings);
-        EXPECT_TRUE(saved) << saved.error().format();
-        expectValidGltf(path);
-        auto opened = loadScene(path, {.noStudio = true});
-        EXPECT_TRUE(opened) << opened.error().format();
-        return opened ? std::move(*opened) : SceneDescription();
-    }
-    /// In the dark.
-    SceneDescription square() {
-        SceneDescription scene = load(gltf(test::material("")));
-        scene.environment.color = Vec3(0.0f);
-        return scene;
-    }
-    Material exportedMaterial(const Material& material) {
-        SceneDescription scene = square();
-        scene.materials[0] = material;
-        const SceneDescription opened = exported(scene);
-        return opened.materials.empty() ? Material() : opened.materials[0];
-    }
-    static int addTexture(SceneDescription* scene, const Image8& image, ColorEncoding encoding,
-                          TextureChannel channel = TextureChannel::Red) {
-        Texture texture;
-        texture.encoding = encoding;
-        texture.channel = channel;
-        texture.image.bytes = std::make_shared<const Image8>(image);
-        scene->textures.push_back(texture);
-        return static_cast<int>(scene->textures.size()) - 1;
-    }
-    SceneDescription repositoryScene(const std::string& name) {
-        auto scene = loadScene(std::string(GLINT_SOURCE_DIR) + "/scenes/" + name);
-        EXPECT_TRUE(scene) << scene.error().format();
-        return scene ? std::move(*scene) : SceneDescription();
-    }
-    std::vector<std::string> warnings;
-};
+class GltfExport : public GltfExportTest {};
 
 constexpr const char* kExtensions = R"("extensions": {"KHR_lights_punctual": {"lights": [
     {"type": "point", "intensity": 3415, "color": [1, 0.5, 0.25]}, {"type": "directional", "intensity": 700.5},

@@ -1,9 +1,7 @@
 // Principled materials written as glTF and opened again.
 #include <gmock/gmock.h>
 
-#include "engine/io/exporter.h"
-#include "tests/support/gltf_test.h"
-#include "tests/support/gltf_validity.h"
+#include "tests/support/gltf_export_test.h"
 
 namespace glint::test {
 namespace {
@@ -11,23 +9,8 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-class GltfLayers : public GltfTest {
+class GltfLayers : public GltfExportTest {
   protected:
-    SceneDescription exported(const SceneDescription& scene) {
-        const std::string path = folder.path("out.glb");
-        const Status saved = exporterOf(path)->save(scene, path, &warnings);
-        EXPECT_TRUE(saved) << saved.error().format();
-        expectValidGltf(path);
-        auto opened = loadScene(path, {.noStudio = true});
-        EXPECT_TRUE(opened) << opened.error().format();
-        return opened ? std::move(*opened) : SceneDescription();
-    }
-    /// In the dark.
-    SceneDescription square() {
-        SceneDescription scene = load(gltf(material("")));
-        scene.environment.color = Vec3(0.0f);
-        return scene;
-    }
     static Material paintOf() {
         Material paint;
         paint.kind = MaterialKind::Principled;
@@ -43,15 +26,6 @@ class GltfLayers : public GltfTest {
         paint.sheenRoughness.value = 0.5625f;
         return paint;
     }
-    static int addTexture(SceneDescription* scene, const Image8& image, TextureChannel channel) {
-        Texture texture;
-        texture.encoding = ColorEncoding::Linear;
-        texture.channel = channel;
-        texture.image.bytes = std::make_shared<const Image8>(image);
-        scene->textures.push_back(texture);
-        return static_cast<int>(scene->textures.size()) - 1;
-    }
-    std::vector<std::string> warnings;
 };
 
 TEST_F(GltfLayers, LayersKeepTheirInputs) {
@@ -73,8 +47,8 @@ TEST_F(GltfLayers, RoughnessAndMetalnessAreOnePicture) {
     SceneDescription scene = square();
     Material& paint = scene.materials[0] = paintOf();
     const Image8 image{2, 1, {0, 100, 255, 0, 200, 51}, {}};
-    paint.metallic.texture = addTexture(&scene, image, TextureChannel::Blue);
-    paint.roughness.texture = addTexture(&scene, image, TextureChannel::Green);
+    paint.metallic.texture = addTexture(&scene, image, ColorEncoding::Linear, TextureChannel::Blue);
+    paint.roughness.texture = addTexture(&scene, image, ColorEncoding::Linear, TextureChannel::Green);
     scene.textures.back().exponent = 2.0f;
     const SceneDescription textured = exported(scene);
     EXPECT_THAT(warnings, IsEmpty());

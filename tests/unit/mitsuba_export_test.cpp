@@ -1,8 +1,6 @@
 // Scenes written as Mitsuba XML: opened again they show the same picture, bit for bit where nothing is
 // approximated.
-#include "engine/io/exporter.h"
-#include "tests/support/film_bits.h"
-#include "tests/support/mesh_area.h"
+#include "tests/support/export_test.h"
 #include "tests/support/mitsuba_test.h"
 
 namespace glint::test {
@@ -12,33 +10,9 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-class MitsubaExport : public MitsubaTest {
+class MitsubaExport : public ExportTest<MitsubaTest> {
   protected:
-    /// The scene as it is opened from its export.
-    SceneDescription exported(const SceneDescription& scene) {
-        const std::string path = folder.path("out.xml");
-        const Exporter* exporter = exporterOf(path);
-        EXPECT_NE(exporter, nullptr);
-        warnings.clear();
-        const Status saved = exporter->save(scene, path, &warnings);
-        EXPECT_TRUE(saved) << saved.error().format();
-        const auto opened = loadScene(path);
-        EXPECT_TRUE(opened) << opened.error().format();
-        return opened ? *opened : SceneDescription();
-    }
-    void expectSamePicture(SceneDescription scene) {
-        scene.resolution = {40, 30};
-        scene.options.filter = FilterKind::Box;
-        scene.options.filterRadius = 0.5f;
-        const SceneDescription opened = exported(scene);
-        EXPECT_THAT(warnings, IsEmpty());
-        expectSameBits(renderPasses(scene, 3, 2), renderPasses(opened, 3, 2));
-    }
-    SceneDescription repositoryScene(const std::string& name) {
-        const auto scene = loadScene(std::string(GLINT_SOURCE_DIR) + "/scenes/" + name);
-        EXPECT_TRUE(scene) << scene.error().format();
-        return scene ? *scene : SceneDescription();
-    }
+    MitsubaExport() : ExportTest("out.xml") {}
 };
 
 TEST_F(MitsubaExport, GlintScenesKeepTheirBits) {
@@ -181,18 +155,7 @@ TEST(Exporters, AreToldByTheirEndings) {
     EXPECT_EQ(listExporters(), "Glint JSON (.json), glTF (.gltf .glb), Mitsuba 3 (.xml) or pbrt-v4 (.pbrt)");
 }
 
-TEST_F(MitsubaExport, CapsOfTurnedProfilesAreKept) {
-    SceneDescription scene = load("<shape type='sphere'/>");
-    Object& object = scene.objects[0];
-    object.shape = ShapeKind::Revolved;
-    object.capped = true;
-    for (const float top : {1.0f, -1.0f}) {
-        object.profile = {{1.0f, -top}, {1.0f, top}};
-        const SceneDescription opened = exported(scene);
-        ASSERT_EQ(opened.meshes.size(), 1u);
-        EXPECT_NEAR(areaOf(*opened.meshes[0].data), 6.0f * kPi, 0.01f) << "sides of 4 pi, two discs of pi";
-    }
-}
+TEST_F(MitsubaExport, CapsOfTurnedProfilesAreKept) { expectCapsAreKept(load("<shape type='sphere'/>")); }
 
 }  // namespace
 }  // namespace glint::test

@@ -9,7 +9,7 @@
 
 #include "engine/io/image_io.h"
 #include "engine/math/color.h"
-#include "tests/support/mesh_area.h"
+#include "engine/scene/mesh_area.h"
 #include "tests/support/temp_folder.h"
 
 namespace glint {
@@ -92,12 +92,12 @@ TEST(ObjLoader, PolygonsKeepTheirArea) {
     const TempFolder folder;
     const MeshFile quad = load(folder, std::string(kSquare) + "f 1 2 3 4\n");
     EXPECT_EQ(quad.parts[0].mesh->triangleCount(), 2u);
-    EXPECT_FLOAT_EQ(test::areaOf(*quad.parts[0].mesh), 1.0f);
+    EXPECT_DOUBLE_EQ(areaOf(*quad.parts[0].mesh), 1.0);
     const MeshFile concave =
         load(folder,
              "v 0 0 0\nv 0 0 6\nv 0 4 6\nv 0 4 4\nv 0 2 4\nv 0 2 2\nv 0 4 2\nv 0 4 0\nf 1 2 3 4 5 6 7 8\n");
     EXPECT_EQ(concave.parts[0].mesh->triangleCount(), 6u);
-    EXPECT_FLOAT_EQ(test::areaOf(*concave.parts[0].mesh), 20.0f);
+    EXPECT_DOUBLE_EQ(areaOf(*concave.parts[0].mesh), 20.0);
 }
 
 TEST(ObjLoader, PartsAreRunsOfOneMaterial) {
@@ -121,7 +121,7 @@ TEST(ObjLoader, PartsAreRunsOfOneMaterial) {
 
     const auto joined = joinParts(scene.parts);
     EXPECT_EQ(joined->triangleCount(), 4u);
-    EXPECT_FLOAT_EQ(test::areaOf(*joined), 2.0f);
+    EXPECT_DOUBLE_EQ(areaOf(*joined), 2.0);
 }
 
 TEST(ObjLoader, JoinedPartsFillWhatSomeLack) {

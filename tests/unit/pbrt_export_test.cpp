@@ -1,10 +1,7 @@
 // Scenes written as pbrt-v4: opened again they show the same picture, bit for bit where nothing is
 // approximated.
-#include "engine/io/exporter.h"
-#include "tests/support/film_bits.h"
-#include "tests/support/mesh_area.h"
+#include "tests/support/export_test.h"
 #include "tests/support/pbrt_test.h"
-#include "tests/support/render_scene.h"
 
 namespace glint::test {
 namespace {
@@ -12,31 +9,9 @@ namespace {
 using testing::Contains;
 using testing::IsEmpty;
 
-class PbrtExport : public PbrtTest {
+class PbrtExport : public ExportTest<PbrtTest> {
   protected:
-    /// The scene as it is opened from its export.
-    SceneDescription exported(const SceneDescription& scene) {
-        const std::string path = folder.path("out.pbrt");
-        warnings.clear();
-        const Status saved = exporterOf(path)->save(scene, path, &warnings);
-        EXPECT_TRUE(saved) << saved.error().format();
-        const auto opened = loadScene(path);
-        EXPECT_TRUE(opened) << opened.error().format();
-        return opened ? *opened : SceneDescription();
-    }
-    void expectSamePicture(SceneDescription scene) {
-        scene.resolution = {40, 30};
-        scene.options.filter = FilterKind::Box;
-        scene.options.filterRadius = 0.5f;
-        const SceneDescription opened = exported(scene);
-        EXPECT_THAT(warnings, IsEmpty());
-        expectSameBits(renderPasses(scene, 3, 2), renderPasses(opened, 3, 2));
-    }
-    SceneDescription repositoryScene(const std::string& name) {
-        const auto scene = loadScene(std::string(GLINT_SOURCE_DIR) + "/scenes/" + name);
-        EXPECT_TRUE(scene) << scene.error().format();
-        return scene ? *scene : SceneDescription();
-    }
+    PbrtExport() : ExportTest("out.pbrt") {}
 };
 
 TEST_F(PbrtExport, GlintScenesKeepTheirBits) {
@@ -122,18 +97,7 @@ TEST_F(PbrtExport, WhatPbrtDoesNotHaveIsSaid) {
     EXPECT_EQ(opened.objects.size(), scene.objects.size());
 }
 
-TEST_F(PbrtExport, CapsOfTurnedProfilesAreKept) {
-    SceneDescription scene = load("Shape \"sphere\"");
-    Object& object = scene.objects[0];
-    object.shape = ShapeKind::Revolved;
-    object.capped = true;
-    for (const float top : {1.0f, -1.0f}) {
-        object.profile = {{1.0f, -top}, {1.0f, top}};
-        const SceneDescription opened = exported(scene);
-        ASSERT_EQ(opened.meshes.size(), 1u);
-        EXPECT_NEAR(areaOf(*opened.meshes[0].data), 6.0f * kPi, 0.01f) << "sides of 4 pi, two discs of pi";
-    }
-}
+TEST_F(PbrtExport, CapsOfTurnedProfilesAreKept) { expectCapsAreKept(load("Shape \"sphere\"")); }
 
 }  // namespace
 }  // namespace glint::test

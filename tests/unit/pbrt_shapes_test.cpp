@@ -3,6 +3,7 @@
 #include <set>
 
 #include "engine/io/pbrt_grid.h"
+#include "engine/scene/mesh_area.h"
 #include "tests/support/pbrt_test.h"
 
 namespace glint::test {
@@ -17,14 +18,6 @@ class PbrtShapesTest : public PbrtTest {
     static Vec3 faceNormal(const MeshData& mesh, size_t triangle = 0) {
         const auto at = [&](size_t k) { return mesh.positions[mesh.indices[3 * triangle + k]]; };
         return glm::normalize(glm::cross(at(1) - at(0), at(2) - at(0)));
-    }
-    static double areaOf(const MeshData& mesh) {
-        double area = 0.0;
-        for (size_t i = 0; i < mesh.indices.size(); i += 3) {
-            const auto at = [&](size_t k) { return mesh.positions[mesh.indices[i + k]]; };
-            area += static_cast<double>(0.5f * glm::length(glm::cross(at(1) - at(0), at(2) - at(0))));
-        }
-        return area;
     }
 };
 

@@ -212,6 +212,23 @@ GLINT_HD inline void askTurn(Exact&& exact, RootBrackets* brackets, uint32_t* st
     }
 }
 
+/// A root at an end of its bracket. Brackets come from rounded coefficients, so that it may lie a little
+/// beyond its end, which moves the hit of a nearly horizontal ray a million times as far: Newton's method
+/// goes on there.
+template <class Exact>
+GLINT_HD inline double rootBeyond(Exact&& exact, double s, uint32_t* steps) {
+    constexpr double kFarthest = 1e-7;
+    double root = s;
+    for (int i = 0; i < 3; ++i) {
+        ++*steps;
+        const PolynomialValue at = exact(root);
+        const double next = root - at.value / at.derivative;
+        if (!(std::fabs(next - s) <= kFarthest)) { break; }
+        root = next;
+    }
+    return root;
+}
+
 /// All roots, with Bernstein coefficients of the whole degree.
 template <class Found>
 GLINT_ONE_PIECE_APART GLINT_HD uint32_t meetThoroughly(const PieceMiss& miss, const Found& found) {
@@ -225,13 +242,14 @@ GLINT_ONE_PIECE_APART GLINT_HD uint32_t meetThoroughly(const PieceMiss& miss, co
     ExactMiss<0> exact{miss};
     const auto take = [&](double s) {
         exact(s);
-        found(s, exact.rayT(s));
+        found(s < 0.0 ? 0.0 : s > 1.0 ? 1.0 : s, exact.rayT(s));
     };
+    const double close = miss.ray.closeStep;
     forEachBernsteinBracket<2 * kMaxProfileDegree>(
         f, degree, [&](double begin, double end, bool startsNegative, double guess) {
-            take(begin < end
-                     ? bracketedRoot(exact, begin, end, startsNegative, guess, &steps, miss.ray.closeStep)
-                     : guess);
+            if (begin == end) { return take(guess); }
+            const double s = bracketedRoot(exact, begin, end, startsNegative, guess, &steps, close);
+            take(s <= begin + close || s >= end - close ? rootBeyond(exact, s, &steps) : s);
         });
     // Along the axis itself a pole is where the polynomial touches zero, and changes no sign.
     if (f[0] == 0.0 && piece.xSquared[0] == 0.0) { take(0.0); }

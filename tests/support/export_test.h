@@ -1,0 +1,66 @@
+// What tests of the exporters share: a scene is saved and opened again.
+#pragma once
+
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/io/exporter.h"
+#include "engine/io/scene_loader.h"
+#include "engine/scene/mesh_area.h"
+#include "tests/support/film_bits.h"
+#include "tests/support/render_scene.h"
+
+namespace glint::test {
+
+/// Opened: the fixture of the importer's tests, with `folder` and `warnings`.
+template <class Opened>
+class ExportTest : public Opened {
+  protected:
+    /// outputName: its extension is the format's.
+    explicit ExportTest(std::string outputName) : outputName_(std::move(outputName)) {}
+
+    /// The scene as it is opened from its export.
+    SceneDescription exported(const SceneDescription& scene) {
+        const std::string path = this->folder.path(outputName_);
+        this->warnings.clear();
+        const Status saved = exporterOf(path)->save(scene, path, &this->warnings);
+        EXPECT_TRUE(saved) << saved.error().format();
+        auto opened = loadScene(path);
+        EXPECT_TRUE(opened) << opened.error().format();
+        return opened ? std::move(*opened) : SceneDescription();
+    }
+    void expectSamePicture(SceneDescription scene) {
+        scene.resolution = {40, 30};
+        scene.options.filter = FilterKind::Box;
+        scene.options.filterRadius = 0.5f;
+        const SceneDescription opened = exported(scene);
+        EXPECT_THAT(this->warnings, testing::IsEmpty());
+        expectSameBits(renderPasses(scene, 3, 2), renderPasses(opened, 3, 2));
+    }
+    /// Turns the only object of the scene into a tube of radius 1 and length 2 with its caps, from below and
+    /// from above.
+    void expectCapsAreKept(SceneDescription scene) {
+        Object& object = scene.objects[0];
+        object.shape = ShapeKind::Revolved;
+        object.capped = true;
+        for (const float top : {1.0f, -1.0f}) {
+            object.profile = {{1.0f, -top}, {1.0f, top}};
+            const SceneDescription opened = exported(scene);
+            ASSERT_EQ(opened.meshes.size(), 1u);
+            EXPECT_NEAR(areaOf(*opened.meshes[0].data), 6.0f * kPi, 0.01f)
+                << "sides of 4 pi, two discs of pi";
+        }
+    }
+    static SceneDescription repositoryScene(const std::string& name) {
+        auto scene = loadScene(std::string(GLINT_SOURCE_DIR) + "/scenes/" + name);
+        EXPECT_TRUE(scene) << scene.error().format();
+        return scene ? std::move(*scene) : SceneDescription();
+    }
+
+  private:
+    std::string outputName_;
+};
+
+}  // namespace glint::test
