@@ -2,7 +2,7 @@
 // fixed seeds; their tolerances are the measured standard errors.
 #include <algorithm>
 #include <array>
-#include <cstdio>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -72,20 +72,51 @@ TEST(BsdfEnergy, SmoothLobesLoseNothing) {
     }
 }
 
-/// White plastic, metal, coats and sheen: what one layer does not reflect, those below it do.
-TEST(BsdfEnergy, WhitePrincipledLosesLittleUnderSmoothLayers) {
+/// Of a smooth boundary of index 1.5 (Fresnel's equations).
+double reflectanceOfPlastic(double cosine) {
+    const double inside = std::sqrt(1.0 - (1.0 - cosine * cosine) / 2.25);
+    const double s = (cosine - 1.5 * inside) / (cosine + 1.5 * inside);
+    const double p = (1.5 * cosine - inside) / (1.5 * cosine + inside);
+    return 0.5 * (s * s + p * p);
+}
+
+/// What a white base under smooth boundaries reflects, by quadrature: the coat takes its share of diffuse
+/// light at the more grazing of both directions.
+double whitePrincipledAlbedo(double cosine, double metallic, double coat) {
+    constexpr int kSteps = 20000;
+    double under = 0.0, all = 0.0;
+    for (int i = 0; i < kSteps; ++i) {
+        const double out = (i + 0.5) / kSteps;
+        const double leaves = out * (1.0 - reflectanceOfPlastic(out));
+        under += leaves * (1.0 - coat * reflectanceOfPlastic(std::min(cosine, out)));
+        all += leaves;
+    }
+    const double boundary = reflectanceOfPlastic(cosine);
+    const double mirror = metallic + (1.0 - metallic) * boundary;
+    return coat * boundary + (1.0 - coat * boundary) * mirror +
+           (1.0 - metallic) * (1.0 - boundary) * under / all;
+}
+
+/// White plastic, metal and coats: what one layer does not reflect, those below it do, but for what the rule
+/// of the more grazing direction costs.
+TEST(BsdfEnergy, WhitePrincipledReflectsWhatItsLayersLeave) {
+    const double errors = allowedErrors(18);
     for (const float cosine : {1.0f, 0.7f, 0.3f}) {
         for (const float metallic : {0.0f, 0.5f, 1.0f}) {
             for (const float coat : {0.0f, 1.0f}) {
                 const MaterialData white = principledMaterial(Vec3(1.0f), 0.0f, metallic, coat);
-                std::printf("E %g %g %g %.5f %.5f\n", cosine, metallic, coat, furnace(white, cosine, 100000, 5).mean(), furnace(white, cosine, 100000, 5).standardError());
-                EXPECT_NEAR(furnace(white, cosine, 100000, 5).mean(), 1.0, coat > 0.0f ? 0.04 : 0.005)
+                const Mean albedo = furnace(white, cosine, 100000, 5);
+                // The table of the base's boundary is interpolated to 1e-4.
+                EXPECT_NEAR(albedo.mean(),
+                            whitePrincipledAlbedo(static_cast<double>(cosine), static_cast<double>(metallic),
+                                                  static_cast<double>(coat)),
+                            1e-4 + errors * albedo.standardError())
                     << cosine << ", metallic " << metallic << ", coat " << coat;
             }
         }
+        // By measurement 0.84 from the front, where the same rule costs most.
         const MaterialData cloth = principledMaterial(Vec3(1.0f), 0.5f, 0.0f, 0.0f, 0.0f, Vec3(1.0f));
-        std::printf("C %g %.5f %.5f\n", cosine, furnace(cloth, cosine, 100000, 6).mean(), furnace(cloth, cosine, 100000, 6).standardError());
-        EXPECT_NEAR(furnace(cloth, cosine, 100000, 6).mean(), 0.9, 0.1) << cosine;
+        EXPECT_GT(furnace(cloth, cosine, 100000, 6).mean(), 0.83) << cosine;
     }
 }
 
