@@ -214,7 +214,17 @@ Result<SceneDescription> loadCheckpointScene(const std::string& path) {
     return info ? readCheckpointScene(sections, path) : info.error();
 }
 
-Status checkReplacesCheckpoint(const std::string& path, uint32_t passes) {
+bool isOfScene(const CheckpointInfo& info, const SceneDescription& scene) {
+    std::error_code none;
+    const std::string& file = info.scenePath;
+    const std::string path = absolutePath(scene.path);
+    if (file == path || (!file.empty() && std::filesystem::equivalent(file, path, none))) { return true; }
+    const SceneHashes now = hashSceneParts(scene);
+    constexpr auto kGeometry = static_cast<size_t>(ScenePart::Geometry);
+    return now == info.hashes || (file.empty() && now.parts[kGeometry] == info.hashes.parts[kGeometry]);
+}
+
+Status checkReplacesCheckpoint(const std::string& path, uint32_t passes, const SceneDescription* scene) {
     std::error_code none;
     const bool isThere = std::filesystem::is_regular_file(path, none);
     if (!isThere || std::filesystem::file_size(path, none) == 0) { return {}; }
@@ -223,10 +233,15 @@ Status checkReplacesCheckpoint(const std::string& path, uint32_t passes) {
         return Error{fmt::format("is there already and is not replaced, since it {}", old.error().message),
                      {.file = path}};
     }
-    if (old->passes <= passes) { return {}; }
-    return Error{
-        fmt::format("holds a film of {} passes, which one of {} does not replace", old->passes, passes),
-        {.file = path}};
+    if (old->passes > passes) {
+        return Error{
+            fmt::format("holds a film of {} passes, which one of {} does not replace", old->passes, passes),
+            {.file = path}};
+    }
+    if (scene == nullptr || isOfScene(*old, *scene)) { return {}; }
+    const std::string name = std::filesystem::path(old->scenePath).filename().string();
+    return Error{fmt::format("holds a film of another scene{}{}", name.empty() ? "" : ", ", name),
+                 {.file = path}};
 }
 
 Result<CheckpointInfo> readCheckpointInfo(const std::string& path) {

@@ -43,9 +43,14 @@ Result<ResumePoint> loadCheckpoint(const std::string& path, const SceneDescripti
 /// differences, or the checkpoint holds no scene, or a file that it names cannot be read.
 Result<SceneDescription> loadCheckpointScene(const std::string& path);
 
-/// Error: the file at `path`, where there is one, is no checkpoint, or holds a film of more than `passes`: a
-/// longer render is not thrown away for a shorter one.
-Status checkReplacesCheckpoint(const std::string& path, uint32_t passes);
+/// Whether its film is of `scene`, which may be edited: both came from one file, nothing that the picture
+/// shows differs, or the checkpoint holds no scene (images in memory) and the geometry is the same.
+bool isOfScene(const CheckpointInfo& info, const SceneDescription& scene);
+
+/// Error: the file at `path`, where there is one, is no checkpoint, holds a film of more than `passes`, or is
+/// of another scene than `scene` (isOfScene; null: of whatever scene): a render is not thrown away for a
+/// shorter or another one.
+Status checkReplacesCheckpoint(const std::string& path, uint32_t passes, const SceneDescription* scene);
 
 /// For `glint info`. Error: as above, but for differences.
 Result<CheckpointInfo> readCheckpointInfo(const std::string& path);

@@ -11,13 +11,13 @@ namespace {
 
 constexpr const char* kTag = "SCNE";
 
+}  // namespace
+
 std::string absolutePath(const std::string& path) {
     std::error_code problem;
     const std::filesystem::path absolute = std::filesystem::absolute(path, problem);
     return problem ? path : absolute.lexically_normal().string();
 }
-
-}  // namespace
 
 void writeCheckpointScene(const SceneDescription& scene, CheckpointWriter* file) {
     const Result<std::string> json = writeSceneJson(scene, scene.path);

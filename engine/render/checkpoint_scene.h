@@ -9,6 +9,9 @@
 
 namespace glint {
 
+/// As the section SCNE has it: absolute, without . and ..; "" of a scene that has no file.
+std::string absolutePath(const std::string& path);
+
 /// Writes the section SCNE: the scene's path, absolute, as text, then the scene as JSON text whose relative
 /// paths count from there. None where the scene cannot be written, since it holds images in memory alone.
 void writeCheckpointScene(const SceneDescription& scene, CheckpointWriter* file);

@@ -240,6 +240,25 @@ TEST_F(OverwrittenFiles, AShorterFilmDoesNotReplaceALongerOne) {
     EXPECT_EQ(TempFolder::read(notes), "not a checkpoint");
 }
 
+TEST_F(OverwrittenFiles, AFilmDoesNotReplaceOneOfAnotherScene) {
+    const std::string film = at("a.film"), image = at("x.png");
+    ASSERT_EQ(runProgram({"render", scene, "-o", image, "--checkpoint", film, "--passes", "2"}).exitCode, 0);
+    before[film] = TempFolder::read(film);
+    const std::string other = folder.write("e.json", R"({ "glint": 1, "resolution": [8, 8],
+        "camera": { "position": [0, 0, 4], "target": [0, 0, 0] } })");
+    expectRefused({"render", other, "-o", image, "--checkpoint", film, "--passes", "8"},
+                  "holds a film of another scene, a.json");
+    const auto render = [&](const std::string& path, const std::vector<std::string>& more) {
+        std::vector<std::string> words = {"render", path, "-o", image, "--passes", "8", "--checkpoint", film};
+        words.insert(words.end(), more.begin(), more.end());
+        return runProgram(words).exitCode;
+    };
+    EXPECT_EQ(render(scene, {"-D", "materials.lamp.roughness=0.3"}), 0) << "the same file, edited";
+    EXPECT_EQ(render(folder.write("copy.json", TempFolder::read(scene)), {"--resume", film}), 1)
+        << "it is not what it was rendered with";
+    EXPECT_EQ(render(other, {"--overwrite"}), 0);
+}
+
 TEST_F(OverwrittenFiles, TheWindowSavesOverNoInput) {
     const auto script = [&](const std::string& text) { return folder.write("script.txt", text); };
     const std::string wood = at("maps/wood.png");

@@ -12,8 +12,10 @@ namespace {
 using test::captureOf;
 using test::TempFolder;
 
-SessionCapture filmOf(uint32_t passes) {
+SessionCapture filmOf(uint32_t passes, const std::string& ofScene = {}, float fov = 40.0f) {
     SceneDescription scene;
+    scene.path = ofScene;
+    scene.camera.verticalFovDeg = fov;
     scene.resolution = {4, 3};
     Film film(4, 3);
     for (uint32_t pass = 0; pass < passes; ++pass) {
@@ -64,6 +66,26 @@ TEST(CheckpointFile, KeepsWhatAnotherRenderSavedMeanwhile) {
     EXPECT_TRUE(first.save(filmOf(2)));
     EXPECT_EQ(passesIn(path), 2u);
     EXPECT_EQ(passesIn(folder.path("a-2.film")), 3u);
+}
+
+TEST(CheckpointFile, KeepsOneOfAnotherScene) {
+    const TempFolder folder;
+    const std::string path = folder.path("a.film");
+    ASSERT_TRUE(saveCheckpoint(path, filmOf(2, "one.json")));
+    CheckpointFile other(path, false);
+    EXPECT_TRUE(other.save(filmOf(3, "two.json", 50.0f)));
+    EXPECT_EQ(passesIn(path), 2u);
+    EXPECT_EQ(passesIn(folder.path("a-2.film")), 3u);
+
+    CheckpointFile edited(path, false);
+    EXPECT_TRUE(edited.save(filmOf(4, "./one.json", 50.0f))) << "of the same file, edited";
+    EXPECT_EQ(passesIn(path), 4u);
+    CheckpointFile copied(path, false);
+    EXPECT_TRUE(copied.save(filmOf(5, "copy.json", 50.0f))) << "of a file that shows the same";
+    EXPECT_EQ(passesIn(path), 5u);
+    CheckpointFile replacing(path, true);
+    EXPECT_TRUE(replacing.save(filmOf(6, "two.json")));
+    EXPECT_EQ(passesIn(path), 6u);
 }
 
 TEST(CheckpointFile, WritesToDevicesAndNowhere) {

@@ -36,6 +36,20 @@ TEST(SafetyNet, AFileThatIsThereIsNotReplacedUnasked) {
     EXPECT_NE(*readFile("old.png"), "not from here");
 }
 
+TEST(SafetyNet, ACheckpointIsNotReplacedByOneOfAnotherSceneUnasked) {
+    write("other.json", kScene);
+    std::filesystem::remove("own.glintfilm");
+    const std::string save = "click \"Checkpoint/Save\"\nwait jobs\nwait frames 3\n";
+    expectPlayed(
+        play("wait finished\nopen \"Checkpoint\"\nwait frames 2\nset \"Checkpoint file\" own.glintfilm\n" +
+                 save + "expect message \"Saved\"\nset \"Aperture\" 20\nwait finished\n" + save +
+                 "expect no-widget \"Replace\"\ndrop \"other.json\"\nwait jobs\nwait finished\n" + save +
+                 "expect widget \"Replace\"\nclick \"Replace\"\nwait jobs\nexpect message \"Saved\"\n" +
+                 save + "expect no-widget \"Replace\"\n",
+             "--passes 2"));
+    EXPECT_THAT(readCheckpointInfo("own.glintfilm")->scenePath, HasSubstr("other.json"));
+}
+
 TEST(SafetyNet, ClosingAsksWhereEditsWouldBeLost) {
     const std::string quit = "key ctrl down\nkey q\nkey ctrl up\nwait frames 4\n";
     // The script fails where the window has closed before its end.

@@ -32,23 +32,28 @@ CheckpointFile::Stamp CheckpointFile::stampOf(const std::string& path) {
 CheckpointFile::CheckpointFile(std::string path, bool overwrite)
     : path_(std::move(path)), overwrite_(overwrite), known_(stampOf(path_)) {
     if (!known_ || overwrite_) { return; }
-    if (const auto info = readCheckpointInfo(path_)) { passesAtFirst_ = info->passes; }
+    if (auto info = readCheckpointInfo(path_)) { atFirst_ = std::move(*info); }
+}
+
+std::string CheckpointFile::reasonToKeep(const SessionCapture& capture) const {
+    const Stamp now = stampOf(path_);
+    if (now && now != known_) { return "was written by another render meanwhile"; }
+    if (!atFirst_) { return ""; }
+    if (capture.film.passes() < atFirst_->passes) { return "holds a longer film"; }
+    return isOfScene(*atFirst_, *capture.scene) ? "" : "holds a film of another scene";
 }
 
 Status CheckpointFile::save(const SessionCapture& capture) {
     if (path_.empty()) { return {}; }
-    const Stamp now = stampOf(path_);
-    const bool isOfAnother = now && now != known_;
-    if (!overwrite_ && (isOfAnother || capture.film.passes() < passesAtFirst_)) {
+    if (const std::string reason = overwrite_ ? "" : reasonToKeep(capture); !reason.empty()) {
         const std::string free = freeNameBeside(path_);
-        logWarning("{} {}; this film is saved as {}", path_,
-                   isOfAnother ? "was written by another render meanwhile" : "holds a longer film", free);
+        logWarning("{} {}; this film is saved as {}", path_, reason, free);
         path_ = free;
     }
     const Status saved = saveCheckpoint(path_, capture);
     if (saved) {
         known_ = stampOf(path_);
-        passesAtFirst_ = 0;
+        atFirst_.reset();
     }
     return saved;
 }

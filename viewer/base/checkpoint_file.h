@@ -1,5 +1,5 @@
-// The checkpoint that a render saves again and again: never over a longer film, nor over what another render
-// saved under the same name meanwhile.
+// The checkpoint that a render saves again and again: never over a longer film, one of another scene, or what
+// another render saved under the same name meanwhile.
 #pragma once
 
 #include <cstdint>
@@ -29,8 +29,10 @@ class CheckpointFile {
 
     std::string path_;
     bool overwrite_;
-    Stamp known_;                 ///< what was there at first, or what was saved last
-    uint32_t passesAtFirst_ = 0;  ///< of the film that was there; 0 once it is replaced
+    /// Why a film does not replace what was there at first; "" where it does, or has.
+    std::string reasonToKeep(const SessionCapture& capture) const;
+    Stamp known_;                            ///< what was there at first, or what was saved last
+    std::optional<CheckpointInfo> atFirst_;  ///< of the film that was there; nothing once it is replaced
 };
 
 }  // namespace glint

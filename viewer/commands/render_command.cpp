@@ -24,11 +24,12 @@ constexpr const char* kRenderFooter = R"(Examples:
   glint render scenes/sppm_glass_mesh.json -o out.png --passes 400 --checkpoint-every 50
 Ctrl-C saves the picture and the checkpoint.)";
 
-/// An old checkpoint is replaced where it is gone on from, or where this film can become as long.
-Status checkCheckpoint(const RenderCommandOptions& o) {
+/// An old checkpoint is replaced where it is gone on from, or where this film is of the same scene and can
+/// become as long. `scene` is null before it is known.
+Status checkCheckpoint(const RenderCommandOptions& o, const SceneDescription* scene) {
     if (o.checkpoint.empty() || o.overwrite) { return {}; }
     const uint32_t most = finalLimits(o).passes;
-    const Status replaces = checkReplacesCheckpoint(o.checkpoint, most > 0 ? most : UINT32_MAX);
+    const Status replaces = checkReplacesCheckpoint(o.checkpoint, most > 0 ? most : UINT32_MAX, scene);
     return replaces
                ? replaces
                : Error{fmt::format("--checkpoint {}; expected another name, --resume to go on from it, or "
@@ -80,7 +81,7 @@ Status checkOutputs(const RenderCommandOptions& o, RunFiles* files) {
         const std::string first = numberedPath(o.output, interval->passes);
         if (Status writable = files->checkCanWrite(first); !writable) { return writable; }
     }
-    return checkCheckpoint(o);
+    return checkCheckpoint(o, nullptr);
 }
 
 int runCommand(const RenderCommandOptions& options) {
@@ -105,6 +106,9 @@ int runCommand(const RenderCommandOptions& options) {
         return reportError(applied.error(), kExitBadInput);
     }
     if (!options.pixel.empty()) { return runReplay(*loaded, options); }
+    if (Status replaces = checkCheckpoint(options, &*loaded); !replaces) {
+        return reportError(replaces.error(), kExitBadInput);
+    }
     if (frameCount(options) > 0) { return runFrames(*loaded, options, loadSeconds); }
     return runRender(std::make_shared<SceneDescription>(std::move(*loaded)), options, loadSeconds).exitCode;
 }

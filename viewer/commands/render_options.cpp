@@ -113,7 +113,9 @@ void addCheckpointOptions(const Command& command, RenderCommandOptions* o) {
                 "is named; Ts: the checkpoint every T seconds")
         .typeName("N|Ts")
         .group(group);
-    command.flag("--overwrite", &o->overwrite, "Let the checkpoint replace a longer one, or another file")
+    command
+        .flag("--overwrite", &o->overwrite,
+              "Let the checkpoint replace a longer one, one of another scene, or another file")
         .group(group);
     command.option("--resume", &o->resume, "Go on from this checkpoint, bit for bit")
         .typeName("FILE")

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "engine/render/checkpoint.h"
+#include "engine/render/checkpoint_scene.h"
 #include "engine/render/denoised_snapshot.h"
 #include "engine/render/image_file.h"
 #include "engine/render/snapshot.h"
@@ -52,8 +53,14 @@ LoadedCheckpoint loadWithScene(const std::string& path, const SceneDescription* 
     return {std::move(point), std::move(*scene), std::move(hidden)};
 }
 
+/// What a checkpoint is of, as the overwrite guard has it.
+std::string sceneName(const SceneDescription* scene) {
+    return scene == nullptr ? "" : absolutePath(scene->path);
+}
+
 Status saveOverShorter(const std::string& path, const SessionCapture& capture) {
-    const Status replaces = checkReplacesCheckpoint(path, capture.film.passes());
+    const Status replaces =
+        checkReplacesCheckpoint(path, capture.film.passes(), nullptr);  // the guard has asked
     return replaces ? saveCheckpoint(path, capture) : replaces;
 }
 
@@ -63,9 +70,10 @@ Status savePicture(const std::string& path, const SessionCapture& capture, const
     return saveImage(path, *snapshotOf(capture, display.denoises), *capture.scene, {.look = display.look()});
 }
 
-void FilmFiles::saveCaptured(const std::string& path, Save save) {
+void FilmFiles::saveCaptured(const std::string& path, Save save, const std::string& of) {
     if (const Status free = inputs_->checkIsNoInput(path); !free) { return notice_->tell(free, ""); }
-    guard_->save(path, [this, path, save = std::move(save)] { startSave(path, save); });
+    guard_->save(
+        path, [this, path, save = std::move(save)] { startSave(path, save); }, of);
 }
 
 void FilmFiles::startSave(const std::string& path, Save save) {
@@ -119,16 +127,17 @@ void FilmFiles::startExr() {
 }
 
 void FilmFiles::saveCheckpointFile() {
-    saveCaptured(checkpoint, [path = checkpoint](const SessionCapture& capture) {
-        return saveOverShorter(path, capture);
-    });
+    saveCaptured(
+        checkpoint,
+        [path = checkpoint](const SessionCapture& capture) { return saveOverShorter(path, capture); },
+        sceneName(document_->posted().get()));
 }
 
 void FilmFiles::autosave() {
-    if (!checkReplacesCheckpoint(checkpoint, render_->status().passes)) {
+    if (!checkReplacesCheckpoint(checkpoint, render_->status().passes, document_->posted().get())) {
         checkpoint = freeNameBeside(checkpoint);
     }
-    guard_->mayReplace(checkpoint);
+    guard_->mayReplace(checkpoint, sceneName(document_->posted().get()));
     saveCheckpointFile();
 }
 
@@ -146,7 +155,7 @@ void FilmFiles::resume(const std::string& file) {
                 } else {
                     const uint32_t passes = loaded->point->film.passes();
                     const char* how = loaded->scene ? ", with the scene it is of" : "";
-                    guard_->mayReplace(path);
+                    guard_->mayReplace(path, sceneName(loaded->scene ? &*loaded->scene : scene.get()));
                     resume_(std::move(loaded->scene), std::move(*loaded->point),
                             fmt::format("Resume {}", std::filesystem::path(path).filename().string()),
                             std::move(loaded->hidden));

@@ -54,7 +54,7 @@ class FilmFiles {
     Status saveNow(const std::string& path, const DisplaySettings& display);
     /// Waits for the layers first, where they are wanted.
     void saveExr(const DisplaySettings& display);
-    /// Not over a longer film, which is an error.
+    /// Not over a longer film, which is an error; asks before it replaces one of another scene.
     void saveCheckpointFile();
     /// With the scene that the checkpoint holds where it is not of the one that is open.
     void resume(const std::string& file);
@@ -69,10 +69,10 @@ class FilmFiles {
   private:
     using Save = std::function<Status(const SessionCapture&)>;
     /// Takes the film when the pass in flight is done, then runs `save` on it, both in the background. Asks
-    /// before it replaces a file.
-    void saveCaptured(const std::string& path, Save save);
+    /// before it replaces a file that it has not written `of` the same.
+    void saveCaptured(const std::string& path, Save save, const std::string& of = {});
     void startSave(const std::string& path, Save save);
-    /// Under another name where the file holds a longer film.
+    /// Under another name where the file holds a longer film, or one of another scene.
     void autosave();
     void startExr();
 

@@ -22,25 +22,29 @@ bool holdsSomething(const std::string& path) {
 
 }  // namespace
 
-bool OverwriteGuard::mustAsk(const std::string& path) const {
-    return holdsSomething(path) && !ours_.contains(fullName(path));
+bool OverwriteGuard::mustAsk(const std::string& path, const std::string& of) const {
+    const auto own = ours_.find(fullName(path));
+    return holdsSomething(path) && (own == ours_.end() || own->second != of);
 }
 
-void OverwriteGuard::save(const std::string& path, std::function<void()> save) {
+void OverwriteGuard::save(const std::string& path, std::function<void()> save, const std::string& of) {
     refuse();
-    if (mustAsk(path)) {
+    if (mustAsk(path, of)) {
         asked_ = path;
+        askedOf_ = of;
         save_ = std::move(save);
         return;
     }
-    mayReplace(path);
+    mayReplace(path, of);
     save();
 }
 
-void OverwriteGuard::mayReplace(const std::string& path) { ours_.insert(fullName(path)); }
+void OverwriteGuard::mayReplace(const std::string& path, const std::string& of) {
+    ours_[fullName(path)] = of;
+}
 
 void OverwriteGuard::agree() {
-    mayReplace(asked_);
+    mayReplace(asked_, askedOf_);
     const std::function<void()> save = std::exchange(save_, nullptr);
     asked_.clear();
     if (save) { save(); }

@@ -1,8 +1,8 @@
-// Asks before a file is replaced that this session did not write itself.
+// Asks before a file is replaced that this session did not write itself, or wrote of something else.
 #pragma once
 
 #include <functional>
-#include <set>
+#include <map>
 #include <string>
 
 namespace glint {
@@ -10,12 +10,12 @@ namespace glint {
 class OverwriteGuard {
   public:
     /// Runs `save` at once where nothing is lost by it, else when the user agrees. A new question takes the
-    /// place of an old one.
-    void save(const std::string& path, std::function<void()> save);
-    /// Something would be lost, that the session did not write.
-    bool mustAsk(const std::string& path) const;
-    /// The session goes on with this file: it may be replaced without a question.
-    void mayReplace(const std::string& path);
+    /// place of an old one. `of`: what the file holds, where a file of something else is not to be replaced.
+    void save(const std::string& path, std::function<void()> save, const std::string& of = {});
+    /// Something would be lost, that the session did not write, or wrote of something else.
+    bool mustAsk(const std::string& path, const std::string& of = {}) const;
+    /// The session goes on with this file: it may be replaced without a question, by what is of the same.
+    void mayReplace(const std::string& path, const std::string& of = {});
 
     /// What is to be replaced; "" while nothing is asked.
     const std::string& asked() const { return asked_; }
@@ -23,8 +23,8 @@ class OverwriteGuard {
     void refuse();
 
   private:
-    std::set<std::string> ours_;
-    std::string asked_;
+    std::map<std::string, std::string> ours_;  ///< full names, and what they hold
+    std::string asked_, askedOf_;
     std::function<void()> save_;
 };
 
