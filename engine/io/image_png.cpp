@@ -1,8 +1,11 @@
 // PNG through libpng. Its errors arrive by longjmp, which runs no destructors: what has one lives outside of
 // the functions that libpng calls are made from.
+#include <algorithm>
+#include <array>
 #include <csetjmp>
 #include <cstring>
 
+#include <fmt/format.h>
 #include <png.h>
 
 #include "engine/io/exif.h"
@@ -25,6 +28,8 @@ struct Reading {
     Status size = {};
     std::optional<Image8Builder> builder = {};
     std::vector<uint8_t> rows = {};
+    std::vector<std::array<uint8_t, 4>> palette = {};  ///< empty: the pixels are no indices
+    std::vector<uint8_t> colors = {};                  ///< a row of those of the palette
 };
 
 void onError(png_structp png, png_const_charp message) {
@@ -48,6 +53,43 @@ Orientation orientationOf(const Reading& reading) {
     return found ? exifOrientation({reinterpret_cast<const char*>(exif), size}) : Orientation::TopLeft;
 }
 
+/// libpng would show what lies outside of the palette as black, and its own check sees nothing behind its
+/// expansion: indices come as they are stored, one to a byte.
+void readPalette(Reading* reading) {
+    png_colorp colors = nullptr;
+    png_bytep alphas = nullptr;
+    int count = 0, alphaCount = 0;
+    png_get_PLTE(reading->png, reading->info, &colors, &count);
+    png_get_tRNS(reading->png, reading->info, &alphas, &alphaCount, nullptr);
+    for (int i = 0; i < count; ++i) {
+        const uint8_t alpha = i < alphaCount ? alphas[i] : uint8_t{255};
+        reading->palette.push_back({colors[i].red, colors[i].green, colors[i].blue, alpha});
+    }
+    reading->colors.resize(size_t{4} * png_get_image_width(reading->png, reading->info));
+    png_set_packing(reading->png);
+}
+
+/// `stored` is as libpng hands it out: colours, or indices into the palette.
+void setRow(Reading* reading, int row, std::span<const uint8_t> stored) {
+    if (reading->palette.empty()) { return reading->builder->setRow(row, stored); }
+    for (size_t column = 0; column < stored.size(); ++column) {
+        if (stored[column] >= reading->palette.size()) {
+            reading->reason = fmt::format("the pixel in column {}, row {} has colour {} of a palette of {}",
+                                          column, row, stored[column], reading->palette.size());
+            png_longjmp(reading->png, 1);
+        }
+        std::ranges::copy(reading->palette[stored[column]], &reading->colors[4 * column]);
+    }
+    reading->builder->setRow(row, reading->colors);
+}
+
+void expandColors(png_structp png) {
+    png_set_expand(png);
+    png_set_scale_16(png);
+    png_set_gray_to_rgb(png);
+    png_set_add_alpha(png, 0xff, PNG_FILLER_AFTER);
+}
+
 [[gnu::noinline]] void readHeader(Reading* reading) {
     png_structp png = reading->png;
     png_set_crc_action(png, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
@@ -59,10 +101,11 @@ Orientation orientationOf(const Reading& reading) {
     const auto height = png_get_image_height(png, reading->info);
     reading->size = checkStatedSize(reading->path, width, height, bytes, kMostPixelsPerByte);
     if (!reading->size) { return; }
-    png_set_expand(png);
-    png_set_scale_16(png);
-    png_set_gray_to_rgb(png);
-    png_set_add_alpha(png, 0xff, PNG_FILLER_AFTER);
+    if (png_get_color_type(png, reading->info) == PNG_COLOR_TYPE_PALETTE) {
+        readPalette(reading);
+    } else {
+        expandColors(png);
+    }
     reading->builder.emplace(
         PixelPlaces{static_cast<int>(width), static_cast<int>(height), orientationOf(*reading)});
 }
@@ -72,14 +115,15 @@ Orientation orientationOf(const Reading& reading) {
     const int passes = png_set_interlace_handling(reading->png);
     png_read_update_info(reading->png, reading->info);
     const PixelPlaces& places = reading->builder->places();
-    const size_t rowSize = size_t{4} * static_cast<size_t>(places.storedWidth);
+    const size_t bytesAPixel = reading->palette.empty() ? 4 : 1;
+    const size_t rowSize = bytesAPixel * static_cast<size_t>(places.storedWidth);
     const bool interlaced = passes > 1;
     reading->rows.assign(interlaced ? rowSize * static_cast<size_t>(places.storedHeight) : rowSize, 0);
     for (int pass = 0; pass < passes; ++pass) {
         for (int row = 0; row < places.storedHeight; ++row) {
-            uint8_t* rgba = reading->rows.data() + (interlaced ? static_cast<size_t>(row) * rowSize : 0);
-            png_read_row(reading->png, rgba, nullptr);
-            if (pass + 1 == passes) { reading->builder->setRow(row, {rgba, rowSize}); }
+            uint8_t* stored = reading->rows.data() + (interlaced ? static_cast<size_t>(row) * rowSize : 0);
+            png_read_row(reading->png, stored, nullptr);
+            if (pass + 1 == passes) { setRow(reading, row, {stored, rowSize}); }
         }
     }
     png_read_end(reading->png, nullptr);

@@ -124,6 +124,16 @@ TEST(PictureFiles, PngWithAWrongChecksumIsRefused) {
     }
 }
 
+TEST(PictureFiles, PngWithAPixelOutsideOfItsPaletteIsRefused) {
+    for (const int bits : {2, 8}) {
+        EXPECT_TRUE(decodeImage(test::palettePng(4, bits), "a.png")) << bits;
+        const auto image = decodeImage(test::palettePng(3, bits), "a.png");
+        ASSERT_FALSE(image) << bits;
+        EXPECT_THAT(image.error().format(),
+                    HasSubstr("the pixel in column 3, row 0 has colour 3 of a palette of 3"));
+    }
+}
+
 void expectOrientations(std::string (*file)(int orientation)) {
     // Where the white half of the stored picture, its left one, is shown.
     const char* const kWhite[] = {"left", "right", "right", "left", "top", "top", "bottom", "bottom"};

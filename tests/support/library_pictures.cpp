@@ -162,26 +162,41 @@ int appendGif(GifFileType* gif, const GifByteType* bytes, int count) {
 
 }  // namespace
 
-void addPng(std::vector<PictureFile>* files) {
-    const Image8 colors = patternImage(), clear = transparentImage();
-    const auto addPalette = [](png_structp writer, png_infop info) {
+std::string palettePng(int colors, int bits) {
+    std::vector<std::string> rows = paletteRows();
+    for (std::string& row : rows) {
+        std::string packed(static_cast<size_t>((6 * bits + 7) / 8), '\0');
+        for (size_t x = 0; x < 6; ++x) {
+            const size_t bit = x * static_cast<size_t>(bits);
+            const auto shift = 8 - static_cast<size_t>(bits) - bit % 8;
+            packed[bit / 8] = static_cast<char>(packed[bit / 8] | (row[x] << shift));
+        }
+        row = packed;
+    }
+    const auto addPalette = [colors](png_structp writer, png_infop info) {
         png_color palette[4];
         for (int i = 0; i < 4; ++i) {
             palette[i] = {kColors[i][0], kColors[i][1], kColors[i][2]};
         }
         const png_byte alpha[4] = {255, 255, 255, 0};
-        png_set_PLTE(writer, info, palette, 4);
-        png_set_tRNS(writer, info, alpha, 4, nullptr);
+        png_set_check_for_invalid_index(writer, 0);
+        png_set_PLTE(writer, info, palette, colors);
+        png_set_tRNS(writer, info, alpha, colors, nullptr);
     };
+    return png(PNG_COLOR_TYPE_PALETTE, bits, bits < 8 ? PNG_INTERLACE_ADAM7 : PNG_INTERLACE_NONE, rows,
+               addPalette);
+}
+
+void addPng(std::vector<PictureFile>* files) {
+    const Image8 colors = patternImage(), clear = transparentImage();
     files->push_back(
         {"plain.png", png(PNG_COLOR_TYPE_RGB, 8, PNG_INTERLACE_NONE, rowsOf(colors, false, false)), colors});
     files->push_back(
         {"alpha.png", png(PNG_COLOR_TYPE_RGBA, 8, PNG_INTERLACE_ADAM7, rowsOf(clear, true, false)), clear});
     files->push_back(
         {"wide.png", png(PNG_COLOR_TYPE_RGBA, 16, PNG_INTERLACE_NONE, rowsOf(clear, true, true)), clear});
-    files->push_back({"palette.png",
-                      png(PNG_COLOR_TYPE_PALETTE, 8, PNG_INTERLACE_NONE, paletteRows(), addPalette),
-                      paletteImage()});
+    files->push_back({"palette.png", palettePng(4, 8), paletteImage()});
+    files->push_back({"bits.png", palettePng(4, 2), paletteImage()});
 }
 
 void addJpeg(std::vector<PictureFile>* files) {

@@ -36,6 +36,10 @@ std::string exifOf(int orientation);
 std::string jpegWithOrientation(int orientation);
 std::string webpWithOrientation(int orientation);
 
+/// 6 x 5 pixels of four colours in turn, by their numbers of 1, 2, 4 or 8 bits; the palette has the first
+/// `colors`. Interlaced below 8 bits.
+std::string palettePng(int colors, int bits);
+
 /// Numbers as files of one byte order or the other have them.
 std::string little(uint64_t value, int bytes);
 std::string big(uint64_t value, int bytes);
