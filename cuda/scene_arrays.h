@@ -37,10 +37,12 @@ void forEachArray(TextureView& texture, Visit&& visit) {
 
 template <class Visit>
 void forEachArray(EnvironmentView& environment, Visit&& visit) {
-    static_assert(sizeof(EnvironmentView) == 40, "list a new array of EnvironmentView below");
+    static_assert(sizeof(EnvironmentView) == 56, "list a new array of EnvironmentView below");
     const size_t width = static_cast<size_t>(environment.width);
     const size_t height = static_cast<size_t>(environment.height);
     visit(environment.texels, 3 * width * height);
+    visit(environment.bytes, 3 * width * height);
+    visit(environment.decoded, size_t{256});
     visit(environment.rowCdf, height + 1);
     visit(environment.columnCdf, height * (width + 1));
 }
@@ -48,7 +50,7 @@ void forEachArray(EnvironmentView& environment, Visit&& visit) {
 /// The scene's own arrays but for the tables of meshes and textures, whose entries hold pointers themselves.
 template <class Visit>
 void forEachArray(SceneView& view, Visit&& visit) {
-    static_assert(sizeof(GeometryView) == 176 && sizeof(LightView) == 128, "list a new array below");
+    static_assert(sizeof(GeometryView) == 176 && sizeof(LightView) == 144, "list a new array below");
     const auto visitView = [&](auto& array) { visit(array.data, size_t{array.count}); };
     visitView(view.geometry.instances);
     visitView(view.geometry.profiles);

@@ -28,8 +28,12 @@ void ContentHash::addWord(uint64_t word) {
 }
 
 void ContentHash::addBytes(const void* data, size_t size) {
+    beginBytes(size);
+    addPiece(data, size);
+}
+
+void ContentHash::addPiece(const void* data, size_t size) {
     const auto* bytes = static_cast<const unsigned char*>(data);
-    addWord(size);
     for (; size >= sizeof(uint64_t); size -= sizeof(uint64_t), bytes += sizeof(uint64_t)) {
         uint64_t word;
         std::memcpy(&word, bytes, sizeof word);

@@ -24,6 +24,10 @@ struct Hash128 {
 class ContentHash {
   public:
     void addBytes(const void* data, size_t size);
+    /// Of `size` bytes that come in pieces, each of a whole number of 8 bytes but the last: the same as
+    /// addBytes() of all together.
+    void beginBytes(size_t size) { addWord(size); }
+    void addPiece(const void* data, size_t size);
     void add(std::string_view text) { addBytes(text.data(), text.size()); }
 
     /// Numbers and enumerations. Structs may hold padding: add their fields.

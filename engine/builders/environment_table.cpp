@@ -6,40 +6,36 @@
 
 #include "engine/base/log.h"
 #include "engine/base/parallel.h"
+#include "engine/kernels/environment.h"
 #include "engine/math/color.h"
 
 namespace glint {
 namespace {
 
-std::shared_ptr<const ImageF> linearImage(const SceneImage& source, int threads) {
-    if (source.floats) { return source.floats; }
-    if (!source.bytes) { return nullptr; }
-    auto image = std::make_shared<ImageF>();
-    image->width = source.bytes->width;
-    image->height = source.bytes->height;
-    image->rgb.resize(source.bytes->rgb.size());
-    parallelChunks(static_cast<int64_t>(image->rgb.size()), 1 << 16, threads,
-                   [&](int64_t begin, int64_t end) {
-                       for (int64_t i = begin; i < end; ++i) {
-                           const auto k = static_cast<size_t>(i);
-                           image->rgb[k] = srgbToLinear(static_cast<float>(source.bytes->rgb[k]) / 255.0f);
-                       }
-                   });
-    return image;
+/// Without its distribution.
+EnvironmentView texelsOf(const EnvironmentTable& table) {
+    EnvironmentView v;
+    if (const ImageF* floats = table.source.floats.get()) {
+        v.texels = floats->rgb.data();
+        v.width = floats->width;
+        v.height = floats->height;
+    } else if (const Image8* bytes = table.source.bytes.get()) {
+        v.bytes = bytes->rgb.data();
+        v.decoded = table.decoded.data();
+        v.width = bytes->width;
+        v.height = bytes->height;
+    }
+    return v;
 }
 
-double texelLuminance(const ImageF& image, int x, int y) {
-    const int column = (x + image.width) % image.width;
-    const int row = std::clamp(y, 0, image.height - 1);
-    const float* rgb = image.rgb.data() + 3 * (static_cast<size_t>(row) * static_cast<size_t>(image.width) +
-                                               static_cast<size_t>(column));
-    const float value = luminance({rgb[0], rgb[1], rgb[2]});
+double texelLuminance(const EnvironmentView& image, int x, int y) {
+    const float value = luminance(environmentTexel(image, x, y));
     return std::isfinite(value) ? std::max(0.0, static_cast<double>(value)) : 0.0;
 }
 
 /// Mean over a texel's cell of the bilinear interpolation: along each axis the neighbours weigh 1/8, 3/4,
 /// 1/8, the integrals of their hat functions over it.
-double cellLuminance(const ImageF& image, int x, int y) {
+double cellLuminance(const EnvironmentView& image, int x, int y) {
     constexpr double kWeights[3] = {0.125, 0.75, 0.125};
     double sum = 0.0;
     for (int dy = -1; dy <= 1; ++dy) {
@@ -70,44 +66,42 @@ double fillCdf(const std::vector<double>& weights, float* cdf) {
 }
 
 /// A picture that packs well may be small as a file.
-void warnOfSize(const SceneImage& source) {
-    constexpr double kBytesAPixel = 4 * sizeof(float), kManyBytes = 1e9;
-    const int width = source.floats ? source.floats->width : source.bytes ? source.bytes->width : 0;
-    const int height = source.floats ? source.floats->height : source.bytes ? source.bytes->height : 0;
-    const double bytes = kBytesAPixel * width * height;
-    if (bytes > kManyBytes) {
-        logWarning("the environment's image has {}x{} pixels, which take {:.1f} GB of memory", width, height,
-                   1e-9 * bytes);
+void warnOfSize(const EnvironmentView& image, size_t bytes) {
+    constexpr double kManyBytes = 1e9;
+    if (static_cast<double>(bytes) > kManyBytes) {
+        logWarning("the environment's image has {}x{} pixels, which take {:.1f} GB of memory", image.width,
+                   image.height, 1e-9 * static_cast<double>(bytes));
     }
 }
 
 }  // namespace
 
 EnvironmentView EnvironmentTable::view() const {
-    EnvironmentView v;
-    v.texels = image->rgb.data();
+    EnvironmentView v = texelsOf(*this);
     v.rowCdf = rowCdf.data();
     v.columnCdf = columnCdf.data();
-    v.width = image->width;
-    v.height = image->height;
     return v;
 }
 
 size_t EnvironmentTable::bytes() const {
-    return image->rgb.size() * sizeof(float) + (rowCdf.size() + columnCdf.size()) * sizeof(float);
+    const size_t texels = source.floats ? source.floats->rgb.size() * sizeof(float)
+                                        : source.bytes->rgb.size() + decoded.size() * sizeof(float);
+    return texels + (rowCdf.size() + columnCdf.size()) * sizeof(float);
 }
 
 std::shared_ptr<const EnvironmentTable> buildEnvironmentTable(const SceneImage& source, int threads) {
-    warnOfSize(source);
     auto table = std::make_shared<EnvironmentTable>();
     table->source = source;
-    table->image = linearImage(source, threads);
-    if (!table->image || table->image->width <= 0 || table->image->height <= 0) { return nullptr; }
-    const ImageF& image = *table->image;
+    for (int byte = 0; source.bytes && byte < 256; ++byte) {
+        table->decoded.push_back(srgbToLinear(static_cast<float>(byte) / 255.0f));
+    }
+    const EnvironmentView image = texelsOf(*table);
+    if (image.width <= 0 || image.height <= 0) { return nullptr; }
     const auto width = static_cast<size_t>(image.width);
     const auto height = static_cast<size_t>(image.height);
     table->columnCdf.resize(height * (width + 1));
     table->rowCdf.resize(height + 1);
+    warnOfSize(image, table->bytes());
 
     std::vector<double> rowWeights(height);
     parallelChunks(image.height, 16, threads, [&](int64_t begin, int64_t end) {

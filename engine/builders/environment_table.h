@@ -10,9 +10,9 @@
 namespace glint {
 
 struct EnvironmentTable {
-    SceneImage source;                    ///< what it was made from: compared to share it between builds
-    std::shared_ptr<const ImageF> image;  ///< the source's own floats, or its bytes made linear
-    std::vector<float> rowCdf;            ///< see EnvironmentView
+    SceneImage source;           ///< its texels; compared to share the table between builds
+    std::vector<float> decoded;  ///< of 8-bit texels: the linear value of each byte; else empty
+    std::vector<float> rowCdf;   ///< see EnvironmentView
     std::vector<float> columnCdf;
     float meanLuminance = 0.0f;  ///< over solid angle
 

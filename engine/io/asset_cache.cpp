@@ -166,7 +166,8 @@ Result<SceneImage> AssetCache::environment(const ImageSource& source, std::vecto
         }
         Result<SceneImage> image = loadImage(*file);
         if (!image) { return image.error(); }
-        out.floats = environmentImage(*image, nameOf(*file), warnings);
+        out = environmentImage(*image, nameOf(*file), warnings);
+        out.source = source;
     }
     countPixels(out);
     return out;

@@ -90,8 +90,14 @@ WrongValues findWrongValues(const ImageF& image) {
 }
 
 /// Within what rounding and a few lost rows make of it.
-bool isTwiceAsWide(const ImageF& image) {
+bool isTwiceAsWide(const auto& image) {
     return std::abs(image.width - 2 * image.height) <= 1 + image.height / 50;
+}
+
+SceneImage withoutAlpha(const SceneImage& picture) {
+    const Image8& image = *picture.bytes;
+    if (image.alpha.empty()) { return {.bytes = picture.bytes}; }
+    return {.bytes = std::make_shared<Image8>(Image8{image.width, image.height, image.rgb})};
 }
 
 std::string warningOf(const WrongValues& wrong, const ImageF& image, const std::string& name) {
@@ -111,8 +117,9 @@ std::string warningOf(const WrongValues& wrong, const ImageF& image, const std::
 
 }  // namespace
 
-std::shared_ptr<const ImageF> environmentImage(const SceneImage& picture, const std::string& name,
-                                               std::vector<std::string>* warnings) {
+SceneImage environmentImage(const SceneImage& picture, const std::string& name,
+                            std::vector<std::string>* warnings) {
+    if (picture.bytes && isTwiceAsWide(*picture.bytes)) { return withoutAlpha(picture); }
     std::shared_ptr<const ImageF> image = linearColors(picture);
     if (const WrongValues wrong = findWrongValues(*image); wrong.count() > 0) {
         warnings->push_back(warningOf(wrong, *image, name));
@@ -122,17 +129,17 @@ std::shared_ptr<const ImageF> environmentImage(const SceneImage& picture, const 
         }
         image = std::move(repaired);
     }
-    if (isCubeMap(*image)) { return latitudeLongitude(*image); }
-    if (isTwiceAsWide(*image)) { return image; }
+    if (isCubeMap(*image)) { return {.floats = latitudeLongitude(*image)}; }
+    if (isTwiceAsWide(*image)) { return {.floats = image}; }
     if (const std::vector<SceneImage> faces = facesOf(*image); !faces.empty()) {
-        return latitudeLongitude(*cubeColumn(faces).floats);
+        return {.floats = latitudeLongitude(*cubeColumn(faces).floats)};
     }
     warnings->push_back(
         fmt::format("{}: a picture of {} x {} pixels as light from everywhere is read as a map of latitude "
                     "and longitude; "
                     "expected one twice as wide as high, or a cube map: a column, a strip or a cross",
                     name, image->width, image->height));
-    return image;
+    return picture.bytes ? withoutAlpha(picture) : SceneImage{.floats = image};
 }
 
 }  // namespace glint

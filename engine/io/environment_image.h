@@ -14,8 +14,9 @@ namespace glint {
 /// resolution at the equator; so do strips and crosses (cube_map.h). A warning where the picture is neither
 /// of these nor twice as wide as high. Values below 0 and those that are not numbers become 0, infinite ones
 /// and those above 1e12 the largest other one, at least 65504; a warning says how many and where they are.
-/// Warnings are appended to `warnings`; `name` is the file's.
-std::shared_ptr<const ImageF> environmentImage(const SceneImage& picture, const std::string& name,
-                                               std::vector<std::string>* warnings);
+/// Warnings are appended to `warnings`; `name` is the file's. 8-bit pictures stay so, unless they are cube
+/// maps. The result has no source.
+SceneImage environmentImage(const SceneImage& picture, const std::string& name,
+                            std::vector<std::string>* warnings);
 
 }  // namespace glint

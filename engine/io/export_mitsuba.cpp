@@ -88,7 +88,7 @@ class MitsubaExporter : public SceneExport {
             return;
         }
         warn("approximated: the environment's rows are laid out anew");
-        const ImageF* image = environmentImage();
+        const std::shared_ptr<const ImageF> image = environmentImage();
         if (image == nullptr) { return; }
         const std::string name = saveEnvironment(withRowsAtPoles(*image), color);
         out_.open("emitter", "type=\"envmap\"");

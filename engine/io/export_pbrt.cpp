@@ -48,7 +48,7 @@ class PbrtExporter : public SceneExport {
             return;
         }
         warn("approximated: the environment is laid out anew");
-        const ImageF* image = environmentImage();
+        const std::shared_ptr<const ImageF> image = environmentImage();
         if (image == nullptr) { return; }
         const std::string name =
             saveEnvironment(equalAreaOfLatLong(*image, environment.rotationDeg), environment.color);

@@ -8,6 +8,7 @@
 #include "engine/io/baked_image.h"
 #include "engine/io/embedded_files.h"
 #include "engine/io/file_path.h"
+#include "engine/io/image_io.h"
 #include "engine/io/ply_writer.h"
 #include "engine/scene/glasses.h"
 
@@ -61,10 +62,11 @@ std::string SceneExport::saveEnvironment(ImageF map, const Vec3& factor) {
     return save("-environment.exr", std::get<EmbeddedFile>(bakedImage(map, path_, 0)).bytes);
 }
 
-const ImageF* SceneExport::environmentImage() {
+std::shared_ptr<const ImageF> SceneExport::environmentImage() {
     const SceneImage& image = scene_.environmentImages[static_cast<size_t>(scene_.environment.image)];
-    if (!image.floats && status_) { status_ = Error{"the environment has not been read", {.file = path_}}; }
-    return image.floats.get();
+    if (image.isRead()) { return linearColors(image); }
+    if (status_) { status_ = Error{"the environment has not been read", {.file = path_}}; }
+    return nullptr;
 }
 
 const MeshData* SceneExport::meshOf(const Object& object) {

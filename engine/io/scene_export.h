@@ -40,8 +40,8 @@ class SceneExport {
     /// Writes the environment's map, times `factor`, and says under which name.
     std::string saveEnvironment(ImageF map, const Vec3& factor);
 
-    /// Null: it was not read.
-    const ImageF* environmentImage();
+    /// Linear. Null: it was not read.
+    std::shared_ptr<const ImageF> environmentImage();
     const MeshData* meshOf(const Object& object);
     const Material& materialOf(const Object& object) const {
         return scene_.materials[static_cast<size_t>(object.material)];

@@ -31,8 +31,13 @@ GLINT_HD inline Vec2 environmentUv(const Vec3& w) {
 GLINT_HD inline Vec3 environmentTexel(const EnvironmentView& e, int x, int y) {
     const int column = x < 0 ? x + e.width : (x >= e.width ? x - e.width : x);
     const int row = y < 0 ? 0 : (y >= e.height ? e.height - 1 : y);
-    const float* texel = e.texels + 3 * (static_cast<size_t>(row) * static_cast<size_t>(e.width) +
-                                         static_cast<size_t>(column));
+    const size_t index =
+        3 * (static_cast<size_t>(row) * static_cast<size_t>(e.width) + static_cast<size_t>(column));
+    if (e.texels == nullptr) {
+        const uint8_t* bytes = e.bytes + index;
+        return {e.decoded[bytes[0]], e.decoded[bytes[1]], e.decoded[bytes[2]]};
+    }
+    const float* texel = e.texels + index;
     return {texel[0], texel[1], texel[2]};
 }
 

@@ -73,7 +73,9 @@ struct LightNode {
 /// A lat-long image around the scene and the distribution that samples it. Row 0 is +y, the middle column is
 /// -z, and columns run to the right seen from inside (towards +x from -z). Empty: width 0.
 struct EnvironmentView {
-    const float* texels = nullptr;     ///< linear RGB, 3 a texel
+    const float* texels = nullptr;     ///< linear RGB, 3 a texel; null: `bytes` are the texels
+    const uint8_t* bytes = nullptr;    ///< likewise, as indices into `decoded`
+    const float* decoded = nullptr;    ///< the linear values of all 256 bytes
     const float* rowCdf = nullptr;     ///< height + 1 entries, from 0 to 1
     const float* columnCdf = nullptr;  ///< height rows of width + 1 entries, each from 0 to 1
     int width = 0;

@@ -1,6 +1,10 @@
 // Field by field, since padding has no defined content.
 #include "engine/scene/scene_hash.h"
 
+#include <algorithm>
+#include <array>
+
+#include "engine/math/color.h"
 #include "engine/scene/field_text.h"
 #include "engine/scene/scene_fields.h"
 #include "engine/scene/scene_use.h"
@@ -43,6 +47,23 @@ void add(ContentHash& hash, const SceneImage& image) {
         hash.add(image.floats->width);
         hash.add(image.floats->height);
         add(hash, image.floats->rgb);
+    }
+}
+
+/// As linear floats, which an 8-bit one was made in earlier versions.
+void addEnvironment(ContentHash& hash, const SceneImage& image) {
+    if (!image.bytes) { return add(hash, image); }
+    const std::vector<uint8_t>& rgb = image.bytes->rgb;
+    hash.add(image.bytes->width);
+    hash.add(image.bytes->height);
+    hash.beginBytes(rgb.size() * sizeof(float));
+    std::array<float, 4096> piece;
+    for (size_t done = 0; done < rgb.size(); done += piece.size()) {
+        const size_t count = std::min(piece.size(), rgb.size() - done);
+        for (size_t i = 0; i < count; ++i) {
+            piece[i] = srgbToLinear(static_cast<float>(rgb[done + i]) / 255.0f);
+        }
+        hash.addPiece(piece.data(), count * sizeof(float));
     }
 }
 
@@ -121,7 +142,7 @@ void addLights(ContentHash& hash, const SceneDescription& scene) {
     add(hash, scene.environment);
     hash.add(static_cast<uint64_t>(scene.environmentImages.size()));
     if (usesEnvironmentImage(scene)) {
-        add(hash, scene.environmentImages[static_cast<size_t>(scene.environment.image)]);
+        addEnvironment(hash, scene.environmentImages[static_cast<size_t>(scene.environment.image)]);
     }
 }
 

@@ -235,7 +235,7 @@ TEST(PictureFiles, DdsCubeMapsAreEnvironments) {
             *cube = {.source = {}, .bytes = nullptr, .floats = numbers};
         }
         std::vector<std::string> warnings;
-        const auto map = environmentImage(*cube, "a.dds", &warnings);
+        const auto map = environmentImage(*cube, "a.dds", &warnings).floats;
         ASSERT_EQ(map->width, 64);
         for (int i = 0; i < 64 * 32; ++i) {
             const float latitude = kPi * (0.5f - (static_cast<float>(i / 64) + 0.5f) / 32.0f);

@@ -10,7 +10,12 @@
 
 #include "engine/io/exr_io.h"
 #include "engine/io/scene_loader.h"
+#include "engine/render/memory_use.h"
+#include "engine/scene/scene_hash.h"
+#include "tests/support/film_bits.h"
+#include "tests/support/render_scene.h"
 #include "tests/support/temp_folder.h"
+#include "tests/support/test_scenes.h"
 
 namespace glint {
 namespace {
@@ -30,7 +35,7 @@ TEST(EnvironmentImage, TakesValuesThatLightCannotHaveForTheNearest) {
         pictureOf(4, 2, {1, -0.01f, 2, 3, kInfinite, 70'000, -0.02f, std::nanf(""), 0, 5, 6, 7, 0, 0, 0, 0, 0,
                          0, 0,      0, 0, 0,         0,      0});
     std::vector<std::string> warnings;
-    const auto image = environmentImage(picture, "sky.exr", &warnings);
+    const auto image = environmentImage(picture, "sky.exr", &warnings).floats;
     EXPECT_THAT(image->rgb, ElementsAre(1, 0, 2, 3, 70'000, 70'000, 0, 0, 0, 5, 6, 7, 0, 0, 0, 0, 0, 0, 0, 0,
                                         0, 0, 0, 0));
     EXPECT_THAT(warnings,
@@ -42,15 +47,50 @@ TEST(EnvironmentImage, TakesValuesThatLightCannotHaveForTheNearest) {
 TEST(EnvironmentImage, OfSoundValuesIsThePictureItself) {
     const SceneImage picture = pictureOf(2, 1, {1, 0, 2, 3, 4, 1e12f});
     std::vector<std::string> warnings;
-    EXPECT_EQ(environmentImage(picture, "sky.exr", &warnings), picture.floats);
+    EXPECT_EQ(environmentImage(picture, "sky.exr", &warnings).floats, picture.floats);
     EXPECT_THAT(warnings, IsEmpty());
+}
+
+TEST(EnvironmentImage, StaysInBytesWithoutAlpha) {
+    const SceneImage bytes = test::checkerImage(16, 8, false);
+    std::vector<std::string> warnings;
+    EXPECT_EQ(environmentImage(bytes, "sky.png", &warnings).bytes, bytes.bytes);
+    Image8 clear = *bytes.bytes;
+    clear.alpha.assign(16 * 8, 3);
+    const SceneImage image =
+        environmentImage({.bytes = std::make_shared<Image8>(clear)}, "sky.png", &warnings);
+    EXPECT_EQ(image.bytes->rgb, bytes.bytes->rgb);
+    EXPECT_TRUE(image.bytes->alpha.empty());
+    EXPECT_THAT(warnings, IsEmpty());
+    const SceneImage square = test::checkerImage(9, 9, false);
+    EXPECT_EQ(environmentImage(square, "sky.png", &warnings).bytes, square.bytes);
+    EXPECT_THAT(warnings, ElementsAre(HasSubstr("a picture of 9 x 9 pixels")));
+}
+
+/// The same light from bytes as from what they stand for in linear floats, at 7 instead of 16 bytes a pixel.
+TEST(EnvironmentImage, BytesShineAsTheirFloatsDo) {
+    SceneDescription scene = test::meshInstances();
+    scene.resolution = {24, 16};
+    scene.environmentImages[0] = test::checkerImage(64, 32, false);
+    SceneDescription linear = scene;
+    linear.environmentImages[0] = {.floats = linearColors(scene.environmentImages[0])};
+    test::expectSameBits(test::renderPasses(scene, 2, 2), test::renderPasses(linear, 2, 2));
+    EXPECT_EQ(hashSceneParts(scene), hashSceneParts(linear));
+
+    const auto bytesOf = [](const SceneDescription& description) {
+        return memoryOf(*test::buildAll(description))[MemoryPart::Environment];
+    };
+    constexpr uint64_t kPixels = 64 * 32, kRows = 32 + 33;  // ends of rows, and the rows' own distribution
+    EXPECT_EQ(bytesOf(linear), 16 * kPixels + 4 * kRows);
+    EXPECT_EQ(bytesOf(scene), 7 * kPixels + 4 * kRows + 4 * 256);
 }
 
 TEST(EnvironmentImage, TakesAbsurdlyBrightValuesForTheLargestOther) {
     for (const float value : {3e38f, 1e30f, 2e12f, std::numeric_limits<float>::infinity()}) {
         std::vector<std::string> warnings;
-        EXPECT_THAT(environmentImage(pictureOf(2, 1, {1, 2, value, 3, 4, 5}), "sky.exr", &warnings)->rgb,
-                    ElementsAre(1, 2, 65504, 3, 4, 5));
+        EXPECT_THAT(
+            environmentImage(pictureOf(2, 1, {1, 2, value, 3, 4, 5}), "sky.exr", &warnings).floats->rgb,
+            ElementsAre(1, 2, 65504, 3, 4, 5));
         EXPECT_THAT(warnings, ElementsAre(HasSubstr("1 of its 6 values cannot be light")));
         EXPECT_THAT(warnings, ElementsAre(HasSubstr("taken for 65504")));
     }
@@ -75,7 +115,7 @@ TEST(EnvironmentImage, StripsAndCrossesAreCubeMaps) {
                              {{9, 3, 9}, {2, 5, 1}, {0, 4, 7}, {9, 6, 9}}}) {
         for (const int side : {8, 17}) {
             std::vector<std::string> warnings;
-            const auto map = environmentImage(squares(rows, side), "cube.exr", &warnings);
+            const auto map = environmentImage(squares(rows, side), "cube.exr", &warnings).floats;
             EXPECT_THAT(warnings, IsEmpty());
             ASSERT_EQ(map->width, 4 * side);
             ASSERT_EQ(map->height, 2 * side);
@@ -121,7 +161,7 @@ TEST(EnvironmentImage, FacesOfCrossesLieTheRightWayUp) {
     };
     for (const SceneImage& picture : {cross(4, 3), cross(3, 4)}) {
         std::vector<std::string> warnings;
-        const auto map = environmentImage(picture, "cube.exr", &warnings);
+        const auto map = environmentImage(picture, "cube.exr", &warnings).floats;
         EXPECT_THAT(warnings, IsEmpty());
         for (int y = 0; y < map->height; ++y) {
             for (int x = 0; x < map->width; ++x) {
@@ -151,7 +191,7 @@ TEST(EnvironmentImage, OfOtherSidesIsReadWithAWarning) {
         std::vector<std::string> warnings;
         const std::vector<float> rgb(noise.begin(), noise.begin() + 3 * width * height);
         const SceneImage picture = pictureOf(width, height, rgb);
-        EXPECT_EQ(environmentImage(picture, "sky.exr", &warnings), picture.floats);
+        EXPECT_EQ(environmentImage(picture, "sky.exr", &warnings).floats, picture.floats);
         EXPECT_THAT(warnings, ElementsAre(HasSubstr("expected one twice as wide as high"))) << width;
     }
 }
@@ -166,7 +206,8 @@ TEST(EnvironmentImage, CubeMapsBecomeMapsOfAllDirections) {
         }
     }
     std::vector<std::string> warnings;
-    const auto map = environmentImage(pictureOf(kSide, 6 * kSide, std::move(rgb)), "cube.exr", &warnings);
+    const auto map =
+        environmentImage(pictureOf(kSide, 6 * kSide, std::move(rgb)), "cube.exr", &warnings).floats;
     ASSERT_EQ(map->width, 64);
     ASSERT_EQ(map->height, 32);
     const auto face = [&](int x, int y) { return map->rgb[static_cast<size_t>(3 * (y * map->width + x))]; };
