@@ -55,10 +55,13 @@ std::shared_ptr<const InstanceTable> buildInstances(
     const SceneDescription& scene, const std::vector<std::shared_ptr<const BuiltMesh>>& meshes,
     const std::vector<uint32_t>& firstEmitter) {
     auto table = std::make_shared<InstanceTable>();
+    table->meshes.reserve(meshes.size());
+    table->instances.reserve(scene.objects.size());
     for (const auto& mesh : meshes) {
         table->meshes.push_back(mesh->view());
     }
     HugeVector<BuildPrimitive> boxes;
+    boxes.reserve(scene.objects.size());
     for (uint32_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
         table->instances.push_back(makeInstance(object, firstEmitter.empty() ? kNone : firstEmitter[i]));
@@ -84,6 +87,7 @@ std::shared_ptr<const InstanceTable> buildInstances(
     }
     table->topLevel = buildAccelerator(scene.options.accelerator, &boxes, {},
                                        [](const std::vector<LeafRange>& leaves) { return leaves; });
+    table->topInstances.reserve(boxes.size());
     for (const BuildPrimitive& box : boxes) {
         table->topInstances.push_back(box.index);
     }

@@ -77,8 +77,9 @@ std::vector<LeafRange> packLeaves(const std::vector<LeafRange>& leaves,
     std::vector<LeafRange> contents(leaves.size());  // at first counted from 0
     parallelChunks(static_cast<int64_t>(chunks), 1, threads, [&](int64_t chunk, int64_t) {
         const size_t c = static_cast<size_t>(chunk);
-        packed[c].reserve(kChunk + kChunk / 4);
-        for (size_t i = c * kChunk; i < std::min(leaves.size(), (c + 1) * kChunk); ++i) {
+        const size_t end = std::min(leaves.size(), (c + 1) * kChunk);
+        packed[c].reserve((end - c * kChunk) * 5 / 4);
+        for (size_t i = c * kChunk; i < end; ++i) {
             contents[i] = {0, packer.pack(leaves[i], &packed[c])};
         }
     });

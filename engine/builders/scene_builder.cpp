@@ -100,6 +100,7 @@ class SceneBuild {
         }
         const std::vector<bool> used = usedMeshes(*scene_);
         BuiltMeshes meshes;
+        meshes.reserve(scene_->meshes.size());
         for (size_t i = 0; i < scene_->meshes.size(); ++i) {
             const Mesh& mesh = scene_->meshes[i];
             if (stop_ != nullptr && *stop_) { return Error{"the build was given up", {}}; }

@@ -63,7 +63,7 @@ Result<const MeshFile*> AssetCache::meshFile(const std::string& path) {
     return &(*found)->file;
 }
 
-Result<const MeshFile*> AssetCache::meshFileWithMaterials(const std::string& path) {
+Result<MeshFile*> AssetCache::meshFileWithMaterials(const std::string& path) {
     const Result<LoadedMesh*> found = loadMesh(FileSource{path});
     if (!found) { return found.error(); }
     LoadedMesh& mesh = **found;

@@ -33,9 +33,10 @@ class AssetCache {
     /// that is the scene itself.
     Result<std::shared_ptr<const MeshData>> mesh(const MeshSource& source);
 
-    /// The parts of a mesh file, without or with its materials. Valid as long as the cache.
+    /// The parts of a mesh file, without or with its materials. Valid as long as the cache. Who asks last may
+    /// take all but the meshes out of the latter.
     Result<const MeshFile*> meshFile(const std::string& path);
-    Result<const MeshFile*> meshFileWithMaterials(const std::string& path);
+    Result<MeshFile*> meshFileWithMaterials(const std::string& path);
 
     /// The image of `source`, as a texture or as an environment (environment_image.h), with its source; what
     /// was repaired is appended to `warnings`. Error: also a texture's value that is not finite.

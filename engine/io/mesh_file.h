@@ -45,9 +45,24 @@ Material unknownMaterial(const MeshPart& part);
 /// All parts as one mesh, in file order. Where only some parts have normals or uvs, the others get zeros.
 std::shared_ptr<MeshData> joinParts(const std::vector<MeshPart>& parts);
 
+/// More parts than this are joined by their materials' names: an object for each run of faces would cost more
+/// than the faces.
+constexpr size_t kMostParts = 10'000;
+
+/// What is added to a scene after a file's own parts and materials, at most: a studio. Where room is made for
+/// all at once, room for these spares doubling it.
+constexpr size_t kLateComers = 16;
+
+/// Joins parts of one material, in the order in which the materials come first. Nothing changes where that
+/// leaves as many. False: nothing changed.
+bool joinByMaterial(std::vector<MeshPart>* parts);
+
 /// Appends all parts as objects like `prototype`, with the file's own materials and textures, which are not
 /// read. `path` is as written in the scene; the textures' paths become relative to the scene's folder.
 void appendMeshFile(const MeshFile& file, const std::string& path, const Object& prototype,
                     SceneDescription* scene);
+
+/// The same for a file that keeps its meshes alone: nothing is held twice.
+void appendMeshFile(MeshFile&& file, const std::string& path, SceneDescription* scene);
 
 }  // namespace glint

@@ -41,7 +41,7 @@ Result<SceneDescription> loadMeshScene(const std::string& path, const LoadOption
     SceneDescription scene;
     scene.path = path;
     scene.title = name;
-    appendMeshFile(**file, name, {}, &scene);
+    appendMeshFile(std::move(**file), name, &scene);
     Status failed;
     Remarks remarks;
     readUsedAssets(&assets, &scene, [&](const Asset& asset, const Error& error) {

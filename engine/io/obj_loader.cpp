@@ -27,12 +27,18 @@ Result<MeshFile> parseObj(const std::string& bytes, const std::string& path) {
     file.warnings = parser->cursor().remarks().lines();
     if (plain) { file.warnings.push_back(fmt::format("{}: {}", path, plain->repaired)); }
     decodeVertexColors(path, &file);
+    const size_t parts = file.parts.size();
+    if (parts > kMostParts && joinByMaterial(&file.parts)) {
+        file.notes.push_back(fmt::format("{}: {} runs of faces are joined to {} objects, by their materials",
+                                         path, parts, file.parts.size()));
+    }
     return file;
 }
 
 Status readObjMaterials(const std::string& path, MeshFile* file) {
     MaterialResolver resolver(path, file);
     resolver.readLibraries(file->libraries);
+    resolver.makeRoom();
     for (MeshPart& part : file->parts) {
         part.material = resolver.indexOf(part);
     }

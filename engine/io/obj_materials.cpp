@@ -38,6 +38,9 @@ std::string listed(const std::vector<std::string>& items) {
     return items.size() > kShown ? fmt::format("{} and {} more", out, items.size() - kShown) : out;
 }
 
+/// That get a material of their own.
+constexpr size_t kMostUnknown = 1000;
+
 }  // namespace
 
 /// A line is one file name with blanks, where such a file exists, else several names.
@@ -106,8 +109,26 @@ int MaterialResolver::indexOf(const MeshPart& part) {
     const std::string key = part.materialName + (hasColors ? "\nc" : "\n");
     if (const auto taken = taken_.find(key); taken != taken_.end()) { return taken->second; }
     const Found* found = findMaterial(part);
+    if (found == nullptr && ++unknownCount_ > kMostUnknown) {
+        const auto [same, isNew] = unknown_.try_emplace(hasColors, static_cast<int>(file_.materials.size()));
+        if (isNew) {
+            file_.materials.push_back(unknownMaterial(part));
+            file_.materials.back().name = "other materials that are not defined";
+        }
+        return taken_[key] = same->second;
+    }
     file_.materials.push_back(found != nullptr ? take(*found) : unknownMaterial(part));
     return taken_[key] = static_cast<int>(file_.materials.size()) - 1;
+}
+
+void MaterialResolver::makeRoom() {
+    std::vector<std::string_view> names;
+    for (const MeshPart& part : file_.parts) {
+        names.emplace_back(part.materialName);
+    }
+    std::ranges::sort(names);
+    const auto rest = std::ranges::unique(names);
+    file_.materials.reserve(std::min(names.size() - rest.size(), found_.size() + kMostUnknown) + kLateComers);
 }
 
 Material MaterialResolver::take(const Found& found) {

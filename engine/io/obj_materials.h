@@ -21,6 +21,8 @@ class MaterialResolver {
 
     /// `lines` are what mtllib lines name. A missing or unreadable file is a warning.
     void readLibraries(const std::vector<std::string>& lines);
+    /// For the materials of all parts, so that they are not held twice while they become more.
+    void makeRoom();
     int indexOf(const MeshPart& part);
     /// Gives bumps their height in metres, once all parts have their materials.
     void scaleBumps();
@@ -47,7 +49,9 @@ class MaterialResolver {
     std::map<std::string, std::string, std::less<>> looseNames_;  ///< in small letters, to names in found_
     std::map<std::string, int, std::less<>> taken_;
     std::map<std::string, int, std::less<>> textures_;  ///< by path and how they are shown
-    std::vector<std::string> glass_, opaque_;           ///< name and why, for the notes
+    std::map<bool, int> unknown_;                       ///< one for many, for parts with colours and others
+    size_t unknownCount_ = 0;
+    std::vector<std::string> glass_, opaque_;  ///< name and why, for the notes
 };
 
 }  // namespace glint

@@ -95,6 +95,9 @@ TEST(LoadCost, MemoryIsInProportionToTheFile) {
         {"textures.json", R"({"glint":1,"textures":{)" + list(kCount, R"("#":{"file":"a"})") + "}}"},
         {"meshes.json", grey + R"("meshes":{)" +
                             list(kCount, R"("#":{"positions":[[0,0,0]],"triangles":[[0,0,0]]})") + "}}"},
+        {"parts.obj",
+         "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + repeated(kCount / 2, "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\n")},
+        {"names.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + repeated(kCount, "usemtl #\nf 1 2 3\n")},
         {"lists.json", R"({"glint":1,"objects":[)" + list(10 * kCount, "[]") + "]}", false},
         {"keys.json", R"({"glint":1,"objects":{)" + list(kCount, R"("#":0)") + "}}", false},
     };

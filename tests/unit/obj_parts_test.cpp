@@ -1,0 +1,80 @@
+// OBJ files of very many parts: runs of faces that change their material again and again, and materials that
+// nothing defines.
+#include <string>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/io/obj_loader.h"
+#include "engine/io/scene_loader.h"
+#include "tests/support/temp_folder.h"
+
+namespace glint {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr const char* kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\n";
+
+/// So many runs of a triangle, of materials a and b in turn; those of a have texture coordinates, those of b
+/// no smoothing.
+std::string runsInTurn(size_t runs) {
+    std::string text = kSquare;
+    for (size_t i = 0; i < runs; ++i) {
+        text += i % 2 == 0 ? "usemtl a\ns 1\nf 1/1 2/2 3/3\n" : "usemtl b\ns off\nf 1 3 4\n";
+    }
+    return text;
+}
+
+TEST(ObjParts, RunsStayPartsUpToALimit) {
+    const auto file = parseObj(runsInTurn(kMostParts), "a.obj");
+    ASSERT_TRUE(file);
+    EXPECT_EQ(file->parts.size(), kMostParts);
+    EXPECT_THAT(file->notes, IsEmpty());
+}
+
+TEST(ObjParts, MoreRunsAreJoinedByTheirMaterials) {
+    const auto file = parseObj(runsInTurn(kMostParts + 2), "a.obj");
+    ASSERT_TRUE(file);
+    ASSERT_EQ(file->parts.size(), 2u);
+    EXPECT_THAT(file->notes, ElementsAre(HasSubstr("10002 runs of faces are joined to 2 objects")));
+    EXPECT_EQ(file->parts[0].materialName, "a");
+    EXPECT_EQ(file->parts[1].materialName, "b");
+    const MeshData& a = *file->parts[0].mesh;
+    EXPECT_EQ(a.triangleCount(), kMostParts / 2 + 1);
+    EXPECT_EQ(a.positions.size(), a.uvs.size());
+    EXPECT_EQ(a.positions[a.indices.back()], Vec3(1, 1, 0));
+    EXPECT_EQ(a.uvs[a.indices.back()], Vec2(1, 1));
+    const MeshData& b = *file->parts[1].mesh;
+    EXPECT_EQ(b.triangleCount(), kMostParts / 2 + 1);
+    EXPECT_EQ(b.positions[b.indices.back()], Vec3(0, 1, 0));
+    EXPECT_THAT(b.uvs, IsEmpty());
+    for (const SmoothingRun& run : file->parts[1].smoothing) {
+        EXPECT_EQ(run.group, Smoothing::Off);
+    }
+    EXPECT_EQ(file->parts[1].smoothing.back().firstTriangle, kMostParts / 2);
+}
+
+TEST(ObjParts, OfAMaterialEachStayApart) {
+    std::string text = kSquare;
+    for (size_t i = 0; i <= kMostParts; ++i) {
+        text += fmt::format("usemtl m{}\nf 1 2 3\n", i);
+    }
+    const test::TempFolder folder;
+    const auto scene = loadScene(folder.write("a.obj", text), {.noStudio = true});
+    ASSERT_TRUE(scene) << scene.error().format();
+    EXPECT_EQ(scene->objects.size(), kMostParts + 1);
+    EXPECT_EQ(scene->meshes.back().name, fmt::format("m{}", kMostParts));
+    // A thousand materials that are not defined can be told apart; the others are one.
+    EXPECT_EQ(scene->materials.size(), 1001u);
+    EXPECT_EQ(scene->materials[999].name, "m999");
+    EXPECT_EQ(scene->objects.back().material, 1000);
+    EXPECT_EQ(scene->objects[1000].material, 1000);
+    EXPECT_THAT(scene->warnings, testing::Contains(HasSubstr("\"m0\" (and 10000 more)")));
+}
+
+}  // namespace
+}  // namespace glint
