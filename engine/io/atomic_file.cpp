@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -149,6 +150,22 @@ Status writeDirectly(const std::string& path, std::string_view bytes) {
     return fd.close() ? Status() : Status(fileError(path, "cannot write", errno));
 }
 
+/// All signals to this thread wait while it lives.
+class SignalsHeld {
+  public:
+    SignalsHeld() {
+        sigset_t all;
+        sigfillset(&all);
+        pthread_sigmask(SIG_SETMASK, &all, &before_);
+    }
+    ~SignalsHeld() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    SignalsHeld(const SignalsHeld&) = delete;
+    SignalsHeld& operator=(const SignalsHeld&) = delete;
+
+  private:
+    sigset_t before_{};
+};
+
 }  // namespace
 
 Status checkRegularFile(const std::string& path, std::string_view expected) {
@@ -193,6 +210,7 @@ Status checkWritable(const std::string& path) {
     if (target->isStream) {
         return ::access(path.c_str(), W_OK) == 0 ? Status() : Status(fileError(path, "cannot write", errno));
     }
+    const SignalsHeld held;  // one that ends the program in between would leave the file
     std::string temporary;
     const FileDescriptor fd(createTemporary(target->path, &temporary));
     if (!fd.valid()) { return cannotCreate(path, target->path); }

@@ -8,8 +8,14 @@ namespace {
 
 bool looksLike(std::string_view head) {
     if (looksLikeGltf(head)) { return false; }
-    const std::string_view text = firstText(head);
-    return text.starts_with("{") || text.starts_with("//") || text.starts_with("/*");
+    std::string_view text = firstText(head);
+    while (text.starts_with("//") || text.starts_with("/*")) {
+        const std::string_view end = text[1] == '*' ? "*/" : "\n";
+        const size_t at = text.find(end, 2);
+        if (at == std::string_view::npos) { return true; }
+        text = firstText(text.substr(at + end.size()));
+    }
+    return text.starts_with("{");
 }
 
 Result<SceneDescription> load(const std::string& path, const LoadOptions& options) {

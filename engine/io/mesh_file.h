@@ -47,7 +47,7 @@ std::shared_ptr<MeshData> joinParts(const std::vector<MeshPart>& parts);
 
 /// More parts than this are joined by their materials' names: an object for each run of faces would cost more
 /// than the faces.
-constexpr size_t kMostParts = 10'000;
+constexpr size_t kMostSeparateParts = 10'000;
 
 /// What is added to a scene after a file's own parts and materials, at most: a studio. Where room is made for
 /// all at once, room for these spares doubling it.

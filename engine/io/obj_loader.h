@@ -15,10 +15,10 @@
 namespace glint {
 
 /// The OBJ file alone; its parts have no materials yet. A part's name is the group or object in force at its
-/// first face, else its material's, else "part N". More than kMostParts are joined, with a note. Polygons are triangulated (polygon.h); vertices with the
-/// same position, uv and normal become one; normals and uvs are kept only where the file has them; numbers
-/// behind x y z make vertex colours (vertex_colors.h). `path` is used in messages. Error: the geometry is
-/// malformed, with line and column; no faces.
+/// first face, else its material's, else "part N". More than kMostSeparateParts are joined, with a note.
+/// Polygons are triangulated (polygon.h); vertices with the same position, uv and normal become one; normals
+/// and uvs are kept only where the file has them; numbers behind x y z make vertex colours (vertex_colors.h).
+/// `path` is used in messages. Error: the geometry is malformed, with line and column; no faces.
 Result<MeshFile> parseObj(const std::string& text, const std::string& path);
 
 /// Reads the MTL files of the OBJ file at `path` and gives parts their materials; lamps get their sides

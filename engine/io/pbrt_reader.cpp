@@ -28,8 +28,14 @@ PbrtReader::PbrtReader(const std::string& path, const LoadOptions& options)
 Result<SceneDescription> PbrtReader::read() {
     parser_.open(context_.scene.path);
     PbrtDirective directive;
+    bool isEmpty = true;
     while (parser_.next(&directive)) {
         obey(&directive);
+        isEmpty = false;
+    }
+    if (isEmpty && !context_.failed()) {
+        return Error{"holds no directive of pbrt (Camera, WorldBegin, Shape, …); is this a pbrt scene?",
+                     {.file = context_.scene.path}};
     }
     shapes_.readFiles();
     if (!stack_.empty()) {

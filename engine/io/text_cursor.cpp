@@ -154,7 +154,7 @@ std::string_view TextCursor::restOfLine() {
 bool TextCursor::readFloat(const char* what, float* out, bool mayBeInfinite) {
     if (atLineEnd()) { return fail(at_, fmt::format("expected {}, but the line ends", what)); }
     const char* last = parseFloat(at_, end_, out);
-    last = last != nullptr && isWordEnd(last) ? last : nullptr;
+    last = last != nullptr && (isWordEnd(last) || *last == '#') ? last : nullptr;
     if (last == nullptr || !(mayBeInfinite || std::isfinite(*out))) {
         return fail(at_, fmt::format("expected {}, a {}number, but found \"{}\"", what,
                                      last == nullptr ? "" : "finite ", wordAt(at_).substr(0, kShownWord)));

@@ -117,6 +117,9 @@ TEST_F(MalformedPbrt, IncludesAndInstancesStayBounded) {
 }
 
 TEST_F(MalformedPbrt, PackedFilesThatAreBrokenAreRefused) {
+    const auto foreign = loadScene(folder.write("a.obj", gzipped("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")));
+    ASSERT_FALSE(foreign);
+    EXPECT_THAT(foreign.error().format(), HasSubstr("holds no directive of pbrt"));
     const std::string packed = gzipped(sceneText("Shape \"sphere\""));
     const auto cut = loadScene(folder.write("cut.pbrt.gz", packed.substr(0, packed.size() / 2)));
     ASSERT_FALSE(cut);

@@ -45,6 +45,11 @@ TEST(SceneFiles, ContentDecidesWhereTheNameSaysNothing) {
     const TempFolder folder;
     EXPECT_TRUE(loadScene(folder.write("scene", "// a comment\n{\"glint\": 1}")));
     EXPECT_TRUE(loadScene(folder.write("scene.scn", "Background { color 1 1 1 }")));
+    EXPECT_TRUE(loadScene(folder.write("c", "/* a */ // b\n /* c */{\"glint\": 1}")));
+    const auto model =
+        loadScene(folder.write("model.obj", "// no comment of OBJ's\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+    ASSERT_TRUE(model) << model.error().format();
+    EXPECT_THAT(model->warnings, testing::ElementsAre(HasSubstr("no statement of the OBJ format")));
 }
 
 TEST(SceneFiles, MissingFilesOfATextAreOneWarningOfEachKind) {

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/io/exr_io.h"
+#include "engine/io/image_io.h"
 #include "engine/io/scene_loader.h"
 #include "engine/render/memory_use.h"
 #include "engine/scene/scene_hash.h"
@@ -73,7 +74,8 @@ TEST(EnvironmentImage, BytesShineAsTheirFloatsDo) {
     scene.resolution = {24, 16};
     scene.environmentImages[0] = test::checkerImage(64, 32, false);
     SceneDescription linear = scene;
-    linear.environmentImages[0] = {.floats = linearColors(scene.environmentImages[0])};
+    linear.environmentImages[0] = {
+        .source = {}, .bytes = {}, .floats = linearColors(scene.environmentImages[0])};
     test::expectSameBits(test::renderPasses(scene, 2, 2), test::renderPasses(linear, 2, 2));
     EXPECT_EQ(hashSceneParts(scene), hashSceneParts(linear));
 

@@ -30,44 +30,44 @@ std::string runsInTurn(size_t runs) {
 }
 
 TEST(ObjParts, RunsStayPartsUpToALimit) {
-    const auto file = parseObj(runsInTurn(kMostParts), "a.obj");
+    const auto file = parseObj(runsInTurn(kMostSeparateParts), "a.obj");
     ASSERT_TRUE(file);
-    EXPECT_EQ(file->parts.size(), kMostParts);
+    EXPECT_EQ(file->parts.size(), kMostSeparateParts);
     EXPECT_THAT(file->notes, IsEmpty());
 }
 
 TEST(ObjParts, MoreRunsAreJoinedByTheirMaterials) {
-    const auto file = parseObj(runsInTurn(kMostParts + 2), "a.obj");
+    const auto file = parseObj(runsInTurn(kMostSeparateParts + 2), "a.obj");
     ASSERT_TRUE(file);
     ASSERT_EQ(file->parts.size(), 2u);
     EXPECT_THAT(file->notes, ElementsAre(HasSubstr("10002 runs of faces are joined to 2 objects")));
     EXPECT_EQ(file->parts[0].materialName, "a");
     EXPECT_EQ(file->parts[1].materialName, "b");
     const MeshData& a = *file->parts[0].mesh;
-    EXPECT_EQ(a.triangleCount(), kMostParts / 2 + 1);
+    EXPECT_EQ(a.triangleCount(), kMostSeparateParts / 2 + 1);
     EXPECT_EQ(a.positions.size(), a.uvs.size());
     EXPECT_EQ(a.positions[a.indices.back()], Vec3(1, 1, 0));
     EXPECT_EQ(a.uvs[a.indices.back()], Vec2(1, 1));
     const MeshData& b = *file->parts[1].mesh;
-    EXPECT_EQ(b.triangleCount(), kMostParts / 2 + 1);
+    EXPECT_EQ(b.triangleCount(), kMostSeparateParts / 2 + 1);
     EXPECT_EQ(b.positions[b.indices.back()], Vec3(0, 1, 0));
     EXPECT_THAT(b.uvs, IsEmpty());
     for (const SmoothingRun& run : file->parts[1].smoothing) {
         EXPECT_EQ(run.group, Smoothing::Off);
     }
-    EXPECT_EQ(file->parts[1].smoothing.back().firstTriangle, kMostParts / 2);
+    EXPECT_EQ(file->parts[1].smoothing.back().firstTriangle, kMostSeparateParts / 2);
 }
 
 TEST(ObjParts, OfAMaterialEachStayApart) {
     std::string text = kSquare;
-    for (size_t i = 0; i <= kMostParts; ++i) {
+    for (size_t i = 0; i <= kMostSeparateParts; ++i) {
         text += fmt::format("usemtl m{}\nf 1 2 3\n", i);
     }
     const test::TempFolder folder;
     const auto scene = loadScene(folder.write("a.obj", text), {.noStudio = true});
     ASSERT_TRUE(scene) << scene.error().format();
-    EXPECT_EQ(scene->objects.size(), kMostParts + 1);
-    EXPECT_EQ(scene->meshes.back().name, fmt::format("m{}", kMostParts));
+    EXPECT_EQ(scene->objects.size(), kMostSeparateParts + 1);
+    EXPECT_EQ(scene->meshes.back().name, fmt::format("m{}", kMostSeparateParts));
     // A thousand materials that are not defined can be told apart; the others are one.
     EXPECT_EQ(scene->materials.size(), 1001u);
     EXPECT_EQ(scene->materials[999].name, "m999");

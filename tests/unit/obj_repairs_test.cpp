@@ -84,8 +84,9 @@ TEST(ObjRepairs, Corners) {
     });
     const TempFolder folder;
     for (const std::string& text :
-         {kCorners + "f 1 2 3 4#abc\n", kCorners + "f 1 2 3 4\\", kCorners + face + "\x1a",
-          kCorners + face + std::string("\0\0\r\n\0", 5), "\xef\xbb\xbf\xef\xbb\xbf" + kCorners + face}) {
+         {kCorners + "f 1 2 3 4#abc\n", "v 5 5 5#abc\n" + kCorners + "f -4 -3 -2 -1\n",
+          kCorners + "f 1 2 3 4\\", kCorners + face + "\x1a", kCorners + face + std::string("\0\0\r\n\0", 5),
+          "\xef\xbb\xbf\xef\xbb\xbf" + kCorners + face}) {
         const auto scene = loadSquare(folder.write("in.obj", text));
         ASSERT_TRUE(scene) << text;
         EXPECT_THAT(scene->warnings, IsEmpty()) << text;
