@@ -178,9 +178,13 @@ BinaryTree buildBinaryTree(HugeVector<BuildPrimitive>* primitives, const BvhOpti
     tree.nodes.resize(2 * static_cast<size_t>(count));
     Builder builder(primitives, options, &tree.nodes);
     const int threads = count >= 2 * kTaskPrimitives ? startableThreads(options.threads) : 1;
-#pragma omp parallel num_threads(threads) if (threads > 1)
+    if (threads == 1) {
+        builder.build(0, 0, count, builder.extentOf(0, count));
+    } else {
+#pragma omp parallel num_threads(threads)
 #pragma omp single
-    builder.build(0, 0, count, builder.extentOf(0, count));
+        builder.build(0, 0, count, builder.extentOf(0, count));
+    }
     tree.count = builder.nodeCount();
     return tree;
 }

@@ -238,9 +238,13 @@ HugeVector<std::byte> buildKdTree(HugeVector<BuildPrimitive>* primitives, const 
     }
     Tree tree;
     const int threads = parts.size() >= kTaskPrimitives ? startableThreads(options.threads) : 1;
-#pragma omp parallel num_threads(threads) if (threads > 1)
+    if (threads == 1) {
+        builder.build(builder.bounds(), parts, 0, 0, &tree);
+    } else {
+#pragma omp parallel num_threads(threads)
 #pragma omp single
-    builder.build(builder.bounds(), parts, 0, 0, &tree);
+        builder.build(builder.bounds(), parts, 0, 0, &tree);
+    }
     primitives->clear();
     for (const uint32_t index : tree.items) {
         primitives->push_back(makeBuildPrimitive({Vec3(0.0f), Vec3(0.0f)}, index));

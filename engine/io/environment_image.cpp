@@ -94,6 +94,20 @@ bool isTwiceAsWide(const auto& image) {
     return std::abs(image.width - 2 * image.height) <= 1 + image.height / 50;
 }
 
+/// By its sides: a column, a strip or a cross of squares.
+bool canBeCubeMap(const Image8& image) {
+    const int64_t width = image.width, height = image.height;
+    return height == 6 * width || width == 6 * height || 3 * width == 4 * height || 4 * width == 3 * height;
+}
+
+std::string warningOfSides(const auto& image, const std::string& name) {
+    return fmt::format(
+        "{}: a picture of {} x {} pixels as light from everywhere is read as a map of latitude "
+        "and longitude; "
+        "expected one twice as wide as high, or a cube map: a column, a strip or a cross",
+        name, image.width, image.height);
+}
+
 SceneImage withoutAlpha(const SceneImage& picture) {
     const Image8& image = *picture.bytes;
     if (image.alpha.empty()) { return {.bytes = picture.bytes}; }
@@ -119,7 +133,12 @@ std::string warningOf(const WrongValues& wrong, const ImageF& image, const std::
 
 SceneImage environmentImage(const SceneImage& picture, const std::string& name,
                             std::vector<std::string>* warnings) {
-    if (picture.bytes && isTwiceAsWide(*picture.bytes)) { return withoutAlpha(picture); }
+    const Image8* bytes = picture.bytes.get();
+    if (bytes != nullptr && isTwiceAsWide(*bytes)) { return withoutAlpha(picture); }
+    if (bytes != nullptr && !canBeCubeMap(*bytes)) {
+        warnings->push_back(warningOfSides(*bytes, name));
+        return withoutAlpha(picture);
+    }
     std::shared_ptr<const ImageF> image = linearColors(picture);
     if (const WrongValues wrong = findWrongValues(*image); wrong.count() > 0) {
         warnings->push_back(warningOf(wrong, *image, name));
@@ -134,11 +153,7 @@ SceneImage environmentImage(const SceneImage& picture, const std::string& name,
     if (const std::vector<SceneImage> faces = facesOf(*image); !faces.empty()) {
         return {.floats = latitudeLongitude(*cubeColumn(faces).floats)};
     }
-    warnings->push_back(
-        fmt::format("{}: a picture of {} x {} pixels as light from everywhere is read as a map of latitude "
-                    "and longitude; "
-                    "expected one twice as wide as high, or a cube map: a column, a strip or a cross",
-                    name, image->width, image->height));
+    warnings->push_back(warningOfSides(*image, name));
     return picture.bytes ? withoutAlpha(picture) : SceneImage{.floats = image};
 }
 

@@ -112,6 +112,16 @@ struct Disc {
         return clip;
     }
 
+    /// Whether nothing stands between the centre and a place at its height.
+    GLINT_HD bool isOpenTo(const Vec3& fromCentre) const {
+        const float distance = glm::length(fromCentre);
+        if (!(distance > 0.0f)) { return true; }
+        Hit hit;
+        const Ray ray{centre + kWallRayHeight * radius * frame.n, fromCentre * (1.0f / distance), 0.0f,
+                      distance};
+        return !intersect<kWhole>(view, ray, &hit);
+    }
+
     /// Looks down from where photons can be highest, through what cannot hold them: the underside of what
     /// lies there.
     GLINT_HD bool isCoveredAt(const Vec3& fromCentre) const {
@@ -121,7 +131,11 @@ struct Disc {
         Hit hit;
         for (int layer = 0; layer < kMostLayers && intersect<kWhole>(view, ray, &hit); ++layer) {
             const SurfacePoint found = surfaceAt<kMask>(view, ray, hit);
-            if (!isHole(found) && goesOnAs(found, frame.n)) { return true; }
+            // The bottom of a box on a floor is no floor wound the other way.
+            const bool isTurned = glm::dot(found.ng, surface.ng) < 0.0f;
+            if (!isHole(found) && goesOnAs(found, frame.n) && (!isTurned || isOpenTo(fromCentre))) {
+                return true;
+            }
             ray.tMin = hit.t;
         }
         return false;

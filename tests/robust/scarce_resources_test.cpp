@@ -1,5 +1,7 @@
 // Where the system starts fewer threads than were asked for, a render goes on with those, and is the same;
 // what takes much memory is said.
+#include <algorithm>
+
 #include <sys/resource.h>
 
 #include "tests/support/program_test.h"
@@ -58,19 +60,36 @@ TEST_F(ScarceResources, ARenderIsTheSame) {
     EXPECT_TRUE(says(none.err, "no thread starts; memory or their number is limited"));
 }
 
-/// 1 GB of numbers in 67 MB of bytes; there is no room for them here.
+/// An RGBE picture of one colour, packed by run lengths: four channels a row.
+std::string packedSky(int width, int height) {
+    std::string row{2, 2, static_cast<char>(width / 256), static_cast<char>(width % 256)};
+    for (int channel = 0; channel < 4; ++channel) {
+        for (int done = 0; done < width; done += 127) {
+            row += static_cast<char>(128 + std::min(127, width - done));
+            row += static_cast<char>(128);
+        }
+    }
+    std::string out = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " +
+                      std::to_string(width) + "\n";
+    for (int y = 0; y < height; ++y) {
+        out += row;
+    }
+    return out;
+}
+
+/// 1 GB of numbers in 4 MB of bytes; there is no room for them here.
 TEST_F(ScarceResources, ALargeEnvironmentIsSaidBeforeItIsMade) {
-    folder.write("sky.pgm", "P5 8193 8192 255\n" + std::string(size_t{8193} * 8192, 'a'));
+    folder.write("sky.hdr", packedSky(11600, 5800));
     const std::string scene = folder.write("sky.json", R"({ "glint": 1, "resolution": [8, 8],
         "camera": { "position": [0, 0, 4], "target": [0, 0, 0] },
-        "environment": { "image": { "file": "sky.pgm" } } })");
+        "environment": { "image": { "file": "sky.hdr" } } })");
     const ProgramRun run =
         runProgram({"render", scene, "-o", folder.path("a.png"), "--passes", "1"}, {.before = [] {
                        const rlimit limit{rlim_t{1200} << 20, rlim_t{1200} << 20};
                        setrlimit(RLIMIT_AS, &limit);
                    }});
     EXPECT_EQ(run.exitCode, 2) << run.err;
-    EXPECT_TRUE(says(run.err, "the environment's image has 8193x8192 pixels, which take 1.1 GB of memory"));
+    EXPECT_TRUE(says(run.err, "the environment's image has 11600x5800 pixels, which take 1.1 GB of memory"));
 }
 
 }  // namespace

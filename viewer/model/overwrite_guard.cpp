@@ -10,7 +10,8 @@ namespace fs = std::filesystem;
 
 std::string fullName(const std::string& path) {
     std::error_code problem;
-    const fs::path full = fs::weakly_canonical(path, problem);
+    // The name of a file that is not there yet would stay relative.
+    const fs::path full = fs::weakly_canonical(fs::absolute(path, problem), problem);
     return problem ? path : full.string();
 }
 
