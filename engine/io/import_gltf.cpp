@@ -259,6 +259,10 @@ bool looksLikeGltf(std::string_view head) {
 }
 
 extern const Importer kImportGltf;
-const Importer kImportGltf{"glTF", ".gltf .glb", looksLikeGltf, load};
+const Importer kImportGltf{.name = "glTF",
+                           .extensions = ".gltf .glb",
+                           .looksLike = looksLikeGltf,
+                           .load = load,
+                           .hasParameters = true};
 
 }  // namespace glint

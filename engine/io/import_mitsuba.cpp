@@ -120,7 +120,11 @@ bool looksLike(std::string_view head) {
 }  // namespace
 
 extern const Importer kImportMitsuba;
-const Importer kImportMitsuba{
-    .name = "Mitsuba", .extensions = ".xml", .looksLike = looksLike, .load = load, .lights = "an <emitter>"};
+const Importer kImportMitsuba{.name = "Mitsuba",
+                              .extensions = ".xml",
+                              .looksLike = looksLike,
+                              .load = load,
+                              .hasParameters = true,
+                              .lights = "an <emitter>"};
 
 }  // namespace glint

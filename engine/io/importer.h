@@ -28,6 +28,8 @@ struct Importer {
     Status (*readMaterials)(const std::string& path, MeshFile* file) = nullptr;
     /// Whether a file of such a name, if it is no text, can begin with these bytes; null: as looksLike says.
     bool (*canBe)(std::string_view head) = nullptr;
+    /// Whether it looks at LoadOptions::parameters.
+    bool hasParameters = false;
     /// What brings light in such a file, for the message where nothing does.
     std::string_view lights = "a material that shines";
 };

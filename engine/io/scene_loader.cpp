@@ -27,6 +27,10 @@ Result<SceneDescription> loadScene(const std::string& path, const LoadOptions& o
     }
     const FilesRead read;
     auto scene = importer->load(path, options);
+    if (scene && !options.parameters.empty() && !importer->hasParameters) {
+        scene->warnings.push_back(fmt::format("{}: {} has no parameters; \"{}\" sets nothing", path,
+                                              importer->name, options.parameters.front().first));
+    }
     if (scene && options.strict && !scene->warnings.empty()) {
         const size_t more = scene->warnings.size() - 1;
         return Error{fmt::format("{}{}; --strict refuses what is otherwise repaired", scene->warnings.front(),

@@ -52,6 +52,17 @@ TEST(SceneFiles, ContentDecidesWhereTheNameSaysNothing) {
     EXPECT_THAT(model->warnings, testing::ElementsAre(HasSubstr("no statement of the OBJ format")));
 }
 
+TEST(SceneFiles, ParametersThatNothingLooksAtAreSaid) {
+    const TempFolder folder;
+    const std::string path = folder.write("a.json", R"({"glint": 1, "environment": {"color": 1}})");
+    const auto scene = loadScene(path, {.parameters = {{"camera.fov", "40"}}});
+    ASSERT_TRUE(scene) << scene.error().format();
+    EXPECT_THAT(scene->warnings,
+                testing::ElementsAre(HasSubstr("Glint JSON has no parameters; \"camera.fov\" sets nothing")));
+    EXPECT_THAT(loadScene(path)->warnings, testing::IsEmpty());
+    EXPECT_FALSE(loadScene(path, {.strict = true, .parameters = {{"a", "b"}}}));
+}
+
 TEST(SceneFiles, MissingFilesOfATextAreOneWarningOfEachKind) {
     std::string materials = "Materials { numMaterials 50\n", objects = "Group { numObjects 100\n";
     for (int i = 0; i < 50; ++i) {

@@ -100,7 +100,6 @@ class SppmAgainstPaths : public testing::TestWithParam<std::tuple<bool, bool>> {
 TEST_P(SppmAgainstPaths, CornellBox) { expectAgreementOf(small(cornellBox()), params()); }
 TEST_P(SppmAgainstPaths, RoughGlass) { expectAgreementOf(roughGlassBox(), params()); }
 TEST_P(SppmAgainstPaths, RoughGlassInContact) { expectAgreementOf(roughGlassInContact(), params()); }
-TEST_P(SppmAgainstPaths, TilesWoundInOppositeWays) { expectAgreementOf(chequeredTiles(), params()); }
 TEST_P(SppmAgainstPaths, Bumps) { expectAgreementOf(bumpyBox(), params()); }
 TEST_P(SppmAgainstPaths, Cutouts) { expectAgreementOf(cutoutBox(), params()); }
 TEST_P(SppmAgainstPaths, AbsorbingGlass) { expectAgreementOf(absorbingGlassBox(), params()); }

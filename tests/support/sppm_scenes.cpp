@@ -54,25 +54,6 @@ SceneDescription roughGlassInContact() {
     return scene;
 }
 
-SceneDescription chequeredTiles() {
-    SceneDescription scene = small(emptyScene({0.0f, 1.3f, 3.0f}, {0.0f, 0.3f, -0.2f}, 36.0f, 32));
-    const int grey = addMaterial(&scene, diffuseMaterial(0.73f));
-    const Vec3 up(0.0f, 1.0f, 0.0f), front(0.0f, 0.0f, 1.0f);
-    constexpr float kHalf = 0.2f;
-    for (int i = 0; i < 200; ++i) {
-        const float x = (static_cast<float>(i % 10) - 4.5f) * 2.0f * kHalf;
-        const float along = (static_cast<float>(i / 10 % 10) + 0.5f) * 2.0f * kHalf;
-        const float side = (i + i / 10) % 2 == 0 ? 1.0f : -1.0f;
-        addObject(&scene, ShapeKind::Rectangle,
-                  i < 100 ? placeFlatShape({x, 0.0f, along - 1.0f}, side * up, kHalf, kHalf)
-                          : placeFlatShape({x, along, -1.0f}, side * front, kHalf, kHalf),
-                  grey);
-    }
-    addObject(&scene, ShapeKind::Rectangle, placeFlatShape({0.0f, 2.0f, 0.5f}, -up, 0.5f, 0.5f),
-              emissiveMaterial(Vec3(15.0f)));
-    return scene;
-}
-
 SceneDescription bumpyBox() {
     SceneDescription scene = small(cornellBox());
     const int heights = addTexture(&scene, waves(32, 4));

@@ -16,9 +16,6 @@ SceneDescription roughGlassBox();
 /// small.
 SceneDescription roughGlassInContact();
 
-/// A floor and a wall of tiles whose fronts are on either side in turn, under a lamp; small.
-SceneDescription chequeredTiles();
-
 /// A box whose floor has steep waves by heights and whose ball's normals lean by a map; small.
 SceneDescription bumpyBox();
 
