@@ -30,7 +30,9 @@ bool isCylinder(const Object& object, bool runsUpwards);
 class SceneExport {
   protected:
     SceneExport(SceneDescription scene, const std::string& path, std::vector<std::string>* warnings)
-        : scene_(std::move(scene)), path_(path), warnings_(*warnings) {}
+        : scene_(std::move(scene)), path_(path), warnings_(*warnings) {
+        if (!scene_.hiddenObjects.empty()) { warn("left out: hidden objects"); }
+    }
 
     /// Writes images in memory beside the new file, and names all as seen from there.
     void placeTextures();

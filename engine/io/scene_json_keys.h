@@ -23,6 +23,9 @@ struct JsonForm {
     std::vector<JsonKey> keys;
 };
 
+/// Of an object that is in SceneDescription::hiddenObjects.
+constexpr std::string_view kHiddenKey = "hidden";
+
 std::span<const JsonForm> jsonForms();
 /// The keys of one of these forms, which must exist.
 std::vector<std::string_view> formKeys(std::string_view name);

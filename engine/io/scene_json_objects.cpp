@@ -1,5 +1,6 @@
 // Glint JSON: meshes and objects.
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -62,6 +63,7 @@ std::vector<std::string_view> objectKeys(const ShapeForm& form) {
         keys.push_back(key.key);
     }
     if (form.kind == ShapeKind::Mesh) { keys.push_back("mesh"); }
+    keys.push_back(kHiddenKey);
     return keys;
 }
 
@@ -138,6 +140,8 @@ void SceneJsonReader::readObject(const JsonValue& value, size_t number) {
     object.name = fmt::format("{} {}", form.name, number + 1);
     object.shape = *shape;
     readFields(fields, only(*shape), &object);
+    bool isHidden = false;
+    fields.boolean(kHiddenKey, &isHidden);
     if (const std::string problem = *shape == ShapeKind::Revolved ? profileFault(object) : "";
         !problem.empty() && !errors_.failed()) {
         errors_.add(fields.find("profile"), problem);
@@ -156,10 +160,16 @@ void SceneJsonReader::readObject(const JsonValue& value, size_t number) {
         object.shape == ShapeKind::Mesh ? fields.find("material") : fields.require("material");
     if (material.present() && !errors_.failed()) { object.material = materialIndex(material, object.name); }
     if (errors_.failed()) { return; }
+    const auto first = static_cast<std::ptrdiff_t>(scene_.objects.size());
     if (object.shape == ShapeKind::Mesh) {
         readMeshObject(fields, std::move(object));
     } else {
         scene_.objects.push_back(std::move(object));
+    }
+    if (isHidden) {
+        std::move(scene_.objects.begin() + first, scene_.objects.end(),
+                  std::back_inserter(scene_.hiddenObjects));
+        scene_.objects.erase(scene_.objects.begin() + first, scene_.objects.end());
     }
 }
 

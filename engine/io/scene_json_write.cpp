@@ -10,6 +10,7 @@
 #include "engine/io/file_path.h"
 #include "engine/io/json_writer.h"
 #include "engine/io/scene_json.h"
+#include "engine/io/scene_json_keys.h"
 #include "engine/scene/kind_names.h"
 #include "engine/scene/scene_fields.h"
 #include "engine/scene/shape_forms.h"
@@ -146,7 +147,15 @@ class SceneJsonWriter {
         writeNamed(key, meshes, meshNames_);
     }
     void write(std::string_view key, const FieldTraits&, const std::vector<Object>& objects) {
-        writeArray(key, objects);
+        json_.key(key);
+        json_.beginArray();
+        for (const Object& object : objects) {
+            writeElement(object, [] {});
+        }
+        for (const Object& object : scene_.hiddenObjects) {
+            writeElement(object, [&] { json_.field(kHiddenKey, true); });
+        }
+        json_.endArray();
     }
     void write(std::string_view key, const FieldTraits&, const std::vector<Light>& lights) {
         writeArray(key, lights);
@@ -167,11 +176,17 @@ class SceneJsonWriter {
         json_.key(key);
         json_.beginArray();
         for (const Item& item : items) {
-            json_.beginObject();
-            writeItem(item);
-            json_.endObject();
+            writeElement(item, [] {});
         }
         json_.endArray();
+    }
+
+    template <class Item, class WriteMore>
+    void writeElement(const Item& item, const WriteMore& writeMore) {
+        json_.beginObject();
+        writeItem(item);
+        writeMore();
+        json_.endObject();
     }
 
     template <class Item>

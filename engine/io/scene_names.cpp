@@ -53,6 +53,7 @@ void makeNamesText(SceneDescription* scene) {
     std::ranges::for_each(scene->materials, [&](Material& material) { clean(&material.name); });
     std::ranges::for_each(scene->meshes, [&](Mesh& mesh) { clean(&mesh.name); });
     std::ranges::for_each(scene->objects, [&](Object& object) { clean(&object.name); });
+    std::ranges::for_each(scene->hiddenObjects, [&](Object& object) { clean(&object.name); });
     std::ranges::for_each(scene->lights, [&](Light& light) { clean(&light.name); });
 }
 

@@ -216,6 +216,8 @@ class SchemaWriter {
                                   R"("description": "A mesh's name, or the mesh itself.", )"
                                   R"("anyOf": [{ "type": "string" }, { "$ref": "#/definitions/anyMesh" }])");
             }
+            more.emplace_back(kHiddenKey, R"("description": "Kept in the scene and out of the picture.", )"
+                                          R"("type": "boolean")");
             defineFields<Object>(form.name, form.help, only(form.kind), more,
                                  isMesh ? R"("mesh")" : R"("material")");
         }

@@ -1,6 +1,7 @@
 #include "engine/io/used_assets.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -139,9 +140,11 @@ void goWithout(std::span<const Asset> assets, SceneDescription* scene) {
                 break;
         }
     }
-    std::erase_if(scene->objects, [&meshes](const Object& object) {
+    const auto isMissing = [&meshes](const Object& object) {
         return object.shape == ShapeKind::Mesh && meshes[static_cast<size_t>(object.mesh)];
-    });
+    };
+    std::erase_if(scene->objects, isMissing);
+    std::erase_if(scene->hiddenObjects, isMissing);
     for (Material& material : scene->materials) {
         for (int* texture : inputTextures(&material)) {
             if (*texture >= 0 && textures[static_cast<size_t>(*texture)]) { *texture = -1; }
@@ -217,6 +220,15 @@ void takeAssets(const SceneDescription& from, SceneDescription* to) {
     }
 }
 
+void hideUnread(std::span<const Mesh> meshes, SceneDescription* scene) {
+    const auto isRead = [meshes](const Object& object) {
+        return object.shape != ShapeKind::Mesh || meshes[static_cast<size_t>(object.mesh)].data;
+    };
+    const auto unread = std::ranges::stable_partition(scene->objects, isRead);
+    std::ranges::move(unread, std::back_inserter(scene->hiddenObjects));
+    scene->objects.erase(unread.begin(), unread.end());
+}
+
 SceneDescription withoutLacking(const SceneDescription& draft, const SceneDescription& before) {
     SceneDescription scene = draft;
     const std::vector<bool> lackUvs = materialsThatLackUvs(draft);
@@ -233,6 +245,7 @@ SceneDescription withoutLacking(const SceneDescription& draft, const SceneDescri
     for (const Asset& asset : lackingAssets(draft)) {
         if (asset.kind == AssetKind::Environment) { scene.environment = before.environment; }
     }
+    hideUnread(scene.meshes, &scene);
     return scene;
 }
 

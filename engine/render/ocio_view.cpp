@@ -18,10 +18,16 @@
 namespace glint {
 
 OcioChoice parseOcioChoice(const std::string& text) {
-    const size_t colon = text.rfind(':');
-    const size_t slash = colon == std::string::npos ? std::string::npos : text.find('/', colon);
-    if (slash == std::string::npos || fileExists(text)) { return {text, "", ""}; }
-    return {text.substr(0, colon), text.substr(colon + 1, slash - colon - 1), text.substr(slash + 1)};
+    if (fileExists(text)) { return {text, "", ""}; }
+    size_t colon = text.find(':');
+    for (size_t next = colon; next != std::string::npos; next = text.find(':', next + 1)) {
+        if (fileExists(text.substr(0, next))) { colon = next; }
+    }
+    if (colon == std::string::npos) { return {text, "", ""}; }
+    const std::string names = text.substr(colon + 1);
+    const size_t end = names.find_first_of("/:");
+    return {text.substr(0, colon), names.substr(0, end),
+            end == std::string::npos ? "" : names.substr(end + 1)};
 }
 
 #if GLINT_HAS_OCIO

@@ -20,7 +20,8 @@ struct OcioChoice {
     std::string view;     ///< "": the display's first
 };
 
-/// "CONFIG" or "CONFIG:display/view". A name that is a file as a whole is one.
+/// "CONFIG", "CONFIG:display", "CONFIG:display/view" or "CONFIG:display:view"; an empty display is the first.
+/// CONFIG ends at the last colon before which the text names a file, at the first colon where none does.
 OcioChoice parseOcioChoice(const std::string& text);
 
 struct OcioDisplay {

@@ -71,6 +71,9 @@ struct SceneDescription {
     std::vector<Material> materials;  ///< never empty when there are objects
     std::vector<Mesh> meshes;
     std::vector<Object> objects;
+    /// Kept in the scene and in its files, and no part of what is rendered; drawn again once it is among
+    /// `objects`. Nothing reads or builds what these alone use.
+    std::vector<Object> hiddenObjects;
     std::vector<Light> lights;
     Environment environment;
     std::vector<std::string> warnings;   ///< what the loader had to guess, repair or leave out, for the log

@@ -134,6 +134,10 @@ std::vector<SceneDifference> listDifferences(const SceneDescription& before, con
     return out;
 }
 
+bool sameHidden(const SceneDescription& before, const SceneDescription& after) {
+    return compare(before.hiddenObjects, after.hiddenObjects, EditKind::Everything) == EditKind::None;
+}
+
 EditKind differences(const SceneDescription& before, const SceneDescription& after) {
     const EditKind kinds = compareScenes(before, after);
     return has(kinds, EditKind::Everything) ? EditKind::Everything : kinds;

@@ -591,6 +591,7 @@ struct FieldsOf<SceneDescription> {
         field("materials", &SceneDescription::materials),
         field("meshes", &SceneDescription::meshes, {.inPicture = false}),
         field("objects", &SceneDescription::objects),
+        label("", &SceneDescription::hiddenObjects),
         field("lights", &SceneDescription::lights, {.edit = EditKind::Lights}),
         field("environment", &SceneDescription::environment),
         label("", &SceneDescription::warnings),

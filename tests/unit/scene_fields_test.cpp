@@ -89,6 +89,7 @@ SceneDescription fullScene() {
             scene.objects.push_back(object);
         }
     }
+    scene.hiddenObjects = {scene.objects[0]};
     for (const KindName<LightKind>& kind : kindNames<LightKind>()) {
         Light light;
         light.name = kind.name;

@@ -110,6 +110,42 @@ wait jobs
     EXPECT_FALSE(fs::exists("window/frame-000001.png"));
 }
 
+TEST_F(FramesViewer, OneQuestionIsForAllFilesOfOthers) {
+    fs::create_directories("window");
+    for (const char* name : {"1", "3", "4", "9"}) {
+        write("window/frame-00000" + std::string(name) + ".png", "mine");
+    }
+    expectPlayed(play(R"(
+wait finished
+open "Turntable"
+wait frames 2
+set "Pictures" 4
+set "Passes each" 1
+set "Folder" window
+wait frames 2
+click "Render the pictures"
+wait frames 3
+expect "Question" "Replace frame-000001.png and 2 more?"
+key escape
+wait frames 3
+expect no-widget "Question"
+click "Render the pictures"
+wait frames 3
+click "Replace"
+wait frames 4
+expect no-widget "Question"
+wait jobs
+expect message "4 pictures in window"
+click "Render the pictures"
+wait frames 4
+expect no-widget "Question"
+wait jobs
+)",
+                      "--passes 2"));
+    EXPECT_NE(pictureOf("window", 3), "mine");
+    EXPECT_EQ(pictureOf("window", 9), "mine");
+}
+
 TEST_F(FramesViewer, WallsInTheWayAreSaid) {
     std::string scene(kScene);
     scene.insert(scene.find("\"radius\": 1 }") + 13,

@@ -188,15 +188,48 @@ TEST(ObjectEdits, SoloLeavesLampsAndUndoBringsBackWhatIsHidden) {
     ASSERT_EQ(document.draft().objects.size(), 2u);
     EXPECT_EQ(document.draft().objects[0].name, "ball 2");
     EXPECT_EQ(document.selectedObject, 0);
-    EXPECT_EQ(document.hidden().size(), 3u);
+    EXPECT_EQ(document.draft().hiddenObjects.size(), 3u);
     const auto solo = document.version();
     document.show(before);
     EXPECT_EQ(document.draft().objects.size(), 5u);
-    EXPECT_TRUE(document.hidden().empty());
+    EXPECT_TRUE(document.draft().hiddenObjects.empty());
     document.show(solo);
+    EXPECT_EQ(document.draft().hiddenObjects.size(), 3u);
     showAll(&document);
     EXPECT_EQ(document.draft().objects.size(), 5u);
-    EXPECT_TRUE(document.hidden().empty());
+    EXPECT_TRUE(document.draft().hiddenObjects.empty());
+}
+
+TEST(ObjectEdits, OneOfSeveralHiddenObjectsComesBack) {
+    SceneDocument document = documentOf(4);
+    document.selectedObject = 0;
+    hideSelection(&document);
+    document.selectedObject = 0;
+    hideSelection(&document);
+    document.takeEdits();
+    showHidden(&document, 5);
+    EXPECT_EQ(document.takeEdits().kinds, EditKind::None);
+    showHidden(&document, 0);
+    EXPECT_NE(document.takeEdits().kinds, EditKind::None);
+    ASSERT_EQ(document.draft().objects.size(), 3u);
+    EXPECT_EQ(document.draft().objects[2].name, "ball 0");
+    EXPECT_EQ(document.selectedObject, 2);
+    ASSERT_EQ(document.draft().hiddenObjects.size(), 1u);
+    EXPECT_EQ(document.draft().hiddenObjects[0].name, "ball 1");
+}
+
+TEST(ObjectEdits, WhatIsHiddenAloneIsAnUnsavedEditToo) {
+    SceneDocument document = documentOf(3);
+    document.selectedObject = 0;
+    hideSelection(&document);
+    document.takeEdits();
+    document.noteSaved(document.posted());
+    EXPECT_FALSE(document.hasUnsavedEdits());
+    showHidden(&document, 0);
+    document.takeEdits();
+    deleteSelection(&document);
+    document.takeEdits();
+    EXPECT_TRUE(document.hasUnsavedEdits()) << "the picture is that of the file";
 }
 
 TEST(ObjectEdits, TheFocusFollowsItsObject) {

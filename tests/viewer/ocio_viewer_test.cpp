@@ -87,12 +87,32 @@ expect no-widget "OCIO view"
     EXPECT_TRUE(*readFile("view_half.png") == *readFile("clamped_half.png"));
 }
 
+TEST(OcioChoice, NamesEndAtColonsAndSlashesBehindTheConfiguration) {
+    write("a.ocio", kConfig);
+    write("a:b.ocio", kConfig);
+    const auto read = [](const char* text) {
+        const OcioChoice choice = parseOcioChoice(text);
+        return choice.config + "|" + choice.display + "|" + choice.view;
+    };
+    EXPECT_EQ(read("a.ocio"), "a.ocio||");
+    EXPECT_EQ(read("a:b.ocio"), "a:b.ocio||");
+    EXPECT_EQ(read("a.ocio:Screen"), "a.ocio|Screen|");
+    EXPECT_EQ(read("a.ocio:Screen/Half light"), "a.ocio|Screen|Half light");
+    EXPECT_EQ(read("a.ocio:Screen:Half/b"), "a.ocio|Screen|Half/b");
+    EXPECT_EQ(read("a.ocio:/Half"), "a.ocio||Half");
+    EXPECT_EQ(read("a:b.ocio:Screen/Half"), "a:b.ocio|Screen|Half");
+    EXPECT_EQ(read("missing.ocio:Screen"), "missing.ocio|Screen|");
+}
+
 TEST(OcioViewer, TheCommandLineChoosesOne) {
     if (!hasOcio()) { GTEST_SKIP() << "built without OpenColorIO"; }
     write("config.ocio", kConfig);
     expectPlayed(
         play("wait picture\nexpect \"OCIO view\" Half\n", "--passes 4 --ocio config.ocio:Screen/Half"));
+    expectPlayed(play("wait picture\nexpect \"OCIO view\" Plain\n", "--passes 4 --ocio config.ocio:Screen"));
     EXPECT_EQ(play("wait picture\n", "--ocio no.ocio").exitCode, 1);
+    EXPECT_THAT(play("wait picture\n", "--ocio config.ocio:Scren").output,
+                HasSubstr("there is no display 'Scren'; did you mean"));
 }
 
 }  // namespace

@@ -230,23 +230,6 @@ TEST(SafetyNet, HiddenMeshesAreRestored) {
         "transform": [{"scale": 0.2}, {"translate": [1.6, 1, 0]}]})");
 }
 
-TEST(SafetyNet, SavingSaysWhatIsHidden) {
-    expectPlayed(play(R"w(
-wait picture
-open "Checkpoint"
-move "Image"
-press
-release
-wait frames 3
-key h
-wait picture
-set "Scene file" hiding.json
-click "Save scene"
-wait jobs
-expect message "hiding.json without what is hidden (1)"
-)w"));
-}
-
 TEST(SafetyNet, ASessionThatLivesIsNobodysLeftover) {
     setenv("XDG_STATE_HOME", fs::absolute("state").c_str(), 1);
     write("scene.json", kScene);

@@ -2,9 +2,11 @@
 // pattern.
 #include "viewer/base/numbered_files.h"
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -27,16 +29,26 @@ uint32_t NumberedFiles::numberOf(std::string_view name) const {
     return isOne && numberedPath(own, number) == name ? number : 0;
 }
 
-std::vector<std::string> NumberedFiles::shared() const {
+std::vector<std::string> NumberedFiles::existing() const {
     std::vector<std::string> found;
     const fs::path folder = fs::path(path).parent_path();
     std::error_code problem;
     for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, problem)) {
-        if (numberOf(entry.path().filename().string()) == 0) { continue; }
-        const bool isPlain = !entry.is_symlink(problem) && entry.is_regular_file(problem) &&
-                             entry.hard_link_count(problem) == 1;
-        if (!isPlain) { found.push_back((folder / entry.path().filename()).string()); }
+        const fs::path name = entry.path().filename();
+        if (numberOf(name.string()) > 0) { found.push_back((folder / name).string()); }
     }
+    std::ranges::sort(found, {}, [](const std::string& name) { return std::pair(name.size(), name); });
+    return found;
+}
+
+std::vector<std::string> NumberedFiles::shared() const {
+    std::vector<std::string> found = existing();
+    std::erase_if(found, [](const std::string& name) {
+        std::error_code problem;
+        const fs::directory_entry entry(name, problem);
+        return !entry.is_symlink(problem) && entry.is_regular_file(problem) &&
+               entry.hard_link_count(problem) == 1;
+    });
     return found;
 }
 

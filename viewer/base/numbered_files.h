@@ -18,7 +18,9 @@ struct NumberedFiles {
 
     /// 0: no picture of these has this name (without its folder).
     uint32_t numberOf(std::string_view name) const;
-    /// Those that are there already and are more than a name of their own: links, folders, pipes.
+    /// Those that are there already, by their numbers.
+    std::vector<std::string> existing() const;
+    /// Those of them that are more than a name of their own: links, folders, pipes.
     std::vector<std::string> shared() const;
 };
 

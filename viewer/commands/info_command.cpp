@@ -74,6 +74,7 @@ nlohmann::ordered_json jsonReport(const SceneDescription& scene, const SceneChoi
             {"width", scene.resolution.width},
             {"height", scene.resolution.height},
             {"objects", jsonOf(report.objects)},
+            {"hiddenObjects", jsonOf(report.hiddenObjects)},
             {"meshes", report.meshes},
             {"placed_meshes", report.placedMeshes},
             {"triangles", report.triangles},

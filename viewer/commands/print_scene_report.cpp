@@ -147,6 +147,7 @@ void printSceneReport(const SceneDescription& scene, const SceneChoices& choices
     put("picture    {}x{} pixels, depth {}\n", scene.resolution.width, scene.resolution.height,
         scene.options.maxDepth);
     printList("objects", "", counted(report.objects));
+    if (!report.hiddenObjects.empty()) { printList("hidden", "", counted(report.hiddenObjects)); }
     printMeshes(report);
     printList("materials", "", counted(report.materials));
     if (report.usedTextures < report.textures) {

@@ -69,7 +69,7 @@ void addImageOptions(const Command& command, RenderCommandOptions* o) {
     command
         .option("--ocio", &o->ocio,
                 "PNG: a view of an OpenColorIO configuration in place of the tone map, by default its first")
-        .typeName("CONFIG[:DISPLAY/VIEW]")
+        .typeName("CONFIG[:DISPLAY[/VIEW]]")
         .excludes("--tone")
         .group(group);
     command

@@ -162,6 +162,7 @@ std::vector<std::string> featureNames(FeatureMask mask) {
 SceneReport reportOf(const SceneDescription& scene, const BuiltScene& built) {
     SceneReport report;
     report.objects = countByKind(scene.objects, &Object::shape);
+    report.hiddenObjects = countByKind(scene.hiddenObjects, &Object::shape);
     report.materials = countByKind(scene.materials, &Material::kind);
     report.meshes = scene.meshes.size();
     for (const Mesh& mesh : scene.meshes) {

@@ -30,7 +30,8 @@ struct NotRead {
 };
 
 struct SceneReport {
-    std::vector<NamedCount> objects;    ///< by shape, those that occur
+    std::vector<NamedCount> objects;  ///< by shape, those that occur
+    std::vector<NamedCount> hiddenObjects;
     std::vector<NamedCount> materials;  ///< by kind, those that occur
     std::vector<NamedCount> lights;     ///< emissive objects, emitters, point, spot, directional, environment
     uint64_t meshes = 0;

@@ -210,7 +210,7 @@ void addViewCommand(const Command& program) {
     command
         .option("--ocio", &options->ocio,
                 "A view of an OpenColorIO configuration in place of the tone map, by default its first")
-        .typeName("CONFIG[:DISPLAY/VIEW]");
+        .typeName("CONFIG[:DISPLAY[/VIEW]]");
     addLoadOptions(command, &options->load);
     command.footer(kFooter);
     command.onRun([options] { return runCommand(*options); });

@@ -43,6 +43,7 @@ void AssetReader::take(const SceneDescription& asked, const CompletedScene& read
     takeAssets(read.scene, &tried);
     const SceneDescription kept = withoutLacking(tried, *document_->posted());
     draft.environment = kept.environment;
+    hideUnread(tried.meshes, &draft);
     for (size_t i = 0; i < draft.materials.size(); ++i) {
         const std::vector<int> before = inputTextures(asked.materials[i]);
         const std::vector<int> keptTextures = inputTextures(kept.materials[i]);

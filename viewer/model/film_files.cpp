@@ -35,7 +35,6 @@ double secondsNow() {
 struct LoadedCheckpoint {
     Result<ResumePoint> point;
     std::optional<SceneDescription> scene{};  ///< that it is of; nothing: the one that is open
-    std::vector<Object> hidden{};             ///< of that scene
 };
 
 /// `open` may be null.
@@ -49,8 +48,8 @@ LoadedCheckpoint loadWithScene(const std::string& path, const SceneDescription* 
     Result<SceneDescription> scene = loadCheckpointScene(path);
     if (!scene) { return {scene.error()}; }
     Result<ResumePoint> point = loadCheckpoint(path, *scene);
-    std::vector<Object> hidden = restoreBeside(path, &*scene);
-    return {std::move(point), std::move(*scene), std::move(hidden)};
+    restoreBeside(path, &*scene);
+    return {std::move(point), std::move(*scene)};
 }
 
 /// What a checkpoint is of, as the overwrite guard has it.
@@ -157,8 +156,7 @@ void FilmFiles::resume(const std::string& file) {
                     const char* how = loaded->scene ? ", with the scene it is of" : "";
                     guard_->mayReplace(path, sceneName(loaded->scene ? &*loaded->scene : scene.get()));
                     resume_(std::move(loaded->scene), std::move(*loaded->point),
-                            fmt::format("Resume {}", std::filesystem::path(path).filename().string()),
-                            std::move(loaded->hidden));
+                            fmt::format("Resume {}", std::filesystem::path(path).filename().string()));
                     notice_->tell({}, fmt::format("Resumed {} at {} passes{}", path, passes, how));
                 }
             };

@@ -26,10 +26,8 @@ Status savePicture(const std::string& path, const SessionCapture& capture, const
 
 class FilmFiles {
   public:
-    /// Goes on from a checkpoint, as an edit of this name, after opening its scene where there is one, with
-    /// what is hidden of it.
-    using Resume = std::function<void(std::optional<SceneDescription>, ResumePoint, const std::string& name,
-                                      std::vector<Object> hidden)>;
+    /// Goes on from a checkpoint, as an edit of this name, after opening its scene where there is one.
+    using Resume = std::function<void(std::optional<SceneDescription>, ResumePoint, const std::string& name)>;
     FilmFiles(JobQueue* jobs, const SceneDocument* document, RenderControl* render, Notice* notice,
               const RunFiles* inputs, OverwriteGuard* guard, Resume resume)
         : jobs_(jobs),

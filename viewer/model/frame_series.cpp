@@ -39,12 +39,22 @@ struct FrameSeries::Job {
     std::string path;
     DisplaySettings display;
     BackendMaker makeBackend;
+    std::shared_ptr<const BuiltScene> built;  ///< null: none yet
+    EditKind since = EditKind::Everything;    ///< what it may lack of `scene`
 };
 
 Status FrameSeries::render(const Job& job) {
     auto backend = job.makeBackend();
     if (!backend) { return backend.error(); }
-    RenderSession session(std::move(*backend), {.previews = false, .snapshots = false});
+    SessionOptions options{.previews = false, .snapshots = false};
+    options.build = [&job](SceneEdit edit, const BuiltScene* previous, auto... rest) {
+        if (previous == nullptr && job.built) {
+            previous = job.built.get();
+            edit.kinds = job.since;
+        }
+        return buildScene(edit, previous, rest...);
+    };
+    RenderSession session(std::move(*backend), options);
     session.request({.limits = job.limits,
                      .aovs = job.display.denoises ? kDenoisingAovs : 0,
                      .aovsEndWithFilm = true,
@@ -94,24 +104,22 @@ std::string FrameSeries::missing() const {
     return passes == 0 && seconds == 0.0f ? "Each picture needs a limit: passes or seconds." : "";
 }
 
+NumberedFiles FrameSeries::files() const {
+    return {.path = pathIn(folder), .last = static_cast<uint32_t>(pictures)};
+}
+
 Status FrameSeries::checkFiles() const {
     std::error_code problem;
     std::filesystem::create_directories(folder, problem);
     if (problem) { return Error{fmt::format("cannot be made: {}", problem.message()), {folder, 0, 0, ""}}; }
     if (Status s = inputs_->checkCanWrite(numberedPath(pathIn(folder), 1)); !s) { return s; }
-    return inputs_->checkCanWrite(
-        NumberedFiles{.path = pathIn(folder), .last = static_cast<uint32_t>(pictures)});
+    return inputs_->checkCanWrite(files());
 }
 
 void FrameSeries::start(const DisplaySettings& display) {
     if (isRunning() || !document_->isOpen() || !missing().empty()) { return; }
     if (const Status free = checkFiles(); !free) { return notice_->tell(free, ""); }
-    std::string asked = numberedPath(pathIn(folder), 1);
-    for (int i = pictures; i > 0; --i) {
-        const std::string path = numberedPath(pathIn(folder), static_cast<uint32_t>(i));
-        if (guard_->mustAsk(path)) { asked = path; }
-    }
-    guard_->save(asked, [this, display] { launch(display); });
+    guard_->save(files().existing(), [this, display] { launch(display); });
 }
 
 void FrameSeries::launch(const DisplaySettings& display) {
@@ -120,7 +128,8 @@ void FrameSeries::launch(const DisplaySettings& display) {
     const auto job = std::make_shared<const Job>(Job{
         work_, way(), document_->posted(),
         StopLimits{.passes = static_cast<uint32_t>(passes), .renderSeconds = static_cast<double>(seconds)},
-        pathIn(folder), display, makeBackend});
+        pathIn(folder), display, makeBackend, render_->builtScene(),
+        render_->awaitsImage() ? EditKind::Everything : EditKind::Camera});
     jobs_->start(
         [this, job]() -> JobQueue::Completion {
             const Status result = renderWithMemory(*job);

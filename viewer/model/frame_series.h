@@ -12,6 +12,7 @@
 #include "viewer/base/camera_bookmarks.h"
 #include "viewer/base/camera_way.h"
 #include "viewer/base/job_queue.h"
+#include "viewer/base/numbered_files.h"
 #include "viewer/base/run_files.h"
 #include "viewer/model/display_settings.h"
 #include "viewer/model/notice.h"
@@ -74,6 +75,7 @@ class FrameSeries {
     static Status render(const Job& job);
     static Status renderWithMemory(const Job& job);
     CameraWay way() const;
+    NumberedFiles files() const;
     Status checkFiles() const;
     void launch(const DisplaySettings& display);
 

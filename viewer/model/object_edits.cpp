@@ -120,16 +120,13 @@ void hideSelection(SceneDocument* document) {
     const int index = document->selectedObject;
     const Object& object = objectsOf(document)[static_cast<size_t>(index)];
     document->nameEdit("Hide " + nameOf(object, index));
-    std::vector<Object> hidden = document->hidden();
-    hidden.push_back(object);
-    document->setHidden(std::move(hidden));
+    document->draft().hiddenObjects.push_back(object);
     removeAt(document, index);
 }
 
 void soloSelection(SceneDocument* document) {
     if (!hasSelection(*document)) { return; }
     const int selected = document->selectedObject;
-    std::vector<Object> hidden = document->hidden();
     std::vector<Object> kept;
     int index = 0;
     int selectedThen = -1;
@@ -140,18 +137,27 @@ void soloSelection(SceneDocument* document) {
             document->nameEdit("Solo " + nameOf(object, selected));
         }
         const bool stays = isSelected || shines(document->draft(), object);
-        (stays ? kept : hidden).push_back(std::move(object));
+        (stays ? kept : document->draft().hiddenObjects).push_back(std::move(object));
     }
     objectsOf(document) = std::move(kept);
-    document->setHidden(std::move(hidden));
     document->focusObject = document->focusObject == selected ? selectedThen : -1;
     document->selectedObject = selectedThen;
 }
 
 void showAll(SceneDocument* document) {
-    std::ranges::copy(document->hidden(), std::back_inserter(objectsOf(document)));
-    document->setHidden({});
+    std::vector<Object>& hidden = document->draft().hiddenObjects;
+    std::ranges::move(hidden, std::back_inserter(objectsOf(document)));
+    hidden.clear();
     document->nameEdit("Show all");
+}
+
+void showHidden(SceneDocument* document, size_t index) {
+    std::vector<Object>& hidden = document->draft().hiddenObjects;
+    if (index >= hidden.size()) { return; }
+    document->nameEdit("Show " + nameOf(hidden[index], static_cast<int>(index)));
+    objectsOf(document).push_back(std::move(hidden[index]));
+    hidden.erase(hidden.begin() + static_cast<std::ptrdiff_t>(index));
+    document->selectedObject = static_cast<int>(objectsOf(document).size()) - 1;
 }
 
 namespace {
@@ -194,17 +200,20 @@ size_t addScene(const SceneDescription& other, const Vec3& place, float size, Sc
         }
         scene->materials.push_back(std::move(material));
     }
-    size_t count = 0;
-    for (Object object : other.objects) {
-        const bool hasEnd = object.shape != ShapeKind::Plane;
-        if (!hasEnd) { continue; }
-        if (object.mesh >= 0) { object.mesh += meshes; }
-        object.material += materials;
-        object.objectToWorld = moved * object.objectToWorld;
-        scene->objects.push_back(std::move(object));
-        ++count;
-    }
-    return count;
+    const auto add = [&](const std::vector<Object>& from, std::vector<Object>* to) {
+        const size_t before = to->size();
+        for (Object object : from) {
+            const bool hasEnd = object.shape != ShapeKind::Plane;
+            if (!hasEnd) { continue; }
+            if (object.mesh >= 0) { object.mesh += meshes; }
+            object.material += materials;
+            object.objectToWorld = moved * object.objectToWorld;
+            to->push_back(std::move(object));
+        }
+        return to->size() - before;
+    };
+    add(other.hiddenObjects, &scene->hiddenObjects);
+    return add(other.objects, &scene->objects);
 }
 
 }  // namespace glint

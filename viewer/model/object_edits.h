@@ -19,11 +19,13 @@ void addThing(SceneDocument* document, NewThing kind);
 /// All of these need a selected object, and do nothing without one.
 void duplicateSelection(SceneDocument* document);
 void deleteSelection(SceneDocument* document);
-/// Takes it out of the scene until showAll().
+/// It is out of the picture until it is shown: among SceneDescription::hiddenObjects.
 void hideSelection(SceneDocument* document);
 /// Hides all others but those that shine.
 void soloSelection(SceneDocument* document);
 void showAll(SceneDocument* document);
+/// Brings back one of SceneDescription::hiddenObjects, as the last object, selected; nothing without it.
+void showHidden(SceneDocument* document, size_t index);
 
 /// Adds the objects, meshes, materials and textures of another scene to `scene`, so large and there that they
 /// stand at `place`, `size` metres wide. Lights, camera and environment stay the scene's own. Returns the

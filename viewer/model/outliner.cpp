@@ -37,6 +37,7 @@ const std::vector<OutlinerEntry>& Outliner::entries(const SceneDocument& documen
     addAll(scene_->lights, OutlinerEntry::Kind::Light, "Light", &entries_);
     addAll(scene_->materials, OutlinerEntry::Kind::Material, "Material", &entries_);
     addAll(scene_->textures, OutlinerEntry::Kind::Texture, "Texture", &entries_);
+    addAll(scene_->hiddenObjects, OutlinerEntry::Kind::Hidden, "Hidden", &entries_);
     count_ = entries_.size();
     const std::string wanted = lower(search);
     std::erase_if(entries_, [&](const OutlinerEntry& entry) {

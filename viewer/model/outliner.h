@@ -11,7 +11,7 @@
 namespace glint {
 
 struct OutlinerEntry {
-    enum class Kind : uint8_t { Object, Light, Material, Texture };
+    enum class Kind : uint8_t { Object, Light, Material, Texture, Hidden };
     Kind kind;
     int index;
     std::string label;  ///< unlike that of any other

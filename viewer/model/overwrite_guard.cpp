@@ -1,6 +1,8 @@
 #include "viewer/model/overwrite_guard.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <utility>
 
 namespace glint {
@@ -31,7 +33,7 @@ bool OverwriteGuard::mustAsk(const std::string& path, const std::string& of) con
 void OverwriteGuard::save(const std::string& path, std::function<void()> save, const std::string& of) {
     refuse();
     if (mustAsk(path, of)) {
-        asked_ = path;
+        asked_ = {path};
         askedOf_ = of;
         save_ = std::move(save);
         return;
@@ -40,12 +42,21 @@ void OverwriteGuard::save(const std::string& path, std::function<void()> save, c
     save();
 }
 
+void OverwriteGuard::save(const std::vector<std::string>& paths, std::function<void()> save) {
+    refuse();
+    std::ranges::copy_if(paths, std::back_inserter(asked_),
+                         [this](const std::string& path) { return mustAsk(path); });
+    if (asked_.empty()) { return save(); }
+    askedOf_.clear();
+    save_ = std::move(save);
+}
+
 void OverwriteGuard::mayReplace(const std::string& path, const std::string& of) {
     ours_[fullName(path)] = of;
 }
 
 void OverwriteGuard::agree() {
-    mayReplace(asked_, askedOf_);
+    std::ranges::for_each(asked_, [this](const std::string& path) { mayReplace(path, askedOf_); });
     const std::function<void()> save = std::exchange(save_, nullptr);
     asked_.clear();
     if (save) { save(); }

@@ -20,7 +20,6 @@ void SceneDocument::adopt(SceneDescription scene, bool isSaved) {
     selectedObject = focusObject = selectedTexture = -1;
     selectedMaterial = 0;
     selectedLight = 0;
-    setHidden({});
     // An orbit must not change the focus of a scene whose author focused elsewhere.
     const float distance = targetDistance(draft_.camera);
     focusFollowsTarget = draft_.camera.apertureDiameter <= 0.0f ||
@@ -34,7 +33,6 @@ EditKind SceneDocument::show(const Version& version) {
     draft_ = *version.scene;
     posted_ = version.scene;
     opened_ = version.opened;
-    hidden_ = version.hidden;
     if (static_cast<size_t>(focusObject + 1) > draft_.objects.size()) { focusObject = -1; }
     if (static_cast<size_t>(selectedObject + 1) > draft_.objects.size()) { selectedObject = -1; }
     return kinds;
@@ -46,7 +44,7 @@ SceneDocument::Unsaved SceneDocument::unsaved() const {
     comparedWith_ = opened_->saved;
     unsaved_ = Unsaved::Nothing;
     if (posted_ == comparedWith_) { return unsaved_; }
-    if (!comparedWith_) { return unsaved_ = Unsaved::Edits; }
+    if (!comparedWith_ || !sameHidden(*comparedWith_, *posted_)) { return unsaved_ = Unsaved::Edits; }
     for (const SceneDifference& each : listDifferences(*comparedWith_, *posted_)) {
         const bool follows = (focusFollowsTarget || focusObject >= 0) && each.key == "focalDistance";
         const bool isView =

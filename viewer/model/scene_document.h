@@ -35,11 +35,10 @@ class SceneDocument {
     struct Version {
         std::shared_ptr<const SceneDescription> scene;
         std::shared_ptr<Opened> opened;
-        std::shared_ptr<const std::vector<Object>> hidden;
 
         bool operator==(const Version&) const = default;
     };
-    Version version() const { return {posted_, opened_, hidden_}; }
+    Version version() const { return {posted_, opened_}; }
 
     /// Takes another scene, or the same one anew, as draft and as posted version. `isSaved`: it is as its
     /// file says.
@@ -76,11 +75,6 @@ class SceneDocument {
     void focusAt(float distance, const std::string& what);
     /// Keeps the selected object's middle in focus, whatever moves, until something else is focused on.
     void focusOnSelection();
-    /// What is out of the scene for a while: neither rendered nor saved.
-    const std::vector<Object>& hidden() const { return *hidden_; }
-    void setHidden(std::vector<Object> objects) {
-        hidden_ = std::make_shared<const std::vector<Object>>(std::move(objects));
-    }
 
     struct Edits {
         EditKind kinds = EditKind::None;
@@ -111,7 +105,6 @@ class SceneDocument {
     SceneDescription draft_;
     std::shared_ptr<const SceneDescription> posted_;
     std::shared_ptr<Opened> opened_ = std::make_shared<Opened>();
-    std::shared_ptr<const std::vector<Object>> hidden_ = std::make_shared<const std::vector<Object>>();
     Vec3 focusPoint_{0.0f};  ///< of focusObject, in its own space
     uint64_t adoptions_ = 0;
     std::string editName_;

@@ -79,8 +79,8 @@ void SceneFiles::startSave(const std::string& path, const std::shared_ptr<const 
         [this, path, scene]() -> JobQueue::Completion {
             const Status result = scene ? saveSceneJson(*scene, path) : Status(Error{"no scene is open", {}});
             return [this, path, scene, result] {
-                const std::string lacking = result ? noteSaved_(scene) : "";
-                notice_->tell(result, fmt::format("Saved {}{}", Notice::placeOf(path), lacking));
+                if (result) { noteSaved_(scene); }
+                notice_->tell(result, fmt::format("Saved {}", Notice::placeOf(path)));
             };
         },
         true);

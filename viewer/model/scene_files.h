@@ -29,9 +29,9 @@ struct SceneReading {
 class SceneFiles {
   public:
     using Adopt = std::function<void(SceneDescription)>;
-    using NoteSaved = std::function<std::string(const std::shared_ptr<const SceneDescription>&)>;
+    using NoteSaved = std::function<void(const std::shared_ptr<const SceneDescription>&)>;
     /// `adopt` takes a scene that was loaded, `add` one whose objects are to be added, `noteSaved` hears of
-    /// one that was saved, and says what is not in it ("": nothing).
+    /// one that was saved.
     SceneFiles(JobQueue* jobs, Notice* notice, const RunFiles* inputs, OverwriteGuard* guard, Adopt adopt,
                Adopt add, NoteSaved noteSaved)
         : dialog(jobs),

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <future>
@@ -16,8 +15,6 @@
 
 #include "engine/base/log.h"
 #include "engine/io/embedded_files.h"
-#include "engine/io/scene_json.h"
-#include "engine/io/scene_loader.h"
 #include "engine/render/checkpoint.h"
 
 namespace glint {
@@ -35,9 +32,6 @@ double secondsNow() {
 
 /// Of files that the scene holds in memory.
 std::string folderOf(const std::string& file) { return file + kFolderExtension; }
-
-/// The scene with what was hidden as its last objects.
-std::string hiddenFileOf(const std::string& file) { return folderOf(file) + "/hidden.json"; }
 
 std::string lockName(const std::string& file) { return file + ".lock"; }
 
@@ -59,42 +53,21 @@ void removeFile(const std::string& file, int lock) {
     if (lock >= 0) { ::close(lock); }
 }
 
-/// A checkpoint's scene names files alone, and has no objects that are out of it.
-Status saveWithFiles(const std::string& file, SessionCapture capture, const std::vector<Object>& hidden) {
+/// A checkpoint's scene names files alone.
+Status saveWithFiles(const std::string& file, SessionCapture capture) {
     auto scene = std::make_shared<SceneDescription>(*capture.scene);
     std::error_code problem;
     fs::create_directories(folderOf(file), problem);
-    if (Status written = writeEmbeddedFiles(scene.get(), hiddenFileOf(file)); !written) { return written; }
+    // Paths within the scene count from a file there.
+    const std::string inFolder = folderOf(file) + "/scene";
+    if (Status written = writeEmbeddedFiles(scene.get(), inFolder); !written) { return written; }
     capture.scene = scene;
-    if (Status saved = saveCheckpoint(file, capture); !saved) { return saved; }
-    fs::remove(hiddenFileOf(file), problem);
-    if (hidden.empty()) { return {}; }
-    SceneDescription whole = *scene;
-    whole.objects.insert(whole.objects.end(), hidden.begin(), hidden.end());
-    return saveSceneJson(whole, hiddenFileOf(file));
+    return saveCheckpoint(file, capture);
 }
 
 }  // namespace
 
-std::vector<Object> restoreBeside(const std::string& file, SceneDescription* scene) {
-    embedFilesOf(folderOf(file), scene);
-    std::error_code problem;
-    if (!fs::exists(hiddenFileOf(file), problem)) { return {}; }
-    const Result<SceneDescription> whole = loadScene(hiddenFileOf(file));
-    const bool fits = whole && whole->objects.size() >= scene->objects.size() &&
-                      whole->meshes.size() == scene->meshes.size() &&
-                      whole->materials.size() == scene->materials.size();
-    if (!fits) {
-        logWarning("{}: what was hidden cannot be restored", hiddenFileOf(file));
-        return {};
-    }
-    // Of meshes that only hidden objects place, the checkpoint's scene has read nothing.
-    for (size_t i = 0; i < scene->meshes.size(); ++i) {
-        if (!scene->meshes[i].data) { scene->meshes[i].data = whole->meshes[i].data; }
-    }
-    const auto first = whole->objects.begin() + static_cast<std::ptrdiff_t>(scene->objects.size());
-    return {first, whole->objects.end()};
-}
+void restoreBeside(const std::string& file, SceneDescription* scene) { embedFilesOf(folderOf(file), scene); }
 
 void SessionBackup::begin(const std::string& folder, double seconds) {
     std::error_code problem;
@@ -175,10 +148,10 @@ void SessionBackup::save() {
     savedPasses_ = render_->status().passes;
     auto future = std::make_shared<std::future<std::optional<SessionCapture>>>(render_->captureLater());
     jobs_->start(
-        [this, future, file = file_, hidden = document_->version().hidden]() -> JobQueue::Completion {
+        [this, future, file = file_]() -> JobQueue::Completion {
             std::optional<SessionCapture> capture = future->get();
             const double began = secondsNow();
-            const Status saved = capture ? saveWithFiles(file, std::move(*capture), *hidden) : Status();
+            const Status saved = capture ? saveWithFiles(file, std::move(*capture)) : Status();
             if (!saved) { logWarning("The session cannot be kept for a crash: {}", saved.error().format()); }
             return [this, took = secondsNow() - began] {
                 isSaving_ = false;

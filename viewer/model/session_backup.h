@@ -16,10 +16,9 @@
 
 namespace glint {
 
-/// What a session's checkpoint `file` does not hold stands in a folder beside it: the scene's own files,
-/// which are taken into memory again, and the objects that were hidden, which are returned. Of other
-/// checkpoints: nothing.
-std::vector<Object> restoreBeside(const std::string& file, SceneDescription* scene);
+/// The files that a scene held in memory stand in a folder beside its session's checkpoint `file`, and are
+/// taken into memory again. Of other checkpoints: nothing.
+void restoreBeside(const std::string& file, SceneDescription* scene);
 
 class SessionBackup {
   public:

@@ -36,15 +36,10 @@ Workspace::Workspace(std::unique_ptr<Backend> backend)
       sceneFiles(
           &jobs, &notice, &inputs, &overwrite, [this](SceneDescription scene) { adopt(std::move(scene)); },
           [this](SceneDescription scene) { addObjectsOf(std::move(scene)); },
-          [this](const auto& scene) {
-              document.noteSaved(scene);
-              const size_t hidden = document.hidden().size();
-              return hidden > 0 ? fmt::format(" without what is hidden ({})", hidden) : "";
-          }),
+          [this](const auto& scene) { document.noteSaved(scene); }),
       filmFiles(&jobs, &document, &render, &notice, &inputs, &overwrite,
-                [this](std::optional<SceneDescription> scene, ResumePoint point, const std::string& name,
-                       std::vector<Object> hidden) {
-                    resumeFrom(std::move(scene), std::move(point), name, std::move(hidden));
+                [this](std::optional<SceneDescription> scene, ResumePoint point, const std::string& name) {
+                    resumeFrom(std::move(scene), std::move(point), name);
                 }),
       assets(&jobs, &document, &notice),
       convergence(&document, &render, &notice),

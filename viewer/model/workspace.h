@@ -136,8 +136,7 @@ class Workspace {
     bool commitDraft(bool held);
     void goTo(size_t state);
     void restart();
-    void resumeFrom(std::optional<SceneDescription> scene, ResumePoint point, const std::string& name,
-                    std::vector<Object> hidden);
+    void resumeFrom(std::optional<SceneDescription> scene, ResumePoint point, const std::string& name);
     /// What was known of the scene before.
     void forgetScene();
 

@@ -53,12 +53,9 @@ void Workspace::restart() {
     logInfo("Restarted by hand");
 }
 
-void Workspace::resumeFrom(std::optional<SceneDescription> scene, ResumePoint point, const std::string& name,
-                           std::vector<Object> hidden) {
-    if (scene) {
-        adopt(std::move(*scene), false);
-        document.setHidden(std::move(hidden));
-    }
+void Workspace::resumeFrom(std::optional<SceneDescription> scene, ResumePoint point,
+                           const std::string& name) {
+    if (scene) { adopt(std::move(*scene), false); }
     const FilmTake take = history.nextTake();
     history.record({name, document.version(), take, display.choices()}, 0);
     render.resume(document.posted(), std::move(point), take);

@@ -69,7 +69,7 @@ void drawActions(SceneDocument* document, const KeyMap& keys) {
     };
     if (button("Duplicate", "Another one beside it", KeyAction::Duplicate)) { duplicateSelection(document); }
     ImGui::SameLine();
-    if (button("Hide", "It is out of the scene until all are shown", KeyAction::Hide)) {
+    if (button("Hide", "It is out of the picture until it is shown again", KeyAction::Hide)) {
         hideSelection(document);
     }
     ImGui::SameLine();
@@ -101,10 +101,11 @@ void draw(SceneDocument* document, GizmoSettings* gizmo, SceneFiles* files, cons
         drawGizmoRows(gizmo, *keys);
         drawActions(document, *keys);
     }
-    if (document->hidden().empty()) { return; }
+    const size_t hidden = scene.hiddenObjects.size();
+    if (hidden == 0) { return; }
     const std::string tip = keys->tip("What is hidden comes back", KeyAction::ShowAll);
     if (ui::button("Show all", ui::buttonWidth(1), tip.c_str())) { showAll(document); }
-    ui::hint(fmt::format("{} hidden: neither rendered nor saved", document->hidden().size()).c_str());
+    ui::hint(fmt::format("{} hidden: the outliner lists them", hidden).c_str());
 }
 
 }  // namespace

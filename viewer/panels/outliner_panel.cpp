@@ -8,6 +8,7 @@
 
 #include "engine/scene/scene_use.h"
 #include "viewer/model/key_map.h"
+#include "viewer/model/object_edits.h"
 #include "viewer/model/outliner.h"
 #include "viewer/model/scene_document.h"
 #include "viewer/panels/panel.h"
@@ -18,6 +19,7 @@ namespace {
 
 constexpr size_t kRowsShown = 10;
 
+/// Null: what is hidden is shown by a click, and selected as an object then.
 int* selectionOf(SceneDocument* document, OutlinerEntry::Kind kind) {
     switch (kind) {
         case OutlinerEntry::Kind::Object:
@@ -28,11 +30,16 @@ int* selectionOf(SceneDocument* document, OutlinerEntry::Kind kind) {
             return &document->selectedMaterial;
         case OutlinerEntry::Kind::Texture:
             return &document->selectedTexture;
+        case OutlinerEntry::Kind::Hidden:
+            break;
     }
-    return &document->selectedObject;
+    return nullptr;
 }
 
 void select(SceneDocument* document, const OutlinerEntry& entry) {
+    if (entry.kind == OutlinerEntry::Kind::Hidden) {
+        return showHidden(document, static_cast<size_t>(entry.index));
+    }
     *selectionOf(document, entry.kind) = entry.index;
     // The handles are the light's.
     if (entry.kind == OutlinerEntry::Kind::Light) { document->selectedObject = -1; }
@@ -48,6 +55,18 @@ void select(SceneDocument* document, const OutlinerEntry& entry) {
     if (user != materials.end()) { document->selectedMaterial = static_cast<int>(user - materials.begin()); }
 }
 
+void drawEntry(SceneDocument* document, const OutlinerEntry& entry) {
+    const int* selection = selectionOf(document, entry.kind);
+    const bool isHidden = selection == nullptr;
+    if (isHidden) { ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled)); }
+    const bool isChosen = ui::selectable(entry.label.c_str(), !isHidden && *selection == entry.index);
+    if (isHidden) {
+        ImGui::PopStyleColor();
+        if (ImGui::IsItemHovered()) { ui::tooltip("A click shows it again"); }
+    }
+    if (isChosen) { select(document, entry); }
+}
+
 /// Only the rows that are seen are made.
 void drawEntries(SceneDocument* document, const std::vector<OutlinerEntry>& entries) {
     const float row = ImGui::GetTextLineHeightWithSpacing();
@@ -57,9 +76,7 @@ void drawEntries(SceneDocument* document, const std::vector<OutlinerEntry>& entr
     clipper.Begin(static_cast<int>(entries.size()));
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            const OutlinerEntry& entry = entries[static_cast<size_t>(i)];
-            const bool isSelected = *selectionOf(document, entry.kind) == entry.index;
-            if (ui::selectable(entry.label.c_str(), isSelected)) { select(document, entry); }
+            drawEntry(document, entries[static_cast<size_t>(i)]);
         }
     }
     ImGui::EndChild();
@@ -67,7 +84,7 @@ void drawEntries(SceneDocument* document, const std::vector<OutlinerEntry>& entr
 
 void draw(SceneDocument* document, Outliner* outliner, const KeyMap* keys) {
     ui::text("Search", &outliner->search, "name",
-             "Part of a name, in any case; or object, light, material, texture");
+             "Part of a name, in any case; or object, light, material, texture, hidden");
     const std::vector<OutlinerEntry>& entries = outliner->entries(*document);
     drawEntries(document, entries);
     ui::hint(fmt::format("{} of {}", entries.size(), outliner->count()).c_str());

@@ -60,7 +60,7 @@ bool chooseTime(SceneReading* reading, const SceneChoices::Animation& animation)
 }
 
 /// What a glTF file offers. It is read again for each choice, when a drag ends; the camera stays.
-void drawChoices(SceneFiles* files) {
+void drawChoices(SceneFiles* files, bool hasEdits) {
     SceneReading* reading = &files->reading;
     const SceneChoices& choices = reading->choices;
     if (!choices.variants.empty()) {
@@ -77,6 +77,9 @@ void drawChoices(SceneFiles* files) {
         const std::string* given = findParameter(reading->options.parameters, "animation");
         const size_t shown = given != nullptr ? indexIn(names, *given).value_or(0) : 0;
         reading->isStale |= chooseTime(reading, choices.animations[shown]);
+    }
+    if (hasEdits && (!choices.variants.empty() || !choices.animations.empty())) {
+        ui::hint("A choice reads the file again, without the unsaved edits; undo brings them back.");
     }
     if (reading->isStale && !ImGui::IsAnyItemActive()) {
         reading->isStale = false;
@@ -100,7 +103,7 @@ void draw(SceneFiles* files, const SceneDocument* document, const KeyMap* keys) 
         if (document->isOpen()) { ui::hint("The scene that was open goes on."); }
     }
     if (!document->isOpen()) { return; }
-    if (files->reading.path == document->draft().path) { drawChoices(files); }
+    if (files->reading.path == document->draft().path) { drawChoices(files, document->hasUnsavedEdits()); }
     for (const std::string* text : {&document->draft().title, &document->draft().description}) {
         if (!text->empty()) { ui::hint(text->c_str()); }
     }

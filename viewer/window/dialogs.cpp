@@ -53,15 +53,28 @@ std::string fileName(const std::string& path) { return std::filesystem::path(pat
 }  // namespace
 
 void Dialogs::drawOverwrite(OverwriteGuard* guard) const {
-    const std::string path = guard->asked();
-    drawQuestion("##overwrite", fmt::format("Replace {}?", fileName(path)),
-                 fmt::format("{} is there already, and is not from this session.", Notice::placeOf(path)),
-                 [&] {
-                     const float width = ui::buttonWidth(2);
-                     if (ui::button("Replace", width)) { guard->agree(); }
-                     ImGui::SameLine();
-                     if (ui::button("Keep the old file", width, "Esc") || isEscaped()) { guard->refuse(); }
-                 });
+    const std::vector<std::string>& paths = guard->asked();
+    const size_t more = paths.size() - 1;
+    const std::string place = Notice::placeOf(paths.front());
+    const std::string title = more > 0 ? fmt::format("Replace {} and {} more?", fileName(paths.front()), more)
+                                       : fmt::format("Replace {}?", fileName(paths.front()));
+    const std::string text =
+        more > 0
+            ? fmt::format("{} and {} more are there already, and are not from this session.", place, more)
+            : fmt::format("{} is there already, and is not from this session.", place);
+    drawQuestion("##overwrite", title, text, [&] {
+        const float width = ui::buttonWidth(2);
+        const bool isAgreed = ui::button("Replace", width);
+        ImGui::SameLine();
+        const char* keep = more > 0 ? "Keep the old files" : "Keep the old file";
+        const bool isRefused = ui::button(keep, width, "Esc") || isEscaped();
+        if (isAgreed) {
+            guard->agree();
+        } else if (isRefused) {
+            guard->refuse();
+        }
+        ui::itemArea("Question", title);
+    });
 }
 
 void Dialogs::drawEndOfSeries(const FrameSeries& frames) {
