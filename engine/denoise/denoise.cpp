@@ -1,4 +1,4 @@
-// The choice between candidates and the input, by their estimated errors.
+// The choice between candidates and the input, by their estimated errors, and what is known of the result's.
 #include "engine/denoise/denoise.h"
 
 #include <array>
@@ -10,9 +10,11 @@
 namespace glint {
 namespace {
 
-/// Half the side of the squares that estimated errors are averaged over: one pixel's says little.
-constexpr int kErrorHalf = 3;
+/// Half the side of the squares that a choice looks at: one pixel's error says little.
+constexpr int kChoiceHalf = 3;
 constexpr int kNoiseHalf = 2;
+/// Of the mean of a square, in what is stated as its error.
+constexpr float kErrorsAbove = 1.0f;
 constexpr std::array<RegressionSettings, 3> kRegressions{{{true, 1.5f}, {true, 5.0f}, {false, 3.0f}}};
 /// A pixel that is so many times as far from the candidate as its neighbourhood is, but not beyond so many of
 /// its own standard errors, is a spark: of it nothing is kept.
@@ -25,7 +27,8 @@ class Denoiser {
         : input_(input),
           threads_(threads),
           planes_(makePlanes(input, threads)),
-          guide_(waveletFilter(planes_, threads)) {
+          guide_(waveletFilter(planes_, threads)),
+          result_(input.radiance) {
         const size_t pixels = input.radiance.size();
         std::vector<float> light(pixels);
         double sum = 0.0;
@@ -43,9 +46,10 @@ class Denoiser {
             scale_[i] = 1.0f / (square(light[i]) + square(darkest) + 1e-30f);
             relative_[i] = planes_.variance[i] * scale_[i];
         }
-        out_.radiance = input.radiance;
-        out_.error = means(relative_, kErrorHalf);
-        variance_ = out_.error;
+        variance_ = surroundings(relative_);
+        leastError_ = variance_;
+        gain_.resize(pixels);
+        change_.resize(pixels);
     }
 
     void addWavelets() { take(guide_); }
@@ -61,50 +65,92 @@ class Denoiser {
     }
 
     DenoisedImage result() {
-        for (size_t i = 0; i < scale_.size(); ++i) {
-            out_.error[i] = std::sqrt(out_.error[i] / scale_[i]);
-        }
-        return std::move(out_);
+        limitChange();
+        std::vector<float> error = statedErrors();
+        return {std::move(result_), std::move(error)};
     }
 
   private:
     std::vector<float> means(const std::vector<float>& values, int half) const {
         return boxMeans(values, input_.width, input_.height, half, threads_);
     }
+    std::vector<float> surroundings(const std::vector<float>& values) const {
+        return surroundingMeans(values, input_.width, input_.height, kChoiceHalf, threads_);
+    }
 
     /// With the input's variance v, the candidate's leverage h and its squared difference d from the input,
     /// whose mean is e + v - 2 h v for a candidate with the mean squared error e (Stein 1981): the share s of
-    /// the candidate has the error v - 2 s (1 - h) v + s^2 d, which is least for s = (1 - h) v / d.
+    /// the candidate has the error v - 2 s (1 - h) v + s^2 d, which is least for s = (1 - h) v / d. The
+    /// pixel's own values have no say in its choice, so that they tell its error afterwards.
     void take(const Candidate& candidate) {
         std::vector<float> difference(scale_.size()), independent(scale_.size());
         for (size_t i = 0; i < scale_.size(); ++i) {
             difference[i] = square(luminance(candidate.radiance[i] - input_.radiance[i])) * scale_[i];
             independent[i] = (1.0f - candidate.leverage[i]) * relative_[i];
         }
-        const std::vector<float> differences = means(difference, kErrorHalf),
-                                 gains = means(independent, kErrorHalf);
+        const std::vector<float> differences = surroundings(difference), gains = surroundings(independent);
         for (size_t i = 0; i < scale_.size(); ++i) {
             const float d = differences[i], g = gains[i];
-            const float share = d > g ? g / d : 1.0f;
-            const float error = maxf(0.0f, variance_[i] - 2.0f * share * g + share * share * d);
-            if (error < out_.error[i]) {
-                const bool isSpark = difference[i] > square(kSparkRatio) * d &&
-                                     difference[i] < square(kSparkErrors) * relative_[i];
-                out_.error[i] = error;
-                out_.radiance[i] =
-                    glm::mix(input_.radiance[i], candidate.radiance[i], isSpark ? 1.0f : share);
-            }
+            const float best = d > g ? g / d : 1.0f;
+            const float error = maxf(0.0f, variance_[i] - 2.0f * best * g + best * best * d);
+            if (error >= leastError_[i]) { continue; }
+            leastError_[i] = error;
+            const bool isSpark = difference[i] > square(kSparkRatio) * d &&
+                                 difference[i] < square(kSparkErrors) * relative_[i];
+            const float share = isSpark ? 1.0f : best;
+            result_[i] = glm::mix(input_.radiance[i], candidate.radiance[i], share);
+            gain_[i] = share * independent[i];
+            change_[i] = share * share * difference[i];
         }
+    }
+
+    /// In no square is the mean square of what is taken away more than the input's mean variance.
+    void limitChange() {
+        const std::vector<float> changes = means(change_, kDenoiseErrorHalf),
+                                 limits = means(relative_, kDenoiseErrorHalf);
+        std::vector<float> factor(scale_.size());
+        for (size_t i = 0; i < factor.size(); ++i) {
+            factor[i] = changes[i] > limits[i] ? std::sqrt(limits[i] / changes[i]) : 1.0f;
+        }
+        factor = boxMinima(factor, input_.width, input_.height, kDenoiseErrorHalf, threads_);
+        for (size_t i = 0; i < factor.size(); ++i) {
+            if (factor[i] == 1.0f) { continue; }
+            result_[i] = glm::mix(input_.radiance[i], result_[i], factor[i]);
+            gain_[i] *= factor[i];
+            change_[i] *= square(factor[i]);
+        }
+    }
+
+    /// The mean of unbiased estimates over a square, and kErrorsAbove standard errors of that mean.
+    std::vector<float> statedErrors() const {
+        std::vector<float> each(scale_.size()), squares(scale_.size());
+        for (size_t i = 0; i < each.size(); ++i) {
+            each[i] = relative_[i] - 2.0f * gain_[i] + change_[i];
+            squares[i] = square(each[i]);
+        }
+        each = means(each, kDenoiseErrorHalf);
+        squares = means(squares, kDenoiseErrorHalf);
+        std::vector<float> error(each.size());
+        for (size_t i = 0; i < error.size(); ++i) {
+            const int x = static_cast<int>(i) % input_.width, y = static_cast<int>(i) / input_.width;
+            const int count = boxSize(x, y, input_.width, input_.height, kDenoiseErrorHalf);
+            const float spread = maxf(0.0f, squares[i] - square(each[i])) / static_cast<float>(count);
+            error[i] = std::sqrt((maxf(0.0f, each[i]) + kErrorsAbove * std::sqrt(spread)) / scale_[i]);
+        }
+        return error;
     }
 
     const DenoiseInput& input_;
     int threads_;
     Planes planes_;
     Candidate guide_;
-    std::vector<float> scale_;     ///< makes squares of luminances relative
-    std::vector<float> relative_;  ///< variance of the input
-    std::vector<float> variance_;  ///< the same, as a mean over the neighbourhood
-    DenoisedImage out_;            ///< errors: squared and relative, until the end
+    std::vector<Vec3> result_;
+    std::vector<float> scale_;       ///< makes squares of luminances relative
+    std::vector<float> relative_;    ///< variance of the input
+    std::vector<float> variance_;    ///< the same, as a mean over the surroundings
+    std::vector<float> leastError_;  ///< of what was chosen, squared, by the surroundings
+    /// Of what was chosen, by the pixel alone: s (1 - h) v and s^2 d.
+    std::vector<float> gain_, change_;
 };
 
 }  // namespace

@@ -23,11 +23,19 @@ struct DenoiseInput {
     std::vector<float> depth{};     ///< 0: nothing hit
 };
 
+/// Half the side of the squares of pixels that errors are stated of.
+constexpr int kDenoiseErrorHalf = 5;
+
+/// In each square, squares of luminances being relative to what is bright there:
+/// - What was taken away, as a root mean square, is at most the input's standard error. So, by the triangle's
+///   inequality, the picture is worse than the input by no more than that, whatever the truth.
+/// - `error` is stated of the picture itself: the root of Stein's estimate of the mean squared error, made of
+///   pixels that had no say in what became of them, and of one standard error of it. It is less than the
+///   input's, and no more than likely: nothing that is less holds for every truth, since the input may
+///   happen to be right.
 struct DenoisedImage {
     std::vector<Vec3> radiance;
-    /// Root of the estimated mean squared error of the luminance, as a mean over 7 x 7 pixels of squares
-    /// relative to their luminances.
-    std::vector<float> error;
+    std::vector<float> error;  ///< of the luminance
 };
 
 /// Wavelets with holes whose weights follow normals, depths and luminances (Dammertz et al. 2010,

@@ -73,6 +73,59 @@ Planes makePlanes(const DenoiseInput& input, int threads) {
     return planes;
 }
 
+std::vector<float> surroundingMeans(const std::vector<float>& values, int width, int height, int half,
+                                    int threads) {
+    std::vector<float> rows(values.size()), beside(values.size()), means(values.size());
+    const auto stride = static_cast<size_t>(width);
+    forRows(0, height, threads, [&](int y) {
+        const size_t begin = static_cast<size_t>(y) * stride;
+        for (int x = 0; x < width; ++x) {
+            const size_t own = begin + static_cast<size_t>(x);
+            for (int u = std::max(0, x - half); u <= std::min(width - 1, x + half); ++u) {
+                beside[own] += u == x ? 0.0f : values[begin + static_cast<size_t>(u)];
+            }
+            rows[own] = beside[own] + values[own];
+        }
+    });
+    forRows(0, height, threads, [&](int y) {
+        for (int x = 0; x < width; ++x) {
+            const size_t own = static_cast<size_t>(y) * stride + static_cast<size_t>(x);
+            float sum = 0.0f;
+            for (int v = std::max(0, y - half); v <= std::min(height - 1, y + half); ++v) {
+                sum += (v == y ? beside : rows)[static_cast<size_t>(v) * stride + static_cast<size_t>(x)];
+            }
+            const int others = boxSize(x, y, width, height, half) - 1;
+            means[own] = others > 0 ? sum / static_cast<float>(others) : values[own];
+        }
+    });
+    return means;
+}
+
+std::vector<float> boxMinima(const std::vector<float>& values, int width, int height, int half, int threads) {
+    std::vector<float> rows(values.size()), least(values.size());
+    const auto at = [width](int x, int y) {
+        return static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
+    };
+    forRows(0, height, threads, [&](int y) {
+        for (int x = 0; x < width; ++x) {
+            const auto first = values.begin() + static_cast<std::ptrdiff_t>(at(std::max(0, x - half), y));
+            const auto last =
+                values.begin() + static_cast<std::ptrdiff_t>(at(std::min(width - 1, x + half), y));
+            rows[at(x, y)] = *std::min_element(first, last + 1);
+        }
+    });
+    forRows(0, height, threads, [&](int y) {
+        for (int x = 0; x < width; ++x) {
+            float smallest = rows[at(x, y)];
+            for (int v = std::max(0, y - half); v <= std::min(height - 1, y + half); ++v) {
+                smallest = minf(smallest, rows[at(x, v)]);
+            }
+            least[at(x, y)] = smallest;
+        }
+    });
+    return least;
+}
+
 std::vector<float> boxMeans(const std::vector<float>& values, int width, int height, int half, int threads) {
     std::vector<float> rows(values.size()), means(values.size());
     const auto stride = static_cast<size_t>(width);

@@ -31,6 +31,19 @@ struct Candidate {
 /// Means over squares of 2 half + 1 pixels, cut off at the picture's edge.
 std::vector<float> boxMeans(const std::vector<float>& values, int width, int height, int half, int threads);
 
+/// The same without the pixel in the middle; where there is no other, itself.
+std::vector<float> surroundingMeans(const std::vector<float>& values, int width, int height, int half,
+                                    int threads);
+/// The least value in such a square.
+std::vector<float> boxMinima(const std::vector<float>& values, int width, int height, int half, int threads);
+/// How many pixels it has.
+inline int boxSize(int x, int y, int width, int height, int half) {
+    const auto along = [half](int at, int size) {
+        return std::min(size - 1, at + half) - std::max(0, at - half) + 1;
+    };
+    return along(x, width) * along(y, height);
+}
+
 /// About exp(-x) for x >= 0, but 0 from 4 on.
 inline float falloff(float x) {
     const float t = maxf(0.0f, 1.0f - 0.25f * x);
