@@ -104,13 +104,14 @@ class Denoiser {
         }
     }
 
-    /// In no square is the mean square of what is taken away more than the input's mean variance.
+    /// To kDenoiseMostChange in every square.
     void limitChange() {
         const std::vector<float> changes = means(change_, kDenoiseErrorHalf),
-                                 limits = means(relative_, kDenoiseErrorHalf);
+                                 variances = means(relative_, kDenoiseErrorHalf);
         std::vector<float> factor(scale_.size());
         for (size_t i = 0; i < factor.size(); ++i) {
-            factor[i] = changes[i] > limits[i] ? std::sqrt(limits[i] / changes[i]) : 1.0f;
+            const float most = square(kDenoiseMostChange) * variances[i];
+            factor[i] = changes[i] > most ? std::sqrt(most / changes[i]) : 1.0f;
         }
         factor = boxMinima(factor, input_.width, input_.height, kDenoiseErrorHalf, threads_);
         for (size_t i = 0; i < factor.size(); ++i) {

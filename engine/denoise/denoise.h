@@ -25,14 +25,16 @@ struct DenoiseInput {
 
 /// Half the side of the squares of pixels that errors are stated of.
 constexpr int kDenoiseErrorHalf = 5;
+/// What is taken away in a square, as a root mean square, is at most that many of the input's standard errors
+/// there: so, by the triangle's inequality, the picture is worse than the input by no more, whatever the
+/// truth. One would leave sparks in part.
+constexpr float kDenoiseMostChange = 1.25f;
 
-/// In each square, squares of luminances being relative to what is bright there:
-/// - What was taken away, as a root mean square, is at most the input's standard error. So, by the triangle's
-///   inequality, the picture is worse than the input by no more than that, whatever the truth.
-/// - `error` is stated of the picture itself: the root of Stein's estimate of the mean squared error, made of
-///   pixels that had no say in what became of them, and of one standard error of it. It is less than the
-///   input's, and no more than likely: nothing that is less holds for every truth, since the input may
-///   happen to be right.
+/// Squares of luminances are relative to what is bright in 5 x 5 pixels, and to a tenth of the mean.
+/// `error` is stated of the picture itself: the root of Stein's estimate of its mean squared error over a
+/// square, to which no pixel adds that had a say in what it became, and one standard error of that estimate.
+/// It holds in most squares, not in all: whatever is less than what was taken away fails where the input
+/// happens to be right, and of light that no sample has found so far the variance knows nothing.
 struct DenoisedImage {
     std::vector<Vec3> radiance;
     std::vector<float> error;  ///< of the luminance

@@ -29,9 +29,9 @@ expect message "Saved "
 )w"));
     write("script.txt", R"w(
 wait picture
-open "Outliner"
 open "Object"
-wait frames 3
+click "Go to Outliner"
+wait frames 4
 move "Image"
 press
 release
@@ -62,9 +62,9 @@ TEST(HiddenViewer, AHiddenMeshIsReadWhenItIsShown) {
     write("hidden.json", scene);
     write("script.txt", R"w(
 wait picture
-open "Outliner"
 open "Object"
-wait frames 3
+click "Go to Outliner"
+wait frames 4
 click "Hidden 1: there"
 wait jobs
 wait picture
@@ -73,6 +73,8 @@ click "Show all"
 wait jobs
 wait frames 5
 expect message "gone.obj"
+click "Go to Outliner"
+wait frames 4
 expect widget "Hidden 1: gone"
 expect no-widget "Object 3: gone"
 )w");

@@ -1,4 +1,5 @@
 // Views of OpenColorIO configurations in the window, by scripts.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "engine/io/atomic_file.h"
@@ -112,7 +113,7 @@ TEST(OcioViewer, TheCommandLineChoosesOne) {
     expectPlayed(play("wait picture\nexpect \"OCIO view\" Plain\n", "--passes 4 --ocio config.ocio:Screen"));
     EXPECT_EQ(play("wait picture\n", "--ocio no.ocio").exitCode, 1);
     EXPECT_THAT(play("wait picture\n", "--ocio config.ocio:Scren").output,
-                HasSubstr("there is no display 'Scren'; did you mean"));
+                testing::HasSubstr("there is no display 'Scren' (did you mean 'Screen'?)"));
 }
 
 }  // namespace

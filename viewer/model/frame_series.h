@@ -14,6 +14,7 @@
 #include "viewer/base/job_queue.h"
 #include "viewer/base/numbered_files.h"
 #include "viewer/base/run_files.h"
+#include "viewer/model/backend_maker.h"
 #include "viewer/model/display_settings.h"
 #include "viewer/model/notice.h"
 #include "viewer/model/overwrite_guard.h"
@@ -21,8 +22,6 @@
 #include "viewer/model/scene_document.h"
 
 namespace glint {
-
-using BackendMaker = std::function<Result<std::unique_ptr<Backend>>()>;
 
 class FrameSeries {
   public:

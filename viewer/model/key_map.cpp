@@ -54,6 +54,7 @@ constexpr KeyActionInfo kActions[] = {
     {KeyAction::SaveScene, "save-scene", "ctrl+shift+s", "save the scene as …"},
     {KeyAction::Quit, "quit", "ctrl+q", "quit"},
     {KeyAction::Panels, "panels", "tab", "show or hide the panels"},
+    {KeyAction::Walk, "walk", "f6", "panels by arrows, Space, Enter; Esc: back"},
     {KeyAction::Help, "help", "f1", "this list, where keys can be changed"},
 };
 

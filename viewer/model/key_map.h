@@ -51,6 +51,7 @@ enum class KeyAction : uint8_t {
     SaveScene,
     Quit,
     Panels,
+    Walk,
     Help,
 };
 

@@ -160,6 +160,28 @@ void showHidden(SceneDocument* document, size_t index) {
     document->selectedObject = static_cast<int>(objectsOf(document).size()) - 1;
 }
 
+void giveMaterial(SceneDocument* document, int object, const MaterialDrag& given) {
+    SceneDescription& scene = document->draft();
+    std::vector<Material>& materials = scene.materials;
+    int material = given.material;
+    if (object < 0 || static_cast<size_t>(object) >= scene.objects.size()) { return; }
+    if (given.preset != nullptr) {
+        const auto known = std::ranges::find(materials, given.preset->name, &Material::name);
+        material = static_cast<int>(known - materials.begin());
+        if (known == materials.end()) {
+            materials.push_back(given.preset->material);
+            materials.back().name = given.preset->name;
+        }
+    }
+    if (material < 0 || static_cast<size_t>(material) >= materials.size()) { return; }
+    Object& taker = scene.objects[static_cast<size_t>(object)];
+    taker.material = material;
+    document->selectedObject = object;
+    document->selectedMaterial = material;
+    const std::string& name = materials[static_cast<size_t>(material)].name;
+    document->nameEdit(nameOf(taker, object) + ": " + (name.empty() ? "another material" : name));
+}
+
 namespace {
 
 /// Files beside the other scene, from wherever this one is.

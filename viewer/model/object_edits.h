@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "viewer/model/material_presets.h"
 #include "viewer/model/scene_document.h"
 
 namespace glint {
@@ -26,6 +27,10 @@ void soloSelection(SceneDocument* document);
 void showAll(SceneDocument* document);
 /// Brings back one of SceneDescription::hiddenObjects, as the last object, selected; nothing without it.
 void showHidden(SceneDocument* document, size_t index);
+
+/// Gives an object of the draft the material, and selects both; a preset becomes one of the scene's, or is it
+/// already. Nothing where there is no such object or material.
+void giveMaterial(SceneDocument* document, int object, const MaterialDrag& given);
 
 /// Adds the objects, meshes, materials and textures of another scene to `scene`, so large and there that they
 /// stand at `place`, `size` metres wide. Lights, camera and environment stay the scene's own. Returns the

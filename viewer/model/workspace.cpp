@@ -138,6 +138,12 @@ void Workspace::selectAt(Vec2i pixel) {
     if (hit.material > 0) { document.selectedMaterial = static_cast<int>(hit.material) - 1; }
 }
 
+void Workspace::giveMaterialAt(Vec2i pixel, const MaterialDrag& given) {
+    const FirstHit hit = hitAt(pixel);
+    if (hit.object == 0) { return notice.show("There is no object to give the material to"); }
+    giveMaterial(&document, static_cast<int>(hit.object) - 1, given);
+}
+
 void Workspace::focusAt(Vec2i pixel) {
     lens.picksFocus = false;
     const SceneDescription& draft = document.draft();

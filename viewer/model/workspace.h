@@ -32,6 +32,7 @@
 #include "viewer/model/ocio_chooser.h"
 #include "viewer/model/outliner.h"
 #include "viewer/model/picture_difference.h"
+#include "viewer/model/preset_pictures.h"
 #include "viewer/model/region_tool.h"
 #include "viewer/model/render_control.h"
 #include "viewer/model/scene_document.h"
@@ -65,6 +66,7 @@ class Workspace {
     GizmoSettings gizmo;
     Outliner outliner;
     MaterialLibrary library;
+    PresetPictures presets{&jobs};
     SceneFiles sceneFiles;
     FilmFiles filmFiles;
     AssetReader assets;
@@ -96,6 +98,8 @@ class Workspace {
     void focusAt(Vec2i pixel);
     /// Selects the object that is seen there, and its material; none where nothing is.
     void selectAt(Vec2i pixel);
+    /// Gives the object in the pixel a material, or says that there is none.
+    void giveMaterialAt(Vec2i pixel, const MaterialDrag& given);
 
     // Once a frame: first refresh(), then what draws and edits, then commitEdits().
     void refresh();

@@ -11,7 +11,7 @@ Part* partOf(Workspace* w) {
     return &std::get<Part&>(std::tie(w->notice, w->document, w->history, w->render, w->display, w->lens,
                                      w->inspector, w->region, w->gizmo, w->outliner, w->library, w->bookmarks,
                                      w->sceneFiles, w->filmFiles, w->assets, w->convergence, w->curveExport,
-                                     w->faults, w->snapshots, w->keys, w->frames, w->ocio));
+                                     w->faults, w->snapshots, w->keys, w->frames, w->ocio, w->presets));
 }
 
 template Notice* partOf(Workspace*);
@@ -36,5 +36,6 @@ template Snapshots* partOf(Workspace*);
 template KeyMap* partOf(Workspace*);
 template FrameSeries* partOf(Workspace*);
 template OcioChooser* partOf(Workspace*);
+template PresetPictures* partOf(Workspace*);
 
 }  // namespace glint

@@ -28,7 +28,7 @@ void drawStates(EditHistory* history) {
     const auto& states = history->states();
     const float row = ImGui::GetTextLineHeightWithSpacing();
     const auto rows = static_cast<float>(std::min(states.size(), kRowsShown));
-    ImGui::BeginChild("##states", {0.0f, rows * row});
+    ImGui::BeginChild("##states", {0.0f, rows * row}, false, ImGuiWindowFlags_NavFlattened);
     for (size_t i = states.size(); i-- > 0;) {
         const bool isUndone = i > history->present();
         const ImVec4 color = isUndone ? theme::kTextDim : ImGui::GetStyleColorVec4(ImGuiCol_Text);

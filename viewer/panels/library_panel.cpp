@@ -7,7 +7,9 @@
 #include <imgui.h>
 
 #include "viewer/model/material_presets.h"
+#include "viewer/model/preset_pictures.h"
 #include "viewer/model/scene_document.h"
+#include "viewer/panels/material_drag.h"
 #include "viewer/panels/material_patch.h"
 #include "viewer/panels/panel.h"
 #include "viewer/ui/widgets.h"
@@ -15,17 +17,25 @@
 namespace glint {
 namespace {
 
-constexpr float kMostRows = 8.0f;
+constexpr float kMostRows = 6.0f;
+constexpr float kRowUnits = 30.0f;
 
-void drawPresets(const MaterialPresetGroup& group, SceneDocument* document, Material* selected) {
+void drawPresets(PresetPictures* pictures, size_t shown, SceneDocument* document, Material* selected) {
+    const MaterialPresetGroup& group = materialPresets()[shown];
+    const PresetSheet& sheet = pictures->sheets[shown];
+    pictures->ask(shown);
+    const float row = kRowUnits * ui::scale() + ImGui::GetStyle().ItemSpacing.y;
     const float rows = std::min(static_cast<float>(group.presets.size()), kMostRows);
-    ImGui::BeginChild("presets", {0.0f, rows * ImGui::GetTextLineHeightWithSpacing()});
-    for (const MaterialPreset& preset : group.presets) {
-        const Vec3 patch = patchColor(preset.material);
-        if (ui::selectable(preset.name.c_str(), false, &patch)) {
+    ImGui::BeginChild("presets", {0.0f, rows * row}, false, ImGuiWindowFlags_NavFlattened);
+    for (size_t i = 0; i < group.presets.size(); ++i) {
+        const MaterialPreset& preset = group.presets[i];
+        const Vec2 corner = sheet.cornerOf(i);
+        if (ui::pictureLine(preset.name.c_str(), {sheet.texture, corner, corner + sheet.cellSize()},
+                            patchColor(preset.material), kRowUnits)) {
             takeMaterial(preset.material, selected);
             document->nameEdit("Material " + preset.name);
         }
+        offerMaterial({.preset = &preset}, preset.name);
     }
     ImGui::EndChild();
 }
@@ -56,7 +66,7 @@ void drawCopying(MaterialLibrary* library, SceneDocument* document, Material* se
     }
 }
 
-void draw(SceneDocument* document, MaterialLibrary* library) {
+void draw(SceneDocument* document, MaterialLibrary* library, PresetPictures* pictures) {
     std::vector<Material>& materials = document->draft().materials;
     if (materials.empty()) { return ui::hint("The scene has no materials."); }
     const int last = static_cast<int>(materials.size()) - 1;
@@ -66,8 +76,10 @@ void draw(SceneDocument* document, MaterialLibrary* library) {
     for (const MaterialPresetGroup& group : materialPresets()) {
         names.emplace_back(group.name);
     }
-    ui::choice("Group", &library->group, names, "A click on one makes the selected material such a one");
-    drawPresets(materialPresets()[static_cast<size_t>(library->group)], document, material);
+    ui::choice(
+        "Group", &library->group, names,
+        "A click on one makes the selected material such a one; dragged to the picture, an object has it");
+    drawPresets(pictures, static_cast<size_t>(library->group), document, material);
     drawCopying(library, document, material);
 }
 

@@ -7,7 +7,9 @@
 #include <imgui.h>
 
 #include "engine/io/studio.h"
+#include "viewer/model/image_choice.h"
 #include "viewer/model/scene_document.h"
+#include "viewer/model/scene_files.h"
 #include "viewer/panels/asset_state.h"
 #include "viewer/panels/gizmo_rows.h"
 #include "viewer/panels/panel.h"
@@ -19,22 +21,38 @@ namespace {
 constexpr ui::KindLabel<LightKind> kKinds[]{
     {LightKind::Point, "Point"}, {LightKind::Spot, "Spot"}, {LightKind::Directional, "Directional"}};
 
-void drawEnvironment(SceneDescription* scene, AssetReader* assets) {
-    Environment* environment = &scene->environment;
+/// One colour, an image of the scene, a sky that is made, or a file.
+void drawImage(SceneDocument* document, SceneFiles* files) {
+    const std::vector<SceneImage>& images = document->draft().environmentImages;
+    std::vector<std::string> names{"none"};
+    for (size_t i = 0; i < images.size(); ++i) {
+        const std::string path = pathOf(images[i].source);
+        names.push_back(path.empty() ? fmt::format("image {}", i) : path);
+    }
+    names.emplace_back("Sky");
+    names.emplace_back("From a file…");
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    int& shown = document->draft().environment.image;
+    int index = shown + 1;
+    if (!ui::choice("Image", &index, views, "Latitude and longitude")) { return; }
+    const size_t chosen = static_cast<size_t>(index);
+    if (chosen <= images.size()) {
+        shown = index - 1;
+    } else if (chosen == images.size() + 1) {
+        chooseSky(document);
+    } else {
+        files->dialog.ask({"Choose an environment", files->opened, false,
+                           [document](const std::string& path) { chooseEnvironmentFile(document, path); }});
+    }
+}
+
+void drawEnvironment(SceneDocument* document, SceneFiles* files, AssetReader* assets) {
+    Environment* environment = &document->draft().environment;
     ui::heading("Environment");
     ui::color("Radiance", &environment->color, 1e6f, "W/(sr m²); multiplies the image where there is one");
     ui::number("Env. strength", &environment->strength, {.format = "× %.3f", .speed = 0.01f, .max = 1e6f});
-    if (!scene->environmentImages.empty()) {
-        std::vector<std::string> names{"none"};
-        for (size_t i = 0; i < scene->environmentImages.size(); ++i) {
-            const std::string path = pathOf(scene->environmentImages[i].source);
-            names.push_back(path.empty() ? fmt::format("image {}", i) : path);
-        }
-        const std::vector<std::string_view> views(names.begin(), names.end());
-        int index = environment->image + 1;
-        if (ui::choice("Image", &index, views, "Latitude and longitude")) { environment->image = index - 1; }
-        drawAssetState(assets);
-    }
+    drawImage(document, files);
+    drawAssetState(assets);
     ui::toggle("Background only", &environment->seenOnly, "The camera sees it, and it lights nothing");
     ui::number("Rotation", &environment->rotationDeg,
                {.format = "%.1f°",
@@ -115,10 +133,11 @@ void drawStudio(SceneDescription* scene) {
     }
 }
 
-void draw(SceneDocument* document, AssetReader* assets, GizmoSettings* gizmo, const KeyMap* keys) {
+void draw(SceneDocument* document, SceneFiles* files, AssetReader* assets, GizmoSettings* gizmo,
+          const KeyMap* keys) {
     drawStudio(&document->draft());
     drawLights(document, gizmo, *keys);
-    drawEnvironment(&document->draft(), assets);
+    drawEnvironment(document, files, assets);
 }
 
 }  // namespace

@@ -6,11 +6,15 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "engine/scene/scene_use.h"
 #include "viewer/model/scene_document.h"
+#include "viewer/model/scene_files.h"
 #include "viewer/panels/asset_state.h"
+#include "viewer/panels/material_drag.h"
 #include "viewer/panels/material_model_rows.h"
 #include "viewer/panels/material_patch.h"
 #include "viewer/panels/panel.h"
+#include "viewer/panels/texture_row.h"
 #include "viewer/ui/widgets.h"
 
 namespace glint {
@@ -30,7 +34,7 @@ void drawList(SceneDocument* document) {
     const std::vector<Material>& materials = document->draft().materials;
     const float rows = std::min(static_cast<float>(materials.size()), 6.0f);
     const float height = rows * ImGui::GetTextLineHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
-    ImGui::BeginChild("list", {0.0f, height});
+    ImGui::BeginChild("list", {0.0f, height}, false, ImGuiWindowFlags_NavFlattened);
     for (size_t i = 0; i < materials.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         const Vec3 swatch = patchColor(materials[i]);
@@ -38,25 +42,10 @@ void drawList(SceneDocument* document) {
                            &swatch)) {
             document->selectedMaterial = static_cast<int>(i);
         }
+        offerMaterial({.material = static_cast<int>(i)}, nameOf(materials[i], i));
         ImGui::PopID();
     }
     ImGui::EndChild();
-}
-
-/// A choice of an image, or none.
-void drawTexture(const SceneDescription& scene, const char* label, const char* tooltip, int* chosen) {
-    if (scene.textures.empty()) { return; }
-    std::vector<std::string> names{"none"};
-    for (size_t i = 0; i < scene.textures.size(); ++i) {
-        const Texture& texture = scene.textures[i];
-        const std::string path = pathOf(texture.image.source);
-        names.push_back(!texture.name.empty() ? texture.name
-                        : !path.empty()       ? path
-                                              : fmt::format("texture {}", i));
-    }
-    const std::vector<std::string_view> views(names.begin(), names.end());
-    int index = *chosen + 1;
-    if (ui::choice(label, &index, views, tooltip)) { *chosen = index - 1; }
 }
 
 /// How the image lies on the surface; shared by all materials that have it.
@@ -89,8 +78,7 @@ void drawPlacement(Texture* texture) {
 
 /// The texture whose placement is shown: the first that the material has.
 Texture* placedTexture(const Material& material, std::vector<Texture>* textures) {
-    for (const int index : {material.color.texture, material.bump.texture, material.normalMap.texture,
-                            material.opacity.texture}) {
+    for (const int index : inputTextures(material)) {
         if (index >= 0 && static_cast<size_t>(index) < textures->size()) {
             return &(*textures)[static_cast<size_t>(index)];
         }
@@ -98,10 +86,10 @@ Texture* placedTexture(const Material& material, std::vector<Texture>* textures)
     return nullptr;
 }
 
-void drawRelief(const SceneDescription& scene, Material* material) {
+void drawRelief(const TextureRows& rows, Material* material) {
     ui::heading("Relief and opacity");
-    drawTexture(scene, "Bump map", "An image of heights, over which the shading leans",
-                &material->bump.texture);
+    drawTextureRow(rows, "Bump map", "An image of heights, over which the shading leans",
+                   &material->bump.texture);
     if (material->bump.texture >= 0) {
         ui::number("Bump height", &material->bumpHeight,
                    {.format = "%.4f m",
@@ -109,13 +97,13 @@ void drawRelief(const SceneDescription& scene, Material* material) {
                     .zeroText = "flat",
                     .tooltip = "What white stands for; negative: valleys"});
     }
-    drawTexture(scene, "Normal map", "An image of tangent-space normals", &material->normalMap.texture);
+    drawTextureRow(rows, "Normal map", "An image of tangent-space normals", &material->normalMap.texture);
     if (material->normalMap.texture >= 0) {
         ui::number("Normal strength", &material->normalStrength,
                    {.format = "× %.2f", .speed = 0.01f, .tooltip = "1 as the image says"});
     }
-    drawTexture(scene, "Opacity map", "An image that cuts out: its alpha, or else its channel",
-                &material->opacity.texture);
+    drawTextureRow(rows, "Opacity map", "An image that cuts out: its alpha, or else its channel",
+                   &material->opacity.texture);
     if (material->opacity.texture < 0) {
         ui::number(
             "Opacity", &material->opacity.value,
@@ -126,11 +114,12 @@ void drawRelief(const SceneDescription& scene, Material* material) {
     }
 }
 
-void drawScattering(const SceneDescription& scene, AssetReader* assets, Material* material) {
+void drawScattering(const TextureRows& rows, AssetReader* assets, Material* material) {
     ui::color("Colour", &material->color.value, 1.0f, "Linear Rec.709. Click the patch for a picker");
-    drawTexture(scene, "Texture", "An image that replaces the colour", &material->color.texture);
+    drawTextureRow(rows, "Texture", "An image that replaces the colour", &material->color.texture);
     drawAssetState(assets);
     drawModelInputs(material);
+    drawModelTextures(rows);
 }
 
 void drawEmission(Material* material) {
@@ -150,7 +139,7 @@ void drawHighlight(Material* material) {
                {.format = "%.1f", .speed = 0.2f, .max = 1e6f, .tooltip = "Larger: smaller highlights"});
 }
 
-void draw(SceneDocument* document, AssetReader* assets) {
+void draw(SceneDocument* document, AssetReader* assets, SceneFiles* files) {
     std::vector<Material>& materials = document->draft().materials;
     if (materials.empty()) {
         ui::hint("The scene has no materials.");
@@ -162,9 +151,10 @@ void draw(SceneDocument* document, AssetReader* assets) {
     Material& material = materials[static_cast<size_t>(selected)];
     ImGui::PushID(selected);
     ui::kindChoice("Kind", &material.kind, kKinds);
-    drawScattering(document->draft(), assets, &material);
+    const TextureRows rows{document, files, static_cast<size_t>(selected)};
+    drawScattering(rows, assets, &material);
     if (Texture* texture = placedTexture(material, &document->draft().textures)) { drawPlacement(texture); }
-    drawRelief(document->draft(), &material);
+    drawRelief(rows, &material);
     drawEmission(&material);
     if (document->draft().options.integrator == IntegratorKind::RayCast) { drawHighlight(&material); }
     ImGui::PopID();
@@ -172,6 +162,9 @@ void draw(SceneDocument* document, AssetReader* assets) {
 
 }  // namespace
 
-Panel materialsPanel() { return {"Materials", false, OfParts<draw>::call}; }
+Panel materialsPanel() {
+    return {"Materials", false, OfParts<draw>::call, WithoutScene::Draws,
+            "A material that is dragged to the picture is given to the object there"};
+}
 
 }  // namespace glint

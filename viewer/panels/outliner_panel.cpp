@@ -11,6 +11,7 @@
 #include "viewer/model/object_edits.h"
 #include "viewer/model/outliner.h"
 #include "viewer/model/scene_document.h"
+#include "viewer/panels/material_drag.h"
 #include "viewer/panels/panel.h"
 #include "viewer/ui/widgets.h"
 
@@ -60,6 +61,9 @@ void drawEntry(SceneDocument* document, const OutlinerEntry& entry) {
     const bool isHidden = selection == nullptr;
     if (isHidden) { ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled)); }
     const bool isChosen = ui::selectable(entry.label.c_str(), !isHidden && *selection == entry.index);
+    if (entry.kind == OutlinerEntry::Kind::Material) {
+        offerMaterial({.material = entry.index}, entry.label);
+    }
     if (isHidden) {
         ImGui::PopStyleColor();
         if (ImGui::IsItemHovered()) { ui::tooltip("A click shows it again"); }
@@ -71,7 +75,7 @@ void drawEntry(SceneDocument* document, const OutlinerEntry& entry) {
 void drawEntries(SceneDocument* document, const std::vector<OutlinerEntry>& entries) {
     const float row = ImGui::GetTextLineHeightWithSpacing();
     const auto rows = static_cast<float>(std::clamp<size_t>(entries.size(), 1, kRowsShown));
-    ImGui::BeginChild("##entries", {0.0f, rows * row});
+    ImGui::BeginChild("##entries", {0.0f, rows * row}, false, ImGuiWindowFlags_NavFlattened);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(entries.size()));
     while (clipper.Step()) {

@@ -10,6 +10,7 @@
 
 #include "viewer/model/workspace.h"
 #include "viewer/panels/panel.h"
+#include "viewer/ui/keyboard_walk.h"
 #include "viewer/ui/widgets.h"
 
 // A line for each, in their order on the screen; <name>_panel.cpp defines Panel <name>Panel().
@@ -86,7 +87,9 @@ void drawPanels(Workspace* workspace) {
     drawStrip(workspace);
     WindowLayout& layout = workspace->layout;
     const std::string goTo = std::exchange(layout.goTo, {});
-    ImGui::BeginChild("##sections", {0.0f, 0.0f}, false, ImGuiWindowFlags_AlwaysVerticalScrollbar);
+    ImGui::BeginChild("##sections", {0.0f, 0.0f}, false,
+                      ImGuiWindowFlags_AlwaysVerticalScrollbar | ImGuiWindowFlags_NavFlattened);
+    if (std::exchange(layout.walks, false)) { ui::beginWalkHere(); }
     for (size_t i = 0; i < std::size(kPanels); ++i) {
         const Panel panel = kPanels[i]();
         if (!isShown(panel, workspace)) { continue; }

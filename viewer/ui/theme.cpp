@@ -48,7 +48,7 @@ void setColors(ImGuiStyle* style) {
     colors[ImGuiCol_SeparatorActive] = grey(0.50f);
     colors[ImGuiCol_PlotHistogram] = grey(0.48f);
     colors[ImGuiCol_TextSelectedBg] = grey(0.38f);
-    colors[ImGuiCol_NavHighlight] = grey(0.55f);
+    colors[ImGuiCol_NavHighlight] = grey(0.88f);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <imgui_stdlib.h>
 
 #include "viewer/base/quantity.h"
+#include "viewer/ui/keyboard_walk.h"
 #include "viewer/ui/theme.h"
 
 namespace glint::ui {
@@ -103,7 +104,7 @@ bool offerTyping(const char* id, double value) {
     const ImGuiID field = ImGui::GetID(id);
     const bool isClicked = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) ||
                            (ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(ImGuiMouseButton_Left));
-    const bool begins = typing.nextFieldBegins || (ImGui::IsItemHovered() && isClicked);
+    const bool begins = typing.nextFieldBegins || isEntered() || (ImGui::IsItemHovered() && isClicked);
     if (begins) {
         ImGui::ClearActiveID();
         begin(field, value);

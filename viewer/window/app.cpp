@@ -13,6 +13,7 @@
 #include "viewer/base/interrupt.h"
 #include "viewer/base/progress.h"
 #include "viewer/base/state_folder.h"
+#include "viewer/ui/keyboard_walk.h"
 #include "viewer/ui/theme.h"
 #include "viewer/ui/widgets.h"
 #include "viewer/window/frame_pacer.h"
@@ -96,6 +97,7 @@ App::~App() {
 Status App::open(std::optional<SceneDescription> scene) {
     imgui_ = ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
+    ui::allowWalking();
     auto surface =
         options_.headless ? makeHeadlessSurface(options_.surface) : makeWindowSurface(options_.surface);
     if (!surface) { return surface.error(); }
@@ -115,6 +117,7 @@ Status App::open(std::optional<SceneDescription> scene) {
         progress_.emplace();
     }
     workspace_.frames.makeBackend = options_.anotherBackend;
+    workspace_.presets.makeBackend = options_.anotherBackend;
     workspace_.sceneFiles.dialog.usesDesktop = !options_.headless;
     workspace_.display.autoExposure = !options_.noAutoExposure;
     if (options_.ocio) { workspace_.ocio.use(options_.ocio); }
@@ -149,6 +152,7 @@ void App::drawFrame() {
     ImGui_ImplOpenGL3_NewFrame();
     surface_->beginFrame();
     if (player_) { player_->feed(&ImGui::GetIO()); }
+    ui::letEnterPress();
     ImGui::NewFrame();
     ui::beginFrame(&registry_, &fonts_, loadedScale_ / loadedFramebufferScale_);
     const bool held = shell_.draw(&workspace_, panes_);

@@ -136,7 +136,8 @@ void Dialogs::drawBrowser(FileDialog* dialog) const {
         if (ui::text("Name", &browser.typed, "a file, a folder, or a path", "~ is the home folder")) {
             chosen = browser.typed;
         }
-        ImGui::BeginChild("##entries", {0.0f, kBrowserRows * ImGui::GetTextLineHeightWithSpacing()});
+        ImGui::BeginChild("##entries", {0.0f, kBrowserRows * ImGui::GetTextLineHeightWithSpacing()}, false,
+                          ImGuiWindowFlags_NavFlattened);
         for (const FileBrowser::Entry& entry : browser.entries()) {
             if (!ui::selectable(entry.name.c_str(), entry.name == browser.typed)) { continue; }
             // A click must not replace a file at once.

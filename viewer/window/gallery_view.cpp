@@ -62,7 +62,8 @@ void drawGallery(Workspace* workspace, Vec2 min, Vec2 max) {
                                : "Open a file on the right, drop one here, or begin with one of these");
     ImGui::PopFont();
     ImGui::SetCursorScreenPos({min.x + gap, ImGui::GetCursorScreenPos().y + 0.5f * gap});
-    ImGui::BeginChild("##gallery", {max.x - min.x - gap, max.y - ImGui::GetCursorScreenPos().y});
+    ImGui::BeginChild("##gallery", {max.x - min.x - gap, max.y - ImGui::GetCursorScreenPos().y}, false,
+                      ImGuiWindowFlags_NavFlattened);
     ui::leaveSection();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
     const float width = kCardUnits * ui::scale();

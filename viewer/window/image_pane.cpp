@@ -41,6 +41,7 @@ void ImagePanes::takeColors(Workspace* workspace) {
     takeDifference(workspace->difference);
     thumbnails.update(&workspace->snapshots.kept());
     thumbnails.update(&workspace->examples.scenes);
+    thumbnails.update(&workspace->presets.sheets);
 }
 
 void ImagePanes::show(Workspace* workspace) {

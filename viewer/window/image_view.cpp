@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 #include <imgui.h>
@@ -153,6 +154,20 @@ void ImageView::pick(Workspace* workspace, bool isClick) {
     }
 }
 
+/// A material that is dropped on the item that was drawn last goes to the object there.
+void ImageView::takeMaterial(Workspace* workspace, const ImageArea& area) {
+    if (!ImGui::BeginDragDropTarget()) { return; }
+    const ImGuiPayload* payload =
+        ImGui::AcceptDragDropPayload(MaterialDrag::kKind, ImGuiDragDropFlags_AcceptNoDrawDefaultRect);
+    findPixel(*workspace, area);
+    if (payload != nullptr && hoveredPixel_) {
+        MaterialDrag given;
+        std::memcpy(&given, payload->Data, sizeof given);
+        workspace->giveMaterialAt(*hoveredPixel_, given);
+    }
+    ImGui::EndDragDropTarget();
+}
+
 void ImageView::drawOverlay(const FocusOverlay& overlay, const ImageDisplay& display) const {
     if (overlay.colors().empty() || display.texture() == 0) { return; }
     ImGui::GetWindowDrawList()->AddImage(
@@ -168,7 +183,8 @@ bool ImageView::draw(Workspace* workspace, const ImagePanes& panes, Vec2 min, Ve
     ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::kImageBackground);
     ImGui::Begin("##image", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse |
+                     (hasScene ? ImGuiWindowFlags_NoNav : 0));
     const ImageArea area = areaOf(*workspace, min, max);
     ImageFraming& framing = workspace->display.framing;
     if (hasScene) {
@@ -186,6 +202,7 @@ bool ImageView::draw(Workspace* workspace, const ImagePanes& panes, Vec2 min, Ve
     const bool hovered = ImGui::IsItemHovered();
     const bool held = ImGui::IsItemActive();
     hoveredPixel_.reset();
+    if (hasScene) { takeMaterial(workspace, area); }
     bool moving = false;
     if (hasScene) {
         if (hovered || held) { findPixel(*workspace, area); }

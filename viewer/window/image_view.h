@@ -26,6 +26,7 @@ class ImageView {
     void findPixel(const Workspace& workspace, const ImageArea& area);
     void giveColor(const Workspace& workspace, bool isClick) const;
     void pick(Workspace* workspace, bool isClick);
+    void takeMaterial(Workspace* workspace, const ImageArea& area);
     void drawOverlay(const FocusOverlay& overlay, const ImageDisplay& display) const;
     Vec2 dragged(bool held);
     bool navigate(Workspace* workspace, const ImageArea& area, bool hovered, bool held);

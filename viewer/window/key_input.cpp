@@ -7,12 +7,14 @@
 
 #include <imgui.h>
 
+#include "viewer/ui/keyboard_walk.h"
 #include "viewer/window/key_codes.h"
 
 namespace glint {
 namespace {
 
 constexpr std::array<std::string_view, 4> kOfNoAction{"escape", "shift", "ctrl", "alt"};
+constexpr std::array<std::string_view, 6> kOfWidgets{"space", "enter", "up", "down", "left", "right"};
 
 KeyChord withModifiers(std::string key) {
     const ImGuiIO& io = ImGui::GetIO();
@@ -23,6 +25,7 @@ template <class IsActive>
 bool isMeant(const KeyMap& keys, KeyAction action, const IsActive& isActive) {
     if (ImGui::GetIO().WantTextInput || keys.asked) { return false; }
     for (const KeyChord& chord : keys.chordsOf(action)) {
+        if (ui::isWalking() && std::ranges::find(kOfWidgets, chord.key) != kOfWidgets.end()) { continue; }
         if (isActive(*keyCode(chord.key)) && keys.means(action, withModifiers(chord.key))) { return true; }
     }
     return false;

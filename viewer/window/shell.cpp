@@ -12,6 +12,7 @@
 #include "viewer/model/object_edits.h"
 #include "viewer/panels/panels.h"
 #include "viewer/ui/eyedropper.h"
+#include "viewer/ui/keyboard_walk.h"
 #include "viewer/ui/theme.h"
 #include "viewer/ui/widgets.h"
 #include "viewer/window/key_input.h"
@@ -41,6 +42,7 @@ void Shell::handleKeys(Workspace* workspace) {
         help_.close(&workspace->keys);
         workspace->lens.picksFocus = workspace->region.picks = workspace->inspector.picksArea = false;
         ui::stopWaitingForColor();
+        if (!ImGui::IsAnyItemActive() && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) { ui::endWalk(); }
     }
     if (is(KeyAction::Help)) { help_.toggle(); }
     if (is(KeyAction::OpenScene)) { workspace->sceneFiles.browse(); }
@@ -48,6 +50,7 @@ void Shell::handleKeys(Workspace* workspace) {
     if (is(KeyAction::Undo)) { workspace->history.askUndo(); }
     if (is(KeyAction::Redo)) { workspace->history.askRedo(); }
     if (is(KeyAction::Panels)) { panelsShown_ = !panelsShown_; }
+    if (is(KeyAction::Walk)) { panelsShown_ = workspace->layout.walks = true; }
     if (is(KeyAction::Darker)) { display.exposureStops -= kExposureStep; }
     if (is(KeyAction::Brighter)) { display.exposureStops += kExposureStep; }
     if (document.isOpen()) { handleSceneKeys(workspace); }
@@ -89,7 +92,7 @@ void Shell::drawSplitter(float x, float height, float* columnUnits) const {
     ImGui::SetNextWindowSize({width, height});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0f, 1.0f));
-    ImGui::Begin("##splitter", nullptr, kFixed | ImGuiWindowFlags_NoScrollbar);
+    ImGui::Begin("##splitter", nullptr, kFixed | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoNav);
     ImGui::InvisibleButton("##handle", {width, height});
     const bool active = ImGui::IsItemActive();
     const bool hovered = ImGui::IsItemHovered() || active;
@@ -146,7 +149,7 @@ void Shell::drawStatusLine(const Workspace& workspace, float y) {
     ImGui::SetNextWindowSize({io.DisplaySize.x, io.DisplaySize.y - y});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10.0f * ui::scale(), 4.0f * ui::scale()));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0f, 1.0f));
-    ImGui::Begin("##status", nullptr, kFixed | ImGuiWindowFlags_NoScrollbar);
+    ImGui::Begin("##status", nullptr, kFixed | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoNav);
     std::string left = "No scene";
     const std::string help = workspace.keys.textOf(KeyAction::Help) + ": help";
     std::string right = help;

@@ -29,18 +29,23 @@ void ThumbnailTextures::update(std::vector<KeptPicture>* kept) {
     }
 }
 
-void ThumbnailTextures::update(std::vector<ExampleScene>* examples) {
-    for (ExampleScene& each : *examples) {
+template <class Listed>
+void ThumbnailTextures::makeMissing(std::vector<Listed>* listed) {
+    for (Listed& each : *listed) {
         if (each.texture != 0 || each.thumbnail.rgba.empty()) { continue; }
-        ofExamples_.push_back(each.texture = make(each.thumbnail));
+        lasting_.push_back(each.texture = make(each.thumbnail));
     }
 }
 
+void ThumbnailTextures::update(std::vector<ExampleScene>* examples) { makeMissing(examples); }
+
+void ThumbnailTextures::update(std::vector<PresetSheet>* sheets) { makeMissing(sheets); }
+
 void ThumbnailTextures::release() {
-    for (const unsigned int texture : ofExamples_) {
+    for (const unsigned int texture : lasting_) {
         gl_.DeleteTextures(1, &texture);
     }
-    ofExamples_.clear();
+    lasting_.clear();
     for (const auto& [number, texture] : textures_) {
         gl_.DeleteTextures(1, &texture);
     }

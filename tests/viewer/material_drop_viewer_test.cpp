@@ -1,0 +1,139 @@
+// Materials that are dragged to objects, and images from files, by scripts.
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "engine/io/image_io.h"
+#include "engine/io/scene_loader.h"
+#include "tests/viewer/play_script.h"
+
+namespace glint {
+namespace {
+
+using namespace test;
+namespace fs = std::filesystem;
+
+const std::string kOnlyThese = R"(
+wait picture
+close "Scene"
+close "Render"
+close "Camera"
+close "Lens"
+close "Display"
+)";
+
+TEST(MaterialDrop, APresetIsGivenToTheObjectUnderTheMouse) {
+    expectPlayed(play(kOnlyThese + R"(
+open "Object"
+open "Library"
+wait frames 3
+set "Group" Paints
+wait frames 3
+move "Terracotta"
+press
+move "Image" 0.5 0.5
+wait frames 3
+release
+wait picture
+expect "Object/Name" "sphere 1"
+expect "Object/Material" Terracotta
+key ctrl down
+key z
+key ctrl up
+wait picture
+expect "Object/Material" grey
+move "Terracotta"
+press
+move "Image" 0.02 0.02
+wait frames 3
+release
+wait frames 3
+expect "Object/Material" grey
+expect "Status message" "There is no object to give the material to"
+)"));
+}
+
+TEST(MaterialDrop, AMaterialOfTheSceneToo) {
+    std::string two(kScene);
+    two.insert(two.find("\"grey\""), R"("red": {"type": "diffuse", "color": [0.8, 0, 0]}, )");
+    write("two.json", two);
+    write("script.txt", kOnlyThese + R"(
+open "Object"
+open "Materials"
+wait frames 3
+move "Materials/red"
+press
+move "Image" 0.5 0.5
+wait frames 3
+release
+wait picture
+expect "Object/Material" red
+)");
+    expectPlayed(run("view two.json --headless --threads 1 --script script.txt"));
+}
+
+TEST(MaterialDrop, BallsOfTheLibraryAreRendered) {
+    expectPlayed(play(kOnlyThese + R"(
+open "Library"
+wait frames 2
+set "Group" Plastics
+wait jobs
+click "Go to Library"
+wait frames 4
+expect "Red, glossy" pictured
+screenshot library.png
+)",
+                      "--passes 2"));
+    const auto shown = loadImage8("library.png");
+    ASSERT_TRUE(shown);
+    std::set<uint8_t> reds;
+    for (size_t i = 0; i < (*shown)->rgb.size(); i += 3) {
+        const uint8_t* pixel = &(*shown)->rgb[i];
+        if (pixel[0] > 2 * std::max(pixel[1], pixel[2])) { reds.insert(pixel[0]); }
+    }
+    EXPECT_GT(reds.size(), 20u) << "a ball is lit from one side; a patch has one colour";
+}
+
+TEST(ImageChoice, TexturesAndEnvironmentsComeFromFiles) {
+    fs::create_directories("images");
+    ASSERT_TRUE(savePng("images/green.png", {2, 1, {0, 200, 0, 0, 200, 0}}));
+    fs::remove("textured.json");
+    expectPlayed(play(kOnlyThese + R"(
+open "Materials"
+open "Lights"
+open "Checkpoint"
+wait frames 3
+set "Texture" "From a file…"
+wait frames 3
+set "Name" images/green.png
+click "Open this"
+wait picture
+expect "Texture" green.png
+set "Kind" Plastic
+wait picture
+set "Roughness map" "From a file…"
+wait frames 3
+set "Name" images/green.png
+click "Open this"
+wait picture
+set "Lights/Image" Sky
+wait picture
+set "Scene file" textured.json
+click "Save scene"
+wait jobs
+)"));
+    const auto saved = loadScene("textured.json");
+    ASSERT_TRUE(saved) << saved.error().format();
+    ASSERT_EQ(saved->textures.size(), 2u) << "numbers are linear";
+    EXPECT_EQ(saved->textures[0].encoding, ColorEncoding::Srgb);
+    EXPECT_EQ(saved->textures[1].encoding, ColorEncoding::Linear);
+    EXPECT_EQ(saved->materials[0].color.texture, 0);
+    EXPECT_EQ(saved->materials[0].roughness.texture, 1);
+    ASSERT_EQ(saved->environmentImages.size(), 1u);
+    EXPECT_TRUE(saved->environmentImages[0].isGenerated());
+}
+
+}  // namespace
+}  // namespace glint

@@ -1,0 +1,73 @@
+#include "viewer/panels/texture_row.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "engine/scene/scene_use.h"
+#include "viewer/model/image_choice.h"
+#include "viewer/ui/widgets.h"
+
+namespace glint {
+namespace {
+
+/// "clearcoatRoughness": "Clearcoat roughness map".
+std::string labelOf(std::string_view key) {
+    std::string label;
+    for (const char c : key) {
+        const auto letter = static_cast<unsigned char>(c);
+        const bool isWord = std::isupper(letter) != 0;
+        if (isWord) { label += ' '; }
+        label += static_cast<char>(label.empty() ? std::toupper(letter) : std::tolower(letter));
+    }
+    return label + " map";
+}
+
+void askForFile(const TextureRows& rows, const int* chosen) {
+    const std::vector<int*> inputs = inputTextures(rows.of());
+    const auto input = static_cast<size_t>(std::ranges::find(inputs, chosen) - inputs.begin());
+    rows.files->dialog.ask(
+        {"Choose an image", rows.files->opened, false,
+         [document = rows.document, material = rows.material, input](const std::string& path) {
+             chooseTextureFile(document, material, input, path);
+         }});
+}
+
+}  // namespace
+
+void drawTextureRow(const TextureRows& rows, const char* label, const char* tooltip, int* chosen) {
+    std::vector<std::string> names{"none"};
+    const std::vector<Texture>& textures = rows.document->draft().textures;
+    for (size_t i = 0; i < textures.size(); ++i) {
+        const std::string path = pathOf(textures[i].image.source);
+        names.push_back(!textures[i].name.empty() ? textures[i].name
+                        : !path.empty()           ? path
+                                                  : fmt::format("texture {}", i));
+    }
+    names.emplace_back("From a file…");
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    int index = *chosen + 1;
+    if (!ui::choice(label, &index, views, tooltip)) { return; }
+    if (static_cast<size_t>(index) == textures.size() + 1) {
+        askForFile(rows, chosen);
+    } else {
+        *chosen = index - 1;
+    }
+}
+
+void drawModelTextures(const TextureRows& rows) {
+    Material* material = rows.of();
+    forEachModelInput(
+        [&](const InputInfo& info, auto& input) {
+            if (!looksAt(*material, info)) { return; }
+            drawTextureRow(rows, labelOf(info.key).c_str(), "An image that replaces the number",
+                           &input.texture);
+        },
+        *material);
+}
+
+}  // namespace glint

@@ -1,0 +1,40 @@
+#include "viewer/ui/keyboard_walk.h"
+
+#include <imgui_internal.h>
+
+namespace glint::ui {
+
+void allowWalking() { ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard; }
+
+void letEnterPress() {
+    ImGuiIO& io = ImGui::GetIO();
+    const int enter = io.KeyMap[ImGuiKey_Enter];
+    if (isWalking() && enter >= 0 && io.KeysDown[enter]) { io.NavInputs[ImGuiNavInput_Activate] = 1.0f; }
+}
+
+void beginWalkHere() {
+    ImGuiContext& context = *ImGui::GetCurrentContext();
+    ImGuiWindow* window = ImGui::GetCurrentWindow();
+    ImGui::FocusWindow(window);
+    ImGui::NavInitWindow(window, true);
+    context.NavDisableHighlight = false;
+    context.NavDisableMouseHover = true;
+}
+
+bool isWalking() {
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    return context.NavId != 0 && !context.NavDisableHighlight;
+}
+
+void endWalk() {
+    if (ImGui::GetCurrentContext()->NavWindow == nullptr) { return; }
+    ImGui::SetNavID(0, ImGuiNavLayer_Main, 0, ImRect());
+    ImGui::GetCurrentContext()->NavDisableHighlight = true;
+}
+
+bool isEntered() {
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    return context.NavActivateInputId != 0 && context.NavActivateInputId == ImGui::GetItemID();
+}
+
+}  // namespace glint::ui
