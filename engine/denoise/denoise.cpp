@@ -46,7 +46,7 @@ class Denoiser {
             scale_[i] = 1.0f / (square(light[i]) + square(darkest) + 1e-30f);
             relative_[i] = planes_.variance[i] * scale_[i];
         }
-        variance_ = surroundings(relative_);
+        variance_ = means(relative_, kChoiceHalf);
         leastError_ = variance_;
         gain_.resize(pixels);
         change_.resize(pixels);
@@ -74,21 +74,19 @@ class Denoiser {
     std::vector<float> means(const std::vector<float>& values, int half) const {
         return boxMeans(values, input_.width, input_.height, half, threads_);
     }
-    std::vector<float> surroundings(const std::vector<float>& values) const {
-        return surroundingMeans(values, input_.width, input_.height, kChoiceHalf, threads_);
-    }
-
     /// With the input's variance v, the candidate's leverage h and its squared difference d from the input,
     /// whose mean is e + v - 2 h v for a candidate with the mean squared error e (Stein 1981): the share s of
-    /// the candidate has the error v - 2 s (1 - h) v + s^2 d, which is least for s = (1 - h) v / d. The
-    /// pixel's own values have no say in its choice, so that they tell its error afterwards.
+    /// the candidate has the error v - 2 s (1 - h) v + s^2 d, which is least for s = (1 - h) v / d. A pixel's
+    /// own difference has no say in its choice, so that it tells the error afterwards.
     void take(const Candidate& candidate) {
         std::vector<float> difference(scale_.size()), independent(scale_.size());
         for (size_t i = 0; i < scale_.size(); ++i) {
             difference[i] = square(luminance(candidate.radiance[i] - input_.radiance[i])) * scale_[i];
             independent[i] = (1.0f - candidate.leverage[i]) * relative_[i];
         }
-        const std::vector<float> differences = surroundings(difference), gains = surroundings(independent);
+        const std::vector<float> gains = means(independent, kChoiceHalf),
+                                 differences = surroundingMeans(difference, input_.width, input_.height,
+                                                                kChoiceHalf, threads_);
         for (size_t i = 0; i < scale_.size(); ++i) {
             const float d = differences[i], g = gains[i];
             const float best = d > g ? g / d : 1.0f;
@@ -148,8 +146,8 @@ class Denoiser {
     std::vector<Vec3> result_;
     std::vector<float> scale_;       ///< makes squares of luminances relative
     std::vector<float> relative_;    ///< variance of the input
-    std::vector<float> variance_;    ///< the same, as a mean over the surroundings
-    std::vector<float> leastError_;  ///< of what was chosen, squared, by the surroundings
+    std::vector<float> variance_;    ///< the same, as a mean over a square
+    std::vector<float> leastError_;  ///< of what was chosen, squared, by the square
     /// Of what was chosen, by the pixel alone: s (1 - h) v and s^2 d.
     std::vector<float> gain_, change_;
 };

@@ -85,6 +85,26 @@ EditKind compare(const Value& a, const Value& b, EditKind edit) {
     return kinds;
 }
 
+/// Of fields that are no edit, at any depth.
+template <class Value>
+bool sameLabels(const Value& a, const Value& b) {
+    bool isSame = true;
+    if constexpr (HasFields<Value>) {
+        forEachField<Value>([&](const auto& field) {
+            const auto &partA = a.*field.member, &partB = b.*field.member;
+            const bool isLabel = editOf(field) == EditKind::None;
+            isSame = isSame && sameLabels(partA, partB) &&
+                     (!isLabel || compare(partA, partB, EditKind::Everything) == EditKind::None);
+        });
+    } else if constexpr (kIsVector<Value>) {
+        isSame = a.size() == b.size();
+        for (size_t i = 0; isSame && i < a.size(); ++i) {
+            isSame = sameLabels(a[i], b[i]);
+        }
+    }
+    return isSame;
+}
+
 using Differences = std::vector<SceneDifference>;
 
 template <class Value>
@@ -134,8 +154,8 @@ std::vector<SceneDifference> listDifferences(const SceneDescription& before, con
     return out;
 }
 
-bool sameHidden(const SceneDescription& before, const SceneDescription& after) {
-    return compare(before.hiddenObjects, after.hiddenObjects, EditKind::Everything) == EditKind::None;
+bool sameUnseen(const SceneDescription& before, const SceneDescription& after) {
+    return sameLabels(before, after);
 }
 
 EditKind differences(const SceneDescription& before, const SceneDescription& after) {

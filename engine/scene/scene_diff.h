@@ -14,8 +14,8 @@ namespace glint {
 /// None when nothing that is rendered differs; what no object refers to in either scene is not rendered.
 /// Parts that no panel edits (meshes, images, names) count as another scene.
 EditKind differences(const SceneDescription& before, const SceneDescription& after);
-/// Whether what is hidden is the same, which no picture shows.
-bool sameHidden(const SceneDescription& before, const SceneDescription& after);
+/// Whether what no picture shows is the same: names, titles, and what is hidden.
+bool sameUnseen(const SceneDescription& before, const SceneDescription& after);
 
 /// One field in which two versions of a scene differ.
 struct SceneDifference {

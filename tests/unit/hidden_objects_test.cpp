@@ -69,8 +69,8 @@ TEST_F(HiddenObjects, AreNeitherReadNorBuiltNorInTheFingerprint) {
     without.hiddenObjects.clear();
     EXPECT_EQ(sceneHash(scene), sceneHash(without));
     EXPECT_EQ(differences(scene, without), EditKind::None);
-    EXPECT_FALSE(sameHidden(scene, without));
-    EXPECT_TRUE(sameHidden(scene, SceneDescription(scene)));
+    EXPECT_FALSE(sameUnseen(scene, without));
+    EXPECT_TRUE(sameUnseen(scene, SceneDescription(scene)));
 }
 
 TEST_F(HiddenObjects, AreSavedAsTheyAre) {
@@ -81,7 +81,7 @@ TEST_F(HiddenObjects, AreSavedAsTheyAre) {
     ASSERT_TRUE(again) << again.error().format();
     EXPECT_THAT(namesOf(again->objects), ElementsAre("ball"));
     EXPECT_THAT(namesOf(again->hiddenObjects), ElementsAre("far", "second"));
-    EXPECT_TRUE(sameHidden(scene, *again));
+    EXPECT_TRUE(sameUnseen(scene, *again));
     EXPECT_EQ(sceneHash(scene), sceneHash(*again));
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/io/atomic_file.h"
 #include "tests/viewer/play_script.h"
 
 namespace glint {
@@ -79,6 +80,39 @@ expect widget "Hidden 1: gone"
 expect no-widget "Object 3: gone"
 )w");
     expectPlayed(run("view hidden.json --headless --threads 1 --script script.txt"));
+}
+
+TEST(HiddenViewer, ANameIsAnEditThatIsSavedAndUndone) {
+    fs::remove("renamed.json");
+    expectPlayed(play(R"w(
+wait finished
+close "Render"
+close "Camera"
+close "Lens"
+open "Object"
+open "History"
+move "Image"
+press
+release
+wait frames 3
+mark
+set "Object/Name" "my ball"
+wait frames 4
+expect widget "2. Rename"
+open "Checkpoint"
+wait frames 2
+set "Scene file" renamed.json
+click "Save scene"
+wait jobs
+expect restarts 0
+key ctrl down
+key z
+key ctrl up
+wait frames 4
+expect "Object/Name" "sphere 1"
+)w",
+                      "--passes 2"));
+    EXPECT_NE(readFile("renamed.json")->find("\"my ball\""), std::string::npos);
 }
 
 }  // namespace

@@ -59,6 +59,12 @@ std::string percent(double fraction) {
     return fmt::format("{:.{}f} %", value, decimals);
 }
 
+std::string percentWithin(double fraction, double low, double high) {
+    const double half = 50.0 * (high - low);
+    const bool isKnown = std::isfinite(half) && half > 0.0;
+    return percent(fraction) + (isKnown ? fmt::format(" ± {:.2g}", half) : "");
+}
+
 std::string grouped(uint64_t value) {
     std::string digits = std::to_string(value);
     for (size_t place = digits.size(); place > 3;) {

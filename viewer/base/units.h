@@ -14,6 +14,8 @@ std::string withPrefix(double value, const char* unit);
 std::string duration(double seconds);
 /// "1.25 %"; "–" when it is not known yet.
 std::string percent(double fraction);
+/// "2.60 % ± 0.31": half of the band from `low` to `high` beside it, where that is known.
+std::string percentWithin(double fraction, double low, double high);
 /// "1 234 567".
 std::string grouped(uint64_t value);
 /// "3.2 ms", "1.40 s".

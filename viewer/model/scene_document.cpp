@@ -44,7 +44,7 @@ SceneDocument::Unsaved SceneDocument::unsaved() const {
     comparedWith_ = opened_->saved;
     unsaved_ = Unsaved::Nothing;
     if (posted_ == comparedWith_) { return unsaved_; }
-    if (!comparedWith_ || !sameHidden(*comparedWith_, *posted_)) { return unsaved_ = Unsaved::Edits; }
+    if (!comparedWith_ || !sameUnseen(*comparedWith_, *posted_)) { return unsaved_ = Unsaved::Edits; }
     for (const SceneDifference& each : listDifferences(*comparedWith_, *posted_)) {
         const bool follows = (focusFollowsTarget || focusObject >= 0) && each.key == "focalDistance";
         const bool isView =
@@ -117,15 +117,19 @@ void SceneDocument::followFocus() {
 SceneDocument::Edits SceneDocument::takeEdits() {
     followFocus();
     const EditKind kinds = differences(*posted_, draft_);
-    if (kinds == EditKind::None) { return {}; }
+    if (kinds == EditKind::None) {
+        const bool isUnseen = !sameUnseen(*posted_, draft_);
+        if (isUnseen) { posted_ = std::make_shared<const SceneDescription>(draft_); }
+        return {.isUnseen = isUnseen};
+    }
     if (lackingAssets(draft_).empty()) {
         posted_ = std::make_shared<const SceneDescription>(draft_);
-        return {kinds, false};
+        return {kinds};
     }
     auto ready = std::make_shared<const SceneDescription>(withoutLacking(draft_, *posted_));
     const EditKind readyKinds = differences(*posted_, *ready);
     if (readyKinds != EditKind::None) { posted_ = std::move(ready); }
-    return {readyKinds, true};
+    return {.kinds = readyKinds, .lacksAssets = true};
 }
 
 }  // namespace glint

@@ -80,6 +80,8 @@ class SceneDocument {
         EditKind kinds = EditKind::None;
         /// The draft uses a file that was not read; what needs it is not among the edits.
         bool lacksAssets = false;
+        /// No picture shows what changed: names.
+        bool isUnseen = false;
     };
     /// What the draft has changed since the last call, now part of posted(). Needs an open scene.
     Edits takeEdits();

@@ -15,7 +15,10 @@ std::string summaryOf(const FilmSnapshot& picture) {
     std::string text = fmt::format("{} · {} · {}", inCapitals(integratorInfo(picture.integrator).alias),
                                    passCount(picture.passes), duration(picture.renderSeconds));
     if (picture.isDenoised) { text += " · denoised"; }
-    if (picture.passes > 1) { text += fmt::format(" · error {}", percent(picture.relativeError)); }
+    if (picture.passes > 1) {
+        text += " · error " +
+                percentWithin(picture.relativeError, picture.relativeErrorLow, picture.relativeErrorHigh);
+    }
     return text;
 }
 

@@ -15,7 +15,8 @@ bool Workspace::commitDraft(bool held) {
     std::string name = document.takeEditName();
     if (edits.lacksAssets) { assets.read(); }
     const FilmTake take = history.take();
-    const bool isEdited = edits.kinds != EditKind::None;
+    const bool isEdited = edits.kinds != EditKind::None || edits.isUnseen;
+    if (edits.isUnseen && name.empty()) { name = "Rename"; }
     const DisplayChoices& shown = history.states()[history.present()].display;
     if (!isEdited && shown == display.choices()) { return false; }
     if (name.empty()) {

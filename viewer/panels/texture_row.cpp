@@ -24,7 +24,7 @@ std::string labelOf(std::string_view key) {
         if (isWord) { label += ' '; }
         label += static_cast<char>(label.empty() ? std::toupper(letter) : std::tolower(letter));
     }
-    return label + " map";
+    return (key == "ior" ? "IOR" : label) + " map";
 }
 
 void askForFile(const TextureRows& rows, const int* chosen) {

@@ -35,8 +35,8 @@ void setColors(ImGuiStyle* style) {
     colors[ImGuiCol_ScrollbarGrabHovered] = grey(0.38f);
     colors[ImGuiCol_ScrollbarGrabActive] = grey(0.46f);
     colors[ImGuiCol_CheckMark] = grey(0.88f);
-    colors[ImGuiCol_SliderGrab] = grey(0.46f);
-    colors[ImGuiCol_SliderGrabActive] = grey(0.62f);
+    colors[ImGuiCol_SliderGrab] = grey(0.36f);
+    colors[ImGuiCol_SliderGrabActive] = grey(0.48f);
     colors[ImGuiCol_Button] = grey(0.255f);
     colors[ImGuiCol_ButtonHovered] = grey(0.32f);
     colors[ImGuiCol_ButtonActive] = grey(0.21f);

@@ -142,6 +142,19 @@ std::string Shell::imageText(const Workspace& workspace) const {
     return text;
 }
 
+/// "PT · 90 passes · 38.0 s · error 2.60 % ± 0.31".
+std::string Shell::progressText(const Workspace& workspace) {
+    const SessionStatus& status = workspace.render.status();
+    const auto& shown = workspace.ownPicture();
+    const std::string error = status.passes > 1 ? percentWithin(status.relativeError, status.relativeErrorLow,
+                                                                status.relativeErrorHigh)
+                                                : "–";
+    return fmt::format("{} · {} · {}{} · {} {}", inCapitals(integratorInfo(status.integrator).alias),
+                       passCount(status.passes), duration(status.renderSeconds),
+                       shown && shown->isDenoised ? " · denoised" : "",
+                       status.region ? "region's error" : "error", error);
+}
+
 void Shell::drawStatusLine(const Workspace& workspace, float y) {
     const ImGuiIO& io = ImGui::GetIO();
     const SessionStatus& status = workspace.render.status();
@@ -155,11 +168,7 @@ void Shell::drawStatusLine(const Workspace& workspace, float y) {
     std::string right = help;
     if (workspace.document.isOpen()) {
         left = imageText(workspace);
-        const auto& shown = workspace.ownPicture();
-        right = fmt::format("{}{}    {}    {} {}    {}", shown && shown->isDenoised ? "denoised    " : "",
-                            passCount(status.passes), duration(status.renderSeconds),
-                            status.region ? "region's error" : "error",
-                            status.passes > 1 ? percent(status.relativeError) : "–", help);
+        right = progressText(workspace) + "    " + help;
     }
     const std::string& refused = status.error;
     const bool isMessage = showsNotice(workspace.notice) || !refused.empty();
@@ -175,6 +184,7 @@ void Shell::drawStatusLine(const Workspace& workspace, float y) {
     const bool isError = isMessage && (workspace.notice.isError() || !refused.empty());
     ImGui::TextColored(isError ? theme::kTextError : theme::kTextDim, "%s", right.c_str());
     ImGui::PopStyleColor();
+    ui::area("Progress", {rightX, y}, {io.DisplaySize.x, io.DisplaySize.y}, isMessage ? "" : right);
     if (isMessage) { ui::area("Status message", {rightX, y}, {io.DisplaySize.x, io.DisplaySize.y}, right); }
     ui::area("Status line", {0.0f, y}, {io.DisplaySize.x, io.DisplaySize.y}, left);
     ImGui::End();

@@ -22,6 +22,7 @@ class Shell {
     void drawColumn(Workspace* workspace, float x, float height);
     bool showsNotice(const Notice& notice);
     std::string imageText(const Workspace& workspace) const;
+    static std::string progressText(const Workspace& workspace);
     void drawStatusLine(const Workspace& workspace, float y);
 
     ImageView view_;
