@@ -16,9 +16,9 @@ constexpr int kNoiseHalf = 2;
 /// Of the mean of a square, in what is stated as its error.
 constexpr float kErrorsAbove = 1.0f;
 constexpr std::array<RegressionSettings, 3> kRegressions{{{true, 1.5f}, {true, 5.0f}, {false, 3.0f}}};
-/// A pixel that is so many times as far from the candidate as its neighbourhood is, but not beyond so many of
-/// its own standard errors, is a spark: of it nothing is kept.
-constexpr float kSparkRatio = 3.0f;
+/// A pixel that is so many times as far from the candidate as its surroundings are: within so many of its own
+/// standard errors it is a spark, of which nothing is kept; beyond, the candidate is wrong there.
+constexpr float kFarRatio = 3.0f;
 constexpr float kSparkErrors = 3.0f;
 
 class Denoiser {
@@ -77,7 +77,7 @@ class Denoiser {
     /// With the input's variance v, the candidate's leverage h and its squared difference d from the input,
     /// whose mean is e + v - 2 h v for a candidate with the mean squared error e (Stein 1981): the share s of
     /// the candidate has the error v - 2 s (1 - h) v + s^2 d, which is least for s = (1 - h) v / d. A pixel's
-    /// own difference has no say in its choice, so that it tells the error afterwards.
+    /// own difference has no say in that, but where it is far off, so that it tells the error afterwards.
     void take(const Candidate& candidate) {
         std::vector<float> difference(scale_.size()), independent(scale_.size());
         for (size_t i = 0; i < scale_.size(); ++i) {
@@ -91,10 +91,10 @@ class Denoiser {
             const float d = differences[i], g = gains[i];
             const float best = d > g ? g / d : 1.0f;
             const float error = maxf(0.0f, variance_[i] - 2.0f * best * g + best * best * d);
-            if (error >= leastError_[i]) { continue; }
+            const bool isFar = difference[i] > square(kFarRatio) * d;
+            const bool isSpark = isFar && difference[i] < square(kSparkErrors) * relative_[i];
+            if (error >= leastError_[i] || (isFar && !isSpark)) { continue; }
             leastError_[i] = error;
-            const bool isSpark = difference[i] > square(kSparkRatio) * d &&
-                                 difference[i] < square(kSparkErrors) * relative_[i];
             const float share = isSpark ? 1.0f : best;
             result_[i] = glm::mix(input_.radiance[i], candidate.radiance[i], share);
             gain_[i] = share * independent[i];

@@ -62,7 +62,8 @@ std::string percent(double fraction) {
 std::string percentWithin(double fraction, double low, double high) {
     const double half = 50.0 * (high - low);
     const bool isKnown = std::isfinite(half) && half > 0.0;
-    return percent(fraction) + (isKnown ? fmt::format(" ± {:.2g}", half) : "");
+    const int decimals = half >= 9.5 ? 0 : half >= 0.95 ? 1 : half >= 0.095 ? 2 : 4;
+    return percent(fraction) + (isKnown ? fmt::format(" ± {:.{}f}", half, decimals) : "");
 }
 
 std::string grouped(uint64_t value) {
