@@ -1,7 +1,6 @@
 // Writes a scene as Glint JSON. Whatever the reader knows and affects the picture is written out, so that a
 // saved scene does not depend on defaults.
 #include <cstring>
-#include <set>
 
 #include <fmt/format.h>
 
@@ -11,28 +10,13 @@
 #include "engine/io/json_writer.h"
 #include "engine/io/scene_json.h"
 #include "engine/io/scene_json_keys.h"
+#include "engine/io/scene_names.h"
 #include "engine/scene/kind_names.h"
 #include "engine/scene/scene_fields.h"
 #include "engine/scene/shape_forms.h"
 
 namespace glint {
 namespace {
-
-/// The items' names, made different from each other and never empty.
-template <class Item>
-std::vector<std::string> uniqueNames(const std::vector<Item>& items, std::string_view what) {
-    std::vector<std::string> names;
-    std::set<std::string> taken;
-    for (const Item& item : items) {
-        const std::string base = item.name.empty() ? std::string(what) : item.name;
-        std::string name = base;
-        for (int i = 2; !taken.insert(name).second; ++i) {
-            name = fmt::format("{} {}", base, i);
-        }
-        names.push_back(std::move(name));
-    }
-    return names;
-}
 
 /// Unlike ==, tells -0 from 0, which a file keeps apart too.
 bool isExactIdentity(const Affine& transform) {

@@ -236,6 +236,14 @@ class RealWindow : public testing::Test {
         std::this_thread::sleep_for(kPause);
     }
 
+    /// Long enough for a frame to see it.
+    void press(const std::string& key) {
+        hand("keydown " + key);
+        std::this_thread::sleep_for(std::chrono::seconds(1));
+        hand("keyup " + key);
+        std::this_thread::sleep_for(std::chrono::seconds(1));
+    }
+
     void moveTo(int x, int y) {
         hand("mousemove --window " + window_ + " " + std::to_string(x) + " " + std::to_string(y));
     }

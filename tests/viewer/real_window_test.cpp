@@ -161,13 +161,6 @@ TEST_F(RealWindow, AKeyIsChanged) {
     openWindow();
     if (HasFatalFailure()) { return; }
     hand("windowfocus " + window_);
-    // Long enough for a frame to see it.
-    const auto press = [&](const std::string& key) {
-        hand("keydown " + key);
-        std::this_thread::sleep_for(std::chrono::seconds(1));
-        hand("keyup " + key);
-        std::this_thread::sleep_for(std::chrono::seconds(1));
-    };
     press("F1");
     findWidgets("key f1\nwait frames 3\n");
     click("Key of pause");
@@ -182,6 +175,36 @@ TEST_F(RealWindow, AKeyIsChanged) {
     hand("keyup KP_Add");
     hand("keydown ctrl keydown q");
     EXPECT_EQ(glint_->exitCode(), 0) << read("glint.log");
+}
+
+TEST_F(RealWindow, SpaceIsForTheMarkedWidgetUntilEsc) {
+    openWindow();
+    if (HasFatalFailure()) { return; }
+    hand("windowfocus " + window_);
+    press("F6");
+    press("space");
+    EXPECT_TRUE(titleSays("^scene.json ")) << "a section was closed, and nothing paused";
+    press("Escape");
+    hand("keydown space");
+    EXPECT_TRUE(titleSays("paused")) << read("glint.log");
+    hand("keyup space");
+}
+
+TEST_F(RealWindow, AMaterialIsDraggedToAnObject) {
+    openWindow();
+    if (HasFatalFailure()) { return; }
+    findWidgets("");
+    click("Go to Library");
+    findWidgets("click \"Go to Library\"\nwait frames 4\n");
+    const auto line = placeOf(widgets_, "aluminium"), image = placeOf(widgets_, "Image");
+    ASSERT_TRUE(line && image) << widgets_;
+    moveTo(line->centreX(), line->centreY());
+    hand("mousedown 1");
+    moveTo(line->centreX() - 60, line->centreY());
+    moveTo(image->centreX(), image->centreY());
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    hand("mouseup 1");
+    EXPECT_TRUE(titleSays("scene.json[*]")) << read("glint.log");
 }
 
 TEST_F(RealWindow, ADisplayWithoutOpenGlIsExitTwoWithTheCause) {
