@@ -94,5 +94,34 @@ expect no-widget "Cancel"
                       "--recovery 3600"));
 }
 
+TEST(OpenViewer, WhatLacksFilesIsOpenedWithoutThem) {
+    std::string scene(kScene);
+    scene.insert(scene.find("\"radius\": 1 }") + 13,
+                 R"(, {"type": "mesh", "material": "grey", "mesh": {"file": "gone.obj"}})");
+    write("lacking.json", scene);
+    write("odd.json", "{ \"glint\": 1, \"camra\": 3 }");
+    expectPlayed(play(R"(
+wait finished
+set "Scene/File" odd.json
+click "Scene/Open"
+wait jobs
+wait frames 3
+expect no-widget "Open anyway"
+set "Scene/File" lacking.json
+click "Scene/Open"
+wait jobs
+wait frames 3
+expect error "gone.obj"
+print "Error note"
+click "Open anyway"
+wait frames 3
+expect no-error
+expect no-widget "Error note"
+print "Warnings"
+wait picture
+)",
+                      "--passes 2"));
+}
+
 }  // namespace
 }  // namespace glint

@@ -196,7 +196,7 @@ TEST_F(RealWindow, AMaterialIsDraggedToAnObject) {
     findWidgets("");
     click("Go to Library");
     findWidgets("click \"Go to Library\"\nwait frames 4\n");
-    const auto line = placeOf(widgets_, "aluminium"), image = placeOf(widgets_, "Image");
+    const auto line = placeOf(widgets_, "Library/aluminium"), image = placeOf(widgets_, "Image");
     ASSERT_TRUE(line && image) << widgets_;
     moveTo(line->centreX(), line->centreY());
     hand("mousedown 1");

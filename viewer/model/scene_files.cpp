@@ -11,6 +11,26 @@
 
 namespace glint {
 
+namespace {
+
+struct LoadedScene {
+    Result<SceneDescription> whole;
+    std::shared_ptr<SceneDescription> part{};  ///< without files that are missing, where that is all
+};
+
+LoadedScene load(const SceneReading& from) {
+    LoadedScene loaded{loadScene(from.path, from.options)};
+    if (loaded.whole || from.options.allowMissing) { return loaded; }
+    LoadOptions options = from.options;
+    options.allowMissing = true;
+    if (auto part = loadScene(from.path, options)) {
+        loaded.part = std::make_shared<SceneDescription>(std::move(*part));
+    }
+    return loaded;
+}
+
+}  // namespace
+
 void SceneFiles::open(const std::string& path) {
     if (path.empty()) { return; }
     if (opening_) {
@@ -18,27 +38,36 @@ void SceneFiles::open(const std::string& path) {
         return;
     }
     opening_ = true;
-    error_.reset();
+    dismissError();
     auto from = std::make_shared<SceneReading>(path == reading.path ? reading : SceneReading{.path = path});
     jobs_->start(
         [this, from]() -> JobQueue::Completion {
-            auto loaded = std::make_shared<Result<SceneDescription>>(loadScene(from->path, from->options));
+            auto loaded = std::make_shared<LoadedScene>(load(*from));
             from->choices = readSceneChoices(from->path);
             return [this, loaded, from] {
+                Result<SceneDescription>& whole = loaded->whole;
                 opening_ = false;
-                if (!*loaded) { logError("{}", loaded->error().format()); }
+                if (!whole) { logError("{}", whole.error().format()); }
                 if (!next_.empty()) { return open(std::exchange(next_, "")); }
-                if (*loaded || from->path == reading.path) { reading = std::move(*from); }
-                if (*loaded) {
-                    adopt_(std::move(loaded->value()));
+                if (whole || from->path == reading.path) { reading = std::move(*from); }
+                if (whole) {
+                    adopt_(std::move(*whole));
                 } else {
-                    error_ = loaded->error();
+                    error_ = whole.error();
+                    part_ = std::move(loaded->part);
                     notice_->show(error_->format(), true);
                 }
                 isReload_ = false;
             };
         },
         false);
+}
+
+void SceneFiles::openWithoutFiles() {
+    if (!part_) { return; }
+    const std::shared_ptr<SceneDescription> part = std::move(part_);
+    reading = {.path = part->path, .options = {.allowMissing = true}};
+    adopt_(std::move(*part));
 }
 
 void SceneFiles::reload(const std::string& path) {

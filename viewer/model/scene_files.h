@@ -58,7 +58,14 @@ class SceneFiles {
     /// Hands the scene in that file to who adds its objects to the one that is open.
     void add(const std::string& path);
     const std::optional<Error>& error() const { return error_; }
-    void dismissError() { error_.reset(); }
+    void dismissError() {
+        error_.reset();
+        part_.reset();
+    }
+    /// The scene that could not be opened lacks files alone, and can be without them.
+    bool opensWithoutFiles() const { return part_ != nullptr; }
+    /// Opens it so; what is left out is among the scene's warnings.
+    void openWithoutFiles();
 
     /// Lets the user look for a scene.
     void browse();
@@ -85,6 +92,7 @@ class SceneFiles {
     bool isReload_ = false;
     std::string next_;  ///< asked for while another scene was being opened
     std::optional<Error> error_;
+    std::shared_ptr<SceneDescription> part_;  ///< of the scene that error_ is of; null: there is none
 };
 
 }  // namespace glint

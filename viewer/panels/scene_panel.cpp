@@ -1,4 +1,5 @@
 // Which scene is open, opening another, and what went wrong with that.
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,6 +14,7 @@
 #include "viewer/model/scene_files.h"
 #include "viewer/panels/panel.h"
 #include "viewer/ui/error_box.h"
+#include "viewer/ui/theme.h"
 #include "viewer/ui/widgets.h"
 
 namespace glint {
@@ -87,6 +89,21 @@ void drawChoices(SceneFiles* files, bool hasEdits) {
     }
 }
 
+/// What was repaired or left out; all of it is in the log.
+void drawWarnings(const std::vector<std::string>& warnings) {
+    constexpr size_t kMostShown = 4;
+    if (warnings.empty()) { return; }
+    std::string text;
+    for (size_t i = 0; i < std::min(warnings.size(), kMostShown); ++i) {
+        text += (i > 0 ? "\n" : "") + warnings[i];
+    }
+    if (warnings.size() > kMostShown) { text += fmt::format("\n{} more: Log", warnings.size() - kMostShown); }
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::kTextError);
+    ImGui::TextWrapped("%s", text.c_str());
+    ImGui::PopStyleColor();
+    ui::itemArea("Warnings", text);
+}
+
 void draw(SceneFiles* files, const SceneDocument* document, const KeyMap* keys) {
     static const std::string help = "A scene to open: " + listImporters() + ". Enter opens it.";
     const bool entered = ui::text("File", &files->opened, "scene.json, .txt, .obj, .ply", help.c_str());
@@ -99,11 +116,19 @@ void draw(SceneFiles* files, const SceneDocument* document, const KeyMap* keys) 
     drawRecent(files);
     if (files->error()) {
         ui::gap();
-        if (drawErrorBox("This scene cannot be opened", *files->error())) { files->dismissError(); }
+        const bool isDismissed = drawErrorBox("This scene cannot be opened", *files->error());
         if (document->isOpen()) { ui::hint("The scene that was open goes on."); }
+        const bool isWanted = files->opensWithoutFiles() && ui::button("Open anyway", ui::buttonWidth(1),
+                                                                       "Without the files that are missing");
+        if (isDismissed) {
+            files->dismissError();
+        } else if (isWanted) {
+            files->openWithoutFiles();
+        }
     }
     if (!document->isOpen()) { return; }
     if (files->reading.path == document->draft().path) { drawChoices(files, document->hasUnsavedEdits()); }
+    drawWarnings(document->draft().warnings);
     for (const std::string* text : {&document->draft().title, &document->draft().description}) {
         if (!text->empty()) { ui::hint(text->c_str()); }
     }

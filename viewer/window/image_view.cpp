@@ -13,6 +13,7 @@
 #include "viewer/ui/widgets.h"
 #include "viewer/window/gallery_view.h"
 #include "viewer/window/key_input.h"
+#include "viewer/window/picture_notes.h"
 #include "viewer/window/split_view.h"
 
 namespace glint {
@@ -52,6 +53,19 @@ void drawHint(Vec2 min, Vec2 max, const char* text) {
     const ImVec2 size = ImGui::CalcTextSize(text);
     const ImVec2 corner{(min.x + max.x - size.x) * 0.5f, (min.y + max.y - size.y) * 0.5f};
     ImGui::GetWindowDrawList()->AddText(corner, ImGui::GetColorU32(theme::kTextDim), text);
+}
+
+/// Of a scene that cannot be opened; the panel says more.
+void drawErrorNote(const Error& error, Vec2 min, Vec2 max) {
+    const float margin = noteMargin();
+    const std::string whole = error.format();
+    const std::string text = whole.substr(0, whole.find('\n'));
+    const float room = max.x - min.x - 2.0f * margin;
+    const float wanted = plateSize(text, 0.0f).x;
+    const Vec2 size = plateSize(text, wanted > room ? room : 0.0f);
+    const Vec2 corner(min.x + margin, max.y - margin - size.y);
+    drawPlate(text, corner, size);
+    ui::area("Error note", corner, corner + size, text);
 }
 
 }  // namespace
@@ -227,6 +241,7 @@ bool ImageView::draw(Workspace* workspace, const ImagePanes& panes, Vec2 min, Ve
     } else {
         workspace->sceneFiles.opening() ? drawHint(min, max, "Opening…") : drawGallery(workspace, min, max);
     }
+    if (workspace->sceneFiles.error()) { drawErrorNote(*workspace->sceneFiles.error(), min, max); }
     ui::area("Image", min, max, "");
     ImGui::End();
     ImGui::PopStyleColor();
