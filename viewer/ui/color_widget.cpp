@@ -23,6 +23,7 @@ constexpr float kPickerUnits = 330.0f;
 /// Of the picker that is open, of which there is one at most. The colour is strength * shade, and no channel
 /// of the shade exceeds 1.
 struct OpenPicker {
+    ImGuiID field = 0;  ///< 0: none is open
     Vec3 before{0.0f};  ///< what Esc gives back
     Vec3 made{0.0f};    ///< the colour as the picker left it: another one came from elsewhere
     Vec3 shade{1.0f};
@@ -84,7 +85,16 @@ bool drawHex(const char* label) {
 /// Esc gives back what was there; a click elsewhere keeps what was made.
 bool drawPicker(const char* label, Vec3* value, float max, ImGuiID field) {
     ImGui::SetNextWindowSize({kPickerUnits * scale(), 0.0f});
-    if (!ImGui::BeginPopup("picker")) { return false; }
+    const bool isEscaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+    const bool wasOpen = picker.field == field;
+    if (!ImGui::BeginPopup("picker")) {
+        if (!wasOpen) { return false; }
+        // Esc has closed it before this frame began.
+        picker.field = 0;
+        if (isEscaped) { *value = picker.before; }
+        return isEscaped;
+    }
+    picker.field = field;
     if (ImGui::IsWindowAppearing()) { picker.before = *value; }
     if (ImGui::IsWindowAppearing() || *value != picker.made) {
         takeColor(*value);
@@ -104,7 +114,7 @@ bool drawPicker(const char* label, Vec3* value, float max, ImGuiID field) {
         waitForColor(field);
         ImGui::CloseCurrentPopup();
     }
-    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
+    if (isEscaped) {
         isChanged = true;
         *value = picker.before;
         ImGui::CloseCurrentPopup();

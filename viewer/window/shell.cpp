@@ -173,6 +173,7 @@ void Shell::drawStatusLine(const Workspace& workspace, float y) {
     const std::string& refused = status.error;
     const bool isMessage = showsNotice(workspace.notice) || !refused.empty();
     if (isMessage) { right = refused.empty() ? workspace.notice.text() : refused; }
+    right.resize(std::min(right.size(), right.find('\n')));  // where it is in a file is the panel's
     const float rightX =
         std::max(io.DisplaySize.x - ImGui::CalcTextSize(right.c_str()).x - 10.0f * ui::scale(),
                  kLeastStatusShare * io.DisplaySize.x);
