@@ -41,6 +41,12 @@ enum class MaterialKind : uint8_t {
     Principled,   ///< a clear coat over sheen over a base between plastic and metal
 };
 
+/// How the normals of a rough surface's facets are distributed.
+enum class FacetDistribution : uint8_t {
+    Ggx,       ///< Trowbridge and Reitz 1975; Walter et al. 2007: long tails
+    Beckmann,  ///< slopes with a normal distribution
+};
+
 /// Lights without a shape. Shapes shine through their material.
 enum class LightKind : uint8_t { Point, Spot, Directional };
 

@@ -8,7 +8,7 @@
 #include <glm/common.hpp>
 
 #include "engine/base/nearest_name.h"
-#include "engine/builders/coat_albedo.h"
+#include "engine/builders/coat_rows.h"
 #include "engine/builders/spectrum_table.h"
 #include "engine/kernels/bsdf/bsdf.h"
 #include "engine/scene/glasses.h"
@@ -27,6 +27,9 @@ bool isAtLeast(const Vec3& numbers, float least) {
     return isFinite(numbers) && minComponent(numbers) >= least;
 }
 
+bool isMissing(float number) { return number < 0.0f; }
+bool isMissing(const Vec3&) { return false; }
+
 Status checkMaterial(const Material& material) {
     if (!isFinite(material.color.value) || !isFinite(material.emission.value) ||
         !std::isfinite(material.emissionStrength)) {
@@ -36,6 +39,7 @@ Status checkMaterial(const Material& material) {
     forEachModelInput(
         [&](const InputInfo& info, const auto& input) {
             if (!status || !looksAt(material, info) || isAtLeast(input.value, info.least)) { return; }
+            if (info.canBeMissing && isMissing(input.value)) { return; }
             status = materialError(
                 material, fmt::format("\"{}\" must be finite and at least {}", info.key, info.least));
         },
@@ -48,7 +52,9 @@ void setInputs(const Material& material, const TextureTable& textures, MaterialD
     forEachModelInput(
         [&](const InputInfo& info, const auto& input, auto& value, TextureSlot& slot) {
             if (!looksAt(material, info)) { return; }
-            value = glm::clamp(input.value, info.least, info.most);
+            if (!info.canBeMissing || !isMissing(input.value)) {
+                value = glm::clamp(input.value, info.least, info.most);
+            }
             slot.index = textures.packed(input.texture);
             if (slot.index != kNone) { data->flags |= kMaterialInputTextures; }
         },
@@ -117,40 +123,12 @@ Status checkCoat(const Material& material) {
         material, fmt::format("the index of refraction is {}; expected 1 or more", material.ior.value));
 }
 
-/// The coat's constant row, or the first of its rows behind those in `rows`. Taken from the previous table
-/// where it has the same ones.
-void setCoat(const MaterialData* before, const std::vector<CoatRow>* rowsBefore, MaterialData* data,
-             std::vector<CoatRow>* rows) {
-    const CoatTableLayout layout = CoatTableLayout::of(*data);
-    const CoatTableLayout layoutBefore = before != nullptr ? CoatTableLayout::of(*before) : layout;
-    const bool isKnown = before != nullptr && hasCoatTable(before->kind) &&
-                         layoutBefore.alphas == layout.alphas && layoutBefore.iors == layout.iors &&
-                         before->inputs.ior == data->inputs.ior &&
-                         before->inputs.roughness == data->inputs.roughness;
-    if (layout.rows() == 1) {
-        data->inputs.coat =
-            isKnown ? before->inputs.coat : tabulateCoat(data->inputs.ior, data->inputs.roughness);
-        return;
-    }
-    data->coatTable = static_cast<uint32_t>(rows->size());
-    if (isKnown) {
-        const auto first = rowsBefore->begin() + before->coatTable;
-        rows->insert(rows->end(), first, first + layout.rows());
-        return;
-    }
-    for (int i = 0; i < layout.rows(); ++i) {
-        rows->push_back(
-            tabulateCoat(layout.iors > 1 ? layout.ior(i / layout.alphas) : data->inputs.ior,
-                         layout.alphas > 1 ? layout.alpha(i % layout.alphas) : data->inputs.roughness));
-    }
-}
-
-uint8_t flagsOf(const Material& material) {
+uint16_t flagsOf(const Material& material) {
     int flags = 0;
     flags |= material.kind == MaterialKind::Dielectric && material.thin ? kMaterialThin : 0;
     flags |= material.emissive() && material.emitsBothSides ? kMaterialEmitsBothSides : 0;
     flags |= material.emissive() ? kMaterialEmissive : 0;
-    return static_cast<uint8_t>(flags);
+    return static_cast<uint16_t>(flags);
 }
 
 void setEmission(const Material& material, const TextureTable& textures, MaterialData* data) {
@@ -159,6 +137,18 @@ void setEmission(const Material& material, const TextureTable& textures, Materia
     if (isTexture) { data->flags |= kMaterialInputTextures; }
     data->emission =
         (isTexture ? Vec3(1.0f) : glm::max(material.emission.value, Vec3(0.0f))) * material.emissionStrength;
+}
+
+/// Facets that are not GGX with one alpha.
+void setFacets(const Material& material, MaterialData* data) {
+    data->distribution = distributionOf(material);
+    const bool isGeneral = isAnisotropic(material) || data->distribution != FacetDistribution::Ggx;
+    const bool isRough = data->inputs.roughness > 0.0f || data->inputs.crossRoughness > 0.0f ||
+                         detail::hasRoughnessTexture(*data);
+    if (!hasFacets(material.kind) || !isGeneral || !isRough || (data->flags & kMaterialThin) != 0) { return; }
+    data->flags |= kMaterialFacets;
+    const float angle = material.anisotropyRotationDeg * (kPi / 180.0f);
+    data->facetTurn = Vec2(std::cos(angle), std::sin(angle));
 }
 
 bool hasMipmap(const TextureTable& textures, uint32_t texture) {
@@ -226,6 +216,7 @@ Result<MaterialData> makeMaterial(const Material& material, const TextureTable& 
     data.color = glm::clamp(material.color.value, Vec3(0.0f), Vec3(1.0f));
     data.colorTexture = textures.packed(material.color.texture);
     setInputs(material, textures, &data);
+    setFacets(material, &data);
     setRelief(material, textures, &data);
     if (material.emissive()) { setEmission(material, textures, &data); }
     if (const Status status = setOwn(material, &data); !status) { return status.error(); }
@@ -240,6 +231,7 @@ bool sameMaterial(const MaterialData& a, const MaterialData& b) {
                 a.normalTexture == b.normalTexture && a.normalCode == b.normalCode &&
                 a.normalStrength == b.normalStrength && a.opacity == b.opacity &&
                 a.opacityTexture == b.opacityTexture && a.alphaTexture == b.alphaTexture &&
+                a.facetTurn == b.facetTurn && a.distribution == b.distribution &&
                 a.dispersion == b.dispersion && a.absorption == b.absorption;
     forEachModelInput([&](const InputInfo&, const auto& x, const auto& y, const TextureSlot& s,
                           const TextureSlot& t) { same = same && x == y && s.index == t.index; },

@@ -126,6 +126,14 @@ Status checkMaterial(const SceneDescription& scene, size_t index) {
     if (!inRange(material.roughness.value, 0.0f, 1.0f)) {
         return fault(who, fmt::format("the roughness is {}; expected 0 to 1", material.roughness.value));
     }
+    const float across = material.crossRoughness.value;
+    if (hasCrossRoughness(material) &&
+        !inRange(across, material.crossRoughness.texture < 0 ? 0.0f : -1.0f, 1.0f)) {
+        return fault(who, fmt::format("the roughness across is {}; expected 0 to 1", across));
+    }
+    if (!std::isfinite(material.anisotropyRotationDeg)) {
+        return fault(who, "the rotation of the anisotropy must be a finite number");
+    }
     if (!inRange(material.ior.value, 1e-3f, 1e3f)) {
         return fault(who,
                      fmt::format("the index of refraction is {}; expected more than 0", material.ior.value));

@@ -89,7 +89,7 @@ class SceneJsonWriter {
         } else if constexpr (std::is_same_v<Value, std::vector<Vec2>>) {
             writeVectors(key, value);
         } else if constexpr (kIsInput<Value>) {
-            writeInput(key, value);
+            writeInput(key, traits, value);
         } else if constexpr (std::is_same_v<Value, SceneImage>) {
             json_.field(key, rebased(pathOf(value.source)));
         } else if constexpr (requires { json_.value(value); }) {
@@ -98,13 +98,13 @@ class SceneJsonWriter {
     }
 
     template <class Input>
-    void writeInput(std::string_view key, const Input& input) {
-        if (input.texture < 0) {
-            json_.field(key, input.value);
-            return;
-        }
+    void writeInput(std::string_view key, const FieldTraits& traits, const Input& input) {
+        if (input.texture < 0) { return json_.field(key, input.value); }
         writeObject(key, [&] {
             json_.field("texture", textureNames_[static_cast<size_t>(input.texture)]);
+            if constexpr (std::is_same_v<Input, NumberInput>) {
+                if (static_cast<double>(input.value) < traits.range.lo) { return; }  // it has none
+            }
             json_.field("fallback", input.value);
         });
     }

@@ -28,6 +28,7 @@ struct GatherSurface {
     uint32_t material;
     uint32_t number;  ///< surfaceNumber()
     float uvWidth;    ///< what a pixel covers of u and v; 0 where no texture asks for it
+    Vec3 facetAxis;   ///< bsdf/facet_frame.h; set where the material needs it
 };
 
 /// The half spaces before the walls in a disc.

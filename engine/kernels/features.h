@@ -25,7 +25,7 @@ enum Feature : FeatureMask {
     kFeatureDiffuse = 1u << 9,
     kFeatureSpecular = 1u << 10,  ///< mirror, smooth conductor
     kFeatureDielectric = 1u << 11,
-    kFeatureGlossy = 1u << 12,  ///< any GGX lobe but those of principled materials
+    kFeatureGlossy = 1u << 12,  ///< any lobe of facets but those of principled materials
     kFeaturePlastic = 1u << 13,
     kFeatureMixture = 1u << 14,
     kFeatureAreaLights = 1u << 15,
@@ -47,6 +47,7 @@ enum Feature : FeatureMask {
     kFeatureAttenuation = 1u << 30,   ///< glass that absorbs light on its way inside
     kFeatureTranslucent = 1u << 31,   ///< sheets that let light through diffusely
     kFeaturePrincipled = 1ull << 32,  ///< coats and sheen over plastic or metal
+    kFeatureFacets = 1ull << 33,      ///< facets other than GGX with one alpha
     /// every surface point has dpdu and dpdv, not only those whose material needs them: for tests
     kFeatureTangents = 1ull << 63,
     /// any of these makes shading normals differ from geometric ones
@@ -54,7 +55,7 @@ enum Feature : FeatureMask {
 };
 
 /// All that a scene can ask for.
-constexpr FeatureMask kAllFeatures = (1ull << 33) - 1;
+constexpr FeatureMask kAllFeatures = (1ull << 34) - 1;
 constexpr FeatureMask kMaterialFeatures = kFeatureDiffuse | kFeatureSpecular | kFeatureDielectric |
                                           kFeatureGlossy | kFeaturePlastic | kFeatureMixture |
                                           kFeatureTranslucent | kFeaturePrincipled;

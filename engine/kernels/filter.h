@@ -5,46 +5,11 @@
 #pragma once
 
 #include "engine/kernels/pass.h"
-#include "engine/math/log.h"
+#include "engine/math/inverse_erf.h"
 #include "engine/math/warp.h"
 
 namespace glint {
 namespace detail {
-
-/// Inverse of the error function for |v| < 1 (Giles 2010, "Approximating the erfinv function", single
-/// precision, both branches): relative error below 4e-7. minusLog is -log(1 - v^2).
-GLINT_HD inline float inverseErf(float v, float minusLog) {
-    float p;
-    if (minusLog < 5.0f) {
-        const float w = minusLog - 2.5f;
-        p = 2.81022636e-08f;
-        p = 3.43273939e-07f + p * w;
-        p = -3.5233877e-06f + p * w;
-        p = -4.39150654e-06f + p * w;
-        p = 0.00021858087f + p * w;
-        p = -0.00125372503f + p * w;
-        p = -0.00417768164f + p * w;
-        p = 0.246640727f + p * w;
-        p = 1.50140941f + p * w;
-    } else {
-        const float w = std::sqrt(minusLog) - 3.0f;
-        p = -0.000200214257f;
-        p = 0.000100950558f + p * w;
-        p = 0.00134934322f + p * w;
-        p = -0.00367342844f + p * w;
-        p = 0.00573950773f + p * w;
-        p = -0.0076224613f + p * w;
-        p = 0.00943887047f + p * w;
-        p = 1.00167406f + p * w;
-        p = 2.83297682f + p * w;
-    }
-    return p * v;
-}
-
-/// -log(1 - v^2) for |v| <= 1, finite.
-GLINT_HD inline float minusLogOneMinusSquare(float v) {
-    return -naturalLog(maxf((1.0f - v) * (1.0f + v), 1e-12f));
-}
 
 /// Gaussian with a standard deviation of a third of the support's half, cut off there: density ~ exp(-9/2
 /// t^2) for t in [-1, 1]. Its distribution function is erf(3t/sqrt 2) / erf(3/sqrt 2), inverted exactly.
@@ -52,7 +17,7 @@ GLINT_HD inline float sampleGaussian(float u) {
     constexpr float kWhole = 0.9973002039f;  // erf(3 / sqrt 2)
     constexpr float kSqrt2Over3 = 0.4714045208f;
     const float v = (2.0f * u - 1.0f) * kWhole;
-    return clampf(kSqrt2Over3 * inverseErf(v, minusLogOneMinusSquare(v)), -1.0f, 1.0f);
+    return clampf(kSqrt2Over3 * inverseErf(v), -1.0f, 1.0f);
 }
 
 /// The 4-term Blackman-Harris window (Harris 1978, "On the Use of Windows", table 1) over t in [-1, 1]:

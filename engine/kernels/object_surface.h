@@ -22,8 +22,8 @@ GLINT_HD inline bool isRevolved(const InstanceData& instance) {
 }
 
 /// The flags of the instance's material; none in views without materials, which only tests make.
-GLINT_HD inline uint8_t materialFlagsOf(const SceneView& view, const InstanceData& instance) {
-    return instance.material < view.materials.count ? view.materials[instance.material].flags : uint8_t{0};
+GLINT_HD inline uint16_t materialFlagsOf(const SceneView& view, const InstanceData& instance) {
+    return instance.material < view.materials.count ? view.materials[instance.material].flags : uint16_t{0};
 }
 
 /// The surface at a hit of the world-space `ray`. Sets *vertexColor where it is a mesh with colours.

@@ -10,7 +10,7 @@
 
 namespace glint {
 
-enum MaterialFlag : uint8_t {
+enum MaterialFlag : uint16_t {
     kMaterialThin = 1u << 0,
     kMaterialEmitsBothSides = 1u << 1,
     kMaterialEmissive = 1u << 2,
@@ -19,9 +19,10 @@ enum MaterialFlag : uint8_t {
     kMaterialCutOut = 1u << 5,         ///< not there everywhere
     kMaterialMipmaps = 1u << 6,        ///< some texture is filtered by a pixel's width
     kMaterialDisperses = 1u << 7,      ///< its index depends on the wavelength
+    kMaterialFacets = 1u << 8,         ///< facets other than GGX with one alpha: bsdf/facets.h
 };
 
-/// A GGX alpha below this is treated as perfectly smooth: its lobe is narrower than float directions
+/// An alpha of facets below this is treated as perfectly smooth: its lobe is narrower than float directions
 /// resolve well.
 constexpr float kSmoothAlpha = 1e-4f;
 
@@ -39,6 +40,9 @@ struct CoatRow {
 /// What a model computes with at a point, but for the colour.
 struct ShadingInputs : MaterialInputs<Vec3, float> {
     CoatRow coat;  ///< plastic, principled
+    /// with kMaterialFacets: of light that comes across the direction of `roughness`; coat: along it. Both
+    /// have the average over all directions
+    CoatRow crossCoat;
 };
 
 /// An index into SceneView::textures, or none.
@@ -71,8 +75,10 @@ struct MaterialData {
     float opacity = 1.0f;  ///< kernels/cutout.h, with kMaterialCutOut
     uint32_t opacityTexture = TextureSlot::kNone;
     uint32_t alphaTexture = TextureSlot::kNone;  ///< its alpha is a factor on the opacity
+    Vec2 facetTurn{1.0f, 0.0f};                  ///< of the first roughness, from dpdu: cosine and sine
+    FacetDistribution distribution = FacetDistribution::Ggx;
     MaterialKind kind = MaterialKind::Diffuse;
-    uint8_t flags = 0;
+    uint16_t flags = 0;
 };
 
 /// One of equally likely parts of the spectrum.

@@ -14,8 +14,16 @@ namespace glint {
 
 namespace detail {
 
-GLINT_HD inline VisiblePoint makeVisiblePoint(const SurfacePoint& surface, const Vec3& wo,
-                                              const PathState& path, float lobeProbability) {
+/// What the visible point remembers of the frame's direction about the normal that it will have then.
+GLINT_HD inline float halfTurnOf(const Vec3& axis, uint32_t nsPacked) {
+    const Frame frame = Frame::fromNormal(unpackUnitVector<16>(nsPacked));
+    const float turns = std::atan2(glm::dot(axis, frame.t), glm::dot(axis, frame.s)) * kInvPi;
+    return turns < 0.0f ? turns + 1.0f : turns;
+}
+
+template <FeatureMask kMask>
+GLINT_HD VisiblePoint makeVisiblePoint(const SurfacePoint& surface, const Bsdf<kMask>& bsdf, const Vec3& wo,
+                                       const PathState& path, float lobeProbability) {
     VisiblePoint point;
     point.p = surface.p;
     point.throughput = path.throughput * (1.0f / lobeProbability);
@@ -27,6 +35,11 @@ GLINT_HD inline VisiblePoint makeVisiblePoint(const SurfacePoint& surface, const
     point.instance = surface.instance;
     point.hasWavelength = path.wavelength.nm > 0.0f;
     point.depth = static_cast<uint32_t>(path.depth);
+    if constexpr (hasFeature<kMask>(kFeatureFacets)) {
+        if (hasGeneralFacets<kMask>(*bsdf.material)) {
+            point.vertexColor = withHalfTurn(point.vertexColor, halfTurnOf(bsdf.frame.s, point.nsPacked));
+        }
+    }
     return point;
 }
 
@@ -64,7 +77,7 @@ GLINT_HD bool followToVisiblePoint(const SceneView& view, const SppmParams& para
 
         const float uLobe = get1D<kMask>(sampler, dimension(BounceDimension::Lobe, path->depth));
         if (stored.contains(uLobe)) {
-            *point = makeVisiblePoint(surface, wo, *path, stored.probability());
+            *point = makeVisiblePoint(surface, bsdf, wo, *path, stored.probability());
             const float reach = view.camera.isOrthographic ? 1.0f : distance;
             point->footprint = reach * 2.0f * view.camera.halfHeight / static_cast<float>(pass.height);
             if (hasFeature<kMask>(kFeatureMipmaps) && surface.uvWidth > 0.0f) {

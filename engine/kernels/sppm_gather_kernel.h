@@ -50,6 +50,19 @@ GLINT_HD inline float uvWidthOfPoint(const SceneView& view, const VisiblePoint& 
     return 0.0f;
 }
 
+/// The direction of the facets at the point, whose shading normal is `ns`.
+template <FeatureMask kMask>
+GLINT_HD inline Vec3 facetAxisOfPoint(const SceneView& view, const VisiblePoint& point, const Vec3& ns) {
+    if constexpr (hasFeature<kMask>(kFeatureFacets)) {
+        if ((materialFlagsOf(view, view.geometry.instances[point.instance]) & kMaterialFacets) != 0) {
+            const SinCos angle = sinCosTurns(0.5f * halfTurnIn(point.vertexColor));
+            const Frame frame = Frame::fromNormal(ns);
+            return angle.cos * frame.s + angle.sin * frame.t;
+        }
+    }
+    return Vec3(0.0f);
+}
+
 /// Weight of a photon at a distance of sqrt(t) radii in the estimate of the bias of the mean over the disc.
 /// Radiance L + a r^2 has a mean of L + a R^2 / 2 there, and a mean of a R^2 / 6 when weighted by 2t - 1, in
 /// which constant and linear radiance cancel. The estimate has three times the mean's variance and is
@@ -69,13 +82,15 @@ GLINT_HD Gathered gatherPhotons(const SceneView& view, const PhotonMap& photons,
     Vec3 bias(0.0f);
     const PhotonLayout layout = photonLayout(params);
     const Vec3 ng = unpackUnitVector<16>(point.ngPacked);
+    const Vec3 ns = unpackUnitVector<16>(point.nsPacked);
     const GatherSurface surface{ng,
-                                unpackUnitVector<16>(point.nsPacked),
+                                ns,
                                 point.vertexColor,
                                 point.uv,
                                 view.geometry.instances[point.instance].material,
                                 surfaceNumber<kMask>(view, params, point.instance),
-                                detail::uvWidthOfPoint<kMask>(view, point)};
+                                detail::uvWidthOfPoint<kMask>(view, point),
+                                detail::facetAxisOfPoint<kMask>(view, point, ns)};
     DiscClip clip;
     gathered.probe = detail::probeDisc<kMask>(view, params, statistics, sampler, point, surface,
                                               std::sqrt(radiusSquared), &clip);

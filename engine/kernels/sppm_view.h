@@ -47,9 +47,9 @@ struct SppmPixel {
 /// can count.
 struct VisiblePoint {
     Vec3 p{0.0f};
-    Vec3 throughput{0.0f};  ///< of the camera path up to here, filter and lens included
-    Vec3 woWorld{0.0f};     ///< towards the previous vertex
-    Vec3 vertexColor{1.0f};
+    Vec3 throughput{0.0f};   ///< of the camera path up to here, filter and lens included
+    Vec3 woWorld{0.0f};      ///< towards the previous vertex
+    Vec3 vertexColor{1.0f};  ///< withHalfTurn(), where facets have a direction
     Vec2 uv{0.0f};
     uint32_t nsPacked = 0;  ///< shading normal (octahedral.h)
     uint32_t ngPacked = 0;  ///< geometric normal of the front side
@@ -70,6 +70,21 @@ GLINT_HD inline float withUvWidth(float footprint, float uvWidth) {
 GLINT_HD inline float uvWidthIn(float footprint) {
     const uint32_t code = std::bit_cast<uint32_t>(footprint) & 0xffu;
     return code > 0 ? std::exp2(0.1f * static_cast<float>(code) - 20.0f) : 0.0f;
+}
+
+/// A direction in the surface, as a part in [0, 1) of half a turn, in place of the last eight bits of two
+/// channels of a colour: a visible point has no room for more.
+GLINT_HD inline Vec3 withHalfTurn(Vec3 color, float part) {
+    const auto code = static_cast<uint32_t>(clampf(part * 65536.0f, 0.0f, 65535.0f));
+    const auto low = [](float x, uint32_t bits) {
+        return std::bit_cast<float>((std::bit_cast<uint32_t>(x) & ~0xffu) | bits);
+    };
+    return {low(color.x, code & 0xffu), low(color.y, code >> 8), color.z};
+}
+GLINT_HD inline float halfTurnIn(const Vec3& color) {
+    const uint32_t code =
+        (std::bit_cast<uint32_t>(color.x) & 0xffu) | (std::bit_cast<uint32_t>(color.y) & 0xffu) << 8;
+    return (static_cast<float>(code) + 0.5f) / 65536.0f;
 }
 
 /// Whether one point of a disc is covered by its surface (disc_coverage.h).

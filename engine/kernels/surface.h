@@ -105,8 +105,11 @@ template <FeatureMask kMask>
 GLINT_HD inline void addTangents(const SceneView& view, const Ray& ray, const Hit& hit, const Vec3& pObject,
                                  float pixelWidth, SurfacePoint* point) {
     const InstanceData& instance = view.geometry.instances[hit.instance];
-    const uint8_t flags = materialFlagsOf(view, instance);
-    if (!hasFeature<kMask>(kFeatureTangents) && (flags & (kMaterialBump | kMaterialMipmaps)) == 0) { return; }
+    const uint16_t flags = materialFlagsOf(view, instance);
+    if (!hasFeature<kMask>(kFeatureTangents) &&
+        (flags & (kMaterialBump | kMaterialMipmaps | kMaterialFacets)) == 0) {
+        return;
+    }
     const Tangents object = objectTangentsAt<kMask>(view, hit, pObject);
     const Tangents world{vectorToWorld<kMask>(instance, object.dpdu),
                          vectorToWorld<kMask>(instance, object.dpdv)};
@@ -142,7 +145,7 @@ GLINT_HD SurfacePoint surfaceAt(const SceneView& view, const Ray& ray, const Hit
     detail::transformToWorld<kMask>(instance, local, &point);
     detail::normalsToWorld<kMask>(instance, local, ray, &point);
     point.uv = local.uv;
-    if constexpr (hasFeature<kMask>(kFeatureTangents | kFeatureBumps | kFeatureMipmaps)) {
+    if constexpr (hasFeature<kMask>(kFeatureTangents | kFeatureBumps | kFeatureMipmaps | kFeatureFacets)) {
         detail::addTangents<kMask>(view, ray, hit, local.p, pixelWidth, &point);
     }
     return point;

@@ -19,8 +19,12 @@ struct MaterialInputs {
     Color k{Vec3(3.9f)};
     /// dielectric, plastic, mixture, principled: interior over exterior index of refraction, > 0
     Number ior{1.5f};
-    /// conductor, dielectric, plastic, principled: GGX alpha in [0, 1]; below kSmoothAlpha: smooth
+    /// conductor, dielectric, plastic, principled: alpha of the facets in [0, 1]; below kSmoothAlpha: smooth
     Number roughness{0.0f};
+    /// likewise: alpha across the direction of `roughness`; negative: the same
+    Number crossRoughness{-1.0f};
+    /// likewise: that direction in the plane of dpdu (x) and dpdv (y), coded: 0.5 stands for 0
+    Color anisotropyDirection{Vec3(1.0f, 0.5f, 0.5f)};
     /// mixture: diffuse, mirror, refractive; not negative, not all zero
     Color mixtureWeights{Vec3(1.0f, 0.0f, 0.0f)};
     /// translucent: what passes, diffusely; with the colour at most 1
@@ -42,6 +46,7 @@ struct InputInfo {
     uint32_t kinds;                  ///< models that look at it: kindBit()
     bool isReplacedByMetal = false;  ///< a conductor's metal says what it is
     bool isReplacedByGlass = false;  ///< a dielectric's glass does
+    bool canBeMissing = false;       ///< a negative constant says so
 };
 
 constexpr uint32_t kindBit(MaterialKind kind) { return 1u << static_cast<uint32_t>(kind); }
@@ -69,35 +74,39 @@ GLINT_HD constexpr auto withModelInputs(const Combine& combine) {
     constexpr uint32_t kMixture = kindBit(MaterialKind::Mixture);
     constexpr uint32_t kTranslucent = kindBit(MaterialKind::Translucent);
     constexpr uint32_t kPrincipled = kindBit(MaterialKind::Principled);
+    constexpr uint32_t kRough = kConductor | kDielectric | kPlastic | kPrincipled;
     constexpr float kMost = 1e18f;
-    return combine(
-        ModelInput{InputInfo{"eta", 0.0f, kMost, kConductor, true},
-                   [](auto& set) -> decltype(auto) { return (set.eta); }},
-        ModelInput{InputInfo{"k", 0.0f, kMost, kConductor, true},
-                   [](auto& set) -> decltype(auto) { return (set.k); }},
-        ModelInput{
-            InputInfo{"ior", 1e-3f, 1e3f, kDielectric | kPlastic | kMixture | kPrincipled, false, true},
-            [](auto& set) -> decltype(auto) { return (set.ior); }},
-        ModelInput{InputInfo{"roughness", 0.0f, 1.0f, kConductor | kDielectric | kPlastic | kPrincipled},
-                   [](auto& set) -> decltype(auto) { return (set.roughness); }},
-        ModelInput{InputInfo{"weights", 0.0f, kMost, kMixture},
-                   [](auto& set) -> decltype(auto) { return (set.mixtureWeights); }},
-        ModelInput{InputInfo{"transmission", 0.0f, 1.0f, kTranslucent},
-                   [](auto& set) -> decltype(auto) { return (set.transmission); }},
-        ModelInput{InputInfo{"metallic", 0.0f, 1.0f, kPrincipled},
-                   [](auto& set) -> decltype(auto) { return (set.metallic); }},
-        ModelInput{InputInfo{"specular", 0.0f, 1.0f, kPrincipled},
-                   [](auto& set) -> decltype(auto) { return (set.specular); }},
-        ModelInput{InputInfo{"specularTint", 0.0f, 1.0f, kPrincipled},
-                   [](auto& set) -> decltype(auto) { return (set.specularTint); }},
-        ModelInput{InputInfo{"clearcoat", 0.0f, 1.0f, kPrincipled},
-                   [](auto& set) -> decltype(auto) { return (set.clearcoat); }},
-        ModelInput{InputInfo{"clearcoatRoughness", 0.0f, 1.0f, kPrincipled},
-                   [](auto& set) -> decltype(auto) { return (set.clearcoatRoughness); }},
-        ModelInput{InputInfo{"sheenColor", 0.0f, 1.0f, kPrincipled},
-                   [](auto& set) -> decltype(auto) { return (set.sheenColor); }},
-        ModelInput{InputInfo{"sheenRoughness", 0.0f, 1.0f, kPrincipled},
-                   [](auto& set) -> decltype(auto) { return (set.sheenRoughness); }});
+    return combine(ModelInput{InputInfo{"eta", 0.0f, kMost, kConductor, true},
+                              [](auto& set) -> decltype(auto) { return (set.eta); }},
+                   ModelInput{InputInfo{"k", 0.0f, kMost, kConductor, true},
+                              [](auto& set) -> decltype(auto) { return (set.k); }},
+                   ModelInput{InputInfo{"ior", 1e-3f, 1e3f, kDielectric | kPlastic | kMixture | kPrincipled,
+                                        false, true},
+                              [](auto& set) -> decltype(auto) { return (set.ior); }},
+                   ModelInput{InputInfo{"roughness", 0.0f, 1.0f, kRough},
+                              [](auto& set) -> decltype(auto) { return (set.roughness); }},
+                   ModelInput{InputInfo{"crossRoughness", 0.0f, 1.0f, kRough, false, false, true},
+                              [](auto& set) -> decltype(auto) { return (set.crossRoughness); }},
+                   ModelInput{InputInfo{"anisotropyDirection", 0.0f, 1.0f, kRough},
+                              [](auto& set) -> decltype(auto) { return (set.anisotropyDirection); }},
+                   ModelInput{InputInfo{"weights", 0.0f, kMost, kMixture},
+                              [](auto& set) -> decltype(auto) { return (set.mixtureWeights); }},
+                   ModelInput{InputInfo{"transmission", 0.0f, 1.0f, kTranslucent},
+                              [](auto& set) -> decltype(auto) { return (set.transmission); }},
+                   ModelInput{InputInfo{"metallic", 0.0f, 1.0f, kPrincipled},
+                              [](auto& set) -> decltype(auto) { return (set.metallic); }},
+                   ModelInput{InputInfo{"specular", 0.0f, 1.0f, kPrincipled},
+                              [](auto& set) -> decltype(auto) { return (set.specular); }},
+                   ModelInput{InputInfo{"specularTint", 0.0f, 1.0f, kPrincipled},
+                              [](auto& set) -> decltype(auto) { return (set.specularTint); }},
+                   ModelInput{InputInfo{"clearcoat", 0.0f, 1.0f, kPrincipled},
+                              [](auto& set) -> decltype(auto) { return (set.clearcoat); }},
+                   ModelInput{InputInfo{"clearcoatRoughness", 0.0f, 1.0f, kPrincipled},
+                              [](auto& set) -> decltype(auto) { return (set.clearcoatRoughness); }},
+                   ModelInput{InputInfo{"sheenColor", 0.0f, 1.0f, kPrincipled},
+                              [](auto& set) -> decltype(auto) { return (set.sheenColor); }},
+                   ModelInput{InputInfo{"sheenRoughness", 0.0f, 1.0f, kPrincipled},
+                              [](auto& set) -> decltype(auto) { return (set.sheenRoughness); }});
 }
 
 /// Calls visit(info, input...) for each input, with that of each of the `sets`.

@@ -47,6 +47,13 @@ std::span<const KindName<MaterialKind>> kindNames<MaterialKind>() {
 }
 
 template <>
+std::span<const KindName<FacetDistribution>> kindNames<FacetDistribution>() {
+    static constexpr KindName<FacetDistribution> kNames[] = {{"ggx", FacetDistribution::Ggx},
+                                                             {"beckmann", FacetDistribution::Beckmann}};
+    return kNames;
+}
+
+template <>
 std::span<const KindName<LightKind>> kindNames<LightKind>() {
     static constexpr KindName<LightKind> kNames[] = {
         {"point", LightKind::Point}, {"spot", LightKind::Spot}, {"directional", LightKind::Directional}};

@@ -32,6 +32,8 @@ std::span<const KindName<CurveKind>> kindNames<CurveKind>();
 template <>
 std::span<const KindName<MaterialKind>> kindNames<MaterialKind>();
 template <>
+std::span<const KindName<FacetDistribution>> kindNames<FacetDistribution>();
+template <>
 std::span<const KindName<LightKind>> kindNames<LightKind>();
 template <>
 std::span<const KindName<ColorEncoding>> kindNames<ColorEncoding>();

@@ -50,6 +50,10 @@ struct Material : MaterialInputs<ColorInput, NumberInput> {
     /// dielectric, mixture: Abbe number of `ior`, by how much colours are bent alike; 0: all are
     float abbeNumber = 0.0f;
     bool thin = false;  ///< dielectric only
+    /// conductor, dielectric, plastic: of the facets of what is rough
+    FacetDistribution distribution = FacetDistribution::Ggx;
+    /// turns the direction of `roughness` counter-clockwise from dpdu to dpdv, seen where these turn so
+    float anisotropyRotationDeg = 0.0f;
     /// dielectric that is not thin: the share of light that is left after attenuationDistance inside, per
     /// channel. A millionth at least
     Vec3 attenuationColor{1.0f};
@@ -98,6 +102,28 @@ inline Vec3 absorptionOf(const Material& material) {
 /// Whether something else than `ior` says what its index is.
 inline bool replacesIor(const Material& material) {
     return hasGlass(material) && (!material.glass.empty() || !isZero(material.iorRgb));
+}
+
+/// Whether it has facets where it is rough.
+inline bool hasFacets(MaterialKind kind) {
+    return kind == MaterialKind::Conductor || kind == MaterialKind::Dielectric ||
+           kind == MaterialKind::Plastic || kind == MaterialKind::Principled;
+}
+
+/// Principled materials are defined with GGX.
+inline FacetDistribution distributionOf(const Material& material) {
+    return material.kind == MaterialKind::Principled ? FacetDistribution::Ggx : material.distribution;
+}
+
+/// Whether a roughness across is given.
+inline bool hasCrossRoughness(const Material& material) {
+    return material.crossRoughness.texture >= 0 || material.crossRoughness.value >= 0.0f;
+}
+
+/// Whether it differs from the one along, or may do.
+inline bool isAnisotropic(const Material& material) {
+    return hasFacets(material.kind) && hasCrossRoughness(material) &&
+           material.crossRoughness != material.roughness;
 }
 
 /// Whether its boundary has a table of albedos: CoatRow.

@@ -259,6 +259,8 @@ struct FieldsOf<Material> {
     static constexpr uint32_t kGlass = only(MaterialKind::Dielectric, MaterialKind::Mixture);
     static constexpr uint32_t kRough = only(MaterialKind::Conductor, MaterialKind::Dielectric,
                                             MaterialKind::Plastic, MaterialKind::Principled);
+    static constexpr uint32_t kFacets =
+        only(MaterialKind::Conductor, MaterialKind::Dielectric, MaterialKind::Plastic);
     static constexpr uint32_t kPrincipled = only(MaterialKind::Principled);
     static constexpr std::tuple kList{
         field("type", &Material::kind, {.edit = EditKind::MaterialKind, .required = true}),
@@ -308,7 +310,35 @@ struct FieldsOf<Material> {
               {.isSaved = [](const Material& material) { return !replacesIor(material); }}),
         field<Material, NumberInput>(
             "roughness", &Material::roughness,
-            {.range = kUnitInterval, .help = "GGX alpha; 0: smooth", .kinds = kRough}),
+            {.range = kUnitInterval,
+             .help = "alpha of the facets; 0: smooth. Along u where crossRoughness is given",
+             .kinds = kRough}),
+        field<Material, NumberInput>("crossRoughness", &Material::crossRoughness,
+                                     {.range = kUnitInterval,
+                                      .help = "alpha across u, of brushed surfaces; left out: as roughness",
+                                      .kinds = kRough,
+                                      .onlyIfSet = true},
+                                     {.isSaved = hasCrossRoughness}),
+        field("anisotropyRotationDeg", &Material::anisotropyRotationDeg,
+              {.unit = "degrees",
+               .help = "turns the direction of roughness from u towards v",
+               .kinds = kRough,
+               .onlyIfSet = true},
+              {.isSaved = [](const Material& material) { return material.anisotropyRotationDeg != 0.0f; }}),
+        field<Material, ColorInput>(
+            "anisotropyDirection", &Material::anisotropyDirection,
+            {.range = kUnitInterval,
+             .help = "a texture of that direction: x to the image's right, y to its top, 0.5 is 0",
+             .kinds = kRough,
+             .onlyIfSet = true},
+            {.isSaved =
+                 [](const Material& material) {
+                     return material.anisotropyDirection != Material{}.anisotropyDirection;
+                 }}),
+        field("distribution", &Material::distribution,
+              {.help = "of the facets: ggx has long tails, beckmann none",
+               .kinds = kFacets,
+               .onlyIfSet = true}),
         field("thin", &Material::thin,
               {.help = "a sheet of no thickness: light passes straight",
                .kinds = only(MaterialKind::Dielectric)}),

@@ -76,7 +76,7 @@ std::vector<bool> texturedMeshes(const SceneDescription& scene) {
     for (const Object& object : scene.objects) {
         const auto material = static_cast<size_t>(object.material);
         if (object.shape == ShapeKind::Mesh && object.material >= 0 && material < scene.materials.size() &&
-            !usedTextures(scene.materials[material]).empty()) {
+            (isAnisotropic(scene.materials[material]) || !usedTextures(scene.materials[material]).empty())) {
             mark(object.mesh, &used);
         }
     }

@@ -32,7 +32,8 @@ std::vector<bool> usedMaterials(const SceneDescription& scene);
 std::vector<bool> usedTextures(const SceneDescription& scene);
 /// For each mesh whether an object places it.
 std::vector<bool> usedMeshes(const SceneDescription& scene);
-/// For each mesh whether an object places it with a texture: only then are its uvs read.
+/// For each mesh whether an object places it with a texture, or with facets that lie along u: only then are
+/// its uvs read.
 std::vector<bool> texturedMeshes(const SceneDescription& scene);
 /// Whether the environment shines with an image.
 bool usesEnvironmentImage(const SceneDescription& scene);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "engine/builders/coat_albedo.h"
+#include "engine/scene/kind_names.h"
+#include "engine/scene/material.h"
 #include "engine/scene/metals.h"
 
 namespace glint::test {
@@ -65,6 +67,39 @@ MaterialData principledMaterial(const Vec3& color, float alpha, float metallic, 
     return data;
 }
 
+MaterialData withFacets(MaterialData material, float alphaY, FacetDistribution distribution) {
+    material.flags |= kMaterialFacets;
+    material.distribution = distribution;
+    material.inputs.crossRoughness = alphaY;
+    if (hasCoatTable(material.kind)) { tabulateCrossedCoat(distribution, &material.inputs); }
+    return material;
+}
+
+/// Materials of facets other than GGX with one alpha.
+void addFacetCases(const Vec3& color, std::vector<BsdfCase>* cases) {
+    constexpr FacetDistribution kGgx = FacetDistribution::Ggx, kBeckmann = FacetDistribution::Beckmann;
+    const auto add = [&](const std::string& name, const MaterialData& material, float alphaY) {
+        for (const FacetDistribution distribution : {kGgx, kBeckmann}) {
+            if (distribution == kBeckmann && material.kind == MaterialKind::Principled) { continue; }
+            if (distribution == kGgx && alphaY == material.inputs.roughness) { continue; }
+            cases->push_back(
+                {fmt::format("{} {} {} by {}", name, nameOf(distribution), material.inputs.roughness, alphaY),
+                 withFacets(material, alphaY, distribution)});
+        }
+    };
+    for (const Vec2 alpha :
+         {Vec2(1e-3f, 1e-3f), Vec2(0.3f), Vec2(1.0f), Vec2(0.02f, 0.3f), Vec2(0.6f, 0.1f)}) {
+        add("conductor", conductorMaterial("gold", alpha.x), alpha.y);
+        add("dielectric 1.5", dielectricMaterial(1.5f, alpha.x), alpha.y);
+        add("dielectric 0.6", dielectricMaterial(0.6f, alpha.x), alpha.y);
+        add("plastic", plasticMaterial(color, 1.5f, alpha.x), alpha.y);
+        add("plastic white", plasticMaterial(Vec3(1.0f), 1.5f, alpha.x), alpha.y);
+        add("principled", principledMaterial(color, alpha.x, 0.0f), alpha.y);
+        add("principled metal", principledMaterial(Vec3(1.0f), alpha.x, 1.0f, 0.6f, 0.1f), alpha.y);
+        add("principled white, half metal", principledMaterial(Vec3(1.0f), alpha.x, 0.5f), alpha.y);
+    }
+}
+
 /// Principled materials of which each has other layers.
 void addPrincipledCases(const Vec3& color, std::vector<BsdfCase>* cases) {
     const Vec3 white(1.0f);
@@ -91,8 +126,9 @@ void addPrincipledCases(const Vec3& color, std::vector<BsdfCase>* cases) {
 float narrowestAlpha(const MaterialData& material) {
     const ShadingInputs& in = material.inputs;
     const bool hasRoughCoat = in.clearcoat > 0.0f && in.clearcoatRoughness >= kSmoothAlpha;
-    const float base =
-        material.kind == MaterialKind::Principled && detail::isSmooth(in) ? 1.0f : in.roughness;
+    const float base = material.kind == MaterialKind::Principled && detail::isSmooth(in)
+                           ? 1.0f
+                           : detail::narrowestAlpha<kAllFeatures>(material, in);
     return hasRoughCoat ? std::fmin(base, in.clearcoatRoughness) : base;
 }
 
@@ -125,6 +161,7 @@ std::vector<BsdfCase> allBsdfCases() {
         {"plastic black smooth", plasticMaterial(Vec3(0.0f), 1.5f, 0.0f)},
     };
     addPrincipledCases(color, &cases);
+    addFacetCases(color, &cases);
     for (const float alpha : {1e-3f, 1e-2f, 0.1f, 0.3f, 1.0f}) {
         cases.push_back({fmt::format("conductor gold {}", alpha), conductorMaterial("gold", alpha)});
         cases.push_back({fmt::format("dielectric 1.5 {}", alpha), dielectricMaterial(1.5f, alpha)});

@@ -15,6 +15,8 @@ struct TestSurface {
     Vec3 ns{0.0f, 0.0f, 1.0f};
     Vec2 uv{0.0f};
     Vec3 vertexColor{1.0f};
+    Vec3 dpdu{1.0f, 0.0f, 0.0f};
+    Vec3 dpdv{0.0f, 1.0f, 0.0f};
     uint32_t material = 0;
 };
 
@@ -41,12 +43,14 @@ MaterialData mixtureMaterial(const Vec3& color, const Vec3& probability, float i
 /// An index of 1.5; `coat` is the share that has one of alpha coatAlpha.
 MaterialData principledMaterial(const Vec3& color, float alpha, float metallic, float coat = 0.0f,
                                 float coatAlpha = 0.0f, const Vec3& sheen = Vec3(0.0f));
+/// The material with facets of another distribution, or with another alpha along y.
+MaterialData withFacets(MaterialData material, float alphaY, FacetDistribution distribution);
 MaterialData translucentMaterial(const Vec3& color, const Vec3& transmission);
 
 /// Every kind over its range of parameters: roughness 0 and 1e-3 to 1, indices below and above 1.
 std::vector<BsdfCase> allBsdfCases();
 
-/// The GGX alpha of the narrowest lobe that has a density; 1 where none is GGX.
+/// The alpha of the narrowest lobe that has a density; 1 where none has facets.
 float narrowestAlpha(const MaterialData& material);
 
 /// The unit direction at an angle of acos(cosine) to +z; negative cosines are on the back.

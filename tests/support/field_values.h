@@ -33,7 +33,7 @@ consteval size_t memberCount() {
     return bracedCount<T>() + (std::is_base_of_v<Inputs, T> ? bracedCount<Inputs>() - 1 : 0);
 }
 
-inline float otherNumber(float x) { return x == 0.0f ? 0.25f : 0.75f * x; }
+inline float otherNumber(float x) { return x == 0.0f || x == -1.0f ? 0.25f : 0.75f * x; }
 
 /// Changes a value to another one that the field takes, where the field does not depend on others.
 template <class Member>

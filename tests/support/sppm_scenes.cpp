@@ -150,6 +150,28 @@ SceneDescription principledBox() {
     return scene;
 }
 
+SceneDescription brushedBox() {
+    SceneDescription scene = small(cornellBox());
+    Material metal = diffuseMaterial(Vec3(1.0f));
+    metal.kind = MaterialKind::Conductor;
+    metal.roughness.value = 0.15f;
+    metal.crossRoughness.value = 0.6f;
+    metal.anisotropyRotationDeg = 30.0f;
+    Material glass = metal;
+    glass.kind = MaterialKind::Dielectric;
+    glass.roughness.value = 0.7f;
+    glass.crossRoughness.value = 0.25f;
+    glass.distribution = FacetDistribution::Beckmann;
+    const Material balls[] = {metal, glass};
+    int next = 0;
+    for (Object& object : scene.objects) {
+        if (object.shape == ShapeKind::Sphere) { object.material = addMaterial(&scene, balls[next++]); }
+    }
+    addObject(&scene, ShapeKind::Rectangle,
+              placeFlatShape({0.0f, 1.2f, -0.3f}, {0.0f, 1.0f, 0.6f}, 0.6f, 0.6f), metal);
+    return scene;
+}
+
 SceneDescription dispersiveGlass() {
     SceneDescription scene = small(emptyScene({0.0f, 2.0f, 3.0f}, {0.0f, 0.15f, 0.1f}, 32.0f, 32));
     const Vec3 up(0.0f, 1.0f, 0.0f);

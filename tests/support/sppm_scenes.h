@@ -29,6 +29,8 @@ SceneDescription absorbingGlassBox();
 SceneDescription translucentBox();
 /// A painted ball with a smooth coat, one of cloth, and a sheet of worn metal whose inputs are textures.
 SceneDescription principledBox();
+/// A box with brushed metal and glass, whose facets lie in a direction.
+SceneDescription brushedBox();
 
 /// A ball and a cube of glass of extreme dispersion on a floor, one seen through the other: what a camera
 /// path and a photon are bent by meets on the floor, and in a second ball of rough glass; small.

@@ -26,6 +26,7 @@
 #include "engine/kernels/bsdf/conductor.h"
 #include "engine/kernels/bsdf/dielectric.h"
 #include "engine/kernels/bsdf/diffuse.h"
+#include "engine/kernels/bsdf/facet_frame.h"
 #include "engine/kernels/bsdf/inputs_at.h"
 #include "engine/kernels/bsdf/mirror.h"
 #include "engine/kernels/bsdf/mixture.h"
@@ -109,6 +110,7 @@ GLINT_HD Vec3 usedShadingNormal(const Bsdf<kMask>& bsdf, const Vec3& wo, const V
 /// Makes inputs what the material's model computes with.
 template <FeatureMask kMask>
 GLINT_HD void settle(const MaterialData& material, const View<CoatRow>& coats, ShadingInputs* inputs) {
+    if (hasGeneralFacets<kMask>(material)) { settleFacets(inputs); }
     withModel<kMask>(material, [&](auto model) {
         model.settle(material, coats, inputs);
         return true;
@@ -141,8 +143,8 @@ GLINT_HD BsdfSample sampleLocal(const Bsdf<kMask>& bsdf, float uLobe, Vec2 u) {
 }  // namespace detail
 
 /// Scene: a SceneView, or anything with its materials, textures and coats. Surface: surface.h's SurfacePoint,
-/// or anything with its ng, ns, uv, vertexColor and material; uvWidth may be missing.
-/// `wavelengthNm`: 0, all of the spectrum.
+/// or anything with its ng, ns, uv, vertexColor and material, and with dpdu and dpdv or facetAxis; uvWidth
+/// may be missing. `wavelengthNm`: 0, all of the spectrum.
 template <FeatureMask kMask, class Scene, class Surface>
 GLINT_HD Bsdf<kMask> makeBsdf(const Scene& scene, const Surface& surface, const Vec3& woWorld,
                               TransportMode transport = TransportMode::Radiance, float wavelengthNm = 0.0f) {
@@ -165,7 +167,7 @@ GLINT_HD Bsdf<kMask> makeBsdf(const Scene& scene, const Surface& surface, const 
         bsdf.ngNs = bsdf.nsWorld == bsdf.ngWorld ? 1.0f : glm::dot(bsdf.ngWorld, bsdf.nsWorld);
     }
     if constexpr (!isDiffuseOnly<kMask>()) {
-        bsdf.frame = Frame::fromNormal(bsdf.nsWorld);
+        bsdf.frame = detail::frameAt(bsdf, scene, surface);
         bsdf.woLocal = bsdf.frame.toLocal(woWorld);
         if (bsdf.ngNs < 1.0f && detail::hasSpecularLobe(bsdf)) {
             if (transport == TransportMode::Radiance) { bsdf.woLocal.z = std::fabs(bsdf.woLocal.z); }
@@ -192,7 +194,8 @@ GLINT_HD inline FeatureMask materialFeatures(const MaterialData& material) {
     const FeatureMask dispersion =
         (material.flags & kMaterialDisperses) != 0 ? kFeatureDispersion : FeatureMask{0};
     const FeatureMask attenuation = isZero(material.absorption) ? FeatureMask{0} : kFeatureAttenuation;
-    return textures | dispersion | attenuation |
+    const FeatureMask facets = (material.flags & kMaterialFacets) != 0 ? kFeatureFacets : FeatureMask{0};
+    return textures | dispersion | attenuation | facets |
            detail::withModel<kAllFeatures>(material, [&](auto model) { return model.featuresOf(material); });
 }
 
@@ -216,9 +219,9 @@ GLINT_HD bool transmitsSampledLight(const Bsdf<kMask>& bsdf) {
 
 /// The values of sample()'s uLobe that choose a lobe in which visible points and photons are stored (SPPM):
 /// none for surfaces that only reflect or refract sharply. The other values choose specular lobes, which a
-/// path follows. Metal and glass store from a GGX alpha of storeAlpha on; everything with a diffuse base
-/// stores always. One rule for camera paths and photons: what a photon leaves out, the camera path has to
-/// find, and nothing may be counted twice.
+/// path follows. Metal and glass store from an alpha of storeAlpha on (the smaller one of two); everything
+/// with a diffuse base stores always. One rule for camera paths and photons: what a photon leaves out, the
+/// camera path has to find, and nothing may be counted twice.
 template <FeatureMask kMask>
 GLINT_HD LobeRange visiblePointLobes(const Bsdf<kMask>& bsdf, float storeAlpha) {
     return detail::withModel<kMask>(*bsdf.material,

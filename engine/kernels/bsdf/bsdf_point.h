@@ -135,12 +135,17 @@ namespace detail {
 
 GLINT_HD inline bool isSmooth(const ShadingInputs& inputs) { return inputs.roughness < kSmoothAlpha; }
 
+GLINT_HD inline bool hasRoughnessTexture(const MaterialData& material) {
+    return material.textures.roughness.index != TextureSlot::kNone ||
+           material.textures.crossRoughness.index != TextureSlot::kNone;
+}
+
 /// Whether a material is rough or smooth somewhere.
 GLINT_HD inline bool canBeRough(const MaterialData& material) {
-    return material.textures.roughness.index != TextureSlot::kNone || !isSmooth(material.inputs);
+    return hasRoughnessTexture(material) || !isSmooth(material.inputs);
 }
 GLINT_HD inline bool canBeSmooth(const MaterialData& material) {
-    return material.textures.roughness.index != TextureSlot::kNone || isSmooth(material.inputs);
+    return hasRoughnessTexture(material) || isSmooth(material.inputs);
 }
 
 GLINT_HD inline BsdfSample specularSample(const Vec3& wi, const Vec3& weight) {

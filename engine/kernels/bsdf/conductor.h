@@ -1,9 +1,9 @@
-// Metal: Fresnel reflection times the colour, smooth or GGX. Host and device.
+// Metal: Fresnel reflection times the colour, smooth or with facets. Host and device.
 #pragma once
 
 #include "engine/kernels/bsdf/bsdf_point.h"
+#include "engine/kernels/bsdf/facets.h"
 #include "engine/kernels/bsdf/fresnel.h"
-#include "engine/kernels/bsdf/microfacet.h"
 
 namespace glint {
 
@@ -20,8 +20,8 @@ struct ConductorModel : BsdfModelDefaults {
     static GLINT_HD bool hasSpecularLobe(const Bsdf<kMask>& bsdf) { return detail::isSmooth(bsdf.inputs()); }
 
     static GLINT_HD LobeRange visiblePointLobes(const Bsdf<kMask>& bsdf, float storeAlpha) {
-        return isSpecularOnly(bsdf) || bsdf.inputs().roughness < storeAlpha ? LobeRange{}
-                                                                            : LobeRange{0.0f, 1.0f};
+        const float alpha = detail::narrowestAlpha<kMask>(*bsdf.material, bsdf.inputs());
+        return isSpecularOnly(bsdf) || alpha < storeAlpha ? LobeRange{} : LobeRange{0.0f, 1.0f};
     }
 
     /// The reflectance at normal incidence.
@@ -36,8 +36,10 @@ struct ConductorModel : BsdfModelDefaults {
             if (detail::isSmooth(in) || !(wi.z > 0.0f)) { return {}; }
             const Vec3 h = glm::normalize(wo + wi);
             const Vec3 fresnel = fresnelConductor(clampf(glm::dot(wo, h), 0.0f, 1.0f), in.eta, in.k);
-            return {bsdf.color * fresnel * ggxReflection(wo, wi, h, in.roughness),
-                    ggxReflectionPdf(wo, h, in.roughness)};
+            return detail::withFacets(bsdf, [&](const auto& facets) {
+                return BsdfValue{bsdf.color * fresnel * facets.reflection(wo, wi, h),
+                                 facets.reflectionPdf(wo, h)};
+            });
         }
         return {};
     }
@@ -58,12 +60,14 @@ struct ConductorModel : BsdfModelDefaults {
     static GLINT_HD BsdfSample sampleRough(const Bsdf<kMask>& bsdf, Vec2 u) {
         const ShadingInputs& in = bsdf.inputs();
         const Vec3& wo = bsdf.woLocal;
-        const Vec3 h = sampleVisibleNormal(wo, in.roughness, u);
-        const Vec3 wi = reflect(wo, h);
-        if (!(wi.z > 0.0f)) { return {}; }
-        const Vec3 fresnel = fresnelConductor(clampf(glm::dot(wo, h), 0.0f, 1.0f), in.eta, in.k);
-        return detail::nonDeltaSample(wi, bsdf.color * fresnel * ggxReflectionWeight(wo, wi, in.roughness),
-                                      ggxReflectionPdf(wo, h, in.roughness));
+        return detail::withFacets(bsdf, [&](const auto& facets) -> BsdfSample {
+            const Vec3 h = facets.sampleNormal(wo, u);
+            const Vec3 wi = reflect(wo, h);
+            if (!(wi.z > 0.0f)) { return {}; }
+            const Vec3 fresnel = fresnelConductor(clampf(glm::dot(wo, h), 0.0f, 1.0f), in.eta, in.k);
+            return detail::nonDeltaSample(wi, bsdf.color * fresnel * facets.reflectionWeight(wo, wi),
+                                          facets.reflectionPdf(wo, h));
+        });
     }
 };
 

@@ -1,4 +1,4 @@
-// Glass: a boundary between two dielectrics, smooth or GGX, and a thin sheet. Host and device.
+// Glass: a boundary between two dielectrics, smooth or with facets, and a thin sheet. Host and device.
 //
 // eta is the index on the far side over the one on wo's side. The colour tints what passes and what
 // reflects; what glass absorbs on the way inside is glass_stack.h's. Left out: light that bounces more than
@@ -6,8 +6,8 @@
 #pragma once
 
 #include "engine/kernels/bsdf/bsdf_point.h"
+#include "engine/kernels/bsdf/facets.h"
 #include "engine/kernels/bsdf/fresnel.h"
-#include "engine/kernels/bsdf/microfacet.h"
 
 namespace glint {
 namespace detail {
@@ -48,8 +48,8 @@ GLINT_HD inline BsdfSample sampleThinDielectric(const Vec3& tint, float ior, con
 
 /// Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces", with visible normals.
 /// Reflection uses the height-correlated G2; refraction the product of both G1 (their eq. 23).
-template <FeatureMask kMask>
-GLINT_HD BsdfValue evaluateRoughDielectric(const Bsdf<kMask>& bsdf, float alpha, const Vec3& wi) {
+template <FeatureMask kMask, class Facets>
+GLINT_HD BsdfValue evaluateRoughDielectric(const Bsdf<kMask>& bsdf, const Facets& facets, const Vec3& wi) {
     if (wi.z == 0.0f) { return {}; }
     const Vec3& wo = bsdf.woLocal;
     const float eta = bsdf.eta;
@@ -61,36 +61,36 @@ GLINT_HD BsdfValue evaluateRoughDielectric(const Bsdf<kMask>& bsdf, float alpha,
     float cosT = 0.0f;
     const float fresnel = fresnelDielectric(minf(cosO, 1.0f), eta, &cosT);
     if (reflects) {
-        return {bsdf.color * (fresnel * ggxReflection(wo, wi, h, alpha)),
-                fresnel * ggxReflectionPdf(wo, h, alpha)};
+        return {bsdf.color * (fresnel * facets.reflection(wo, wi, h)), fresnel * facets.reflectionPdf(wo, h)};
     }
     const float cosI = glm::dot(wi, h);
     if (!(cosI < 0.0f)) { return {}; }
     const float jacobian = square(eta) * -cosI / maxf(square(cosO + eta * cosI), 1e-20f);
-    const float pdf = (1.0f - fresnel) * visibleNormalPdf(wo, h, alpha) * jacobian;
-    return {bsdf.color * (pdf * ggxVisible(-wi, alpha) * radianceScale(eta, bsdf.transport)), pdf};
+    const float pdf = (1.0f - fresnel) * facets.normalPdf(wo, h) * jacobian;
+    return {bsdf.color * (pdf * facets.visible(-wi) * radianceScale(eta, bsdf.transport)), pdf};
 }
 
-template <FeatureMask kMask>
-GLINT_HD BsdfSample sampleRoughDielectric(const Bsdf<kMask>& bsdf, float alpha, float uLobe, Vec2 u) {
+template <FeatureMask kMask, class Facets>
+GLINT_HD BsdfSample sampleRoughDielectric(const Bsdf<kMask>& bsdf, const Facets& facets, float uLobe,
+                                          Vec2 u) {
     const Vec3& wo = bsdf.woLocal;
     const float eta = bsdf.eta;
-    const Vec3 h = sampleVisibleNormal(wo, alpha, u);
+    const Vec3 h = facets.sampleNormal(wo, u);
     const float cosO = clampf(glm::dot(wo, h), 0.0f, 1.0f);
     float cosT = 0.0f;
     const float fresnel = fresnelDielectric(cosO, eta, &cosT);
     if (uLobe < fresnel) {
         const Vec3 wi = reflect(wo, h);
         if (!(wi.z > 0.0f)) { return {}; }
-        return nonDeltaSample(wi, bsdf.color * ggxReflectionWeight(wo, wi, alpha),
-                              fresnel * ggxReflectionPdf(wo, h, alpha));
+        return nonDeltaSample(wi, bsdf.color * facets.reflectionWeight(wo, wi),
+                              fresnel * facets.reflectionPdf(wo, h));
     }
     const Vec3 wi = glm::normalize(refract(wo, h, eta, cosO, cosT));
     if (!(wi.z < 0.0f)) { return {}; }
     const float jacobian = square(eta) * cosT / maxf(square(cosO - eta * cosT), 1e-20f);
     BsdfSample sample =
-        nonDeltaSample(wi, bsdf.color * (ggxVisible(-wi, alpha) * radianceScale(eta, bsdf.transport)),
-                       (1.0f - fresnel) * visibleNormalPdf(wo, h, alpha) * jacobian);
+        nonDeltaSample(wi, bsdf.color * (facets.visible(-wi) * radianceScale(eta, bsdf.transport)),
+                       (1.0f - fresnel) * facets.normalPdf(wo, h) * jacobian);
     markTransmission(&sample, eta, bsdf.transport);
     return sample;
 }
@@ -119,19 +119,23 @@ struct DielectricModel : BsdfModelDefaults {
     static GLINT_HD bool hasSpecularLobe(const Bsdf<kMask>& bsdf) { return isSharp(bsdf); }
 
     static GLINT_HD LobeRange visiblePointLobes(const Bsdf<kMask>& bsdf, float storeAlpha) {
-        return isSpecularOnly(bsdf) || bsdf.inputs().roughness < storeAlpha ? LobeRange{}
-                                                                            : LobeRange{0.0f, 1.0f};
+        const float alpha = detail::narrowestAlpha<kMask>(*bsdf.material, bsdf.inputs());
+        return isSpecularOnly(bsdf) || alpha < storeAlpha ? LobeRange{} : LobeRange{0.0f, 1.0f};
     }
 
     static GLINT_HD bool letsStoredPhotonsThrough(const MaterialData& material, float storeAlpha) {
-        const bool isTextured = material.textures.roughness.index != TextureSlot::kNone;
         return !isThin(material) && detail::canBeRough(material) &&
-               (isTextured || material.inputs.roughness >= storeAlpha);
+               (detail::hasRoughnessTexture(material) ||
+                detail::narrowestAlpha<kMask>(material, material.inputs) >= storeAlpha);
     }
 
     static GLINT_HD BsdfValue evaluate(const Bsdf<kMask>& bsdf, const Vec3& wi, float) {
         if constexpr (hasFeature<kMask>(kFeatureGlossy)) {
-            if (!isSharp(bsdf)) { return detail::evaluateRoughDielectric(bsdf, bsdf.inputs().roughness, wi); }
+            if (!isSharp(bsdf)) {
+                return detail::withFacets(bsdf, [&](const auto& facets) {
+                    return detail::evaluateRoughDielectric(bsdf, facets, wi);
+                });
+            }
         }
         return {};
     }
@@ -142,7 +146,11 @@ struct DielectricModel : BsdfModelDefaults {
             return detail::sampleThinDielectric(bsdf.color, in.ior, bsdf.woLocal, uLobe);
         }
         if constexpr (hasFeature<kMask>(kFeatureGlossy)) {
-            if (!detail::isSmooth(in)) { return detail::sampleRoughDielectric(bsdf, in.roughness, uLobe, u); }
+            if (!detail::isSmooth(in)) {
+                return detail::withFacets(bsdf, [&](const auto& facets) {
+                    return detail::sampleRoughDielectric(bsdf, facets, uLobe, u);
+                });
+            }
         }
         return detail::sampleSmoothDielectric(bsdf, uLobe);
     }

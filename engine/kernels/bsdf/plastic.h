@@ -1,4 +1,4 @@
-// Plastic: a diffuse base under a clear dielectric coat, smooth or GGX. Host and device.
+// Plastic: a diffuse base under a clear dielectric coat, smooth or with facets. Host and device.
 //
 // What the coat does not reflect, 1 - E(wo), enters; inside, it goes back and forth between the diffuse base
 // and the coat's underside, which reflects the share Fi of diffuse light; what leaves is shaped by 1 - E(wi):
@@ -11,15 +11,15 @@
 #pragma once
 
 #include "engine/kernels/bsdf/diffuse.h"
+#include "engine/kernels/bsdf/facets.h"
 #include "engine/kernels/bsdf/fresnel.h"
-#include "engine/kernels/bsdf/microfacet.h"
 
 namespace glint {
 namespace detail {
 
-/// E at cosine mu. The table holds E over the smooth boundary's Fresnel reflectance, which hardly varies, at
-/// mu = (i / (n-1))^2.
-GLINT_HD inline float coatAlbedo(const ShadingInputs& in, float mu) {
+/// E at cosine mu by a row. The table holds E over the smooth boundary's Fresnel reflectance, which hardly
+/// varies, at mu = (i / (n-1))^2.
+GLINT_HD inline float coatAlbedo(const ShadingInputs& in, const CoatRow& row, float mu) {
     const float cosine = clampf(mu, 0.0f, 1.0f);
     float cosT = 0.0f;
     const float fresnel = fresnelDielectric(cosine, in.ior, &cosT);
@@ -28,8 +28,22 @@ GLINT_HD inline float coatAlbedo(const ShadingInputs& in, float mu) {
     const int index =
         position < static_cast<float>(kCoatSamples - 2) ? static_cast<int>(position) : kCoatSamples - 2;
     const float weight = position - static_cast<float>(index);
-    const float ratio = (1.0f - weight) * in.coat.ratio[index] + weight * in.coat.ratio[index + 1];
+    const float ratio = (1.0f - weight) * row.ratio[index] + weight * row.ratio[index + 1];
     return minf(fresnel * ratio, 1.0f);
+}
+
+/// E towards w. Where roughness has two directions, by the albedos in both of their planes: up to 10 in ratio
+/// this is within 0.01 of the most that is true, and down to 0.3 above it near grazing incidence alone.
+template <FeatureMask kMask>
+GLINT_HD float coatAlbedo(const MaterialData& material, const ShadingInputs& in, const Vec3& w) {
+    const float along = coatAlbedo(in, in.coat, w.z);
+    if constexpr (hasFeature<kMask>(kFeatureFacets)) {
+        const float sine2 = square(w.x) + square(w.y);
+        if (hasGeneralFacets<kMask>(material) && sine2 > 0.0f) {
+            return along + (coatAlbedo(in, in.crossCoat, w.z) - along) * (square(w.y) / sine2);
+        }
+    }
+    return along;
 }
 
 /// Where a coat's table has a row: what is asked for lies between `first` and the next.
@@ -69,10 +83,11 @@ struct PlasticChoice {
     float coatProbability;
 };
 
-GLINT_HD inline PlasticChoice plasticChoice(const ShadingInputs& in, const Vec3& color, const Vec3& wo) {
+template <FeatureMask kMask>
+GLINT_HD PlasticChoice plasticChoice(const Bsdf<kMask>& bsdf) {
     PlasticChoice choice;
-    const float reflected = coatAlbedo(in, wo.z);
-    choice.base = coatedBase(in, color);
+    const float reflected = coatAlbedo<kMask>(*bsdf.material, bsdf.inputs(), bsdf.woLocal);
+    choice.base = coatedBase(bsdf.inputs(), bsdf.color);
     choice.enters = 1.0f - reflected;
     const float diffuse = choice.enters * maxComponent(choice.base);
     const float sum = reflected + diffuse;
@@ -81,17 +96,25 @@ GLINT_HD inline PlasticChoice plasticChoice(const ShadingInputs& in, const Vec3&
 }
 
 /// baseScale multiplies the base: how much of it the shadow terminator leaves.
-GLINT_HD inline BsdfValue evaluatePlastic(const ShadingInputs& in, const PlasticChoice& choice,
-                                          const Vec3& wo, const Vec3& wi, float baseScale) {
-    const float leaves = (1.0f - coatAlbedo(in, wi.z)) / maxf(1.0f - in.coat.averageAlbedo, 1e-6f);
+template <FeatureMask kMask>
+GLINT_HD BsdfValue evaluatePlastic(const Bsdf<kMask>& bsdf, const PlasticChoice& choice, const Vec3& wi,
+                                   float baseScale) {
+    const ShadingInputs& in = bsdf.inputs();
+    const Vec3& wo = bsdf.woLocal;
+    const float leaves =
+        (1.0f - coatAlbedo<kMask>(*bsdf.material, in, wi)) / maxf(1.0f - in.coat.averageAlbedo, 1e-6f);
     BsdfValue result = evaluateLambert(choice.base * (choice.enters * leaves * baseScale), wi);
     result.pdfSolidAngle *= 1.0f - choice.coatProbability;
     if (!isSmooth(in)) {
         const Vec3 h = glm::normalize(wo + wi);
         float cosT = 0.0f;
         const float fresnel = fresnelDielectric(clampf(glm::dot(wo, h), 0.0f, 1.0f), in.ior, &cosT);
-        result.value += Vec3(fresnel * ggxReflection(wo, wi, h, in.roughness));
-        result.pdfSolidAngle += choice.coatProbability * ggxReflectionPdf(wo, h, in.roughness);
+        const BsdfValue coat = withFacets(bsdf, [&](const auto& facets) {
+            return BsdfValue{Vec3(fresnel * facets.reflection(wo, wi, h)),
+                             choice.coatProbability * facets.reflectionPdf(wo, h)};
+        });
+        result.value += coat.value;
+        result.pdfSolidAngle += coat.pdfSolidAngle;
     }
     return result;
 }
@@ -105,7 +128,7 @@ struct CoatTableLayout {
     int iors = 1;
 
     static GLINT_HD CoatTableLayout of(const MaterialData& material) {
-        return {material.textures.roughness.index != TextureSlot::kNone ? 24 : 1,
+        return {detail::hasRoughnessTexture(material) ? 24 : 1,
                 material.textures.ior.index != TextureSlot::kNone ? 16 : 1};
     }
 
@@ -142,10 +165,19 @@ struct PlasticModel : BsdfModelDefaults {
 
     static GLINT_HD void settle(const MaterialData& material, const View<CoatRow>& coats, ShadingInputs* in) {
         in->ior = maxf(in->ior, 1.0f);
-        in->coat =
-            material.coatTable == TextureSlot::kNone
-                ? material.inputs.coat
-                : CoatTableLayout::of(material).at(coats.data + material.coatTable, in->roughness, in->ior);
+        if (material.coatTable == TextureSlot::kNone) {
+            in->coat = material.inputs.coat;
+            if constexpr (hasFeature<kMask>(kFeatureFacets)) { in->crossCoat = material.inputs.crossCoat; }
+            return;
+        }
+        const CoatTableLayout layout = CoatTableLayout::of(material);
+        const CoatRow* table = coats.data + material.coatTable;
+        in->coat = layout.at(table, in->roughness, in->ior);
+        if constexpr (hasFeature<kMask>(kFeatureFacets)) {
+            if (!detail::hasGeneralFacets<kMask>(material)) { return; }
+            in->crossCoat = layout.at(table, in->crossRoughness, in->ior);
+            in->coat.averageAlbedo = 0.5f * (in->coat.averageAlbedo + in->crossCoat.averageAlbedo);
+        }
     }
 
     static GLINT_HD FeatureMask featuresOf(const MaterialData& material) {
@@ -163,7 +195,7 @@ struct PlasticModel : BsdfModelDefaults {
     static GLINT_HD BsdfValue evaluate(const Bsdf<kMask>& bsdf, const Vec3& wi, float ngWi) {
         const float baseScale = detail::terminator(bsdf, ngWi, wi.z);
         if (!(wi.z > 0.0f)) { return {}; }
-        return detail::evaluatePlastic(bsdf.inputs(), choice(bsdf), bsdf.woLocal, wi, baseScale);
+        return detail::evaluatePlastic(bsdf, choice(bsdf), wi, baseScale);
     }
 
     static GLINT_HD BsdfSample sample(const Bsdf<kMask>& bsdf, float uLobe, Vec2 u) {
@@ -177,19 +209,20 @@ struct PlasticModel : BsdfModelDefaults {
                 const float weight = (1.0f - chosen.enters) / chosen.coatProbability;
                 return detail::specularSample(detail::mirrored(wo), Vec3(weight));
             }
-            wi = reflect(wo, sampleVisibleNormal(wo, in.roughness, u));
+            wi = reflect(
+                wo, detail::withFacets(bsdf, [&](const auto& facets) { return facets.sampleNormal(wo, u); }));
         } else {
             wi = sampleCosineHemisphere(u);
         }
         if (!(wi.z > 0.0f)) { return {}; }
-        const BsdfValue value = detail::evaluatePlastic(in, chosen, wo, wi, detail::terminatorOf(bsdf, wi));
+        const BsdfValue value = detail::evaluatePlastic(bsdf, chosen, wi, detail::terminatorOf(bsdf, wi));
         if (!(value.pdfSolidAngle > 0.0f)) { return {}; }
         return detail::nonDeltaSample(wi, value.value / value.pdfSolidAngle, value.pdfSolidAngle);
     }
 
   private:
     static GLINT_HD detail::PlasticChoice choice(const Bsdf<kMask>& bsdf) {
-        return detail::plasticChoice(bsdf.inputs(), bsdf.color, bsdf.woLocal);
+        return detail::plasticChoice(bsdf);
     }
 };
 

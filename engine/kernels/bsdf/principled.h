@@ -4,14 +4,15 @@
 // Burley 2012, "Physically-Based Shading at Disney"; Khronos Group 2021, "glTF 2.0 Specification",
 // appendix B, with KHR_materials_specular, _clearcoat and _sheen. The base mixes, by `metallic`, a metal
 // whose reflectance is the colour (Schlick 1994) and a dielectric, which scatters diffusely what its boundary
-// does not reflect; both share one GGX lobe. Sheen has the distribution of Estevez and Kulla 2017,
+// does not reflect; both share one lobe of facets. Sheen has the distribution of Estevez and Kulla 2017,
 // "Production Friendly Microfacet Sheen BRDF", and glTF's visibility. The coat is a GGX boundary of
 // index 1.5.
 //
 // What lies under a layer gets what the layer's directional albedo leaves, at the more grazing of both
-// directions: it is reciprocal, and no angle gains more light than 0.4 %. The diffuse part is coupled as
-// plastic.h's, but light does not go back and forth under the boundary. Left out: anisotropy, transmission, a
-// coat with a normal of its own, light that bounces more than once between facets.
+// directions: it is reciprocal, and no angle gains more light than 0.4 % (0.8 % where the base is anisotropic:
+// plastic.h). The diffuse part is coupled as plastic.h's, but light does not go back and forth under the
+// boundary. Left out: transmission, a coat with a normal of its own, light that bounces more than once between
+// facets.
 #pragma once
 
 #include "engine/kernels/bsdf/plastic.h"
@@ -62,7 +63,9 @@ GLINT_HD inline Vec3 principledFresnel(const ShadingInputs& in, const Vec3& colo
 
 /// The layers as seen from one wo, and the probabilities of their lobes, which sum to 1: by the light each
 /// reflects. Smooth layers share one direction and so one lobe, the mirror.
+template <FeatureMask kMask>
 struct PrincipledLayers {
+    const MaterialData& material;
     const ShadingInputs& in;
     const Vec3& color;
     const Vec3& wo;
@@ -73,16 +76,15 @@ struct PrincipledLayers {
     float mirrorProbability = 0.0f, coatProbability = 0.0f, baseProbability = 0.0f;
     float diffuseProbability = 1.0f, sheenProbability = 0.0f;
 
-    GLINT_HD PrincipledLayers(const ShadingInputs& inputs, const Vec3& baseColor, const Vec3& woLocal)
-        : in(inputs), color(baseColor), wo(woLocal) {
+    explicit GLINT_HD PrincipledLayers(const Bsdf<kMask>& bsdf)
+        : material(*bsdf.material), in(bsdf.inputs()), color(bsdf.color), wo(bsdf.woLocal) {
         hasSmoothCoat = in.clearcoat > 0.0f && in.clearcoatRoughness < kSmoothAlpha;
         hasRoughCoat = in.clearcoat > 0.0f && !hasSmoothCoat;
         hasSmoothBase = isSmooth(in);
         sheen = maxComponent(in.sheenColor);
         sheenAlpha = maxf(in.sheenRoughness, kLeastSheenAlpha);
-        const float mu = clampf(wo.z, 0.0f, 1.0f);
-        enters = 1.0f - in.specular * coatAlbedo(in, mu);
-        setProbabilities(mu);
+        enters = 1.0f - in.specular * coatAlbedo<kMask>(material, in, wo);
+        setProbabilities(clampf(wo.z, 0.0f, 1.0f));
     }
 
     /// What the coat leaves to the layers below.
@@ -91,9 +93,10 @@ struct PrincipledLayers {
                                    : 1.0f;
     }
 
-    /// Of all lobes with a density. baseScale multiplies sheen and diffuse reflection: how much of them the
-    /// shadow terminator leaves.
-    GLINT_HD BsdfValue evaluate(const Vec3& wi, float baseScale) const {
+    /// Of all lobes with a density. `base`: the base's facets. baseScale multiplies sheen and diffuse
+    /// reflection: how much of them the shadow terminator leaves.
+    template <class Facets>
+    GLINT_HD BsdfValue evaluate(const Facets& base, const Vec3& wi, float baseScale) const {
         const Vec3 h = glm::normalize(wo + wi);
         const float cosine = clampf(glm::dot(wo, h), 0.0f, 1.0f);
         const float mu = clampf(minf(wo.z, wi.z), 0.0f, 1.0f);
@@ -102,8 +105,9 @@ struct PrincipledLayers {
         if (hasRoughCoat) {
             float cosT = 0.0f;
             const float fresnel = in.clearcoat * fresnelDielectric(cosine, 1.5f, &cosT);
-            result.value += Vec3(fresnel * ggxReflection(wo, wi, h, in.clearcoatRoughness));
-            result.pdfSolidAngle += coatProbability * ggxReflectionPdf(wo, h, in.clearcoatRoughness);
+            const GgxFacets coat{in.clearcoatRoughness};
+            result.value += Vec3(fresnel * coat.reflection(wo, wi, h));
+            result.pdfSolidAngle += coatProbability * coat.reflectionPdf(wo, h);
         }
         if (sheen > 0.0f) {
             const float albedo = sheenAlbedo(sheenAlpha, mu);
@@ -113,12 +117,12 @@ struct PrincipledLayers {
             below *= 1.0f - sheen * minf(albedo, 1.0f);
         }
         if (!hasSmoothBase) {
-            const float lobe = below * ggxReflection(wo, wi, h, in.roughness);
+            const float lobe = below * base.reflection(wo, wi, h);
             result.value += principledFresnel(in, color, cosine) * lobe;
-            result.pdfSolidAngle += baseProbability * ggxReflectionPdf(wo, h, in.roughness);
+            result.pdfSolidAngle += baseProbability * base.reflectionPdf(wo, h);
         }
         if (in.metallic >= 1.0f) { return result; }
-        const float leaves = (1.0f - in.specular * coatAlbedo(in, wi.z)) /
+        const float leaves = (1.0f - in.specular * coatAlbedo<kMask>(material, in, wi)) /
                              maxf(1.0f - in.specular * in.coat.averageAlbedo, 1e-6f);
         const BsdfValue diffuse =
             evaluateLambert(color * ((1.0f - in.metallic) * below * enters * leaves * baseScale), wi);
@@ -128,11 +132,14 @@ struct PrincipledLayers {
     }
 
     /// A direction of a lobe with a density; uLobe from mirrorProbability on.
-    GLINT_HD Vec3 sample(float uLobe, Vec2 u) const {
+    template <class Facets>
+    GLINT_HD Vec3 sample(const Facets& base, float uLobe, Vec2 u) const {
         float u1 = uLobe - mirrorProbability;
-        if (u1 < coatProbability) { return reflect(wo, sampleVisibleNormal(wo, in.clearcoatRoughness, u)); }
+        if (u1 < coatProbability) {
+            return reflect(wo, GgxFacets{in.clearcoatRoughness}.sampleNormal(wo, u));
+        }
         u1 -= coatProbability;
-        if (u1 < baseProbability) { return reflect(wo, sampleVisibleNormal(wo, in.roughness, u)); }
+        if (u1 < baseProbability) { return reflect(wo, base.sampleNormal(wo, u)); }
         if (u1 - baseProbability < diffuseProbability) { return sampleCosineHemisphere(u); }
         const Vec3 wi = sampleSphere(u);
         return {wi.x, wi.y, std::fabs(wi.z)};
@@ -190,38 +197,39 @@ struct PrincipledModel : BsdfModelDefaults {
         const ShadingInputs& in = bsdf.inputs();
         if (isSpecularOnly(bsdf)) { return {}; }
         const bool isBroad = in.metallic < kMostMetallic || !isZero(in.sheenColor);
-        const bool hasSharpBase = !detail::isSmooth(in) && in.roughness < storeAlpha;
+        const bool hasSharpBase =
+            !detail::isSmooth(in) && detail::narrowestAlpha<kMask>(*bsdf.material, in) < storeAlpha;
         const bool hasSharpCoat = hasRoughCoat(in) && in.clearcoatRoughness < storeAlpha;
         if (!isBroad && (hasSharpBase || hasSharpCoat)) { return {}; }
-        return {layersOf(bsdf).mirrorProbability, 1.0f};
+        return {detail::PrincipledLayers<kMask>(bsdf).mirrorProbability, 1.0f};
     }
 
     static GLINT_HD BsdfValue evaluate(const Bsdf<kMask>& bsdf, const Vec3& wi, float ngWi) {
         const float baseScale = detail::terminator(bsdf, ngWi, wi.z);
         if (!(wi.z > 0.0f)) { return {}; }
-        return layersOf(bsdf).evaluate(wi, baseScale);
+        return detail::withFacets(bsdf, [&](const auto& base) {
+            return detail::PrincipledLayers<kMask>(bsdf).evaluate(base, wi, baseScale);
+        });
     }
 
     static GLINT_HD BsdfSample sample(const Bsdf<kMask>& bsdf, float uLobe, Vec2 u) {
-        const detail::PrincipledLayers layers = layersOf(bsdf);
+        const detail::PrincipledLayers<kMask> layers(bsdf);
         if (uLobe < layers.mirrorProbability) {
             return detail::specularSample(detail::mirrored(layers.wo),
                                           layers.mirror / layers.mirrorProbability);
         }
-        const Vec3 wi = layers.sample(uLobe, u);
-        if (!(wi.z > 0.0f)) { return {}; }
-        const BsdfValue value = layers.evaluate(wi, detail::terminatorOf(bsdf, wi));
-        if (!(value.pdfSolidAngle > 0.0f)) { return {}; }
-        return detail::nonDeltaSample(wi, value.value / value.pdfSolidAngle, value.pdfSolidAngle);
+        return detail::withFacets(bsdf, [&](const auto& base) -> BsdfSample {
+            const Vec3 wi = layers.sample(base, uLobe, u);
+            if (!(wi.z > 0.0f)) { return {}; }
+            const BsdfValue value = layers.evaluate(base, wi, detail::terminatorOf(bsdf, wi));
+            if (!(value.pdfSolidAngle > 0.0f)) { return {}; }
+            return detail::nonDeltaSample(wi, value.value / value.pdfSolidAngle, value.pdfSolidAngle);
+        });
     }
 
   private:
     static GLINT_HD bool hasRoughCoat(const ShadingInputs& in) {
         return in.clearcoat > 0.0f && in.clearcoatRoughness >= kSmoothAlpha;
-    }
-
-    static GLINT_HD detail::PrincipledLayers layersOf(const Bsdf<kMask>& bsdf) {
-        return {bsdf.inputs(), bsdf.color, bsdf.woLocal};
     }
 };
 
