@@ -19,6 +19,15 @@ inline float burleyCoatGloss(float alpha) { return clampf((0.1f - alpha) / (0.1f
 constexpr float kBurleySheenAlpha = 0.1f;
 constexpr float kBurleySheen = 0.1f;
 
+/// The root of across over along of his two alphas, whose product is the fourth power of the roughness.
+inline float burleyAspect(float anisotropic) {
+    return std::sqrt(1.0f - 0.9f * clampf(anisotropic, 0.0f, 1.0f));
+}
+/// Its inverse, for alphas of which the first is the larger one; most: 1.
+inline float burleyAnisotropic(float along, float across) {
+    return clampf((1.0f - across / maxf(along, 1e-9f)) / 0.9f, 0.0f, 1.0f);
+}
+
 /// White, or so much of the colour's hue.
 inline Vec3 burleyTint(const Vec3& color, float tint) {
     const float brightness = luminance(color);

@@ -1,5 +1,6 @@
-// KHR_materials_specular, _clearcoat and _sheen of glTF's materials.
+// KHR_materials_specular, _clearcoat, _sheen and _anisotropy of glTF's materials.
 #include <cmath>
+#include <numbers>
 
 #include "engine/io/gltf_materials.h"
 #include "engine/io/gltf_surface.h"
@@ -85,6 +86,40 @@ Status GltfMaterials::takeLayers(const tinygltf::Material& from, Material* out) 
         file_.remark("coats have the normals of what they coat", from.name);
     }
     return status;
+}
+
+/// Along the direction alpha is mix(alpha, 1, strength^2), across it stays (the extension's text).
+Status GltfMaterials::takeAnisotropy(const tinygltf::Material& from, Material* out) {
+    const auto* extension = extensionOf(from, "KHR_materials_anisotropy");
+    float strength = gltfNumber(numberOf(extension, "anisotropyStrength", 0.0), 0.0, 1.0);
+    if (!(strength > 0.0f)) { return {}; }
+    if (const tinygltf::TextureInfo info = textureOf(extension, "anisotropyTexture"); info.index >= 0) {
+        const Result<Surface> image = surfaceImage(info.index);
+        if (!image) { return image.error(); }
+        strength *= image->metalness;
+        if (!image->isEvenlyMetallic) {
+            file_.remark("strengths of anisotropy in images count by their mean", from.name);
+        }
+        const Result<int> direction = takeTexture(info, {});
+        if (!direction) { return direction.error(); }
+        out->anisotropyDirection.texture = *direction;
+    }
+    // Texture coordinates count v downwards here, and the rotation counts upwards.
+    const double rotation = numberOf(extension, "anisotropyRotation", 0.0);
+    out->anisotropyRotationDeg = static_cast<float>(-rotation * (180.0 / std::numbers::pi));
+    out->crossRoughness = out->roughness;
+    const float share = square(strength);
+    out->roughness.value = glm::mix(out->roughness.value, 1.0f, share);
+    if (out->roughness.texture >= 0) {
+        // (strength + gain x)^2, which is right where x is 0 and where it is 1.
+        Texture along = scene_.textures[static_cast<size_t>(out->roughness.texture)];
+        along.base = strength;
+        along.gain = std::sqrt(glm::mix(square(along.gain), 1.0f, share)) - strength;
+        out->roughness.texture = static_cast<int>(scene_.textures.size());
+        scene_.textures.push_back(std::move(along));
+        file_.remark("images of roughness are approximated where they are anisotropic", from.name);
+    }
+    return {};
 }
 
 }  // namespace glint

@@ -199,6 +199,7 @@ Status GltfMaterials::takeSurface(const tinygltf::Material& from, Material* out)
     } else if (isGlass) {
         out->kind = MaterialKind::Dielectric;
         takeVolume(extensionOf(from, "KHR_materials_volume"), out);
+        if (const Status status = takeAnisotropy(from, out); !status) { return status; }
     } else if (const auto* sheet = extensionOf(from, "KHR_materials_diffuse_transmission");
                out->metallic.value < 0.5f && numberOf(sheet, "diffuseTransmissionFactor", 0.0) > 0.0) {
         takeSheet(*sheet, out);
@@ -206,6 +207,7 @@ Status GltfMaterials::takeSurface(const tinygltf::Material& from, Material* out)
     } else {
         out->kind = MaterialKind::Principled;
         if (const Status status = takeLayers(from, out); !status) { return status; }
+        if (const Status status = takeAnisotropy(from, out); !status) { return status; }
     }
     if (passing > 0.0 && passing < 1.0) {
         file_.remark("materials that light passes in part become glass or let nothing through", from.name);
@@ -241,7 +243,7 @@ void GltfMaterials::remarkLeftOut(const tinygltf::Material& from) {
                             name == "KHR_materials_transmission" || name == "KHR_materials_volume" ||
                             name == "KHR_materials_diffuse_transmission" ||
                             name == "KHR_materials_specular" || name == "KHR_materials_clearcoat" ||
-                            name == "KHR_materials_sheen";
+                            name == "KHR_materials_sheen" || name == "KHR_materials_anisotropy";
         if (!isRead) { file_.remark("extensions of materials are left out", name); }
     }
 }

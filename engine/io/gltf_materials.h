@@ -30,6 +30,7 @@ class GltfMaterials {
     ///   - KHR_materials_diffuse_transmission and metallic below 0.5: a translucent sheet.
     ///   - else principled, with the index of KHR_materials_ior (1.5) and what KHR_materials_specular,
     ///     _clearcoat and _sheen say.
+    /// KHR_materials_anisotropy gives the last and glass a roughness across.
     /// GGX alpha is the square of the roughness and its texture. Emission is the emissive
     /// factor times KHR_materials_emissive_strength, on both sides where the material is double-sided.
     /// Normal maps are taken as they are; alpha cuts out unless the material is opaque.
@@ -57,8 +58,10 @@ class GltfMaterials {
     Status takeSurface(const tinygltf::Material& from, Material* out);
     /// What the image says of roughness, and of metalness where that is asked for.
     Status takeSurfaceImage(const tinygltf::TextureInfo& info, bool isMetallic, Material* out);
-    /// KHR_materials_specular, _clearcoat and _sheen. In gltf_layers.cpp, as are the two below.
+    /// KHR_materials_specular, _clearcoat and _sheen. In gltf_layers.cpp, as are those below.
     Status takeLayers(const tinygltf::Material& from, Material* out);
+    /// KHR_materials_anisotropy; the roughness is set.
+    Status takeAnisotropy(const tinygltf::Material& from, Material* out);
     /// A factor of an extension and its image; both of them to the power of `reading.exponent`.
     struct LayerKeys {
         const char *factor, *image;

@@ -82,11 +82,12 @@ void MitsubaMaterials::readPhong(MitsubaObject* object, UvOrigin origin, Mitsuba
     material.ior.value = (1.0f + root) / (1.0f - root);
     if (object->type() == "ward") {
         object->passOver({"variant"});
-        const float u = std::clamp(meanNumber(object, "alpha_u", 0.1f), 0.0f, 1.0f);
-        material.roughness.value = std::sqrt(u * std::clamp(meanNumber(object, "alpha_v", u), 0.0f, 1.0f));
-        if (const auto alpha = mitsubaInput(object, {"alpha"}, SpectrumRole::Index)) {
-            material.roughness.value = std::clamp(luminance(alpha->color), 0.0f, 1.0f);
-        }
+        const float u =
+            std::clamp(meanNumber(object, "alpha_u", meanNumber(object, "alpha", 0.1f)), 0.0f, 1.0f);
+        const float v = std::clamp(meanNumber(object, "alpha_v", u), 0.0f, 1.0f);
+        material.distribution = FacetDistribution::Beckmann;
+        material.roughness.value = u;
+        if (u != v) { material.crossRoughness.value = v; }
     } else {
         material.roughness.value =
             alphaOfExponent(std::clamp(meanNumber(object, "exponent", 30.0f), 0.0f, 1e8f));
@@ -104,6 +105,10 @@ void MitsubaMaterials::readCoating(MitsubaObject* object, UvOrigin origin, Mitsu
         object->approximated(
             "approximated: coats over glass, plastic, sheets and metals of textures are left out");
         return;
+    }
+    if (isDiffuse) {
+        out->material.crossRoughness = coat.crossRoughness;
+        out->material.distribution = coat.distribution;
     }
     object->approximated(isDiffuse
                              ? "approximated: coats over diffuse surfaces are plastic that absorbs nothing"
@@ -153,11 +158,11 @@ void MitsubaMaterials::readBlend(MitsubaObject* object, UvOrigin origin, Mitsuba
 }
 
 NumberInput MitsubaMaterials::numberOf(MitsubaObject* object, std::string_view name, UvOrigin origin,
-                                       float otherwise, float (*change)(float)) {
+                                       float otherwise, const std::function<float(float)>& change) {
     const auto input = mitsubaInput(object, {name}, SpectrumRole::Index);
     const auto shown = [change](float value) {
         const float clamped = std::clamp(value, 0.0f, 1.0f);
-        return change != nullptr ? change(clamped) : clamped;
+        return change ? change(clamped) : clamped;
     };
     if (!input) { return {shown(otherwise)}; }
     if (input->texture == nullptr) { return {shown(numberIn(input->color))}; }
@@ -165,10 +170,32 @@ NumberInput MitsubaMaterials::numberOf(MitsubaObject* object, std::string_view n
                             [&](const Vec3& color) { return Vec3(shown(numberIn(color))); });
 }
 
+/// Of two images the anisotropy's counts by its mean.
+void MitsubaMaterials::readPrincipledRoughness(MitsubaObject* object, UvOrigin origin, Material* material) {
+    const auto rough = mitsubaInput(object, {"roughness"}, SpectrumRole::Index);
+    const auto anisotropic = mitsubaInput(object, {"anisotropic"}, SpectrumRole::Index);
+    const bool varies = anisotropic && anisotropic->texture != nullptr;
+    if (varies && (!rough || rough->texture == nullptr)) {
+        const float alpha = square(rough ? std::clamp(numberIn(rough->color), 0.0f, 1.0f) : 0.5f);
+        material->roughness = numberOf(object, "anisotropic", origin, 0.0f,
+                                       [=](float a) { return minf(alpha / burleyAspect(a), 1.0f); });
+        material->crossRoughness =
+            numberOf(object, "anisotropic", origin, 0.0f, [=](float a) { return alpha * burleyAspect(a); });
+        return;
+    }
+    const float aspect = burleyAspect(meanNumber(object, "anisotropic", 0.0f));
+    material->roughness =
+        numberOf(object, "roughness", origin, 0.5f, [=](float r) { return minf(r * r / aspect, 1.0f); });
+    if (aspect < 1.0f) {
+        material->crossRoughness =
+            numberOf(object, "roughness", origin, 0.5f, [=](float r) { return r * r * aspect; });
+    }
+}
+
 void MitsubaMaterials::readPrincipledLayers(MitsubaObject* object, UvOrigin origin, const Vec3& base,
                                             Material* material) {
     material->kind = MaterialKind::Principled;
-    material->roughness = numberOf(object, "roughness", origin, 0.5f, square);
+    readPrincipledRoughness(object, origin, material);
     material->metallic = numberOf(object, "metallic", origin, 0.0f);
     material->clearcoat =
         numberOf(object, "clearcoat", origin, 0.0f, [](float coat) { return kBurleyCoat * coat; });
@@ -179,12 +206,11 @@ void MitsubaMaterials::readPrincipledLayers(MitsubaObject* object, UvOrigin orig
     material->sheenColor = colorOf(share.value_or(MitsubaInput{Vec3(0.0f), nullptr}), origin,
                                    [&](const Vec3& c) { return numberIn(c) * sheen; });
     material->sheenRoughness.value = kBurleySheenAlpha;
-    object->passOver({"anisotropic", "flatness"});
+    object->passOver({"flatness"});
 }
 
 void MitsubaMaterials::readPrincipled(MitsubaObject* object, UvOrigin origin, MitsubaSurface* out) {
-    object->approximated(
-        "approximated: the principled model is without anisotropy, and its layers gain nothing");
+    object->approximated("approximated: the principled model's layers gain nothing");
     Material& material = out->material;
     const auto given = mitsubaInput(object, {"base_color"}, SpectrumRole::Reflectance);
     const MitsubaInput base = given.value_or(MitsubaInput{Vec3(0.5f), nullptr});

@@ -136,25 +136,21 @@ float MitsubaMaterials::readIndex(MitsubaObject* object, std::string_view name, 
 
 void MitsubaMaterials::readRoughness(MitsubaObject* object, UvOrigin origin, Material* material) {
     const std::string_view distribution = object->text("distribution", "beckmann");
-    if (distribution != "ggx") {
-        object->approximated("approximated: Beckmann's facets are GGX of the same alpha");
+    const bool isGgx = distribution == "ggx";
+    material->distribution = isGgx ? FacetDistribution::Ggx : FacetDistribution::Beckmann;
+    if (!isGgx && distribution != "beckmann") {
+        object->approximated("approximated: facets of Phong's distribution are Beckmann's of the same alpha");
     }
     const auto u = mitsubaInput(object, {"alpha", "alpha_u"}, SpectrumRole::Index);
     const auto v = mitsubaInput(object, {"alpha_v"}, SpectrumRole::Index);
     object->passOver({"sample_visible"});
-    const auto valueOf = [&](const MitsubaInput& input) {
-        const float value =
-            luminance(input.texture != nullptr ? textures_.meanOf(*input.texture) : input.color);
-        return std::clamp(value, 0.0f, 1.0f);
+    const auto inputOf = [&](const MitsubaInput& input) {
+        return input.texture != nullptr ? textures_.number(*input.texture, origin)
+                                        : NumberInput{std::clamp(luminance(input.color), 0.0f, 1.0f)};
     };
-    material->roughness.value = u ? valueOf(*u) : 0.1f;
-    if (v && (v->texture != nullptr || u->texture != nullptr || v->color != u->color)) {
-        object->approximated(
-            "approximated: roughness along u and v is one, the root of their means' product");
-        material->roughness.value = std::sqrt(material->roughness.value * valueOf(*v));
-    } else if (u && u->texture != nullptr) {
-        material->roughness = textures_.number(*u->texture, origin);
-    }
+    material->roughness = u ? inputOf(*u) : NumberInput{0.1f};
+    const bool isAlike = !v || (u && v->texture == nullptr && u->texture == nullptr && v->color == u->color);
+    if (!isAlike) { material->crossRoughness = inputOf(*v); }
 }
 
 void MitsubaMaterials::readTints(MitsubaObject* object, UvOrigin origin, std::string_view reflected,

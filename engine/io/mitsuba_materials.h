@@ -63,6 +63,7 @@ class MitsubaMaterials {
     void readPrincipled(MitsubaObject* object, UvOrigin origin, MitsubaSurface* out);
     void readPrincipledLayers(MitsubaObject* object, UvOrigin origin, const Vec3& base, Material* material);
 
+    void readPrincipledRoughness(MitsubaObject* object, UvOrigin origin, Material* material);
     void readRoughness(MitsubaObject* object, UvOrigin origin, Material* material);
     /// The factors of what a smooth boundary reflects and lets through, as one tint.
     void readTints(MitsubaObject* object, UvOrigin origin, std::string_view reflected,
@@ -72,7 +73,7 @@ class MitsubaMaterials {
                        const MitsubaTextures::Change& change = nullptr);
     /// A number in [0, 1], each of whose values `change` makes another one.
     NumberInput numberOf(MitsubaObject* object, std::string_view name, UvOrigin origin, float otherwise,
-                         float (*change)(float) = nullptr);
+                         const std::function<float(float)>& change = nullptr);
     float meanNumber(MitsubaObject* object, std::string_view name, float otherwise);
 
     MitsubaContext& context_;

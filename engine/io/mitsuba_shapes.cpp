@@ -119,8 +119,9 @@ std::vector<Object> MitsubaShapes::instancesOf(MitsubaObject* object) {
     return objects;
 }
 
-bool MitsubaShapes::isTextured(const MitsubaElement* bsdf) {
-    return !usedTextures(materials_.surfaceOf(bsdf, UvOrigin::Top).material).empty();
+bool MitsubaShapes::looksAtUv(const MitsubaElement* bsdf) {
+    const Material material = materials_.surfaceOf(bsdf, UvOrigin::Top).material;
+    return isAnisotropic(material) || !usedTextures(material).empty();
 }
 
 /// Per metre.
@@ -245,7 +246,7 @@ std::vector<Object> MitsubaShapes::sphereOf(const Shape& shape) {
     const Vec3 center = shape.object->vector("center", Vec3(0.0f));
     const float radius = shape.object->number("radius", 1.0f, 0.0f);
     object.objectToWorld = shape.toWorld * translate(center) * scale(Vec3(radius));
-    if (isTextured(shape.bsdf)) {  // Mitsuba's north is +z, and its u begins at +x
+    if (looksAtUv(shape.bsdf)) {  // Mitsuba's north is +z, and its u begins at +x
         object.objectToWorld = object.objectToWorld * Affine{Mat3(0, -1, 0, 0, 0, 1, -1, 0, 0), Vec3(0.0f)};
     }
     if (shape.isFlipped) {
@@ -258,8 +259,9 @@ std::vector<Object> MitsubaShapes::flatOf(const Shape& shape, ShapeKind kind) {
     Object object;
     object.shape = kind;
     object.objectToWorld = shape.isFlipped ? shape.toWorld * kTurnedOver : shape.toWorld;
-    if (kind == ShapeKind::Disc && isTextured(shape.bsdf)) {
-        shape.object->approximated("approximated: textures lie flat on disks, not around their middles");
+    if (kind == ShapeKind::Disc && looksAtUv(shape.bsdf)) {
+        shape.object->approximated(
+            "approximated: textures and anisotropy lie flat on disks, not around their middles");
     }
     return finish(shape, std::move(object), shape.isFlipped ? UvOrigin::Bottom : UvOrigin::Top, -1);
 }

@@ -38,7 +38,7 @@ class MitsubaShapes {
     std::vector<Object> sphereOf(const Shape& shape);
     std::vector<Object> flatOf(const Shape& shape, ShapeKind kind);
     std::vector<Object> cylinderOf(const Shape& shape);
-    bool isTextured(const MitsubaElement* bsdf);
+    bool looksAtUv(const MitsubaElement* bsdf);
     int materialOf(const Shape& shape, UvOrigin origin);
     bool isGlassBody(const MitsubaElement* bsdf);
     /// Of a glass body, whose inside absorbs: a material of its own.

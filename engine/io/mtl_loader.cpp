@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <tiny_obj_loader.h>
 
+#include "engine/io/burley.h"
 #include "engine/io/file_kind.h"
 #include "engine/io/mtl_glass.h"
 #include "engine/io/plain_text.h"
@@ -62,6 +63,16 @@ bool usesPbr(const MtlEntry& entry, const tinyobj::material_t& values) {
            (entry.has(MtlKey::Pr) && values.roughness > 0.0f) || entry.has(MtlKey::MapPr);
 }
 
+/// aniso and anisor of the PBR extension are Burley's.
+void setAnisotropy(const tinyobj::material_t& values, Material* out) {
+    const float aspect = burleyAspect(values.anisotropy);
+    if (!(aspect < 1.0f) || !hasFacets(out->kind) || out->roughness.value == 0.0f) { return; }
+    const float alpha = out->roughness.value;
+    out->roughness.value = std::min(alpha / aspect, 1.0f);
+    out->crossRoughness.value = alpha * aspect;
+    out->anisotropyRotationDeg = 360.0f * std::clamp(values.anisotropy_rotation, -1e3f, 1e3f);
+}
+
 void makePbr(const MtlEntry& entry, const tinyobj::material_t& values, const Vec3& base, Material* out) {
     if (entry.has(MtlKey::Pr)) {
         const float roughness = std::clamp(values.roughness, 0.0f, 1.0f);
@@ -110,6 +121,7 @@ Material toGlint(const MtlEntry& entry, const tinyobj::material_t& values, const
     } else {
         makePhong(values, diffuse, &out);
     }
+    setAnisotropy(values, &out);
     return out;
 }
 
@@ -143,13 +155,6 @@ MtlMap numberMapOf(const std::string& file, const tinyobj::texture_option_t& opt
     return map;
 }
 
-/// What of the material Glint does not draw.
-void remarkLeftOut(const MtlEntry& entry, const tinyobj::material_t& values, const std::string& path,
-                   Remarks* remarks) {
-    const auto place = [&] { return fmt::format("{}:{}", path, entry.line); };
-    if (values.anisotropy != 0.0f) { remarks->add("anisotropy (aniso) is left out", place, entry.name); }
-}
-
 }  // namespace
 
 Result<MtlLibrary> loadMtl(const std::string& path) {
@@ -167,7 +172,6 @@ Result<MtlLibrary> loadMtl(const std::string& path) {
 MtlMaterial materialOf(const MtlEntry& entry, MtlLibrary* library) {
     const tinyobj::material_t values = entry.values();
     const MtlGlass glass = glassOf(entry, values, library->trIsOpacity);
-    remarkLeftOut(entry, values, library->path, &library->file.remarks);
     MtlMaterial mtl{
         .material = toGlint(entry, values, glass),
         .color = mapOf(values.diffuse_texname, values.diffuse_texopt, entry.lineOf(MtlKey::MapKd)),
@@ -183,6 +187,14 @@ MtlMaterial materialOf(const MtlEntry& entry, MtlLibrary* library) {
         .glass = glass.isGlass ? glass.why : "",
         .doubt = glass.isGlass ? "" : glass.why};
     mtl.roughness.shown.exponent = 2.0f;
+    if (hasCrossRoughness(mtl.material)) {
+        const float root = std::sqrt(burleyAspect(values.anisotropy));
+        mtl.crossRoughness = mtl.roughness;
+        mtl.roughness.shown.gain /= root;
+        mtl.crossRoughness.shown.gain *= root;
+        mtl.roughness.shown.base /= root;
+        mtl.crossRoughness.shown.base *= root;
+    }
     mtl.material.normalStrength = values.normal_texopt.bump_multiplier;
     if (mtl.opacity.file == mtl.color.file) { mtl.opacity.file.clear(); }
     return mtl;

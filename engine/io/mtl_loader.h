@@ -21,6 +21,7 @@ struct MtlMaterial {
     MtlMap color;             ///< map_Kd
     MtlMap emission;          ///< map_Ke
     MtlMap roughness;         ///< map_Pr
+    MtlMap crossRoughness;    ///< the same, across its direction; where the material has such a roughness
     MtlMap metallic;          ///< map_Pm
     MtlMap height;            ///< map_Bump, bump
     float bumpFactor = 1.0f;  ///< -bm: multiplies what a height is for the model (obj_materials.h)
@@ -45,7 +46,8 @@ Result<MtlLibrary> loadMtl(const std::string& path);
 ///   - Pm, Pr, Pc or Ps above 0 (the PBR extension): with Pm below 1, map_Pm, Pc or Ps a principled material
 ///   with a
 ///     coat of alpha Pcr squared; else with Pm a conductor whose reflectance at normal incidence is Kd, with
-///     Pr plastic of Kd. GGX alpha is Pr squared.
+///     Pr plastic of Kd. GGX alpha is Pr squared; aniso divides it by an aspect of sqrt(1 - 0.9 aniso) along
+///     the direction that anisor turns, in whole turns from u, and multiplies it across (Burley 2012).
 ///   - Kd black, Ks not, illum 3 or 5: mirror of Ks. Kd black, Ks not: GGX conductor whose reflectance at
 ///     normal incidence is Ks, by eta = (1 - r)/(1 + r), k = 2 sqrt(r)/(1 + r) per channel (Gulbrandsen 2014,
 ///     "Artist Friendly Metallic Fresnel", with edge tint 1).

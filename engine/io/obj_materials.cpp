@@ -139,6 +139,9 @@ Material MaterialResolver::take(const Found& found) {
     material.color.texture = takeTexture(mtl.color, library.path);
     material.emission.texture = takeTexture(mtl.emission, library.path);
     material.roughness.texture = takeTexture(mtl.roughness, library.path);
+    if (material.roughness.texture >= 0) {  // else it is missing
+        material.crossRoughness.texture = takeTexture(mtl.crossRoughness, library.path);
+    }
     material.metallic.texture = takeTexture(mtl.metallic, library.path);
     material.bump.texture = takeTexture(mtl.height, library.path);
     material.bumpHeight = mtl.bumpFactor;

@@ -39,7 +39,7 @@ void PbrtMaterials::readCoatedDiffuse(const PbrtParams& params, PbrtSurface* out
     Material& material = out->material;
     material.kind = MaterialKind::Plastic;
     material.color = reflectance(params, {"reflectance"}, 0.5f);
-    material.roughness = roughness(params, "", 0.0f);
+    readRoughness(params, "", 0.0f, &material);
     const PbrtParam* eta = params.find("eta");
     const Vec3 index = eta != nullptr ? pbrtColor(params, *eta, SpectrumRole::Index) : Vec3(1.5f);
     material.ior.value = std::clamp(luminance(index), 1.0f, 100.0f);
@@ -55,7 +55,7 @@ void PbrtMaterials::readCoatedConductor(const PbrtParams& params, PbrtSurface* o
     params.approximated("approximated: coats over metal are clear ones of index 1.5");
     material.kind = MaterialKind::Conductor;
     material.color.value = Vec3(1.0f);
-    material.roughness = roughness(params, "conductor.", 0.0f);
+    readRoughness(params, "conductor.", 0.0f, &material);
     if (const auto color = textures_.color(params, "reflectance", SpectrumRole::Reflectance)) {
         material.metal.clear();
         material.eta.value = Vec3(1e-3f);
@@ -66,8 +66,12 @@ void PbrtMaterials::readCoatedConductor(const PbrtParams& params, PbrtSurface* o
     }
     const PbrtParam* eta = params.find("interface.eta");
     const Vec3 index = eta != nullptr ? pbrtColor(params, *eta, SpectrumRole::Index) : Vec3(1.5f);
-    if (!coatMaterial(std::clamp(luminance(index), 1.0f, 100.0f), roughness(params, "interface.", 0.0f),
-                      &material)) {
+    Material coat;
+    readRoughness(params, "interface.", 0.0f, &coat);
+    if (hasCrossRoughness(coat)) {
+        params.approximated("approximated: coats over metal are rough as along u");
+    }
+    if (!coatMaterial(std::clamp(luminance(index), 1.0f, 100.0f), coat.roughness, &material)) {
         params.approximated("approximated: coats over metals of textures are left out");
     }
     params.passOver({"thickness", "maxdepth", "nsamples", "g", "albedo"});
@@ -156,7 +160,7 @@ void PbrtMaterials::readSubsurface(const PbrtParams& params, PbrtSurface* out) {
     params.approximated("approximated: what scatters below its surface is plastic");
     Material& material = out->material;
     material.kind = MaterialKind::Plastic;
-    material.roughness = roughness(params, "", 0.0f);
+    readRoughness(params, "", 0.0f, &material);
     material.ior.value = params.number("eta", 1.33f, 1.0f, 100.0f);
     params.passOver({"mfp", "g", "scale", "Kr", "Kt"});
     Vec3 absorbed(0.0011f, 0.0024f, 0.014f), scattered(2.55f, 3.21f, 3.77f);
@@ -183,7 +187,7 @@ void PbrtMaterials::readOldCoated(const PbrtParams& params, PbrtSurface* out) {
     Material& material = out->material;
     material.kind = MaterialKind::Plastic;
     material.color = reflectance(params, {"Kd"}, 0.5f);
-    material.roughness = roughness(params, "", 0.1f);
+    readRoughness(params, "", 0.1f, &material);
     params.passOver({"Ks", "Kr", "Kt"});
     const float eta = params.number(params.has("index") ? "index" : "eta", 1.5f, 1.0f, 100.0f);
     material.ior.value = eta;
@@ -193,19 +197,21 @@ void PbrtMaterials::readOldCoated(const PbrtParams& params, PbrtSurface* out) {
 }
 
 void PbrtMaterials::readDisney(const PbrtParams& params, PbrtSurface* out) {
-    params.approximated("approximated: pbrt-v3's disney is without anisotropy, and its layers gain nothing");
+    params.approximated("approximated: the layers of pbrt-v3's disney gain nothing");
     Material& material = out->material;
     material.kind = MaterialKind::Principled;
     material.color = reflectance(params, {"color"}, 0.5f);
     material.ior.value = params.number("eta", 1.5f, 1.0f, 100.0f);
-    const auto share = [&](std::string_view name, float otherwise, float exponent) {
+    const auto share = [&](std::string_view name, float otherwise, float exponent, float gain = 1.0f) {
         const PbrtValue value = textures_.number(params, name).value_or(PbrtValue{Vec3(otherwise)});
-        NumberInput input = textures_.numberInput(PbrtTextures::adjusted(value, 0.0f, 1.0f, exponent));
+        NumberInput input = textures_.numberInput(PbrtTextures::adjusted(value, 0.0f, gain, exponent));
         input.value = std::clamp(input.value, 0.0f, 1.0f);
         return input;
     };
     material.metallic = share("metallic", 0.0f, 1.0f);
-    material.roughness = share("roughness", 0.5f, 2.0f);
+    const float root = std::sqrt(burleyAspect(meanNumber(params, "anisotropic", 0.0f)));
+    material.roughness = share("roughness", 0.5f, 2.0f, 1.0f / root);
+    if (root < 1.0f) { material.crossRoughness = share("roughness", 0.5f, 2.0f, root); }
     material.clearcoat.value = kBurleyCoat * std::clamp(meanNumber(params, "clearcoat", 0.0f), 0.0f, 1.0f);
     material.clearcoatRoughness.value = burleyCoatAlpha(meanNumber(params, "clearcoatgloss", 1.0f));
     const Vec3& base = material.color.value;
@@ -214,7 +220,7 @@ void PbrtMaterials::readDisney(const PbrtParams& params, PbrtSurface* out) {
                                 burleyTint(base, meanNumber(params, "sheentint", 0.5f));
     material.sheenRoughness.value = kBurleySheenAlpha;
     if (meanNumber(params, "spectrans", 0.0f) >= 0.5f) { material.kind = MaterialKind::Dielectric; }
-    params.passOver({"anisotropic", "flatness", "difftrans", "thin", "scatterdistance"});
+    params.passOver({"flatness", "difftrans", "thin", "scatterdistance"});
 }
 
 }  // namespace glint

@@ -184,26 +184,22 @@ float PbrtMaterials::meanNumber(const PbrtParams& params, std::string_view name,
 }
 
 /// pbrt-v4 takes the root of a roughness for GGX's alpha unless it is told not to.
-NumberInput PbrtMaterials::roughness(const PbrtParams& params, const std::string& prefix, float otherwise) {
+void PbrtMaterials::readRoughness(const PbrtParams& params, const std::string& prefix, float otherwise,
+                                  Material* material) {
     const float exponent = params.flag("remaproughness", true) ? 0.5f : 1.0f;
-    auto both = textures_.number(params, prefix + "roughness");
+    const PbrtValue both =
+        textures_.number(params, prefix + "roughness").value_or(PbrtValue{Vec3(otherwise)});
     const auto u = textures_.number(params, prefix + "uroughness");
     const auto v = textures_.number(params, prefix + "vroughness");
-    if (u || v) {
-        const PbrtValue usual = both.value_or(PbrtValue{Vec3(otherwise)});
-        const PbrtValue a = u.value_or(usual), b = v.value_or(usual);
-        both = a;
-        if (a.image || b.image || a.value != b.value) {
-            params.approximated(
-                "approximated: roughness along u and v is one, the root of their means' product");
-            const Vec3 product = textures_.meanOf(a) * textures_.meanOf(b);
-            both = PbrtValue{Vec3(std::sqrt(maxf(product.x, 0.0f)))};
-        }
-    }
-    const PbrtValue value = both.value_or(PbrtValue{Vec3(otherwise)});
-    NumberInput alpha = textures_.numberInput(PbrtTextures::adjusted(value, 0.0f, 1.0f, exponent));
-    alpha.value = std::clamp(alpha.value, 0.0f, 1.0f);
-    return alpha;
+    const auto alphaOf = [&](const PbrtValue& value) {
+        NumberInput alpha = textures_.numberInput(PbrtTextures::adjusted(value, 0.0f, 1.0f, exponent));
+        alpha.value = std::clamp(alpha.value, 0.0f, 1.0f);
+        return alpha;
+    };
+    material->roughness = alphaOf(u.value_or(both));
+    if (!u && !v) { return; }
+    const NumberInput across = alphaOf(v.value_or(both));
+    if (across != material->roughness) { material->crossRoughness = across; }
 }
 
 void PbrtMaterials::readDiffuse(const PbrtParams& params, PbrtSurface* out) {
@@ -236,7 +232,7 @@ void PbrtMaterials::readConductor(const PbrtParams& params, PbrtSurface* out) {
     Material& material = out->material;
     material.kind = MaterialKind::Conductor;
     material.color.value = Vec3(1.0f);
-    material.roughness = roughness(params, "", 0.0f);
+    readRoughness(params, "", 0.0f, &material);
     const auto color = textures_.color(params, "reflectance", SpectrumRole::Reflectance);
     if (!color) {
         readMetal(params, "", &material);
@@ -259,7 +255,7 @@ void PbrtMaterials::readDielectric(const PbrtParams& params, PbrtSurface* out) {
     Material& material = out->material;
     material.kind = MaterialKind::Dielectric;
     material.color = reflectance(params, {"Kt", "Kr"}, 1.0f);
-    material.roughness = roughness(params, "", 0.0f);
+    readRoughness(params, "", 0.0f, &material);
     const PbrtParam* eta = params.find(params.has("eta") ? "eta" : "index");
     if (eta == nullptr) {
         material.ior.value = 1.5f;
@@ -280,6 +276,7 @@ void PbrtMaterials::readThinDielectric(const PbrtParams& params, PbrtSurface* ou
     readDielectric(params, out);
     out->material.thin = true;
     out->material.roughness = {};
+    out->material.crossRoughness = NumberInput{-1.0f};
 }
 
 void PbrtMaterials::readInterface(const PbrtParams&, PbrtSurface* out) { out->isThere = false; }

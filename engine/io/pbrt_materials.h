@@ -78,8 +78,9 @@ class PbrtMaterials {
     void readDisney(const PbrtParams& params, PbrtSurface* out);
 
     void readRelief(const PbrtParams& params, Material* material);
-    /// roughness, or what its parameters for u and v have in common.
-    NumberInput roughness(const PbrtParams& params, const std::string& prefix, float otherwise);
+    /// Sets the roughness, and that across where the parameters for u and v differ.
+    void readRoughness(const PbrtParams& params, const std::string& prefix, float otherwise,
+                       Material* material);
     ColorInput reflectance(const PbrtParams& params, std::initializer_list<std::string_view> names,
                            float otherwise);
     /// eta and k of a metal.

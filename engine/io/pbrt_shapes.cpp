@@ -69,8 +69,9 @@ void PbrtShapes::place(const std::string& kind, const PbrtParams& params, const 
     }
     const auto alpha = textures_.number(params, "alpha");
     const MaterialKind model = surface.material.kind;
-    const bool isTextured = !usedTextures(surface.material).empty() || (alpha && alpha->image) ||
-                            surface.share.image || (shines && lights_.showsImage(own.areaLight));
+    const bool isTextured = isAnisotropic(surface.material) || !usedTextures(surface.material).empty() ||
+                            (alpha && alpha->image) || surface.share.image ||
+                            (shines && lights_.showsImage(own.areaLight));
     Piece piece = pieceOf(kind, {params, own, isTextured, shines || model == MaterialKind::Dielectric});
     if (context_.failed() || !piece.isThere) { return; }
     const PbrtEmission emission =

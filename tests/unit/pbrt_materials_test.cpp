@@ -69,8 +69,9 @@ TEST_F(PbrtMaterialsTest, Conductors) {
     EXPECT_TRUE(metal.metal.empty());
     EXPECT_EQ(metal.eta.value, findMetal("silver")->eta);
     EXPECT_EQ(metal.k.value, Vec3(3, 4, 5));
-    EXPECT_NEAR(metal.roughness.value, 0.2f, 1e-6f);
-    EXPECT_THAT(warnings, Contains(HasSubstr("roughness along u and v is one")));
+    EXPECT_NEAR(metal.roughness.value, 0.1f, 1e-6f);
+    EXPECT_NEAR(metal.crossRoughness.value, 0.4f, 1e-6f);
+    EXPECT_THAT(warnings, IsEmpty());
     // At right angles, a metal of eta 1 reflects k^2 / (4 + k^2).
     metal = materialOf("Material \"conductor\" \"rgb reflectance\" [0.5 0.2 0.8]");
     const Vec3 k2 = metal.k.value * metal.k.value;
