@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/io/gltf_anisotropy.h"
 #include "engine/io/gltf_export.h"
 #include "engine/io/scene_export.h"
 #include "engine/scene/metals.h"
@@ -25,6 +26,7 @@ class MaterialWriter {
         if (!from_.name.empty()) { to_["name"] = from_.name; }
         alpha();
         model();
+        anisotropy();
         normals();
         if (from_.emissive()) { emission(isLamp); }
         const bool isBody = from_.kind == MaterialKind::Dielectric && !from_.thin;  // with an inside
@@ -72,9 +74,25 @@ class MaterialWriter {
     /// By the material's own GGX alpha, which is the square of glTF's roughness.
     void surface(float metallic) {
         const int index = from_.roughness.texture;
-        surface(metallic, index >= 0 ? images_.roughnessFactor(index) : std::sqrt(from_.roughness.value));
+        surface(metallic, roughnessFactor());
         if (index >= 0) { pbr()["metallicRoughnessTexture"] = info(index, GltfPictureUse::Roughness); }
     }
+    float roughnessFactor() {
+        if (distributionOf(from_) != FacetDistribution::Ggx) {
+            warn("approximated: Beckmann's facets are GGX of the same alpha");
+        }
+        const int index = from_.roughness.texture;
+        return index >= 0 ? images_.roughnessFactor(index) : std::sqrt(leastAlpha(from_));
+    }
+    void anisotropy() {
+        if (!isAnisotropic(from_)) { return; }
+        if (!isEvenlyAnisotropic(from_) || from_.anisotropyDirection.texture >= 0) {
+            warn("approximated: images of anisotropy are left out");
+        }
+        if (!isEvenlyAnisotropic(from_)) { return; }
+        out_.extend(&to_, "KHR_materials_anisotropy", gltfAnisotropy(from_, isFlipped_));
+    }
+
     void ior() {
         constexpr float kUsual = 1.5f;
         const float index = oneIor(from_, &warnings_);
@@ -125,8 +143,7 @@ class MaterialWriter {
     void principled() {
         color();
         const NumberInput &rough = from_.roughness, &metal = from_.metallic;
-        surface(metal.texture >= 0 ? images_.metalnessFactor(metal.texture) : metal.value,
-                rough.texture >= 0 ? images_.roughnessFactor(rough.texture) : std::sqrt(rough.value));
+        surface(metal.texture >= 0 ? images_.metalnessFactor(metal.texture) : metal.value, roughnessFactor());
         if (rough.texture >= 0 || metal.texture >= 0) {
             pbr()["metallicRoughnessTexture"] =
                 images_.info(rough.texture, metal.texture, GltfPictureUse::Roughness, isFlipped_);

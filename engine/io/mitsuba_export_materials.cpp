@@ -6,6 +6,7 @@
 #include "engine/io/burley.h"
 #include "engine/io/mitsuba_writer.h"
 #include "engine/io/scene_export.h"
+#include "engine/scene/kind_names.h"
 #include "engine/scene/metals.h"
 
 namespace glint {
@@ -83,13 +84,27 @@ class MaterialWriter {
 
     /// The words of a rough model's name, and its roughness as a property once it is open.
     std::string rough(std::string_view smooth) const {
-        const bool isRough = material_.roughness.texture >= 0 || material_.roughness.value > 0.0f;
+        const auto isRoughBy = [](const NumberInput& alpha) {
+            return alpha.texture >= 0 || alpha.value > 0.0f;
+        };
+        const bool isRough = isRoughBy(material_.roughness) || isRoughBy(material_.crossRoughness);
         return fmt::format("{}{}", isRough && !material_.thin ? "rough" : "", smooth);
     }
     void roughness() {
         if (rough("").empty()) { return; }
-        out_.string("distribution", "ggx");
-        number("alpha", material_.roughness);
+        out_.string("distribution", nameOf(material_.distribution));
+        const UvRoughness alpha = uvRoughness(material_, &warnings_);
+        if (alpha.u == alpha.v) {
+            number("alpha", alpha.u);
+        } else if (material_.kind == MaterialKind::Plastic) {
+            warn("approximated: plastic is as rough in all directions");
+            NumberInput mean = alpha.u;
+            mean.value = std::sqrt(alpha.u.value * alpha.v.value);
+            number("alpha", mean);
+        } else {
+            number("alpha_u", alpha.u);
+            number("alpha_v", alpha.v);
+        }
     }
 
     void model(int* open) {
@@ -148,7 +163,7 @@ class MaterialWriter {
         warn("approximated: principled materials have Mitsuba's lobes");
         begin("principled", open);
         color("base_color", material_.color);
-        number("roughness", squareRoot(material_.roughness));
+        principledRoughness();
         number("metallic", material_.metallic);
         const float root = (material_.ior.value - 1.0f) / (material_.ior.value + 1.0f);
         out_.number("specular", std::fmin(material_.specular.value * root * root / 0.08f, 1.0f));
@@ -158,6 +173,18 @@ class MaterialWriter {
         out_.number("clearcoat_gloss", burleyCoatGloss(material_.clearcoatRoughness.value));
         const float sheen = maxComponent(material_.sheenColor.value) / kBurleySheen;
         if (sheen > 0.0f) { out_.number("sheen", std::fmin(sheen, 1.0f)); }
+    }
+
+    void principledRoughness() {
+        const UvRoughness alpha = uvRoughness(material_, &warnings_);
+        NumberInput mean = alpha.u;
+        mean.value = std::sqrt(std::fmax(alpha.u.value * alpha.v.value, 0.0f));
+        number("roughness", squareRoot(mean));
+        if (alpha.u == alpha.v) { return; }
+        if (alpha.u.texture >= 0 || alpha.v.value > alpha.u.value || alpha.v.value < 0.1f * alpha.u.value) {
+            warn("approximated: principled roughness is at most ten times as large along u, and no image");
+        }
+        out_.number("anisotropic", burleyAnisotropic(alpha.u.value, alpha.v.value));
     }
 
     static NumberInput squareRoot(NumberInput input) {

@@ -17,8 +17,7 @@ class MaterialWriter {
         : scene_(scene), material_(material), warnings_(*warnings) {}
 
     std::string model() {
-        const std::string rough =
-            pbrtNumberInput("roughness", material_.roughness) + pbrtFlag("remaproughness", false);
+        const std::string rough = roughness("");
         switch (material_.kind) {
             case MaterialKind::Diffuse:
                 return diffuse();
@@ -68,6 +67,18 @@ class MaterialWriter {
   private:
     void warn(std::string_view sentence) { warnOnce(sentence, &warnings_); }
 
+    std::string roughness(const std::string& prefix) {
+        const std::string flag = pbrtFlag("remaproughness", false);
+        if (!hasFacets(material_.kind)) { return flag; }
+        if (distributionOf(material_) != FacetDistribution::Ggx) {
+            warn("approximated: Beckmann's facets are GGX of the same alpha");
+        }
+        const UvRoughness alpha = uvRoughness(material_, &warnings_);
+        if (alpha.u == alpha.v) { return pbrtNumberInput(prefix + "roughness", alpha.u) + flag; }
+        return pbrtNumberInput(prefix + "uroughness", alpha.u) +
+               pbrtNumberInput(prefix + "vroughness", alpha.v) + flag;
+    }
+
     std::string diffuse() const {
         return pbrtString("type", "diffuse") + pbrtColorInput("reflectance", material_.color);
     }
@@ -79,8 +90,7 @@ class MaterialWriter {
             return pbrtString("type", "coateddiffuse") + color + pbrtNumber("eta", index()) + rough;
         }
         if (material_.clearcoat.value < 0.5f) { return pbrtString("type", "conductor") + color + rough; }
-        return pbrtString("type", "coatedconductor") + color + pbrtFlag("remaproughness", false) +
-               pbrtNumberInput("conductor.roughness", material_.roughness) +
+        return pbrtString("type", "coatedconductor") + color + roughness("conductor.") +
                pbrtNumberInput("interface.roughness", material_.clearcoatRoughness);
     }
 

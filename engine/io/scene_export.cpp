@@ -1,6 +1,7 @@
 #include "engine/io/scene_export.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -32,6 +33,17 @@ float oneIor(const Material& material, std::vector<std::string>* warnings) {
     warnOnce("approximated: glass does not disperse", warnings);
     if (const auto glass = findGlass(material.glass)) { return glass->ior; }
     return material.glass.empty() && !isZero(material.iorRgb) ? material.iorRgb.y : material.ior.value;
+}
+
+UvRoughness uvRoughness(const Material& material, std::vector<std::string>* warnings) {
+    if (!isAnisotropic(material)) { return {material.roughness, material.roughness}; }
+    const float quarters = std::remainder(material.anisotropyRotationDeg, 180.0f) / 90.0f;
+    if (material.anisotropyDirection.texture >= 0 || std::fabs(std::remainder(quarters, 1.0f)) > 1e-4f) {
+        warnOnce("approximated: anisotropic roughness lies along u and v", warnings);
+    }
+    const bool isTurned = std::fabs(quarters) > 0.5f;
+    return isTurned ? UvRoughness{material.crossRoughness, material.roughness}
+                    : UvRoughness{material.roughness, material.crossRoughness};
 }
 
 void SceneExport::placeTextures() {

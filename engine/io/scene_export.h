@@ -21,6 +21,13 @@ void warnOnce(std::string_view warning, std::vector<std::string>* warnings);
 /// The index of refraction of a material, one for all colours and places; warns where it is not.
 float oneIor(const Material& material, std::vector<std::string>* warnings);
 
+/// Alphas along u and along v, for programs whose facets lie so; warns where they lie otherwise. Both are one
+/// where the material has one.
+struct UvRoughness {
+    NumberInput u, v;
+};
+UvRoughness uvRoughness(const Material& material, std::vector<std::string>* warnings);
+
 /// A revolved object's surface as triangles, in object space, with normals and texture coordinates.
 MeshData turnedMesh(const Object& object);
 /// Whether it is an open cylinder, and its profile runs upwards or downwards: the front lies outside.
