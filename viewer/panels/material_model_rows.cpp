@@ -102,6 +102,34 @@ void drawShare(const char* label, NumberInput* input, const char* tooltip, const
                {.format = "%.3f", .max = 1.0f, .zeroText = zeroText, .slider = true, .tooltip = tooltip});
 }
 
+void drawAnisotropy(Material* material) {
+    bool isBrushed = hasCrossRoughness(*material);
+    if (ui::toggle("Anisotropic", &isBrushed, "Another roughness across, as of brushed metal")) {
+        material->crossRoughness = isBrushed ? NumberInput{material->roughness.value} : NumberInput{-1.0f};
+    }
+    if (!isBrushed) { return; }
+    drawShare("Roughness across", &material->crossRoughness, "Alpha of the facets across their direction",
+              "smooth");
+    ui::number("Direction", &material->anisotropyRotationDeg,
+               {.format = "%.1f°",
+                .speed = 0.5f,
+                .min = -360.0f,
+                .max = 360.0f,
+                .tooltip = "Turns the direction of the roughness from u towards v"});
+}
+
+void drawRoughness(Material* material) {
+    drawShare("Roughness", &material->roughness, "Alpha of the facets; along u where it is anisotropic",
+              "smooth");
+    if (material->kind == MaterialKind::Dielectric && material->thin) { return; }
+    drawAnisotropy(material);
+    if (material->kind == MaterialKind::Principled) { return; }
+    static constexpr ui::KindLabel<FacetDistribution> kDistributions[]{
+        {FacetDistribution::Ggx, "GGX"}, {FacetDistribution::Beckmann, "Beckmann"}};
+    ui::kindChoice("Facets", &material->distribution, kDistributions,
+                   "How their normals are distributed: GGX has long tails, Beckmann has none");
+}
+
 void drawPrincipled(Material* material) {
     drawShare("Metallic", &material->metallic, "0: plastic over the colour; 1: metal that reflects it");
     drawShare("Specular", &material->specular, "Factor on what plastic reflects at its boundary");
@@ -129,11 +157,7 @@ void drawModelInputs(Material* material) {
     if (conductor) { drawMetal(material); }
     if (dielectric || mixture) { drawGlass(material); }
     if (plastic || principled) { drawIor(material); }
-    if (conductor || dielectric || plastic || principled) {
-        ui::number(
-            "Roughness", &material->roughness.value,
-            {.format = "%.3f", .max = 1.0f, .zeroText = "smooth", .slider = true, .tooltip = "GGX alpha"});
-    }
+    if (conductor || dielectric || plastic || principled) { drawRoughness(material); }
     if (dielectric) {
         ui::toggle("Thin", &material->thin, "A sheet without thickness: light passes straight");
         if (!material->thin) { drawAttenuation(material); }
