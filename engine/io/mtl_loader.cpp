@@ -178,6 +178,7 @@ MtlMaterial materialOf(const MtlEntry& entry, MtlLibrary* library) {
         .emission = mapOf(values.emissive_texname, values.emissive_texopt, entry.lineOf(MtlKey::MapKe)),
         .roughness =
             numberMapOf(values.roughness_texname, values.roughness_texopt, entry.lineOf(MtlKey::MapPr)),
+        .crossRoughness = {},
         .metallic = numberMapOf(values.metallic_texname, values.metallic_texopt, entry.lineOf(MtlKey::MapPm)),
         .height = numberMapOf(values.bump_texname, values.bump_texopt,
                               entry.lineOf(entry.has(MtlKey::Bump) ? MtlKey::Bump : MtlKey::MapBump)),

@@ -154,13 +154,13 @@ SceneDescription brushedBox() {
     SceneDescription scene = small(cornellBox());
     Material metal = diffuseMaterial(Vec3(1.0f));
     metal.kind = MaterialKind::Conductor;
-    metal.roughness.value = 0.15f;
-    metal.crossRoughness.value = 0.6f;
+    metal.roughness.value = 0.3f;
+    metal.crossRoughness.value = 0.8f;
     metal.anisotropyRotationDeg = 30.0f;
     Material glass = metal;
     glass.kind = MaterialKind::Dielectric;
     glass.roughness.value = 0.7f;
-    glass.crossRoughness.value = 0.25f;
+    glass.crossRoughness.value = 0.35f;
     glass.distribution = FacetDistribution::Beckmann;
     const Material balls[] = {metal, glass};
     int next = 0;
