@@ -99,9 +99,9 @@ std::shared_ptr<const EnvironmentTable> buildEnvironmentTable(const SceneImage& 
     if (image.width <= 0 || image.height <= 0) { return nullptr; }
     const auto width = static_cast<size_t>(image.width);
     const auto height = static_cast<size_t>(image.height);
+    warnOfSize(image, table->bytes() + (height * (width + 1) + height + 1) * sizeof(float));
     table->columnCdf.resize(height * (width + 1));
     table->rowCdf.resize(height + 1);
-    warnOfSize(image, table->bytes());
 
     std::vector<double> rowWeights(height);
     parallelChunks(image.height, 16, threads, [&](int64_t begin, int64_t end) {
