@@ -100,8 +100,10 @@ TEST(OpenViewer, WhatLacksFilesIsOpenedWithoutThem) {
                  R"(, {"type": "mesh", "material": "grey", "mesh": {"file": "gone.obj"}})");
     write("lacking.json", scene);
     write("odd.json", "{ \"glint\": 1, \"camra\": 3 }");
-    expectPlayed(play(R"(
+    const Ran ran = play(R"(
 wait finished
+wait frames 3
+print "Progress"
 set "Scene/File" odd.json
 click "Scene/Open"
 wait jobs
@@ -120,7 +122,16 @@ expect no-widget "Error note"
 print "Warnings"
 wait picture
 )",
-                      "--passes 2"));
+                         "--passes 2");
+    expectPlayed(ran);
+    const auto said = [&ran](const char* label) {
+        const std::vector<std::string> values = printed(ran, label);
+        EXPECT_EQ(values.size(), 1u) << label << '\n' << ran.output;
+        return values.empty() ? std::string() : values[0];
+    };
+    EXPECT_EQ(said("Progress").rfind("PT · 2 passes · ", 0), 0u) << ran.output;
+    EXPECT_NE(said("Error note").find("gone.obj"), std::string::npos);
+    EXPECT_NE(said("Scene/Warnings").find("left out: \"gone.obj\""), std::string::npos);
 }
 
 }  // namespace

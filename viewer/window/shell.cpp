@@ -170,6 +170,7 @@ void Shell::drawStatusLine(const Workspace& workspace, float y) {
         left = imageText(workspace);
         right = progressText(workspace) + "    " + help;
     }
+    const std::string progress = right;
     const std::string& refused = status.error;
     const bool isMessage = showsNotice(workspace.notice) || !refused.empty();
     if (isMessage) { right = refused.empty() ? workspace.notice.text() : refused; }
@@ -185,7 +186,7 @@ void Shell::drawStatusLine(const Workspace& workspace, float y) {
     const bool isError = isMessage && (workspace.notice.isError() || !refused.empty());
     ImGui::TextColored(isError ? theme::kTextError : theme::kTextDim, "%s", right.c_str());
     ImGui::PopStyleColor();
-    ui::area("Progress", {rightX, y}, {io.DisplaySize.x, io.DisplaySize.y}, isMessage ? "" : right);
+    ui::area("Progress", {rightX, y}, {io.DisplaySize.x, io.DisplaySize.y}, progress);
     if (isMessage) { ui::area("Status message", {rightX, y}, {io.DisplaySize.x, io.DisplaySize.y}, right); }
     ui::area("Status line", {0.0f, y}, {io.DisplaySize.x, io.DisplaySize.y}, left);
     ImGui::End();
