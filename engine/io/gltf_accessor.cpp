@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -151,6 +153,11 @@ Result<std::vector<double>> readValues(const GltfFile& file, int index, int leas
 
 }  // namespace
 
+int accessorOf(const tinygltf::Primitive& primitive, const std::string& attribute) {
+    const auto found = primitive.attributes.find(attribute);
+    return found != primitive.attributes.end() ? found->second : -1;
+}
+
 Result<std::string_view> bufferViewBytes(const GltfFile& file, int index, const std::string& what) {
     const auto& views = file.model.bufferViews;
     if (index < 0 || static_cast<size_t>(index) >= views.size()) {
@@ -178,6 +185,18 @@ Result<GltfNumbers> readNumbers(const GltfFile& file, int accessor, int least, i
     if (!values) { return values.error(); }
     numbers.values.assign(values->begin(), values->end());
     return numbers;
+}
+
+std::vector<int> firstsOfTheSame(const GltfFile& file) {
+    using Key = std::tuple<int, size_t, int, bool, size_t, int>;
+    std::map<Key, int> firsts;
+    std::vector<int> same;
+    for (const tinygltf::Accessor& a : file.model.accessors) {
+        const auto number = static_cast<int>(same.size());
+        const Key key{a.bufferView, a.byteOffset, a.componentType, a.normalized, a.count, a.type};
+        same.push_back(a.sparse.isSparse ? number : firsts.try_emplace(key, number).first->second);
+    }
+    return same;
 }
 
 Result<std::vector<uint32_t>> readIndices(const GltfFile& file, int accessor, const std::string& what) {

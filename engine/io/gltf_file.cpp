@@ -32,6 +32,7 @@ constexpr std::string_view kSupported[] = {"KHR_lights_punctual",
                                            "KHR_materials_specular",
                                            "KHR_materials_clearcoat",
                                            "KHR_materials_sheen",
+                                           "KHR_materials_iridescence",
                                            "KHR_materials_variants",
                                            "KHR_materials_pbrSpecularGlossiness"};
 
@@ -79,12 +80,21 @@ Error wrongVersion(const GltfFile& file, std::string_view version) {
     return file.error(fmt::format("is glTF {}; expected 2.0", version));
 }
 
-Status checkExtensions(const GltfFile& file) {
-    for (const std::string& name : file.model.extensionsRequired) {
-        if (std::ranges::find(kSupported, name) == std::end(kSupported)) {
-            return file.error(fmt::format(
+/// Materials and textures say themselves what of them is left out.
+Status checkExtensions(GltfFile* file) {
+    const auto isRead = [](const std::string& name) {
+        return std::ranges::find(kSupported, name) != std::end(kSupported);
+    };
+    for (const std::string& name : file->model.extensionsRequired) {
+        if (!isRead(name)) {
+            return file->error(fmt::format(
                 "needs {}, which Glint does not read; expected a file that was saved without it", name));
         }
+    }
+    for (const std::string& name : file->model.extensionsUsed) {
+        const bool isOfParts =
+            name.find("_materials_") != std::string::npos || name.find("_texture_") != std::string::npos;
+        if (!isRead(name) && !isOfParts) { file->remark("extensions are left out", name); }
     }
     return {};
 }
@@ -97,6 +107,22 @@ uint64_t gltfJsonEnd(std::string_view head, uint64_t fileBytes) {
     if (head.size() < kBinaryHeader) { return fileBytes; }
     std::memcpy(&length, head.data() + 12, sizeof length);
     return std::min<uint64_t>(kBinaryHeader + uint64_t{length}, fileBytes);
+}
+
+std::string gltfPath(const std::string& uri) {
+    std::string out;
+    for (size_t i = 0; i < uri.size(); ++i) {
+        const auto digit = [&uri](size_t at) {
+            const char c = at < uri.size() ? uri[at] : 'x';
+            return c >= '0' && c <= '9'                 ? c - '0'
+                   : (c | 32) >= 'a' && (c | 32) <= 'f' ? (c | 32) - 'a' + 10
+                                                        : -1;
+        };
+        const bool isEncoded = uri[i] == '%' && digit(i + 1) >= 0 && digit(i + 2) >= 0;
+        out += isEncoded ? static_cast<char>(16 * digit(i + 1) + digit(i + 2)) : uri[i];
+        i += isEncoded ? 2 : 0;
+    }
+    return out;
 }
 
 std::string_view gltfJsonText(std::string_view bytes) {
@@ -140,9 +166,10 @@ Result<std::unique_ptr<GltfFile>> readGltfFile(const std::string& path) {
                                           reinterpret_cast<const unsigned char*>(bytes->data()), size, folder)
             : parser.LoadASCIIFromString(&file->model, &error, &warning, bytes->data(), size, folder);
     // What it needs may be why it cannot be read.
-    if (Status supported = checkExtensions(*file); !supported) { return supported.error(); }
+    if (Status supported = checkExtensions(file.get()); !supported) { return supported.error(); }
     if (!read) {
-        error = error.substr(0, error.find('\n'));
+        constexpr size_t kMost = 200;  // it may hold a whole buffer
+        error = error.substr(0, error.find('\n')).substr(0, kMost);
         return file->error("is no glTF file that can be read: " +
                            (error.empty() ? "it is broken or cut off" : error));
     }

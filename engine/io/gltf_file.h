@@ -29,6 +29,9 @@ struct GltfFile {
     }
 };
 
+/// A URI without its percent-encoded characters.
+std::string gltfPath(const std::string& uri);
+
 /// The JSON of a text or binary file's bytes, and the buffer of a binary one; empty where they end too early.
 std::string_view gltfJsonText(std::string_view bytes);
 std::string_view gltfBinary(std::string_view bytes);

@@ -40,23 +40,6 @@ void place(const tinygltf::Value* transform, Texture* texture) {
     texture->rotationDeg = 0.0f - gltfNumber(turnDeg, -1e6, 1e6);
 }
 
-/// The percent-encoded characters of a URI.
-std::string decodedUri(const std::string& uri) {
-    std::string out;
-    for (size_t i = 0; i < uri.size(); ++i) {
-        const auto digit = [&uri](size_t at) {
-            const char c = at < uri.size() ? uri[at] : 'x';
-            return c >= '0' && c <= '9'                 ? c - '0'
-                   : (c | 32) >= 'a' && (c | 32) <= 'f' ? (c | 32) - 'a' + 10
-                                                        : -1;
-        };
-        const bool isEncoded = uri[i] == '%' && digit(i + 1) >= 0 && digit(i + 2) >= 0;
-        out += isEncoded ? static_cast<char>(16 * digit(i + 1) + digit(i + 2)) : uri[i];
-        i += isEncoded ? 2 : 0;
-    }
-    return out;
-}
-
 }  // namespace
 
 Result<ImageSource> GltfMaterials::sourceOf(int index) {
@@ -79,7 +62,7 @@ Result<ImageSource> GltfMaterials::sourceOf(int index) {
     if (static_cast<size_t>(index) < kept.size() && kept[static_cast<size_t>(index)]) {
         return ImageSource(EmbeddedFile{name, kept[static_cast<size_t>(index)]});
     }
-    return ImageSource(FileSource{decodedUri(image.uri)});
+    return ImageSource(FileSource{gltfPath(image.uri)});
 }
 
 template <class Info>
@@ -91,8 +74,11 @@ Result<int> GltfMaterials::takeTexture(const Info& info, const Reading& reading)
             fmt::format("there is no texture {}; the file has {}", info.index, textures.size()));
     }
     const tinygltf::Texture& from = textures[static_cast<size_t>(info.index)];
-    const auto* webp = extensionOf(from, "EXT_texture_webp");
-    const int image = webp != nullptr ? indexOf(webp, "source") : from.source;
+    const int image = gltfImage(from);
+    if (image < 0) {
+        file_.remark("textures without an image that Glint reads are left out", from.name);
+        return -1;
+    }
     Result<ImageSource> source = sourceOf(image);
     if (!source) { return source.error(); }
     Texture texture;
@@ -130,7 +116,9 @@ Result<GltfMaterials::Surface> GltfMaterials::surfaceImage(int index) {
         return file_.error(
             fmt::format("there is no texture {}; the file has {}", index, file_.model.textures.size()));
     }
-    const Result<ImageSource> source = sourceOf(file_.model.textures[static_cast<size_t>(index)].source);
+    const int number = gltfImage(file_.model.textures[static_cast<size_t>(index)]);
+    if (number < 0) { return Surface(); }
+    const Result<ImageSource> source = sourceOf(number);
     if (!source) { return source.error(); }
     const auto* embedded = std::get_if<EmbeddedFile>(&*source);
     const Result<SceneImage> image = embedded != nullptr
@@ -208,6 +196,10 @@ Status GltfMaterials::takeSurface(const tinygltf::Material& from, Material* out)
         out->kind = MaterialKind::Principled;
         if (const Status status = takeLayers(from, out); !status) { return status; }
         if (const Status status = takeAnisotropy(from, out); !status) { return status; }
+        if (const auto* film = extensionOf(from, "KHR_materials_iridescence")) {
+            takeIridescence(*film, out);
+            file_.remark("approximated: iridescence is the colour that it shows from the front", from.name);
+        }
     }
     if (passing > 0.0 && passing < 1.0) {
         file_.remark("materials that light passes in part become glass or let nothing through", from.name);
@@ -243,7 +235,8 @@ void GltfMaterials::remarkLeftOut(const tinygltf::Material& from) {
                             name == "KHR_materials_transmission" || name == "KHR_materials_volume" ||
                             name == "KHR_materials_diffuse_transmission" ||
                             name == "KHR_materials_specular" || name == "KHR_materials_clearcoat" ||
-                            name == "KHR_materials_sheen" || name == "KHR_materials_anisotropy";
+                            name == "KHR_materials_sheen" || name == "KHR_materials_anisotropy" ||
+                            name == "KHR_materials_iridescence";
         if (!isRead) { file_.remark("extensions of materials are left out", name); }
     }
 }

@@ -14,12 +14,6 @@ constexpr float kMaxCoordinate = 1e18f;
 constexpr uint64_t kMaxPosedVertices = uint64_t{1}
                                        << 26;  ///< a file may bend one mesh for each of many nodes
 
-/// -1: it has none of that name.
-int accessorOf(const tinygltf::Primitive& primitive, const std::string& attribute) {
-    const auto found = primitive.attributes.find(attribute);
-    return found != primitive.attributes.end() ? found->second : -1;
-}
-
 /// Corner numbers of triangles, strips and fans as those of triangles (section 3.7.2.1).
 std::vector<uint32_t> asTriangles(const std::vector<uint32_t>& corners, int mode) {
     if (mode == TINYGLTF_MODE_TRIANGLES || mode == -1) {
@@ -36,13 +30,19 @@ std::vector<uint32_t> asTriangles(const std::vector<uint32_t>& corners, int mode
     return out;
 }
 
-/// What decides a mesh that has no pose of its own.
-std::string recipeOf(const tinygltf::Primitive& from, const GltfMaterial& material) {
+/// What decides a mesh that has no pose of its own. `same`: of each accessor, the first one that says the
+/// same.
+std::string recipeOf(const tinygltf::Primitive& from, const GltfMaterial& material,
+                     const std::vector<int>& same) {
+    const auto firstOf = [&](int accessor) {
+        const auto place = static_cast<size_t>(accessor);
+        return place < same.size() ? same[place] : accessor;
+    };
     const Vec3& factor = material.vertexFactor;
-    std::string recipe = fmt::format("{} {} {} {} {} {}", from.indices, from.mode, material.uvSet, factor.x,
-                                     factor.y, factor.z);
+    std::string recipe = fmt::format("{} {} {} {} {} {}", firstOf(from.indices), from.mode, material.uvSet,
+                                     factor.x, factor.y, factor.z);
     for (const auto& [attribute, accessor] : from.attributes) {
-        recipe += fmt::format(" {} {}", attribute, accessor);
+        recipe += fmt::format(" {} {}", attribute, firstOf(accessor));
     }
     return recipe;
 }
@@ -85,6 +85,14 @@ void copyFinite(const GltfNumbers& numbers, int width, std::vector<Vector>* out)
         }
         out->push_back(value);
     }
+}
+
+bool hasAlpha(const GltfNumbers& colors) {
+    bool has = false;
+    for (size_t i = 0; colors.components == 4 && i < colors.count(); ++i) {
+        has |= colors.at(i)[3] < 1.0f;
+    }
+    return has;
 }
 
 }  // namespace
@@ -140,6 +148,7 @@ Status GltfMeshes::readAttributes(const tinygltf::Primitive& from, const GltfMat
         const auto colors = readNumbers(file_, accessor, 3, 4, what + ", colours");
         if (!colors) { return colors.error(); }
         copyFinite(*colors, 3, &mesh->colors);
+        if (hasAlpha(*colors)) { file_.remark("the alpha of vertices' colours is left out", what); }
         if (Status count = checkCount(mesh->colors.size(), "colours"); !count) { return count; }
     }
     if (material.vertexFactor != Vec3(1.0f)) {
@@ -150,61 +159,6 @@ Status GltfMeshes::readAttributes(const tinygltf::Primitive& from, const GltfMat
     }
     for (Vec3& color : mesh->colors) {
         color = glm::clamp(color, Vec3(0.0f), Vec3(1.0f));
-    }
-    return {};
-}
-
-Status GltfMeshes::morph(const tinygltf::Primitive& from, const std::vector<double>& weights,
-                         const std::string& what, MeshData* mesh) {
-    for (size_t target = 0; target < std::min(weights.size(), from.targets.size()); ++target) {
-        const auto weight = static_cast<float>(weights[target]);
-        if (weight == 0.0f || !std::isfinite(weight)) { continue; }
-        for (const auto& [attribute, out] :
-             {std::pair{"POSITION", &mesh->positions}, {"NORMAL", &mesh->normals}}) {
-            const auto found = from.targets[target].find(attribute);
-            if (found == from.targets[target].end()) { continue; }
-            const auto moves = readNumbers(file_, found->second, 3, 3, what + ", morph target");
-            if (!moves) { return moves.error(); }
-            for (size_t i = 0; i < std::min(moves->count(), out->size()); ++i) {
-                const float* move = moves->at(i);
-                const Vec3 moved = (*out)[i] + weight * Vec3(move[0], move[1], move[2]);
-                if (isFinite(moved) || out == &mesh->positions) { (*out)[i] = moved; }
-            }
-        }
-    }
-    return {};
-}
-
-/// Section 3.7.3.1: each vertex follows the mean of its joints.
-Status GltfMeshes::bend(const tinygltf::Primitive& from, const std::vector<Affine>& joints,
-                        const std::string& what, MeshData* mesh) {
-    const int jointsOf = accessorOf(from, "JOINTS_0"), weightsOf = accessorOf(from, "WEIGHTS_0");
-    if (joints.empty() || jointsOf < 0 || weightsOf < 0) { return {}; }
-    const auto numbers = readNumbers(file_, jointsOf, 4, 4, what + ", joints");
-    if (!numbers) { return numbers.error(); }
-    const auto weights = readNumbers(file_, weightsOf, 4, 4, what + ", weights");
-    if (!weights) { return weights.error(); }
-    for (size_t i = 0; i < std::min({mesh->positions.size(), numbers->count(), weights->count()}); ++i) {
-        Affine mean{Mat3(0.0f), Vec3(0.0f)};
-        float sum = 0.0f;
-        for (int k = 0; k < 4; ++k) {
-            const float joint = numbers->at(i)[k], weight = weights->at(i)[k];
-            if (!(joint >= 0.0f && joint < static_cast<float>(joints.size()))) {
-                return file_.error(
-                    fmt::format("{}: a vertex follows joint {} of {}", what, joint, joints.size()));
-            }
-            if (!(weight > 0.0f)) { continue; }
-            sum += weight;
-            mean.linear += weight * joints[static_cast<size_t>(joint)].linear;
-            mean.translation += weight * joints[static_cast<size_t>(joint)].translation;
-        }
-        if (!(sum > 0.0f)) { continue; }
-        mean = {mean.linear / sum, mean.translation / sum};
-        mesh->positions[i] = mean.point(mesh->positions[i]);
-        if (mesh->normals.empty()) { continue; }
-        const Mat3& m = mean.linear;  // normals go by its cofactors
-        mesh->normals[i] =
-            Mat3(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])) * mesh->normals[i];
     }
     return {};
 }
@@ -239,7 +193,7 @@ Result<std::shared_ptr<MeshData>> GltfMeshes::read(const tinygltf::Primitive& fr
 Result<int> GltfMeshes::meshOf(const tinygltf::Primitive& from, const GltfMaterial& material,
                                const GltfPose& pose, const std::string& what, const std::string& name) {
     const bool isPosed = !pose.joints.empty() || (!pose.weights.empty() && !from.targets.empty());
-    const std::string recipe = isPosed ? "" : recipeOf(from, material);
+    const std::string recipe = isPosed ? "" : recipeOf(from, material, sameAccessors_);
     if (const auto known = known_.find(recipe); known != known_.end()) { return known->second; }
     auto mesh = read(from, material, pose, what);
     if (!mesh) { return mesh.error(); }
@@ -258,12 +212,11 @@ Result<std::vector<GltfPart>> GltfMeshes::take(int index, const GltfPose& pose) 
         return file_.error(fmt::format("there is no mesh {}; the file has {}", index, meshes.size()));
     }
     const std::vector<double>& weights = meshes[static_cast<size_t>(index)].weights;
-    if (!pose.joints.empty() || !pose.weights.empty()) {
-        return readParts(index, {pose.joints, pose.weights.empty() ? weights : pose.weights});
-    }
-    if (const auto known = taken_.find(index); known != taken_.end()) { return known->second; }
-    auto parts = readParts(index, {.joints = {}, .weights = weights});
-    if (parts) { taken_[index] = *parts; }
+    if (!pose.weights.empty()) { return readParts(index, pose); }
+    const std::pair key(index, pose.skin);
+    if (const auto known = taken_.find(key); known != taken_.end()) { return known->second; }
+    auto parts = readParts(index, {pose.skin, pose.joints, weights});
+    if (parts) { taken_[key] = *parts; }
     return parts;
 }
 

@@ -27,6 +27,11 @@ Vec3 gltfColor(const tinygltf::Value* extension, const char* key, const Vec3& ot
     return gltfColor(factor);
 }
 
+int gltfImage(const tinygltf::Texture& texture) {
+    const auto* webp = extensionOf(texture, "EXT_texture_webp");
+    return webp != nullptr ? indexOf(webp, "source") : texture.source;
+}
+
 tinygltf::PbrMetallicRoughness gltfSurface(const tinygltf::Material& material) {
     const auto* older = extensionOf(material, "KHR_materials_pbrSpecularGlossiness");
     if (older == nullptr) { return material.pbrMetallicRoughness; }

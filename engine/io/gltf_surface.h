@@ -16,8 +16,15 @@ Vec3 gltfColor(const std::vector<double>& factor, double most = 1.0);
 /// A colour of an extension, in [0, 1].
 Vec3 gltfColor(const tinygltf::Value* extension, const char* key, const Vec3& otherwise = Vec3(1.0f));
 
+/// The image of a texture that Glint reads, EXT_texture_webp's where there is one; -1: it has none.
+int gltfImage(const tinygltf::Texture& texture);
+
 /// KHR_materials_pbrSpecularGlossiness, which older files have, as a rough dielectric.
 tinygltf::PbrMetallicRoughness gltfSurface(const tinygltf::Material& material);
+
+/// KHR_materials_iridescence: the colours that the surface reflects at normal incidence, in its index and its
+/// tints; images of its share and thickness count as their greatest values.
+void takeIridescence(const tinygltf::Value& extension, Material* out);
 
 /// KHR_materials_volume of a glass: without a thickness a sheet; otherwise what it absorbs inside. Null:
 /// none.

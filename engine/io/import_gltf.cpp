@@ -2,6 +2,7 @@
 // what.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -36,6 +37,14 @@ bool setLens(const tinygltf::Camera& from, Camera* camera, double* aspect) {
     camera->verticalFovDeg = static_cast<float>(from.perspective.yfov * (180.0 / std::numbers::pi));
     *aspect = from.perspective.aspectRatio;
     return from.type == "perspective" && camera->verticalFovDeg > 0.0f && camera->verticalFovDeg < 180.0f;
+}
+
+/// What is placed by greater numbers has no finite bounds.
+bool isWithinReach(const Affine& toWorld) {
+    constexpr float kMost = 1e18f;
+    const auto isSane = [](const Vec3& v) { return maxComponent(absVec(v)) <= kMost; };
+    const Mat3& m = toWorld.linear;
+    return isSane(m[0]) && isSane(m[1]) && isSane(m[2]) && isSane(toWorld.translation);
 }
 
 class GltfReader {
@@ -140,16 +149,21 @@ class GltfReader {
 
     /// A skin's joints alone place its mesh.
     Status placeMesh(const tinygltf::Node& node, const Affine& nodeToWorld) {
-        GltfPose pose{.joints = {}, .weights = node.weights};
+        GltfPose pose{.weights = node.weights};
         if (node.skin >= 0) {
-            auto joints = jointsOf(file_, node.skin, toWorld_);
-            if (!joints) { return joints.error(); }
-            pose.joints = std::move(*joints);
+            const auto [joints, isNew] = joints_.try_emplace(node.skin);
+            if (isNew) {
+                auto read = jointsOf(file_, node.skin, toWorld_);
+                if (!read) { return read.error(); }
+                joints->second = std::move(*read);
+            }
+            pose.skin = node.skin;
+            pose.joints = joints->second;
         }
         const auto parts = meshes_.take(node.mesh, pose);
         if (!parts) { return parts.error(); }
         const Affine toWorld = pose.joints.empty() ? nodeToWorld : Affine();
-        if (!isInvertible(toWorld)) {
+        if (!isInvertible(toWorld) || !isWithinReach(toWorld)) {
             file_.remark("nodes that are flattened or not finite are left out", node.name);
             return {};
         }
@@ -223,7 +237,8 @@ class GltfReader {
     GltfMaterials materials_;
     GltfMeshes meshes_;
     std::optional<PlacedCamera> camera_;
-    std::vector<Affine> toWorld_;  ///< of each node of the scene
+    std::vector<Affine> toWorld_;                ///< of each node of the scene
+    std::map<int, std::vector<Affine>> joints_;  ///< of skins that were met
 };
 
 Result<SceneDescription> load(const std::string& path, const LoadOptions& options) {

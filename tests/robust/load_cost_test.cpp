@@ -159,6 +159,35 @@ TEST(LoadCost, PrimitivesShareTheirVertices) {
     }
 }
 
+/// Accessors that say the same are one, so that meshes of them are one, too.
+TEST(LoadCost, AccessorsOfTheSameBytesAreOne) {
+    constexpr int kVertices = 30'000, kAccessors = 40;
+    const TempFolder folder;
+    folder.write("v.bin", std::string(size_t{12} * (kVertices - 3), '\0') +
+                              test::packed<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}));
+    std::string accessors, meshes, nodes, children;
+    for (int i = 0; i < kAccessors; ++i) {
+        const char* comma = i > 0 ? "," : "";
+        accessors += fmt::format(R"({}{{"bufferView":0,"componentType":5126,"count":{},"type":"VEC3"}})",
+                                 comma, kVertices);
+        meshes += fmt::format(R"({}{{"primitives":[{{"attributes":{{"POSITION":{}}}}}]}})", comma, i);
+        nodes += fmt::format(R"({}{{"mesh":{}}})", comma, i);
+        children += fmt::format("{}{}", comma, i);
+    }
+    const std::string path = folder.write(
+        "a.gltf", fmt::format(R"({{"asset":{{"version":"2.0"}},"scenes":[{{"nodes":[{}]}}],"nodes":[{}],
+        "buffers":[{{"uri":"v.bin","byteLength":{}}}],"bufferViews":[{{"buffer":0,"byteLength":{}}}],
+        "accessors":[{}],"meshes":[{}]}})",
+                              children, nodes, 12 * kVertices, 12 * kVertices, accessors, meshes));
+    mostBytes = heldBytes.load();
+    const size_t before = heldBytes;
+    const auto loaded = loadScene(path, {.noStudio = true});
+    ASSERT_TRUE(loaded) << loaded.error().format();
+    EXPECT_EQ(loaded->objects.size(), static_cast<size_t>(kAccessors));
+    EXPECT_EQ(loaded->meshes.size(), 1u);
+    EXPECT_LE(mostBytes - before, size_t{16} * 12 * kVertices);
+}
+
 TEST(LoadCost, LinesAreListedOnceHoweverManyAreAskedFor) {
     const TextSource source{"a", repeated(1000, "line #\n") + "last"};
     for (size_t offset = 0, line = 1; offset < source.text.size(); ++offset) {

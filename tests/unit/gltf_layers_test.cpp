@@ -60,5 +60,29 @@ TEST_F(GltfLayers, RoughnessAndMetalnessAreOnePicture) {
               2.0f);
 }
 
+/// A film of no thickness changes nothing; one of a quarter wave of green whose index is the root of glass'
+/// reflects none of it, and more of red and blue.
+TEST_F(GltfLayers, IridescenceIsTheColourOfItsFilm) {
+    const auto filmed = [this](const std::string& base, const std::string& film) {
+        const SceneDescription scene = load(gltf(material(
+            "\"pbrMetallicRoughness\": {" + base +
+            "}, \"extensions\": {\"KHR_materials_iridescence\": {\"iridescenceFactor\": 1, " + film + "}}")));
+        EXPECT_THAT(scene.warnings, testing::Contains(testing::HasSubstr("approximated: iridescence")));
+        return scene.materials.at(0);
+    };
+    const Material thin = filmed("\"metallicFactor\": 0", "\"iridescenceThicknessMaximum\": 0");
+    EXPECT_NEAR(thin.ior.value, 1.5f, 2e-3f);
+    EXPECT_GT(minComponent(thin.specularTint.value), 0.99f);
+    const Material quarter = filmed("\"metallicFactor\": 0",
+                                    "\"iridescenceIor\": 1.224745, \"iridescenceThicknessMaximum\": 112.27");
+    EXPECT_LT(quarter.ior.value, 1.2f);
+    EXPECT_LT(quarter.specularTint.value.y, 0.2f * quarter.specularTint.value.z);
+    EXPECT_LT(quarter.specularTint.value.y, 0.5f * quarter.specularTint.value.x);
+    const Material metal = filmed(R"("baseColorFactor": [0.9, 0.9, 0.9, 1])",
+                                  "\"iridescenceIor\": 1.8, \"iridescenceThicknessMaximum\": 300");
+    EXPECT_GT(maxComponent(metal.color.value) - minComponent(metal.color.value), 0.02f);
+    EXPECT_EQ(metal.ior.value, 1.5f);
+}
+
 }  // namespace
 }  // namespace glint::test

@@ -192,13 +192,29 @@ TEST_F(Gltf, MasksHaveALimit) {
 TEST_F(Gltf, WhatGlintDoesNotDrawIsSaidOnceOfEachKind) {
     const SceneDescription scene = load(gltf(R"("materials": [{"name": "a", "alphaMode": "MASK",
         "extensions": {"KHR_materials_transmission": {"transmissionFactor": 0.2},
-        "KHR_materials_iridescence": {}}}],
+        "KHR_materials_dispersion": {}}}],
         "animations": [{"channels": [], "samplers": []}])"));
     EXPECT_THAT(scene.warnings, Contains(HasSubstr("materials that light passes in part")));
     EXPECT_THAT(scene.warnings,
-                Contains(HasSubstr("extensions of materials are left out: \"KHR_materials_iridescence\"")));
+                Contains(HasSubstr("extensions of materials are left out: \"KHR_materials_dispersion\"")));
     EXPECT_THAT(scene.warnings, Contains(HasSubstr("animations are left out")));
     EXPECT_FALSE(loadScene(scene.path, {.strict = true}));
+}
+
+/// Basis alone is left out, where the file does not need it; WebP counts in every place.
+TEST_F(Gltf, TexturesWithoutAnImageAreLeftOut) {
+    const SceneDescription basis = load(gltf(
+        R"("images": [{"uri": "a.ktx2"}], "textures": [{"extensions": {"KHR_texture_basisu": {"source": 0}}}], )" +
+        material(
+            R"("pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 1], "baseColorTexture": {"index": 0},
+            "metallicRoughnessTexture": {"index": 0}})")));
+    EXPECT_THAT(basis.warnings, ElementsAre(HasSubstr("textures without an image that Glint reads")));
+    EXPECT_EQ(basis.materials.at(0).color, ColorInput{Vec3(1, 0, 0)});
+    folder.write("rough.webp", "no picture");
+    const SceneDescription webp = load(gltf(
+        R"("images": [{"uri": "rough.webp"}], "textures": [{"extensions": {"EXT_texture_webp": {"source": 0}}}], )" +
+        material(R"("pbrMetallicRoughness": {"metallicRoughnessTexture": {"index": 0}})")));
+    EXPECT_THAT(webp.warnings, ElementsAre(HasSubstr("images of roughness or metalness cannot be read")));
 }
 
 }  // namespace

@@ -160,6 +160,23 @@ TEST_F(Gltf, SkinsAndMorphTargetsAreAtRest) {
     EXPECT_EQ(scene.objects[1].objectToWorld.translation, Vec3(0, 0, 9));
     const SceneDescription plain = load(gltf("", mesh, kNode, views, buffer));
     EXPECT_EQ(plain.meshes[0].data->positions[0], Vec3(-1, -1, 0.5f)) << "by the mesh's weight";
+    const SceneDescription crowd = load(gltf(R"("skins": [{"joints": [1, 2]}, {"joints": [2, 1]}])", mesh,
+                                             R"("nodes": [{"mesh": 0, "skin": 0}, {"translation": [0, 7, 0]},
+                     {"translation": [5, 0, 2]}, {"mesh": 0, "skin": 0}, {"mesh": 0, "skin": 1}])",
+                                             views, buffer));
+    EXPECT_EQ(crowd.objects.size(), 3u);
+    EXPECT_EQ(crowd.meshes.size(), 2u) << "one for each skin";
+    const std::string twice =
+        R"("meshes": [{"primitives": [{"mode": 6, "attributes": {"POSITION": 0, "JOINTS_0": 2, "WEIGHTS_0": 3,
+        "JOINTS_1": 5, "WEIGHTS_1": 3}}]}])";
+    const std::string more =
+        std::string(views, 0, views.size() - 1) +
+        R"(,{"bufferView": 2, "byteOffset": 4, "componentType": 5121, "count": 3, "type": "VEC4"}])";
+    const SceneDescription both = load(
+        gltf(R"("skins": [{"joints": [1, 2], "inverseBindMatrices": 4}])", twice,
+             R"("nodes": [{"mesh": 0, "skin": 0}, {"translation": [0, 7, 0]}, {"translation": [5, 0, 2]}])",
+             more, buffer));
+    EXPECT_EQ(both.meshes[0].data->positions[0], Vec3(-1, -1 + 3.5f, 1)) << "half of each joint";
 }
 
 TEST_F(Gltf, InstancesShareTheMeshOfTheirNode) {
