@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "engine/io/pbrt_color.h"
+
 namespace glint {
 namespace {
 
@@ -105,12 +107,7 @@ PbrtView::Window PbrtView::readFilm() {
     whole.height = film_.integer("yresolution", 720, 1, 32768);
     const Window window = readWindow(whole);
     exposure_ *= film_.number("iso", 100.0f, 1e-6f) / 100.0f;
-    if (film_.text("sensor", "cie1931") != "cie1931") {
-        film_.approximated("approximated: the film's sensor is the CIE's observer");
-    }
-    if (film_.number("whitebalance", 0.0f) > 0.0f) {
-        film_.approximated("approximated: the film does not balance white");
-    }
+    readSensor();
     const float most = film_.number("maxcomponentvalue", 0.0f, 0.0f);
     if (most > 0.0f && most < 1e18f) {
         context_.scene.options.fireflyClamp = most;
@@ -121,6 +118,25 @@ PbrtView::Window PbrtView::readFilm() {
                     "nbuckets", "coordinatesystem", "scale", "exposuretime"});
     film_.finish();
     return window;
+}
+
+/// Sensors of cameras have their own responses in pbrt, and balance white even unasked; that of the observer
+/// does so where the film says for which light.
+void PbrtView::readSensor() {
+    constexpr std::string_view kObserver = "cie1931";
+    constexpr float kUsualKelvin = 6500.0f;
+    const std::string sensor = film_.text("sensor", kObserver);
+    const float kelvin = film_.number("whitebalance", 0.0f, 0.0f);
+    if (sensor != kObserver) {
+        context_.remark(film_.place(), "approximated: sensors of cameras see as the CIE's observer does",
+                        sensor);
+    }
+    if (kelvin == 0.0f && sensor == kObserver) { return; }
+    const double white = static_cast<double>(kelvin == 0.0f ? kUsualKelvin : std::clamp(kelvin, 1e3f, 25e3f));
+    balance_ = pbrtWhiteBalance(white);
+    if (kelvin != 0.0f) {
+        film_.approximated("approximated: white is balanced in the lights, not on the film");
+    }
 }
 
 PbrtView::Screen PbrtView::readScreen(const Window& window) {
@@ -231,15 +247,22 @@ void PbrtView::lookAsWritten() {
     camera.up = pointAt(6);
 }
 
-void scaleLight(float factor, SceneDescription* scene) {
-    if (factor == 1.0f) { return; }
+void scaleLight(float exposure, const Mat3& balance, SceneDescription* scene) {
+    const auto balanced = [&](const Vec3& color, bool isImage) {
+        if (balance == Mat3(1.0f)) { return color; }
+        return glm::max(isImage ? color * (balance * Vec3(1.0f)) : balance * color, Vec3(0.0f));
+    };
     for (Material& material : scene->materials) {
-        material.emissionStrength *= factor;
+        material.emissionStrength *= exposure;
+        material.emission.value = balanced(material.emission.value, false);
     }
     for (Light& light : scene->lights) {
-        light.strength *= factor;
+        light.strength *= exposure;
+        light.color = balanced(light.color, false);
     }
-    scene->environment.strength *= factor;
+    Environment& environment = scene->environment;
+    environment.strength *= exposure;
+    environment.color = balanced(environment.color, environment.image >= 0);
 }
 
 }  // namespace glint

@@ -21,8 +21,9 @@ class PbrtView {
     /// Sets the camera, the picture's size, and how the scene is placed (PbrtContext::world): pbrt's cameras
     /// are left-handed, so that a scene is mirrored unless the file mirrors it.
     void finish();
-    /// What the film makes of the scene's light: a factor.
+    /// What the film makes of the scene's light: a factor, and its white balance.
     float exposure() const { return exposure_; }
+    const Mat3& balance() const { return balance_; }
 
   private:
     /// The rectangle of pbrt's screen that the picture shows.
@@ -36,6 +37,7 @@ class PbrtView {
     };
 
     Window readFilm();
+    void readSensor();
     Window readWindow(const Resolution& whole);
     Screen readScreen(const Window& window);
     void placeCamera(const Screen& screen);
@@ -51,9 +53,10 @@ class PbrtView {
     glm::dmat4 cameraFromWorld_{1.0};
     std::vector<double> look_;
     float exposure_ = 1.0f;
+    Mat3 balance_{1.0f};
 };
 
-/// Multiplies all that shines.
-void scaleLight(float factor, SceneDescription* scene);
+/// Multiplies all that shines, and balances its colours; of images that shine, by what white becomes.
+void scaleLight(float exposure, const Mat3& balance, SceneDescription* scene);
 
 }  // namespace glint

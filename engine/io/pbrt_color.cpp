@@ -59,8 +59,10 @@ constexpr NamedSpectrum kMetals[] = {{"metal-Ag", "silver"},
                                      {"metal-Au", "gold"},
                                      {"metal-Cu", "copper"},
                                      {"metal-CuZn", "brass"}};
-constexpr NamedSpectrum kGlasses[] = {
-    {"glass-BK7", "BK7"}, {"glass-LASF9", "LASF9"}, {"glass-SF10", "SF10"}, {"glass-SF11", "SF11"}};
+// pbrt's names first: its F5, F10 and F11 are SF5, SF10 and SF11.
+constexpr NamedSpectrum kGlasses[] = {{"glass-BK7", "BK7"},   {"glass-LASF9", "LASF9"}, {"glass-F5", "SF5"},
+                                      {"glass-F10", "SF10"},  {"glass-F11", "SF11"},    {"glass-SF5", "SF5"},
+                                      {"glass-SF10", "SF10"}, {"glass-SF11", "SF11"}};
 
 struct NamedColor {
     std::string_view name;
@@ -68,15 +70,17 @@ struct NamedColor {
 };
 
 // Indices at the sodium line: Schott's data sheets; of MgO and TiO2 (rutile) Bass 1995, "Handbook of Optics".
-constexpr NamedColor kIndices[] = {{"glass-BAF10", Vec3(1.670f)}, {"glass-FK51A", Vec3(1.487f)},
-                                   {"glass-F5", Vec3(1.603f)},    {"metal-MgO-eta", Vec3(1.737f)},
-                                   {"metal-MgO-k", Vec3(0.0f)},   {"metal-TiO2-eta", Vec3(2.613f)},
-                                   {"metal-TiO2-k", Vec3(0.0f)}};
+constexpr NamedColor kIndices[] = {{"glass-BAF10", Vec3(1.670f)},    {"glass-FK51A", Vec3(1.487f)},
+                                   {"metal-MgO-eta", Vec3(1.737f)},  {"metal-MgO-k", Vec3(0.0f)},
+                                   {"metal-TiO2-eta", Vec3(2.613f)}, {"metal-TiO2-k", Vec3(0.0f)}};
 
 // Fluorescent lamps F1 to F12: CIE 15: 2004, table T.7.
 constexpr glm::dvec2 kLamps[] = {{0.3131, 0.3371}, {0.3721, 0.3751}, {0.4091, 0.3941}, {0.4402, 0.4031},
                                  {0.3138, 0.3452}, {0.3779, 0.3882}, {0.3129, 0.3292}, {0.3458, 0.3586},
                                  {0.3741, 0.3727}, {0.3458, 0.3588}, {0.3805, 0.3769}, {0.4370, 0.4042}};
+
+/// Planck's second constant has changed since the temperatures of daylight were named.
+constexpr double kPlanckChange = 1.4388 / 1.4380;
 
 /// Illuminants of daylight by their temperature: CIE 15: 2004, section 3.1.
 glm::dvec2 daylight(double kelvin) {
@@ -99,8 +103,7 @@ Vec3 namedIlluminant(const PbrtParams& params, std::string_view name) {
     size_t number = 0;
     if (name.size() > kPrefix) { std::from_chars(name.data() + kPrefix, name.data() + name.size(), number); }
     if (name.starts_with("stdillum-D") && number >= 40 && number <= 250) {
-        // Planck's second constant has changed since their temperatures were named.
-        return rgbOfXyz(xyzOf(daylight(100.0 * static_cast<double>(number) * 1.4388 / 1.4380)));
+        return rgbOfXyz(xyzOf(daylight(100.0 * static_cast<double>(number) * kPlanckChange)));
     }
     if (name.starts_with("stdillum-F") && number >= 1 && number <= std::size(kLamps)) {
         return rgbOfXyz(xyzOf(kLamps[number - 1]));
@@ -189,6 +192,17 @@ Vec3 rgbOfSpace(PbrtColorSpace space, const Vec3& rgb, SpectrumRole role) {
     return Vec3(glm::inverse(toXyz(kSpaces[0])) * adapted * toXyz(from) * glm::dvec3(rgb));
 }
 
+Mat3 pbrtWhiteBalance(double kelvin) {
+    constexpr double kFirstDaylight = 4000.0;
+    const glm::dmat3 fromRgb = toXyz(kSpaces[0]);
+    glm::dvec2 white = daylight(kelvin * kPlanckChange);
+    if (kelvin < kFirstDaylight) {
+        const glm::dvec3 xyz = fromRgb * glm::dvec3(rgbOfBlackbody(kelvin));
+        white = glm::dvec2(xyz) / (xyz.x + xyz.y + xyz.z);
+    }
+    return Mat3(glm::inverse(fromRgb) * adaptation(white, kD65) * fromRgb);
+}
+
 Vec3 pbrtColor(const PbrtParams& params, const PbrtParam& param, SpectrumRole role) {
     Vec3 color = rawColor(params, param, role);
     const bool isLight = role == SpectrumRole::Emission;
@@ -211,6 +225,11 @@ std::string_view pbrtMetal(std::string_view spectrum) {
         return found != std::end(kMetals) ? found->known : std::string_view();
     }
     return {};
+}
+
+std::string_view pbrtSpectrumOfGlass(std::string_view glass) {
+    const auto found = std::ranges::find(kGlasses, glass, &NamedSpectrum::known);
+    return found != std::end(kGlasses) ? found->name : std::string_view();
 }
 
 std::string_view pbrtGlass(std::string_view spectrum) {

@@ -19,9 +19,15 @@ Vec3 rgbOfSpace(PbrtColorSpace space, const Vec3& rgb, SpectrumRole role);
 /// keeps constant spectra, and is above 0.
 Vec3 pbrtColor(const PbrtParams& params, const PbrtParam& param, SpectrumRole role);
 
+/// Linear Rec.709 to the same, such that light of a temperature becomes white, as pbrt's sensors see it:
+/// daylight of the CIE, and black bodies below 4000 K; cone responses of Bradford's matrix are scaled.
+Mat3 pbrtWhiteBalance(double kelvin);
+
 /// The metal of metals.h whose eta or k a named spectrum is; empty: none.
 std::string_view pbrtMetal(std::string_view spectrum);
 /// The glass of glasses.h that a named spectrum is; empty: none.
 std::string_view pbrtGlass(std::string_view spectrum);
+/// The other way.
+std::string_view pbrtSpectrumOfGlass(std::string_view glass);
 
 }  // namespace glint

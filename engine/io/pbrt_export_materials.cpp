@@ -124,10 +124,8 @@ class MaterialWriter {
             warn("approximated: glass has no tint");
         }
         const std::string out = pbrtString("type", material_.thin ? "thindielectric" : "dielectric");
-        for (const std::string_view glass : {"BK7", "LASF9", "SF10", "SF11"}) {
-            if (material_.glass == glass) {
-                return out + fmt::format(" \"spectrum eta\" \"glass-{}\"", glass);
-            }
+        if (const std::string_view spectrum = pbrtSpectrumOfGlass(material_.glass); !spectrum.empty()) {
+            return out + fmt::format(" \"spectrum eta\" \"{}\"", spectrum);
         }
         if (const auto known = findGlass(material_.glass)) {
             warn("approximated: glass that pbrt does not know does not disperse");

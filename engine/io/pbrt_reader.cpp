@@ -109,7 +109,7 @@ Status PbrtReader::readAssets() {
 Result<SceneDescription> PbrtReader::finish() {
     SceneDescription& scene = context_.scene;
     if (scene.materials.empty()) { materials_.take(-1, PbrtValue{Vec3(1.0f)}, {}); }
-    scaleLight(view_.exposure(), &scene);
+    scaleLight(view_.exposure(), view_.balance(), &scene);
     if (Status read = readAssets(); !read) { return read.error(); }
     if (!view_.hasCamera()) { applyDefaultView(&scene, context_.options.noStudio); }
     for (const Asset& asset : lackingAssets(scene)) {  // the studio's light

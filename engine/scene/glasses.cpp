@@ -14,18 +14,19 @@ struct NamedGlass {
 constexpr float square(float x) { return x * x; }
 
 // Terms of Sellmeier's formula, for air at room temperature. Sources:
-//   BAK4, BK7, F2, LASF9, SF10, SF11, SK16: Schott AG, "Optical Glass Data Sheets" (the N- types but for F2).
-//   acrylic: Sultanova, Kasarova and Nikolov 2009, Acta Phys. Pol. A 116, 585. cubic zirconia: Wood and
+//   BAK4, BK7, F2, LASF9, SF10, SF11, SF5, SK16: Schott AG, "Optical Glass Data Sheets" (the N- types but for
+//   F2). acrylic: Sultanova, Kasarova and Nikolov 2009, Acta Phys. Pol. A 116, 585. cubic zirconia: Wood and
 //   Nassau 1982, Appl. Opt. 21, 2978. diamond: Peter 1923, Z. Phys. 15, 358. fused silica: Malitson 1965, J.
 //   Opt. Soc. Am. 55, 1205. sapphire (ordinary ray): Malitson and Dodge 1972, J. Opt. Soc. Am. 62, 1405.
 //   water, 20 degrees: Daimon and Masumura 2007, Appl. Opt. 46, 3811.
-constexpr std::array<NamedGlass, 13> kGlasses{{
+constexpr std::array<NamedGlass, 14> kGlasses{{
     {"BAK4", {1.28834642f, 0.132817724f, 0.945395373f}, {0.00779980626f, 0.0315631177f, 105.965875f}},
     {"BK7", {1.03961212f, 0.231792344f, 1.01046945f}, {0.00600069867f, 0.0200179144f, 103.560653f}},
     {"F2", {1.34533359f, 0.209073176f, 0.937357162f}, {0.00997743871f, 0.0470450767f, 111.886764f}},
     {"LASF9", {2.00029547f, 0.298926886f, 1.80691843f}, {0.0121426017f, 0.0538736236f, 156.530829f}},
     {"SF10", {1.62153902f, 0.256287842f, 1.64447552f}, {0.0122241457f, 0.0595736775f, 147.468793f}},
     {"SF11", {1.73759695f, 0.313747346f, 1.89878101f}, {0.013188707f, 0.0623068142f, 155.23629f}},
+    {"SF5", {1.52481889f, 0.187085527f, 1.42729015f}, {0.011254756f, 0.0588995392f, 129.141675f}},
     {"SK16", {1.34317774f, 0.241144399f, 0.994317969f}, {0.00704687339f, 0.0229005f, 92.7508526f}},
     {"acrylic", {1.1819f}, {0.011313f}},
     {"cubic zirconia",

@@ -27,6 +27,7 @@ TEST(Dispersion, NamedGlassesHaveTheIndicesOfTheirCatalogues) {
     for (const Catalogued& entry : {Catalogued{"BK7", 1.51680f, 64.17f, 0.01f},
                                     {"SF11", 1.78472f, 25.68f, 0.01f},
                                     {"SF10", 1.72828f, 28.53f, 0.01f},
+                                    {"SF5", 1.67271f, 32.25f, 0.01f},
                                     {"F2", 1.62004f, 36.37f, 0.01f},
                                     {"BAK4", 1.56883f, 55.98f, 0.01f},
                                     {"SK16", 1.62041f, 60.32f, 0.01f},

@@ -95,6 +95,11 @@ TEST_F(PbrtMaterialsTest, Dielectrics) {
     EXPECT_FLOAT_EQ(glass.ior.value, 1.33f);
     EXPECT_FLOAT_EQ(glass.roughness.value, 0.5f);
     EXPECT_EQ(materialOf("Material \"dielectric\" \"spectrum eta\" \"glass-BK7\"").glass, "BK7");
+    for (const auto& [pbrts, schotts] : {std::pair("F5", "SF5"), {"F10", "SF10"}, {"F11", "SF11"}}) {
+        EXPECT_EQ(
+            materialOf(std::string("Material \"dielectric\" \"spectrum eta\" \"glass-") + pbrts + "\"").glass,
+            schotts);
+    }
     EXPECT_NEAR(materialOf("Material \"dielectric\" \"spectrum eta\" \"glass-BAF10\"").ior.value, 1.67f,
                 1e-3f);
     EXPECT_TRUE(materialOf("Material \"thindielectric\"").thin);

@@ -233,7 +233,7 @@ TEST_F(PbrtScene, FilmsHaveSizesFiltersAndExposures) {
     view(camera + "PixelFilter \"mitchell\"");
     EXPECT_THAT(warnings, Contains(HasSubstr("the filter is a Gaussian")));
     view(camera + R"(Film "gbuffer" "string sensor" "canon_eos_5d" "float whitebalance" 5000)");
-    EXPECT_THAT(warnings, AllOf(Contains(HasSubstr("sensor")), Contains(HasSubstr("balance white")),
+    EXPECT_THAT(warnings, AllOf(Contains(HasSubstr("sensor")), Contains(HasSubstr("white is balanced")),
                                 Contains(HasSubstr("another kind"))));
     const SceneDescription exposed = loadText(sceneText(
         "LightSource \"point\" LightSource \"infinite\" AreaLightSource \"diffuse\" Shape \"sphere\"",
