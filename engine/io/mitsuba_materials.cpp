@@ -250,9 +250,7 @@ void MitsubaMaterials::readMask(MitsubaObject* object, UvOrigin origin, MitsubaS
 void MitsubaMaterials::readTwoSided(MitsubaObject* object, UvOrigin origin, MitsubaSurface* out) {
     *out = nested(object, origin);
     out->isTwoSided = true;
-    if (object->next({"bsdf"}) != nullptr) {
-        object->approximated("approximated: both sides of a surface have the material of its front");
-    }
+    out->back = object->next({"bsdf"});
 }
 
 void MitsubaMaterials::readBump(MitsubaObject* object, UvOrigin origin, MitsubaSurface* out) {

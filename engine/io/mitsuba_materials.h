@@ -15,8 +15,9 @@ namespace glint {
 /// A bsdf as it is on a shape, before the shape shines.
 struct MitsubaSurface {
     Material material;
-    bool isThere = true;      ///< false: it lets all pass
-    bool isTwoSided = false;  ///< or lets light through; otherwise its back is black
+    bool isThere = true;                   ///< false: it lets all pass
+    bool isTwoSided = false;               ///< or lets light through; otherwise its back is black
+    const MitsubaElement* back = nullptr;  ///< two-sided: of a bsdf of its own
     /// The mesh's colours are this attribute of it, from `low` where it is 0 to `high` where it is 1.
     std::string attribute = {};
     Vec3 low{0.0f}, high{1.0f};

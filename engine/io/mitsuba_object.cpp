@@ -174,9 +174,10 @@ void MitsubaObject::finish() {
         const MitsubaElement& child = element_.children[i];
         if (used_[i] || child.tag == "alias") { continue; }
         const std::string_view name = child.attribute("name");
-        const std::string what = isObject(child.tag) || child.tag == "ref"
-                                     ? fmt::format("{} \"{}\"", child.tag, child.attribute("type"))
-                                     : fmt::format("\"{}\"", name.empty() ? child.tag : name);
+        const std::string what =
+            child.tag == "ref"    ? fmt::format("the reference to \"{}\"", child.attribute("id"))
+            : isObject(child.tag) ? fmt::format("{} \"{}\"", child.tag, child.attribute("type"))
+                                  : fmt::format("\"{}\"", name.empty() ? child.tag : name);
         context_->remark(child, context_->sentence(
                                     fmt::format("{} of {} \"{}\" is left out", what, element_.tag, type())));
     }

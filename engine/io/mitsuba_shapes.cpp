@@ -203,16 +203,23 @@ std::vector<Object> MitsubaShapes::finish(const Shape& shape, Object object, UvO
     }
     const bool hasBack =
         object.shape == ShapeKind::Rectangle || object.shape == ShapeKind::Disc || meshBack >= 0;
-    if (surface.isTwoSided || !hasBack) { return {std::move(object)}; }
+    if ((surface.isTwoSided && surface.back == nullptr) || !hasBack) { return {std::move(object)}; }
     Object back = object;
     back.name += " from behind";
-    back.material = materials_.black(surface);
+    back.material =
+        surface.back != nullptr ? materials_.take(surface.back, origin) : materials_.black(surface);
     if (meshBack >= 0) {
         back.mesh = meshBack;
     } else {
         back.objectToWorld = object.objectToWorld * kTurnedOver;
     }
     object.frontOnly = back.frontOnly = true;
+    if (surface.back != nullptr) {
+        if (meshBack < 0 && isTextured(surface.back)) {
+            shape.object->approximated("approximated: textures on backs of flat shapes lie mirrored");
+        }
+        return {std::move(object), std::move(back)};
+    }
     context_.note(shape.object->element(),
                   "surfaces that are not \"twosided\" are black from behind: each is two objects");
     return {std::move(object), std::move(back)};
@@ -228,7 +235,7 @@ std::vector<Object> MitsubaShapes::meshOf(Shape* shape) {
     object.shape = ShapeKind::Mesh;
     object.mesh = mesh.index;
     object.objectToWorld = shape->toWorld;
-    const bool needsBack = mesh.isOpen && !surface.isTwoSided;
+    const bool needsBack = mesh.isOpen && (!surface.isTwoSided || surface.back != nullptr);
     return finish(*shape, std::move(object), origin, needsBack ? meshes_.reversed(mesh.index) : -1);
 }
 

@@ -85,15 +85,13 @@ Vec3 mitsubaVector(MitsubaContext* context, const MitsubaElement& at, float othe
 }
 
 Affine mitsubaTransform(MitsubaContext* context, const MitsubaElement& transform) {
+    if (transform.tag == "animation" && !transform.children.empty()) {
+        context->remark(transform, "animations are left out: all stands as at their first time");
+        return mitsubaTransform(context, transform.children.front());
+    }
     glm::dmat4 all(1.0);
     for (const MitsubaElement& step : transform.children) {
         all = stepOf(context, step) * all;
-    }
-    if (transform.tag == "animation") {
-        for (const MitsubaElement& keyframe : transform.children) {
-            context->remark(transform, "animations are left out: all stands as at their first time");
-            return mitsubaTransform(context, keyframe);
-        }
     }
     Affine out;
     bool isFine = all[0].w == 0.0 && all[1].w == 0.0 && all[2].w == 0.0 && all[3].w != 0.0;

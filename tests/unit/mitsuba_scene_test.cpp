@@ -254,5 +254,13 @@ TEST_F(MitsubaScene, WhatIsLeftOutIsSaid) {
     EXPECT_THAT(scene.warnings, Contains(HasSubstr("<film> of the scene is left out")));
 }
 
+TEST_F(MitsubaScene, AnimationsStandAsAtTheirFirstTime) {
+    const SceneDescription scene = load(
+        "<shape type='sphere'><animation name='toWorld'><transform time='0'><translate x='2'/></transform>"
+        "<transform time='1'><translate x='7'/></transform></animation></shape>");
+    EXPECT_EQ(scene.objects.at(0).objectToWorld.translation, Vec3(2, 0, 0));
+    EXPECT_THAT(scene.warnings, Contains(HasSubstr("as at their first time")));
+}
+
 }  // namespace
 }  // namespace glint::test
