@@ -21,7 +21,20 @@ float oneMinusCosine(float angleDeg) {
     return static_cast<float>(2.0 * sine * sine);
 }
 
-EmitterData pointlikeEmitter(const Light& light) {
+/// The direction is set.
+void setPicture(const Light& light, const TextureTable& textures, EmitterData* e) {
+    e->kind = EmitterKind::Projector;
+    e->original = textures.packed(light.picture.texture);
+    const float half = std::tan(0.5f * light.fovDeg * (kPi / 180.0f));
+    const Vec3 right = pictureRight(light);
+    e->axisU = half * right;
+    e->axisV = half / light.aspect * glm::cross(right, e->direction);
+    const bool isImage = e->original != kNone;
+    if (!isImage) { e->radiance *= light.picture.value; }
+    e->area = isImage ? luminance(EmissionMeans(textures.textures[e->original]).overAll()) : 1.0f;
+}
+
+EmitterData pointlikeEmitter(const Light& light, const TextureTable& textures) {
     EmitterData e;
     e.position = light.position;
     e.radiance = light.color * light.strength;
@@ -36,6 +49,9 @@ EmitterData pointlikeEmitter(const Light& light) {
             break;
         case LightKind::Directional:
             e.kind = EmitterKind::Directional;
+            break;
+        case LightKind::Projector:
+            setPicture(light, textures, &e);
             break;
     }
     e.oneMinusCosOuter = oneMinusCosine(light.coneAngleDeg);
@@ -60,6 +76,14 @@ LightNode leafNode(const EmitterData& e) {
             node.cosNormals = 1.0f - e.oneMinusCosOuter;
             node.cosEmission = 0.999f;
             break;
+        case EmitterKind::Projector: {
+            const float most = lengthSquared(e.axisU) + lengthSquared(e.axisV);  // tan^2 to the corners
+            node.axis = e.direction;
+            node.cosNormals = 1.0f / std::sqrt(1.0f + most);
+            node.cosEmission = 0.999f;
+            node.intensity *= e.area * std::pow(1.0f + most, 1.5f);
+            break;
+        }
         case EmitterKind::Point:
         case EmitterKind::Directional:
         case EmitterKind::Environment:
@@ -158,7 +182,7 @@ class TableBuilder {
     void addLights(bool directional) {
         for (const Light& light : scene_.lights) {
             if ((light.kind == LightKind::Directional) != directional) { continue; }
-            const EmitterData e = pointlikeEmitter(light);
+            const EmitterData e = pointlikeEmitter(light, textures_);
             if (!(maxComponent(e.radiance) > 0.0f)) { continue; }
             table_->castLights.push_back(e);
             if (!light.onlyRayCast) { table_->emitters.push_back(e); }
@@ -217,6 +241,9 @@ FeatureMask LightTable::features() const {
     }
     for (const EmitterData& e : emitters) {
         if (isDeltaLight(e.kind)) { mask |= kFeatureDeltaLights; }
+    }
+    for (const EmitterData& e : castLights) {
+        if (e.kind == EmitterKind::Projector) { mask |= kFeatureProjectors; }
     }
     if (maxComponent(environmentRadiance) > 0.0f) {
         mask |= environment ? kFeatureEnvironmentImage : kFeatureEnvironmentConstant;

@@ -20,6 +20,8 @@ float emitterPower(const SceneView& scene, const EmitterData& e) {
             return radiance * 4.0f * kPi;
         case EmitterKind::Spot:
             return radiance * kTwoPi * (0.5f * (e.oneMinusCosInner + e.oneMinusCosOuter));
+        case EmitterKind::Projector:
+            return radiance * e.area * 4.0f * glm::length(e.axisU) * glm::length(e.axisV);
         case EmitterKind::Directional:
             return radiance * sceneDisc;
         case EmitterKind::Environment:

@@ -128,7 +128,9 @@ class SceneBuild {
     }
 
     Status textures() {
-        if (!concerns(EditKind::MaterialKind)) { return {}; }
+        if (!concerns(EditKind::MaterialKind) && !(concerns(EditKind::Lights) && showPictures())) {
+            return {};
+        }
         auto table = buildTextureTable(*scene_, built_->textures);
         if (!table) { return table.error(); }
         report_.texturesBuilt = *table != built_->textures;
@@ -151,9 +153,14 @@ class SceneBuild {
         return {};
     }
 
+    bool showPictures() const { return std::ranges::any_of(scene_->lights, showsPicture); }
+
     Status lights() {
         const bool emittersMoved = concerns(EditKind::ObjectTransform) && shapesEmit();
-        if (!concerns(EditKind::Lights) && !emittersMoved && !emissionChanged_) { return {}; }
+        const bool picturesMoved = report_.texturesBuilt && showPictures();
+        if (!concerns(EditKind::Lights) && !emittersMoved && !emissionChanged_ && !picturesMoved) {
+            return {};
+        }
         auto table = buildLightTable(*scene_, *built_->textures, built_->lights, threads_);
         emittersMoved_ = !built_->lights || table->firstEmitter != built_->lights->firstEmitter;
         report_.lightsBuilt = table != built_->lights;

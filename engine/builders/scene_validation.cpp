@@ -205,7 +205,23 @@ Status checkObject(const SceneDescription& scene, size_t index) {
     return {};
 }
 
-Status checkLight(const Light& light, size_t index) {
+Status checkProjector(const SceneDescription& scene, const Light& light, const std::string& who) {
+    const int texture = light.picture.texture;
+    if (texture < -1 || texture >= static_cast<int>(scene.textures.size())) {
+        return fault(who, fmt::format("uses texture {} of {}", texture, scene.textures.size()));
+    }
+    if (!isFinite(light.up) || !inRange(light.fovDeg, 1e-3f, 179.99f) ||
+        !inRange(light.aspect, 1e-6f, 1e6f) || !notNegative(light.picture.value)) {
+        return fault(who,
+                     fmt::format("its picture is {} degrees wide and {} times as wide as high; expected an "
+                                 "angle between 0 and 180 degrees, and a number above 0",
+                                 light.fovDeg, light.aspect));
+    }
+    return {};
+}
+
+Status checkLight(const SceneDescription& scene, size_t index) {
+    const Light& light = scene.lights[index];
     const std::string who = label("light", light.name, index);
     if (!isFinite(light.position) || !isFinite(light.direction)) {
         return fault(who, "position and direction must be finite numbers");
@@ -223,7 +239,7 @@ Status checkLight(const Light& light, size_t index) {
             fmt::format("the cone ends at {} and falls off from {} degrees; expected 0 <= start <= end <= 90",
                         light.coneAngleDeg, light.coneFalloffStartDeg));
     }
-    return {};
+    return light.kind == LightKind::Projector ? checkProjector(scene, light, who) : Status();
 }
 
 Status checkEnvironment(const SceneDescription& scene) {
@@ -273,7 +289,7 @@ Status validateScene(const SceneDescription& scene, EditKind kinds) {
         if (Status status = checkAll(scene.meshes.size(), check); !status) { return status; }
     }
     if (concerns(EditKind::Lights)) {
-        const auto check = [&](size_t i) { return checkLight(scene.lights[i], i); };
+        const auto check = [&](size_t i) { return checkLight(scene, i); };
         if (Status status = checkAll(scene.lights.size(), check); !status) { return status; }
     }
     return checkEnvironment(scene);

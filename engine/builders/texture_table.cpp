@@ -79,13 +79,13 @@ void addMips(const TextureTable* previous, TextureTable* table) {
 }
 
 /// Unless it is listed already.
-Status addTexture(const SceneDescription& scene, const Material& user, int index,
+Status addTexture(const SceneDescription& scene, const std::string& user, int index,
                   const TextureTable* previous, TextureTable* table) {
     const auto place = static_cast<size_t>(index);
     if (place >= scene.textures.size()) {
-        return Error{fmt::format("material '{}' refers to texture {}; the scene has {}", user.name, index,
-                                 scene.textures.size()),
-                     {}};
+        return Error{
+            fmt::format("'{}' refers to texture {}; the scene has {}", user, index, scene.textures.size()),
+            {}};
     }
     if (table->packedIndex[place] != kNone) { return {}; }
     Result<TextureView> view = makeView(scene.textures[place]);
@@ -142,10 +142,17 @@ Result<std::shared_ptr<const TextureTable>> buildTextureTable(
         if (!used[i]) { continue; }
         for (const int texture : usedTextures(scene.materials[i])) {
             if (const Status status =
-                    addTexture(scene, scene.materials[i], texture, previous.get(), table.get());
+                    addTexture(scene, scene.materials[i].name, texture, previous.get(), table.get());
                 !status) {
                 return status.error();
             }
+        }
+    }
+    for (const Light& light : scene.lights) {
+        if (!showsPicture(light)) { continue; }
+        if (Status status = addTexture(scene, light.name, light.picture.texture, previous.get(), table.get());
+            !status) {
+            return status.error();
         }
     }
     if (previous && sameTable(*table, *previous)) { return previous; }

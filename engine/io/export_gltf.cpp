@@ -11,6 +11,7 @@
 #include "engine/io/file_path.h"
 #include "engine/io/gltf_export.h"
 #include "engine/io/gltf_nodes.h"
+#include "engine/io/projected_picture.h"
 #include "engine/io/scene_export.h"
 #include "engine/io/studio.h"
 
@@ -110,6 +111,11 @@ class GltfExporter : public SceneExport {
     /// Colours end at 1.
     void writeLight(const Light& from) {
         if (from.onlyRayCast) { return; }
+        if (from.kind == LightKind::Projector) {
+            warn("approximated: projectors are spots of the same power, without a picture");
+            writeLight(spotOfProjector(scene_, from));
+            return;
+        }
         const float most = std::max(maxComponent(from.color), 1.0f);
         const double strength = static_cast<double>(from.strength) * static_cast<double>(most);
         constexpr const char* kTypes[] = {"point", "spot", "directional"};

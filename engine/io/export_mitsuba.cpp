@@ -2,6 +2,7 @@
 // same again; engine/io/README.md says what is approximated.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -48,6 +49,10 @@ class MitsubaExporter : public SceneExport {
   private:
     void writeLights() {
         for (const Light& light : scene_.lights) {
+            if (light.kind == LightKind::Projector) {
+                writeProjector(light);
+                continue;
+            }
             const char* kTypes[] = {"point", "spot", "directional"};
             out_.open("emitter", fmt::format("type=\"{}\"", kTypes[static_cast<size_t>(light.kind)]));
             const Vec3 color = light.strength * light.color;
@@ -66,6 +71,44 @@ class MitsubaExporter : public SceneExport {
             out_.close();
         }
         if (scene_.environment.emissive()) { writeEnvironment(); }
+    }
+
+    /// Its image alone says how wide the picture is.
+    void writeProjector(const Light& light) {
+        const int index = light.picture.texture;
+        const Texture* texture = index >= 0 ? &scene_.textures[static_cast<size_t>(index)] : nullptr;
+        const float aspect = texture != nullptr ? aspectOf(texture->image) : 1.0f;
+        const Vec3 color = light.strength / kPi * light.color;  // Mitsuba counts so
+        out_.open("emitter", "type=\"projector\"");
+        out_.open("transform", "name=\"to_world\"");
+        out_.element("lookat",
+                     fmt::format("origin=\"{}\" target=\"{}\" up=\"{}\"", xmlNumbers(light.position),
+                                 xmlNumbers(light.position + light.direction),
+                                 xmlNumbers(glm::cross(pictureRight(light), light.direction))));
+        out_.close();
+        out_.number("fov", light.fovDeg);
+        if (std::fabs(aspect - light.aspect) > 1e-4f * aspect) {
+            warn("approximated: projectors' pixels are square");
+        }
+        if (texture == nullptr) {
+            out_.color("irradiance", color * light.picture.value);
+        } else {
+            writeMitsubaTexture(*texture, UvOrigin::Bottom, false, "irradiance", &out_, &warnings_);
+            out_.number("scale", maxComponent(color));
+            if (minComponent(color) != maxComponent(color)) {
+                warn("approximated: projectors' pictures are not tinted");
+            }
+        }
+        out_.close();
+    }
+
+    static float aspectOf(const SceneImage& image) {
+        if (image.floats) {
+            return static_cast<float>(image.floats->width) / static_cast<float>(image.floats->height);
+        }
+        const bool isPicture = image.bytes && !std::holds_alternative<Checkerboard>(image.source);
+        return isPicture ? static_cast<float>(image.bytes->width) / static_cast<float>(image.bytes->height)
+                         : 1.0f;
     }
 
     void writeSpot(const Light& light) {
@@ -206,6 +249,12 @@ class MitsubaExporter : public SceneExport {
         const MitsubaUse use = useOf(object);
         out_.element("ref", fmt::format("id=\"{}\"", use.id(scene_)));
         const Material& material = materialOf(object);
+        if (absorbsInside(material)) {
+            out_.open("medium", "name=\"interior\" type=\"homogeneous\"");
+            out_.color("sigma_t", absorptionOf(material));
+            out_.number("albedo", 0.0f);
+            out_.close();
+        }
         if (material.emissive()) {
             if (material.emitsBothSides) {
                 warn("approximated: what shines on both sides shines on its front");

@@ -10,6 +10,7 @@
 #include "engine/io/exporter.h"
 #include "engine/io/pbrt_environment.h"
 #include "engine/io/pbrt_writer.h"
+#include "engine/io/projected_picture.h"
 #include "engine/io/scene_export.h"
 #include "engine/scene/scene_use.h"
 
@@ -56,6 +57,11 @@ class PbrtExporter : public SceneExport {
     }
 
     void writeLight(const Light& light) {
+        if (light.kind == LightKind::Projector) {
+            warn("approximated: projectors are spots of the same power, without a picture");
+            writeLight(spotOfProjector(scene_, light));
+            return;
+        }
         const std::string power = pbrtRgb(light.kind == LightKind::Directional ? "L" : "I", light.color) +
                                   pbrtNumber("scale", light.strength);
         if (light.kind == LightKind::Point) {
@@ -73,9 +79,6 @@ class PbrtExporter : public SceneExport {
                             pbrtNumber("conedeltaangle", light.coneAngleDeg - light.coneFalloffStartDeg));
     }
 
-    static bool absorbs(const Material& material) {
-        return material.kind == MaterialKind::Dielectric && !isZero(absorptionOf(material));
-    }
     /// Of a glass that absorbs inside.
     static std::string mediumName(int material) { return fmt::format("\"inside m{}\"", material); }
 
@@ -97,7 +100,7 @@ class PbrtExporter : public SceneExport {
         for (size_t i = 0; i < used.size(); ++i) {
             if (!used[i]) { continue; }
             out_ += pbrtMaterial(scene_, static_cast<int>(i), &warnings_);
-            if (absorbs(scene_.materials[i])) {
+            if (absorbsInside(scene_.materials[i])) {
                 out_ += fmt::format("MakeNamedMedium {}", mediumName(static_cast<int>(i))) +
                         pbrtString("type", "homogeneous") +
                         pbrtRgb("sigma_a", absorptionOf(scene_.materials[i])) +
@@ -195,7 +198,7 @@ class PbrtExporter : public SceneExport {
             if (material.emitsBothSides) { out_ += pbrtFlag("twosided", true); }
             out_ += "\n";
         }
-        if (absorbs(material)) {
+        if (absorbsInside(material)) {
             out_ += fmt::format("MediumInterface {} \"\"\n", mediumName(object.material));
         }
         out_ += fmt::format("NamedMaterial {}\nShape {}", pbrtMaterialName(scene_, object.material), shape);

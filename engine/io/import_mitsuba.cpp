@@ -23,7 +23,7 @@ class MitsubaReader {
           materials_(&context_, &textures_),
           meshes_(&context_),
           shapes_(&context_, &materials_, &meshes_),
-          lights_(&context_, &assets_) {
+          lights_(&context_, &textures_, &assets_) {
         context_.scene.path = path;
         context_.scene.title = path.substr(path.find_last_of('/') + 1);
     }
@@ -74,10 +74,11 @@ class MitsubaReader {
             }
         } else if (element.tag == "integrator") {
             readMitsubaIntegrator(&context_, element);
-        } else if (element.tag == "medium") {
+        } else if (element.tag == "medium" && element.attribute("id").empty()) {
             context_.remark(element, "media are left out");
-        } else if (element.tag != "bsdf" && element.tag != "texture" && element.tag != "spectrum" &&
-                   element.tag != "alias" && element.tag != "ref" && element.tag != "sampler") {
+        } else if (element.tag != "bsdf" && element.tag != "medium" && element.tag != "texture" &&
+                   element.tag != "spectrum" && element.tag != "alias" && element.tag != "ref" &&
+                   element.tag != "sampler") {
             context_.remark(element,
                             context_.sentence(fmt::format("<{}> of the scene is left out", element.tag)));
         }

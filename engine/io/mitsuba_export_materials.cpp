@@ -130,9 +130,6 @@ class MaterialWriter {
                 roughness();
                 color("specular_reflectance", material_.color);
                 color("specular_transmittance", material_.color);
-                if (material_.attenuationColor != Vec3(1.0f)) {
-                    warn("approximated: glass absorbs nothing on the way inside");
-                }
                 return;
             case MaterialKind::Plastic:
                 begin(rough("plastic"), open);

@@ -9,12 +9,17 @@
 namespace glint {
 namespace {
 
-void writeIntegrator(const RenderOptions& options, MitsubaWriter* out, std::vector<std::string>* warnings) {
+void writeIntegrator(const SceneDescription& scene, MitsubaWriter* out, std::vector<std::string>* warnings) {
+    const RenderOptions& options = scene.options;
     if (options.integrator != IntegratorKind::PathTracing) {
         warnOnce("approximated: the integrator is path tracing", warnings);
     }
     if (options.fireflyClamp > 0.0f) { warnOnce("approximated: samples are not clamped", warnings); }
-    out->open("integrator", "type=\"path\"");
+    // Mitsuba's "path" passes media by.
+    const bool hasMedia = std::ranges::any_of(scene.objects, [&](const Object& object) {
+        return absorbsInside(scene.materials[static_cast<size_t>(object.material)]);
+    });
+    out->open("integrator", hasMedia ? "type=\"volpath\"" : "type=\"path\"");
     out->integer("max_depth", options.maxDepth + 1);
     out->integer("rr_depth", std::max(options.rouletteStartDepth, 1));
     out->close();
@@ -83,7 +88,7 @@ void writeParallel(const Camera& camera, float aspect, MitsubaWriter* out,
 }  // namespace
 
 void writeMitsubaView(const SceneDescription& scene, MitsubaWriter* out, std::vector<std::string>* warnings) {
-    writeIntegrator(scene.options, out, warnings);
+    writeIntegrator(scene, out, warnings);
     const Camera& camera = scene.camera;
     const float aspect =
         static_cast<float>(scene.resolution.width) / static_cast<float>(scene.resolution.height);

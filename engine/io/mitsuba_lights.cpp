@@ -7,8 +7,10 @@
 
 #include "engine/io/image_io.h"
 #include "engine/io/mitsuba_environment.h"
+#include "engine/io/mitsuba_sensor.h"
 #include "engine/io/mitsuba_sky.h"
 #include "engine/io/mitsuba_spectrum.h"
+#include "engine/io/projected_picture.h"
 #include "engine/math/color.h"
 
 namespace glint {
@@ -53,7 +55,10 @@ Light* MitsubaLights::add(MitsubaObject* object, LightKind kind,
     light.kind = kind;
     const auto color = mitsubaInput(object, radiometry, SpectrumRole::Emission);
     light.color = color && color->texture == nullptr ? color->color : Vec3(1.0f);
-    if (color && color->texture != nullptr) {
+    if (color && color->texture != nullptr && kind == LightKind::Projector) {
+        light.picture = textures_.color(*color->texture, UvOrigin::Bottom);
+        if (light.picture.texture < 0) { light.picture.value = Vec3(0.5f); }
+    } else if (color && color->texture != nullptr) {
         object->approximated("approximated: lights without a shape have no pictures");
     }
     context_.scene.lights.push_back(std::move(light));
@@ -78,19 +83,30 @@ void MitsubaLights::placeSpot(MitsubaObject* object) {
     }
 }
 
-/// Its power is pi irradiance times the image's area at a distance of 1; the spot has that, over as much of
-/// the plane there.
+/// Of an image; all else is square.
+float MitsubaLights::aspectOf(const ColorInput& picture) {
+    if (picture.texture < 0) { return 1.0f; }
+    const ImageSource& source = context_.scene.textures[static_cast<size_t>(picture.texture)].image.source;
+    if (std::holds_alternative<Checkerboard>(source)) { return 1.0f; }
+    const Result<SceneImage> image = assets_.texture(source);
+    if (!image) { return 1.0f; }
+    const Vec2 size = image->floats ? Vec2(image->floats->width, image->floats->height)
+                                    : Vec2(image->bytes->width, image->bytes->height);
+    return size.x / size.y;
+}
+
+/// Its camera's x points to the left. What Mitsuba calls irradiance is what a white surface reflects, pi
+/// times less.
 void MitsubaLights::placeProjector(MitsubaObject* object) {
-    object->approximated("approximated: projectors are spots of the same power, without a picture");
-    Light* light = add(object, LightKind::Spot, {"irradiance"});
-    const Affine toWorld = toWorldOf(object);
-    light->position = toWorld.translation;
-    light->direction = toWorld.vector(Vec3(0, 0, 1));
-    const float side = 2.0f * std::tan(0.5f * object->number("fov", 40.0f, 0.1f, 179.0f) / kDegrees);
-    const float cone = std::atan(side / std::sqrt(kPi));
-    light->strength = object->number("scale", 1.0f, 0.0f) * square(side) / (2.0f * (1.0f - std::cos(cone)));
-    light->coneAngleDeg = light->coneFalloffStartDeg = cone * kDegrees;
-    object->passOver({"fov_axis", "focal_length"});
+    Light* light = add(object, LightKind::Projector, {"irradiance"});
+    light->strength = kPi * object->number("scale", 1.0f, 0.0f);
+    light->aspect = aspectOf(light->picture);
+    const float vertical = mitsubaVerticalFov(object, light->aspect);
+    const float half = light->aspect * std::tan(0.5f * vertical / kDegrees);
+    light->fovDeg = std::clamp(2.0f * std::atan(half) * kDegrees, 0.01f, 179.9f);
+    if (!aimProjector(toWorldOf(object), Vec3(-1, 0, 0), light, &context_.scene)) {
+        context_.fail(object->element(), "the light is flattened");
+    }
 }
 
 void MitsubaLights::placeDirectional(MitsubaObject* object) {

@@ -8,7 +8,8 @@ namespace glint {
 
 class MitsubaLights {
   public:
-    MitsubaLights(MitsubaContext* context, AssetCache* assets) : context_(*context), assets_(*assets) {}
+    MitsubaLights(MitsubaContext* context, MitsubaTextures* textures, AssetCache* assets)
+        : context_(*context), textures_(*textures), assets_(*assets) {}
 
     /// Appends the emitter to the scene's lights, or makes it its environment.
     void place(const MitsubaElement& emitter);
@@ -22,10 +23,12 @@ class MitsubaLights {
     void placeMap(MitsubaObject* object);
     void placeSky(MitsubaObject* object);
     Light* add(MitsubaObject* object, LightKind kind, std::initializer_list<std::string_view> radiometry);
+    float aspectOf(const ColorInput& picture);
     bool takesEnvironment(MitsubaObject* object);
     SceneImage imageOf(MitsubaObject* object, const std::string& path, const Affine& toWorld);
 
     MitsubaContext& context_;
+    MitsubaTextures& textures_;
     AssetCache& assets_;
 };
 

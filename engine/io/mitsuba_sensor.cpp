@@ -74,29 +74,6 @@ FilmWindow readFilm(MitsubaContext* context, const MitsubaElement* film) {
     return window;
 }
 
-/// The angle of view across the picture's height.
-float verticalFovDeg(MitsubaObject* object, float aspect) {
-    constexpr float kDiagonalMm = 43.2666153f;  // of 36 x 24 mm
-    std::string_view axis = object->text("fov_axis", "x");
-    float fov = 0.0f;
-    if (object->property("fov") != nullptr) {
-        fov = object->number("fov", 40.0f, 0.01f, 179.9f);
-    } else {
-        std::string_view length = object->text("focal_length", "50mm");
-        if (length.ends_with("mm")) { length.remove_suffix(2); }
-        const double mm = mitsubaNumber(&object->context(), object->element(), length);
-        fov = 2.0f * std::atan(0.5f * kDiagonalMm / std::max(static_cast<float>(mm), 1e-3f)) * kDegrees;
-        axis = "diagonal";
-    }
-    if (axis == "y") { return fov; }
-    const float tangent = std::tan(0.5f * fov / kDegrees);
-    const bool isVertical = (axis == "smaller" && aspect > 1.0f) || (axis == "larger" && aspect < 1.0f);
-    const float vertical = isVertical           ? tangent
-                           : axis == "diagonal" ? tangent / std::sqrt(1.0f + aspect * aspect)
-                                                : tangent / aspect;
-    return std::clamp(2.0f * std::atan(vertical) * kDegrees, 1e-3f, 179.99f);
-}
-
 /// Parallel rays: the whole picture is two units wide, which the camera's transform stretches.
 void setParallel(const Vec3& x, const Vec3& up, float aspect, Camera* camera) {
     const float width = glm::length(x), height = glm::length(up);
@@ -147,6 +124,28 @@ void lookAsWritten(MitsubaContext* context, const MitsubaElement* transform, Cam
 
 }  // namespace
 
+float mitsubaVerticalFov(MitsubaObject* object, float aspect) {
+    constexpr float kDiagonalMm = 43.2666153f;  // of 36 x 24 mm
+    std::string_view axis = object->text("fov_axis", "x");
+    float fov = 0.0f;
+    if (object->property("fov") != nullptr) {
+        fov = object->number("fov", 40.0f, 0.01f, 179.9f);
+    } else {
+        std::string_view length = object->text("focal_length", "50mm");
+        if (length.ends_with("mm")) { length.remove_suffix(2); }
+        const double mm = mitsubaNumber(&object->context(), object->element(), length);
+        fov = 2.0f * std::atan(0.5f * kDiagonalMm / std::max(static_cast<float>(mm), 1e-3f)) * kDegrees;
+        axis = "diagonal";
+    }
+    if (axis == "y") { return fov; }
+    const float tangent = std::tan(0.5f * fov / kDegrees);
+    const bool isVertical = (axis == "smaller" && aspect > 1.0f) || (axis == "larger" && aspect < 1.0f);
+    const float vertical = isVertical           ? tangent
+                           : axis == "diagonal" ? tangent / std::sqrt(1.0f + aspect * aspect)
+                                                : tangent / aspect;
+    return std::clamp(2.0f * std::atan(vertical) * kDegrees, 1e-3f, 179.99f);
+}
+
 void readMitsubaSensor(MitsubaContext* context, const MitsubaElement& sensor) {
     MitsubaObject object(context, sensor);
     const FilmWindow window = readFilm(context, object.next({"film"}));
@@ -181,7 +180,7 @@ void readMitsubaSensor(MitsubaContext* context, const MitsubaElement& sensor) {
     if (isOrthographic) {
         setParallel(x, up, window.aspect(), &camera);
     } else {
-        camera.verticalFovDeg = verticalFovDeg(&object, window.aspect());
+        camera.verticalFovDeg = mitsubaVerticalFov(&object, window.aspect());
         camera.apertureDiameter = hasLens ? 2.0f * unit * object.number("aperture_radius", 0.0f, 0.0f) : 0.0f;
         camera.target = camera.position + (camera.focalDistance / length) * forward;
     }

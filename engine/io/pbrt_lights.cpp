@@ -7,6 +7,7 @@
 
 #include "engine/io/baked_image.h"
 #include "engine/io/pbrt_environment.h"
+#include "engine/io/projected_picture.h"
 #include "engine/math/color.h"
 
 namespace glint {
@@ -106,18 +107,28 @@ void PbrtLights::placeGoniometric(const PbrtParams& params, const Affine& toWorl
     light->position = toWorld.translation;
 }
 
-/// It lights a window of the plane at distance 1, `fov` wide on its shorter side; so does the spot, with as
-/// much light, in a circle of that area.
+/// It lights a window of the plane at a distance of 1, which is `fov` wide on its shorter side, with an
+/// intensity as the image has it.
 void PbrtLights::placeProjection(const PbrtParams& params, const Affine& toWorld) {
-    params.approximated("approximated: projections are spots, without a picture");
-    const float side = 2.0f * std::tan(0.5f * params.number("fov", 90.0f, 0.1f, 179.0f) / kDegrees);
-    const float cone = std::atan(side / std::sqrt(kPi));
-    Light* light = add(params, LightKind::Spot, "projection", kTwoPi * (1.0f - std::cos(cone)));
-    if (!params.has("power")) { light->color *= meanOf(params); }
-    params.passOver({"filename", "mapname"});
-    light->position = toWorld.translation;
-    light->direction = toWorld.vector(Vec3(0, 0, 1));
-    light->coneAngleDeg = light->coneFalloffStartDeg = cone * kDegrees;
+    const char* file = params.has("filename") ? "filename" : "mapname";
+    if (!params.has(file)) {
+        context_.refuse(params.place(), "the projection has no \"filename\"");
+        return;
+    }
+    const float tangent = std::tan(0.5f * params.number("fov", 90.0f, 0.1f, 179.0f) / kDegrees);
+    float aspect = 1.0f;
+    const auto picture =
+        textures_.projected(params, textures_.imageFile(params, file, ColorEncoding::Srgb), tangent, &aspect);
+    if (!picture) { return; }
+    const float half = tangent * std::max(aspect, 1.0f), area = 4.0f * half * half / aspect;
+    Light* light = add(params, LightKind::Projector, "projection",
+                       area * std::max(luminance(textures_.meanOf(*picture)), 1e-9f));
+    light->fovDeg = 2.0f * std::atan(half) * kDegrees;
+    light->aspect = aspect;
+    light->picture = textures_.colorInput(*picture);
+    if (!aimProjector(toWorld, Vec3(1, 0, 0), light, &context_.scene)) {
+        params.fail("the light is flattened");
+    }
 }
 
 void PbrtLights::placeInfinite(const PbrtParams& params, const Affine& toWorld) {

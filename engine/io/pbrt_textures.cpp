@@ -1,6 +1,8 @@
 #include "engine/io/pbrt_textures.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -59,25 +61,16 @@ PbrtValue PbrtTextures::make(const Definition& definition, bool isNumber) {
         return makeMix(params, isNumber);
     }
     if (definition.kind == "checkerboard") { return makeCheckerboard(params, isNumber); }
-    if (definition.kind == "bilerp") {
-        params.approximated("approximated: textures of four corners are their mean");
-        const auto corner = [&](std::string_view name, float otherwise) {
-            return part(params, name, isNumber, otherwise).value;
-        };
-        return {0.25f *
-                (corner("v00", 0.0f) + corner("v01", 1.0f) + corner("v10", 0.0f) + corner("v11", 1.0f))};
-    }
-    if (definition.kind == "dots") {
-        params.approximated("approximated: dots are their mean");
-        params.passOver({"uscale", "vscale", "udelta", "vdelta", "mapping"});
-        constexpr float kInside = 0.3f;  // about the share of the dots' area
-        return {glm::mix(part(params, "outside", isNumber, 0.0f).value,
-                         part(params, "inside", isNumber, 1.0f).value, kInside)};
+    if (definition.kind == "bilerp") { return makeFourCorners(params, isNumber); }
+    if (definition.kind == "dots") { return makeDots(params, isNumber); }
+    constexpr std::string_view kNoises[] = {"fbm", "wrinkled", "windy", "marble"};
+    if (std::ranges::find(kNoises, definition.kind) != std::end(kNoises)) {
+        return makeNoise(params, definition.kind);
     }
     context_.remark(params.place(),
                     "approximated: textures of a kind that Glint does not have are a constant 0.5",
                     definition.kind);
-    params.passOver({"octaves", "roughness", "scale", "variation", "filename", "encoding"});
+    params.passOver({"scale", "filename", "encoding"});
     return {};
 }
 

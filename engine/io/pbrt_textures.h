@@ -37,6 +37,11 @@ class PbrtTextures {
     PbrtValue mixed(const PbrtParams& at, const PbrtValue& a, const PbrtValue& b, const PbrtValue& amount);
     /// (base + gain x)^exponent; exponent: above 0.
     static PbrtValue adjusted(PbrtValue value, float base, float gain, float exponent);
+    /// What a projection of that image sends to the plane at a distance of 1, for an intensity as the image
+    /// has it: the image times the cube of the cosine to the axis, where the plane's shorter side reaches
+    /// `tangent`. Nothing: it cannot be read.
+    std::optional<PbrtValue> projected(const PbrtParams& at, const PbrtValue& image, float tangent,
+                                       float* aspect);
     /// The mean over the image.
     Vec3 meanOf(const PbrtValue& value);
 
@@ -59,6 +64,9 @@ class PbrtTextures {
     PbrtValue makeCheckerboard(const PbrtParams& params, bool isNumber);
     PbrtValue makeScale(const PbrtParams& params, bool isNumber);
     PbrtValue makeMix(const PbrtParams& params, bool isNumber);
+    PbrtValue makeFourCorners(const PbrtParams& params, bool isNumber);
+    PbrtValue makeDots(const PbrtParams& params, bool isNumber);
+    PbrtValue makeNoise(const PbrtParams& params, std::string_view kind);
     PbrtValue part(const PbrtParams& params, std::string_view name, bool isNumber, float otherwise);
     void place(const PbrtParams& params, Texture* texture);
     void setEncoding(const PbrtParams& params, float scale, bool isInverted, Texture* texture);

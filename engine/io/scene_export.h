@@ -28,6 +28,9 @@ struct UvRoughness {
 };
 UvRoughness uvRoughness(const Material& material, std::vector<std::string>* warnings);
 
+/// Whether it is a glass that takes light away on the way inside.
+bool absorbsInside(const Material& material);
+
 /// A revolved object's surface as triangles, in object space, with normals and texture coordinates.
 MeshData turnedMesh(const Object& object);
 /// Whether it is an open cylinder, and its profile runs upwards or downwards: the front lies outside.

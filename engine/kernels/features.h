@@ -29,7 +29,7 @@ enum Feature : FeatureMask {
     kFeaturePlastic = 1u << 13,
     kFeatureMixture = 1u << 14,
     kFeatureAreaLights = 1u << 15,
-    kFeatureDeltaLights = 1u << 16,  ///< point, spot, directional
+    kFeatureDeltaLights = 1u << 16,  ///< point, spot, directional, projector
     kFeatureEnvironmentConstant = 1u << 17,
     kFeatureEnvironmentImage = 1u << 18,
     kFeatureManyLights = 1u << 19,  ///< the light tree is used; otherwise a table of powers is enough
@@ -48,6 +48,7 @@ enum Feature : FeatureMask {
     kFeatureTranslucent = 1u << 31,   ///< sheets that let light through diffusely
     kFeaturePrincipled = 1ull << 32,  ///< coats and sheen over plastic or metal
     kFeatureFacets = 1ull << 33,      ///< facets other than GGX with one alpha
+    kFeatureProjectors = 1ull << 34,  ///< lights that show a picture
     /// every surface point has dpdu and dpdv, not only those whose material needs them: for tests
     kFeatureTangents = 1ull << 63,
     /// any of these makes shading normals differ from geometric ones
@@ -55,7 +56,7 @@ enum Feature : FeatureMask {
 };
 
 /// All that a scene can ask for.
-constexpr FeatureMask kAllFeatures = (1ull << 34) - 1;
+constexpr FeatureMask kAllFeatures = (1ull << 35) - 1;
 constexpr FeatureMask kMaterialFeatures = kFeatureDiffuse | kFeatureSpecular | kFeatureDielectric |
                                           kFeatureGlossy | kFeaturePlastic | kFeatureMixture |
                                           kFeatureTranslucent | kFeaturePrincipled;

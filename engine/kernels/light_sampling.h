@@ -15,7 +15,7 @@ struct LightSample {
     Vec3 wiWorld{0.0f};          ///< unit, from the place towards the light
     Vec3 point{0.0f};            ///< on the light; meaningless when isInfinite
     Vec3 pointError{0.0f};       ///< bound of its absolute rounding error
-    Vec3 pointNormal{0.0f};      ///< unit; 0 for point and spot lights
+    Vec3 pointNormal{0.0f};      ///< unit; 0 for lights that are points
     Vec3 radiance{0.0f};         ///< delta lights: irradiance facing the light; otherwise radiance
     float pdfSolidAngle = 0.0f;  ///< choice of the light included; delta lights: only that. 0: no sample
     uint32_t emitter = 0;
@@ -65,7 +65,24 @@ GLINT_HD inline LightSample sampleAreaLight(const SceneView& view, const Emitter
     return s;
 }
 
-GLINT_HD inline LightSample sampleDeltaLight(const EmitterData& e, const Vec3& from) {
+/// What a projector sends into a unit direction, W/sr: as much as lights the plane at a distance of 1 with
+/// its picture. `cosine`: of the angle to its axis.
+template <FeatureMask kMask>
+GLINT_HD inline Vec3 projectedIntensity(const SceneView& view, const EmitterData& e, const Vec3& direction,
+                                        float* cosine) {
+    *cosine = glm::dot(direction, e.direction);
+    if (!(*cosine > 0.0f)) { return Vec3(0.0f); }
+    const Vec2 place(glm::dot(direction, e.axisU) / (*cosine * lengthSquared(e.axisU)),
+                     glm::dot(direction, e.axisV) / (*cosine * lengthSquared(e.axisV)));
+    if (!(std::fabs(place.x) <= 1.0f && std::fabs(place.y) <= 1.0f)) { return Vec3(0.0f); }
+    const Vec3 irradiance = e.radiance * (1.0f / (*cosine * *cosine * *cosine));
+    if (e.original >= view.textures.count) { return irradiance; }
+    const Vec2 uv = 0.5f * place + Vec2(0.5f);
+    return irradiance * glm::max(sampleTexture<kMask>(view.textures[e.original], uv), Vec3(0.0f));
+}
+
+template <FeatureMask kMask>
+GLINT_HD inline LightSample sampleDeltaLight(const SceneView& view, const EmitterData& e, const Vec3& from) {
     LightSample s;
     s.isDelta = true;
     if (e.kind == EmitterKind::Directional) {
@@ -84,6 +101,12 @@ GLINT_HD inline LightSample sampleDeltaLight(const EmitterData& e, const Vec3& f
     if (e.kind == EmitterKind::Spot) {
         s.radiance *= spotFalloff(e, 0.5f * lengthSquared(s.wiWorld + e.direction));
     }
+    if constexpr (hasFeature<kMask>(kFeatureProjectors)) {
+        if (e.kind == EmitterKind::Projector) {
+            float cosine;
+            s.radiance = projectedIntensity<kMask>(view, e, -s.wiWorld, &cosine) * (1.0f / distance2);
+        }
+    }
     s.pdfSolidAngle = isZero(s.radiance) ? 0.0f : 1.0f;
     return s;
 }
@@ -95,7 +118,7 @@ GLINT_HD inline LightSample sampleEmitter(const SceneView& view, const LightCont
     constexpr bool kEnvironment =
         hasFeature<kMask>(kFeatureEnvironmentConstant) || hasFeature<kMask>(kFeatureEnvironmentImage);
     if constexpr (hasFeature<kMask>(kFeatureDeltaLights)) {
-        if (isDeltaLight(e.kind)) { return sampleDeltaLight(e, at.p); }
+        if (isDeltaLight(e.kind)) { return sampleDeltaLight<kMask>(view, e, at.p); }
     }
     if constexpr (kEnvironment) {
         if (e.kind == EmitterKind::Environment) {

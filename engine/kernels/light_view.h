@@ -15,32 +15,38 @@ enum class EmitterKind : uint8_t {
     Point,
     Spot,
     Directional,
+    Projector,
     Environment,
 };
 
 GLINT_HD constexpr bool isDeltaLight(EmitterKind kind) {
-    return kind == EmitterKind::Point || kind == EmitterKind::Spot || kind == EmitterKind::Directional;
+    return kind == EmitterKind::Point || kind == EmitterKind::Spot || kind == EmitterKind::Directional ||
+           kind == EmitterKind::Projector;
 }
 
 /// One light that can be chosen. Area emitters stand in the order of SceneDescription::objects, the triangles
 /// of an emissive mesh in order and without gaps (degenerate ones included, with area 0).
 struct EmitterData {
-    /// centre of sphere, ellipsoid, rectangle, disc; triangle: vertex 0; point and spot: position
+    /// centre of sphere, ellipsoid, rectangle, disc; triangle: vertex 0; point, spot and projector: position
     Vec3 position{0.0f};
-    Vec3 axisU{0.0f};  ///< rectangle, disc: images of the unit half axes; triangle: vertex 1 - vertex 0
-    Vec3 axisV{0.0f};  ///< likewise; triangle: vertex 2 - vertex 0
-    Vec3 direction{
-        0.0f};  ///< flat shapes: unit normal of the front; spot, directional: unit, where the light travels
+    /// rectangle, disc: images of the unit half axes; triangle: vertex 1 - vertex 0; projector: half the
+    /// picture's width, to its right, on the plane at a distance of 1
+    Vec3 axisU{0.0f};
+    Vec3 axisV{0.0f};      ///< likewise, upwards; triangle: vertex 2 - vertex 0
+    Vec3 direction{0.0f};  ///< flat shapes: unit normal of the front; spot, directional, projector: unit,
+                           ///< where the light travels
     /// area: W/(sr m^2), with an emission texture about its mean; point, spot: W/sr; directional: W/m^2
-    /// facing it
+    /// facing it; projector: the same 1 m away, before its texture
     Vec3 radiance{0.0f};
-    /// rectangle, parallelogram, disc, triangle: area; directional: luminance of `radiance`
+    /// rectangle, parallelogram, disc, triangle: area; directional: luminance of `radiance`;
+    /// projector: the mean luminance of its texture, or 1
     float area = 0.0f;
     float radiusWorld = 0.0f;       ///< sphere
     float oneMinusCosOuter = 2.0f;  ///< spot: the light ends here; narrow cones' cosines have no digits left
     float oneMinusCosInner = 2.0f;  ///< spot: begins to fall off here
     uint32_t instance = 0;          ///< area emitters: index into GeometryView::instances
-    /// triangle: the emitter that this one repeats and that is sampled in its stead, or its own index
+    /// triangle: the emitter that this one repeats and that is sampled in its stead, or its own index;
+    /// projector: its texture, or kNone
     uint32_t original = 0;
     EmitterKind kind = EmitterKind::Shape;
     ShapeKind shape = ShapeKind::Sphere;

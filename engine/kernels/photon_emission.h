@@ -72,6 +72,21 @@ GLINT_HD inline EmittedPhoton emitFromPoint(const EmitterData& e, const Vec2& uD
     return photon;
 }
 
+/// Uniform over the picture on the plane at a distance of 1.
+template <FeatureMask kMask>
+GLINT_HD inline EmittedPhoton emitFromProjector(const SceneView& view, const EmitterData& e,
+                                                const Vec2& uDirection) {
+    EmittedPhoton photon;
+    const Vec2 place = 2.0f * uDirection - Vec2(1.0f);
+    photon.ray.origin = e.position;
+    photon.ray.direction = glm::normalize(e.direction + place.x * e.axisU + place.y * e.axisV);
+    const float area = 4.0f * std::sqrt(lengthSquared(e.axisU) * lengthSquared(e.axisV));
+    float cosine;
+    const Vec3 intensity = projectedIntensity<kMask>(view, e, photon.ray.direction, &cosine);
+    photon.flux = intensity * (area * cosine * cosine * cosine);
+    return photon;
+}
+
 /// From outside the scene's bounding sphere, along `direction`, uniform over the sphere's shadow.
 GLINT_HD inline Ray rayFromFarAway(const SceneView& view, const Vec3& direction, const Vec2& uPoint) {
     const Vec2 d = sampleDisc(uPoint);
@@ -116,6 +131,11 @@ GLINT_HD inline EmittedPhoton emitPhoton(const SceneView& view, const PowerDistr
         case EmitterKind::Point:
         case EmitterKind::Spot:
             photon = detail::emitFromPoint(e, uDirection);
+            break;
+        case EmitterKind::Projector:
+            if constexpr (hasFeature<kMask>(kFeatureProjectors)) {
+                photon = detail::emitFromProjector<kMask>(view, e, uDirection);
+            }
             break;
         case EmitterKind::Directional:
             photon.ray = detail::rayFromFarAway(view, e.direction, uPoint);

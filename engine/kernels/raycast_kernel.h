@@ -40,9 +40,10 @@ GLINT_HD inline Vec3 phongRadiance(const Vec3& albedo, const PhongMaterial& mate
 }
 
 /// The light as it falls on `p`, without shadows.
+template <FeatureMask kMask>
 GLINT_HD inline LightSample lightForPhong(const SceneView& view, const RayCastView& settings,
                                           const EmitterData& emitter, const Vec3& p) {
-    LightSample light = sampleDeltaLight(emitter, p);
+    LightSample light = sampleDeltaLight<kMask>(view, emitter, p);
     if (settings.falloff || light.isInfinite) { return light; }
     const float atMiddle = lengthSquared(emitter.position - view.geometry.bounds.center());
     if (atMiddle > 0.0f) { light.radiance *= lengthSquared(emitter.position - p) / atMiddle; }
@@ -57,7 +58,7 @@ GLINT_HD Vec3 phongOfLights(const SceneView& view, const RayCastView& settings, 
     const Vec3 normal = glm::dot(surface.ng, toViewer) < 0.0f ? -surface.ns : surface.ns;
     Vec3 sum(0.0f);
     for (uint32_t i = view.lights.castLights.count; i-- > 0;) {
-        const LightSample light = lightForPhong(view, settings, view.lights.castLights[i], surface.p);
+        const LightSample light = lightForPhong<kMask>(view, settings, view.lights.castLights[i], surface.p);
         if (!(light.pdfSolidAngle > 0.0f)) { continue; }
         const Vec3 radiance =
             phongRadiance(albedo, material, normal, toViewer, light.wiWorld, light.radiance);

@@ -55,8 +55,10 @@ std::span<const KindName<FacetDistribution>> kindNames<FacetDistribution>() {
 
 template <>
 std::span<const KindName<LightKind>> kindNames<LightKind>() {
-    static constexpr KindName<LightKind> kNames[] = {
-        {"point", LightKind::Point}, {"spot", LightKind::Spot}, {"directional", LightKind::Directional}};
+    static constexpr KindName<LightKind> kNames[] = {{"point", LightKind::Point},
+                                                     {"spot", LightKind::Spot},
+                                                     {"directional", LightKind::Directional},
+                                                     {"projector", LightKind::Projector}};
     return kNames;
 }
 

@@ -7,20 +7,30 @@
 #include "engine/base/kinds.h"
 #include "engine/math/vec.h"
 #include "engine/scene/image.h"
+#include "engine/scene/material.h"
 
 namespace glint {
 
 struct Light {
     std::string name;
     LightKind kind = LightKind::Point;
-    Vec3 position{0.0f};                ///< point, spot; metres
-    Vec3 direction{0.0f, -1.0f, 0.0f};  ///< spot, directional: where the light travels; any length but zero
-    Vec3 color{1.0f};            ///< point, spot: intensity W/sr; directional: irradiance W/m^2 facing it
-    float strength = 1.0f;       ///< multiplies `color`
-    float coneAngleDeg = 40.0f;  ///< spot: half angle where the light ends, (0, 90]
+    Vec3 position{0.0f};                ///< point, spot, projector; metres
+    Vec3 direction{0.0f, -1.0f, 0.0f};  ///< all but point: where the light travels; any length but zero
+    /// point, spot: intensity W/sr; directional: irradiance W/m^2 facing it; projector: likewise, on the
+    /// plane at a distance of 1 m
+    Vec3 color{1.0f};
+    float strength = 1.0f;              ///< multiplies `color`
+    float coneAngleDeg = 40.0f;         ///< spot: half angle where the light ends, (0, 90]
     float coneFalloffStartDeg = 30.0f;  ///< spot: half angle where it begins to fall off, [0, coneAngleDeg]
-    bool onlyRayCast = false;           ///< shines in ray casting alone
+    Vec3 up{0.0f, 1.0f, 0.0f};          ///< projector: upwards in the picture, of any length but zero
+    float fovDeg = 40.0f;               ///< projector: full angle across the picture's width, (0, 180)
+    float aspect = 1.0f;                ///< projector: width over height
+    ColorInput picture{Vec3(1.0f)};  ///< projector: multiplies `color`; an image as seen from the projector
+    bool onlyRayCast = false;        ///< shines in ray casting alone
 };
+
+/// Unit, to the right in a projector's picture; some direction across where it shines along `up`.
+Vec3 pictureRight(const Light& projector);
 
 /// Light from infinitely far away, and the background.
 struct Environment {

@@ -521,15 +521,16 @@ template <>
 struct FieldsOf<Light> {
     static constexpr EditKind kEdit = EditKind::Lights;
     static constexpr uint32_t kSpot = only(LightKind::Spot);
+    static constexpr uint32_t kProjector = only(LightKind::Projector);
     static constexpr uint32_t kPlaced = only(LightKind::Point, LightKind::Spot);
     static constexpr std::tuple kList{
         field("type", &Light::kind, {.required = true}),
         label("name", &Light::name),
-        field("position", &Light::position, {.unit = "m", .kinds = kPlaced, .required = true}),
+        field("position", &Light::position, {.unit = "m", .kinds = kPlaced | kProjector, .required = true}),
         field("direction", &Light::direction,
               {.form = VectorForm::Direction,
                .help = "where the light travels",
-               .kinds = only(LightKind::Spot, LightKind::Directional)}),
+               .kinds = only(LightKind::Spot, LightKind::Directional, LightKind::Projector)}),
         field("color", &Light::color, {.range = kNotNegative, .form = VectorForm::Color}),
         field("intensity", &Light::strength,
               {.range = kNotNegative,
@@ -539,8 +540,8 @@ struct FieldsOf<Light> {
         field("irradiance", &Light::strength,
               {.range = kNotNegative,
                .unit = "W/m^2",
-               .help = "on a surface that faces the light, a factor on color",
-               .kinds = only(LightKind::Directional),
+               .help = "on a surface that faces the light, of a projector 1 m away; a factor on color",
+               .kinds = only(LightKind::Directional, LightKind::Projector),
                .alias = true}),
         field("coneAngleDeg", &Light::coneAngleDeg,
               {.range = kConeAngle,
@@ -555,6 +556,27 @@ struct FieldsOf<Light> {
               {.setDefault = [](Light* light) { light->coneFalloffStartDeg = 0.75f * light->coneAngleDeg; },
                .holds = [](const Light& light) { return light.coneFalloffStartDeg <= light.coneAngleDeg; },
                .message = "\"coneFalloffStartDeg\" is {}; expected a half angle from 0 to \"coneAngleDeg\""}),
+        field("up", &Light::up,
+              {.form = VectorForm::Direction,
+               .help = "upwards in the picture, where that is across the direction",
+               .kinds = kProjector,
+               .onlyOwnKinds = true}),
+        field("fovDeg", &Light::fovDeg,
+              {.range = kViewAngle,
+               .unit = "degrees",
+               .help = "full angle across the picture's width",
+               .kinds = kProjector,
+               .onlyOwnKinds = true}),
+        field("aspect", &Light::aspect,
+              {.range = kPositive,
+               .help = "width of the picture over its height",
+               .kinds = kProjector,
+               .onlyOwnKinds = true}),
+        field("picture", &Light::picture,
+              {.range = kNotNegative,
+               .help = "what is projected, upright as seen from the projector; a factor on color",
+               .kinds = kProjector,
+               .onlyOwnKinds = true}),
         field("onlyRayCast", &Light::onlyRayCast,
               {.help = "shines in ray casting alone", .onlyIfSet = true})};
 };

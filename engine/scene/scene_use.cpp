@@ -43,6 +43,10 @@ std::vector<int> usedTextures(const Material& material) {
     return textures;
 }
 
+bool showsPicture(const Light& light) {
+    return light.kind == LightKind::Projector && light.picture.texture >= 0;
+}
+
 std::vector<bool> usedMaterials(const SceneDescription& scene) {
     std::vector<bool> used(scene.materials.size(), false);
     for (const Object& object : scene.objects) {
@@ -59,6 +63,9 @@ std::vector<bool> usedTextures(const SceneDescription& scene) {
         for (const int texture : usedTextures(scene.materials[i])) {
             mark(texture, &used);
         }
+    }
+    for (const Light& light : scene.lights) {
+        if (showsPicture(light)) { mark(light.picture.texture, &used); }
     }
     return used;
 }

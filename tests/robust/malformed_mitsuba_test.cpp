@@ -1,6 +1,7 @@
 // Mitsuba scenes that are broken or made to break: one error that names its place, bounded memory, and never
 // a crash.
 
+#include "engine/io/image_io.h"
 #include "tests/support/damaged_text.h"
 #include "tests/support/mitsuba_test.h"
 
@@ -110,9 +111,12 @@ const std::string kGood = R"(<scene version="2.1.0"><default name="r" value="1"/
 <spectrum name="radiance" value="400:1, 500:2.5, 700:1"/></emitter></shape>
 <shape type="cylinder"><point name="p1" x="1" y="2" z="3"/><bsdf type="dielectric"><string name="int_ior"
 value="water"/></bsdf></shape><emitter type="spot"><float name="cutoff_angle" value="30"/><blackbody name="intensity"
-temperature="5000K"/></emitter><emitter type="constant"><rgb name="radiance" value="0.1 0.2,0.3"/></emitter></scene>)";
+temperature="5000K"/></emitter><emitter type="constant"><rgb name="radiance" value="0.1 0.2,0.3"/></emitter><emitter type="projector"><texture
+type="bitmap" name="irradiance"><string name="filename" value="p.png"/></texture><float name="fov" value="30"/></emitter>
+<shape type="sphere"><animation name="to_world"><transform time="0"><translate x="1"/></transform></animation></shape></scene>)";
 
 TEST_F(MalformedMitsuba, DamagedFilesNeverCrash) {
+    ASSERT_TRUE(savePng(folder.path("p.png"), {2, 1, {255, 255, 255, 255, 0, 0}}));
     ASSERT_TRUE(loadScene(folder.write("good.xml", kGood)));
     constexpr std::string_view kOften = "0123456789-<>/=\"' .,$&e";
     EXPECT_GT(openDamagedScenes(folder, "damaged.xml", kGood, kOften), 40);

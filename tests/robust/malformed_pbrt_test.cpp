@@ -1,6 +1,7 @@
 // pbrt scenes that are broken or made to break: one error that names its place, bounded memory, and never a
 // crash.
 
+#include "engine/io/image_io.h"
 #include "tests/support/damaged_text.h"
 #include "tests/support/pbrt_test.h"
 
@@ -153,9 +154,13 @@ ObjectInstance "o" TransformBegin ConcatTransform [1 0 0 0 0 1 0 0 0 0 1 0 3 0 0
 Material "dielectric" "float eta" 1.33 Shape "cylinder" "float zmax" 2 Shape "disk" "float innerradius" 0.2 "float alpha" 0.5
 Shape "loopsubdiv" "integer levels" 1 "point3 P" [0 0 0 1 0 0 0 1 0 0 0 1] "integer indices" [0 2 1 0 1 3 1 2 3 2 0 3]
 NamedMaterial "red" Shape "curve" "point3 P" [0 0 0 1 0 0 1 1 0 0 1 1] "float width" 0.1
+Texture "d" "spectrum" "dots" "rgb inside" [1 0 0] Texture "b" "spectrum" "bilerp" "float uscale" 2 Texture "w" "float" "wrinkled"
+Material "diffuse" "texture reflectance" "d" "texture displacement" "w" Shape "sphere" Material "diffuse" "texture reflectance" "b"
+Shape "sphere" LightSource "projection" "string filename" "p.png" "float fov" 40
 )";
 
 TEST_F(MalformedPbrt, DamagedFilesNeverCrash) {
+    ASSERT_TRUE(savePng(folder.path("p.png"), {2, 1, {255, 255, 255, 255, 0, 0}}));
     ASSERT_TRUE(loadScene(folder.write("good.pbrt", kGood)));
     constexpr std::string_view kOften = "0123456789-[]\"# .\n\\e";
     EXPECT_GT(openDamagedScenes(folder, "damaged.pbrt", kGood, kOften), 100);

@@ -104,6 +104,12 @@ TEST_P(SppmAgainstPaths, Bumps) { expectAgreementOf(bumpyBox(), params()); }
 TEST_P(SppmAgainstPaths, Cutouts) { expectAgreementOf(cutoutBox(), params()); }
 TEST_P(SppmAgainstPaths, AbsorbingGlass) { expectAgreementOf(absorbingGlassBox(), params()); }
 TEST_P(SppmAgainstPaths, TranslucentSheets) { expectAgreementOf(translucentBox(), params()); }
+TEST_P(SppmAgainstPaths, Projector) {
+    SppmParams finer = params();  // its light changes within a radius
+    finer.photonsPerPass = 32000;
+    finer.radiusFootprints = 1.0f;
+    expectAgreementOf(projectorBox(), finer);
+}
 TEST_P(SppmAgainstPaths, Principled) {
     SppmParams finer = params();  // the balls are six pixels wide, and have highlights
     finer.photonsPerPass = 32000;

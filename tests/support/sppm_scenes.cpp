@@ -1,5 +1,7 @@
 #include "tests/support/sppm_scenes.h"
 
+#include <cmath>
+
 #include "engine/scene/scene_building.h"
 #include "tests/support/relief_scenes.h"
 #include "tests/support/test_scenes.h"
@@ -169,6 +171,28 @@ SceneDescription brushedBox() {
     }
     addObject(&scene, ShapeKind::Rectangle,
               placeFlatShape({0.0f, 1.2f, -0.3f}, {0.0f, 1.0f, 0.6f}, 0.6f, 0.6f), metal);
+    return scene;
+}
+
+SceneDescription projectorBox() {
+    SceneDescription scene = small(cornellBox());
+    for (Material& material : scene.materials) {
+        material.emission.value = Vec3(0.0f);
+    }
+    std::erase_if(scene.objects, [](const Object& object) { return object.shape == ShapeKind::Sphere; });
+    Light light;
+    light.kind = LightKind::Projector;
+    light.position = {0.1f, 1.7f, 0.95f};
+    light.direction = {0.0f, -0.5f, -1.0f};
+    light.strength = 6.0f;
+    light.fovDeg = 110.0f;
+    light.aspect = 1.25f;
+    light.picture.texture = addTexture(&scene, greyImage(16, 16, [](int x, int y) {
+        const float u = (static_cast<float>(x) + 0.5f) / 16.0f, v = (static_cast<float>(y) + 0.5f) / 16.0f;
+        return square(std::sin(kPi * u) * std::sin(kPi * v)) * (0.2f + u);
+    }));
+    scene.textures.back().wrapU = scene.textures.back().wrapV = WrapMode::Clamp;
+    scene.lights.push_back(light);
     return scene;
 }
 

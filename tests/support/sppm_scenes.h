@@ -32,6 +32,10 @@ SceneDescription principledBox();
 /// A box with brushed metal and glass, whose facets lie in a direction.
 SceneDescription brushedBox();
 
+/// The box without its balls, lit by a projector instead of its lamp: a point, whose shadows and edges would
+/// be hard, so that its picture fades and there are none; small.
+SceneDescription projectorBox();
+
 /// A ball and a cube of glass of extreme dispersion on a floor, one seen through the other: what a camera
 /// path and a photon are bent by meets on the floor, and in a second ball of rough glass; small.
 SceneDescription dispersiveGlass();

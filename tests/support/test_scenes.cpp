@@ -297,7 +297,8 @@ std::vector<NamedScene> allTestScenes() {
             {"dispersiveBalls", dispersiveBalls()},
             {"absorbingGlass", absorbingGlassBox()},
             {"translucentSheets", translucentBox()},
-            {"principled", principledBox()}};
+            {"principled", principledBox()},
+            {"projector", projectorBox()}};
 }
 
 }  // namespace glint::test

@@ -147,6 +147,18 @@ TEST_F(MitsubaExport, TurnedProfilesBecomeTriangles) {
     }
 }
 
+TEST_F(MitsubaExport, GlassAbsorbsInside) {
+    SceneDescription scene = load("<shape type='sphere'><bsdf type='dielectric'/></shape>");
+    scene.materials[0].attenuationColor = {0.5f, 0.25f, 1.0f};
+    scene.materials[0].attenuationDistance = 2.0f;
+    scene.options.filter = FilterKind::Box;
+    const SceneDescription opened = exported(scene);
+    EXPECT_THAT(warnings, IsEmpty());
+    EXPECT_THAT(opened.warnings, IsEmpty());
+    expectNear(absorptionOf(opened.materials.at(static_cast<size_t>(opened.objects.at(0).material))),
+               absorptionOf(scene.materials[0]), 1e-6f);
+}
+
 TEST(Exporters, AreToldByTheirEndings) {
     EXPECT_EQ(exporterOf("a.json")->name, "Glint JSON");
     EXPECT_EQ(exporterOf("a.XML")->name, "Mitsuba 3");

@@ -148,6 +148,12 @@ TEST_F(MitsubaMaterialsTest, MediaInGlassAbsorb) {
     const SceneDescription fog = load(
         "<shape type='sphere'><bsdf type='diffuse'/><medium name='interior' type='homogeneous'/></shape>");
     EXPECT_THAT(fog.warnings, Contains(HasSubstr("media are left out")));
+    const SceneDescription named = load(
+        "<medium type='homogeneous' id='ink'><rgb name='sigma_t' value='1,2,3'/><float name='albedo' "
+        "value='0'/></medium>"
+        "<shape type='sphere'><bsdf type='dielectric'/><ref name='interior' id='ink'/></shape>");
+    EXPECT_THAT(named.warnings, Not(Contains(HasSubstr("media"))));
+    EXPECT_NE(named.materials.at(0).attenuationColor, Vec3(1.0f));
 }
 
 TEST_F(MitsubaMaterialsTest, DiffuseTransmittersAreTranslucent) {
@@ -205,6 +211,17 @@ TEST_F(MitsubaMaterialsTest, WrappersChangeWhatTheyHold) {
     const std::string red = "<bsdf type='diffuse'><rgb name='reflectance' value='1 0 0'/></bsdf>";
     const std::string blue = "<bsdf type='diffuse'><rgb name='reflectance' value='0 0 1'/></bsdf>";
     EXPECT_EQ(materialOf("<bsdf type='twosided'>" + red + "</bsdf>").color.value, Vec3(1, 0, 0));
+    const SceneDescription sides = load("<shape type='rectangle'><bsdf type='twosided'>" + red +
+                                        "<bsdf type='conductor'/></bsdf></shape>");
+    ASSERT_EQ(sides.objects.size(), 2u);
+    const auto ofObject = [&](size_t i) {
+        EXPECT_TRUE(sides.objects[i].frontOnly);
+        return sides.materials.at(static_cast<size_t>(sides.objects[i].material));
+    };
+    EXPECT_EQ(ofObject(0).color.value, Vec3(1, 0, 0));
+    EXPECT_EQ(ofObject(1).kind, MaterialKind::Mirror);
+    EXPECT_EQ(sides.objects[1].objectToWorld.vector(Vec3(0, 0, 1)), Vec3(0, 0, -1));
+    EXPECT_THAT(sides.warnings, Not(Contains(HasSubstr("approximated"))));
     EXPECT_FLOAT_EQ(
         materialOf("<bsdf type='mask'><float name='opacity' value='0.25'/>" + red + "</bsdf>").opacity.value,
         0.25f);

@@ -217,8 +217,6 @@ TEST_F(MitsubaShapesTest, LightsHaveTheirPlaces) {
     expectNear(scene.lights[1].direction, Vec3(0, -1, 0), 1e-6f);
     EXPECT_EQ(scene.lights[1].coneAngleDeg, 40.0f);
     EXPECT_EQ(scene.lights[2].direction, Vec3(1, 0, 0));
-    EXPECT_THAT(load("<shape type='sphere'/><emitter type='projector'/>").warnings,
-                Contains(HasSubstr("approximated: projectors")));
 }
 
 TEST(MitsubaEnvironment, MapsAreTurnedAndLaidOutAnew) {

@@ -1,4 +1,6 @@
 // pbrt's textures as Glint's: images, what is computed of them, numbers, bumps and normal maps.
+#include <numeric>
+
 #include "engine/io/image_io.h"
 #include "tests/support/pbrt_test.h"
 
@@ -84,7 +86,7 @@ Texture "t" "spectrum" "scale" "texture tex1" "i" "texture tex2" "c")"),
     EXPECT_EQ(squares->even, Vec3(0.1f, 0.2f, 0.3f));
     EXPECT_EQ(squares->odd, Vec3(1, 1, 0));
     EXPECT_EQ(board.scale, Vec2(4, 2));
-    for (const char* kind : {"fbm", "marble", "wrinkled", "windy", "dots", "bilerp", "ptex"}) {
+    for (const char* kind : {"fbm", "marble", "wrinkled", "windy", "dots", "ptex"}) {
         materialOf("Texture \"t\" \"spectrum\" \"" + std::string(kind) +
                    "\" Material \"diffuse\" \"texture reflectance\" \"t\"");
         EXPECT_THAT(warnings, Contains(HasSubstr("approximated: "))) << kind;
@@ -95,6 +97,44 @@ Texture "t" "spectrum" "scale" "texture tex1" "i" "texture tex2" "c")"),
         errorOf(
             R"(Texture "t" "spectrum" "scale" "texture tex" "t" Material "diffuse" "texture reflectance" "t" Shape "sphere")"),
         HasSubstr("in a circle"));
+}
+
+/// Linear between the corners; u and v from 0 to 1 run from the middles of texels to those of the next.
+TEST_F(PbrtTexturesTest, FourCornersAreAPicture) {
+    const Texture corners = textureOf(R"(Texture "t" "spectrum" "bilerp" "rgb v00" [1 0 0] "rgb v01" [0 1 0]
+"rgb v10" [0 0 1] "rgb v11" [1 1 1] "float uscale" 2 "float vdelta" 0.5)");
+    ASSERT_TRUE(corners.image.floats);
+    EXPECT_EQ(corners.image.floats->rgb, (std::vector<float>{0, 1, 0, 1, 1, 1, 1, 0, 0, 0, 0, 1}));
+    EXPECT_EQ(corners.scale, Vec2(1.0f, 0.5f));
+    EXPECT_EQ(corners.offset, Vec2(0.25f, 0.5f));
+    EXPECT_EQ(corners.wrapU, WrapMode::Clamp);
+    EXPECT_EQ(corners.filter, TexelFilter::Bilinear);
+    EXPECT_THAT(warnings, testing::IsEmpty());
+}
+
+/// Half of the cells have a disc of radius 0.35: 0.1924 of all; of 256 cells, within four deviations of
+/// 0.5 sqrt(256).
+TEST_F(PbrtTexturesTest, DotsAreAPicture) {
+    const Texture dots = textureOf(
+        R"(Texture "t" "spectrum" "dots" "rgb inside" [1 1 1] "rgb outside" [0 0 0] "float uscale" 8)");
+    ASSERT_TRUE(dots.image.floats);
+    const std::vector<float>& rgb = dots.image.floats->rgb;
+    const double share = std::accumulate(rgb.begin(), rgb.end(), 0.0) / static_cast<double>(rgb.size());
+    EXPECT_NEAR(share, 0.1924, 0.1924 * 4.0 * 8.0 / 128.0);
+    EXPECT_EQ(dots.scale, Vec2(0.5f, 1.0f / 16.0f));
+}
+
+/// By the means of noise: wrinkles of two octaves are 0.2 + 0.2 / 2.
+TEST_F(PbrtTexturesTest, NoiseIsItsMean) {
+    const auto alphaOf = [this](const std::string& definition) {
+        return materialOf(
+                   "Texture \"t\" \"float\" " + definition +
+                   " Material \"dielectric\" \"bool remaproughness\" false \"texture roughness\" \"t\"")
+            .roughness.value;
+    };
+    EXPECT_FLOAT_EQ(alphaOf(R"("wrinkled" "integer octaves" 2 "float roughness" 0.5)"), 0.3f);
+    EXPECT_FLOAT_EQ(alphaOf(R"("fbm" "integer octaves" 2)"), 0.0f);
+    EXPECT_THAT(warnings, Contains(HasSubstr("noise in space are their mean")));
 }
 
 /// Numbers are the mean of a picture's linear channels, or its alpha.

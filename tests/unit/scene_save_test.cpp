@@ -214,7 +214,7 @@ SceneDescription sceneWithEverything() {
             scene.objects.push_back(object);
         }
     }
-    for (int kind = 0; kind < 3; ++kind) {
+    for (int kind = 0; kind < 4; ++kind) {
         Light light;
         light.name = "light";
         light.kind = static_cast<LightKind>(kind);

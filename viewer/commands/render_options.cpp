@@ -117,7 +117,9 @@ void addCheckpointOptions(const Command& command, RenderCommandOptions* o) {
         .flag("--overwrite", &o->overwrite,
               "Let the checkpoint replace a longer one, one of another scene, or another file")
         .group(group);
-    command.option("--resume", &o->resume, "Go on from this checkpoint, bit for bit")
+    command
+        .option("--resume", &o->resume,
+                "Go on from this checkpoint, bit for bit; the scene and its -D are given as before")
         .typeName("FILE")
         .group(group);
 }

@@ -18,8 +18,10 @@
 namespace glint {
 namespace {
 
-constexpr ui::KindLabel<LightKind> kKinds[]{
-    {LightKind::Point, "Point"}, {LightKind::Spot, "Spot"}, {LightKind::Directional, "Directional"}};
+constexpr ui::KindLabel<LightKind> kKinds[]{{LightKind::Point, "Point"},
+                                            {LightKind::Spot, "Spot"},
+                                            {LightKind::Directional, "Directional"},
+                                            {LightKind::Projector, "Projector"}};
 
 /// One colour, an image of the scene, a sky that is made, or a file.
 void drawImage(SceneDocument* document, SceneFiles* files) {
@@ -62,11 +64,31 @@ void drawEnvironment(SceneDocument* document, SceneFiles* files, AssetReader* as
                 .tooltip = "About the vertical axis"});
 }
 
+void drawProjection(Light* light) {
+    Vec3 up = light->up;
+    if (ui::vector3("Up", &up, {.format = "%.3f", .speed = 0.005f, .tooltip = "Upwards in the picture"}) &&
+        lengthSquared(up) > 0.0f) {
+        light->up = up;
+    }
+    ui::number("Width", &light->fovDeg,
+               {.format = "%.1f°",
+                .speed = 0.1f,
+                .min = 0.1f,
+                .max = 179.0f,
+                .tooltip = "Full angle across the picture"});
+    ui::number(
+        "Aspect", &light->aspect,
+        {.format = "%.3f", .speed = 0.01f, .min = 0.01f, .max = 100.0f, .tooltip = "Width over height"});
+}
+
 void drawLight(Light* light, float speed) {
     ui::kindChoice("Kind", &light->kind, kKinds);
     const bool directional = light->kind == LightKind::Directional;
-    ui::color(directional ? "Irradiance" : "Intensity", &light->color, 1e6f,
-              directional ? "W/m² on a surface that faces it" : "W/sr");
+    const bool projects = light->kind == LightKind::Projector;
+    ui::color(directional || projects ? "Irradiance" : "Intensity", &light->color, 1e6f,
+              directional ? "W/m² on a surface that faces it"
+              : projects  ? "W/m² on a surface that faces it, 1 m away; multiplies the picture"
+                          : "W/sr");
     ui::number("Strength", &light->strength,
                {.format = "× %.3f", .speed = std::max(light->strength * 0.01f, 0.01f), .max = 1e6f});
     if (!directional) {
@@ -81,6 +103,7 @@ void drawLight(Light* light, float speed) {
             light->direction = direction;
         }
     }
+    if (projects) { drawProjection(light); }
     if (light->kind != LightKind::Spot) { return; }
     ui::number("Cone", &light->coneAngleDeg,
                {.format = "%.1f°",

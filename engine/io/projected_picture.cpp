@@ -1,0 +1,65 @@
+#include "engine/io/projected_picture.h"
+
+#include <cmath>
+
+#include "engine/io/image_io.h"
+
+namespace glint {
+namespace {
+
+constexpr float kDegrees = 180.0f / kPi;
+
+/// Shows at 1 - u what it showed at u.
+void mirror(Texture* texture) {
+    const float angle = texture->rotationDeg / kDegrees, width = texture->scale.x;
+    texture->offset += width * Vec2(std::cos(angle), std::sin(angle));
+    texture->scale.x = -width;
+}
+
+Vec3 meanOf(const SceneDescription& scene, const ColorInput& picture) {
+    if (picture.texture < 0) { return picture.value; }
+    const Texture& texture = scene.textures[static_cast<size_t>(picture.texture)];
+    const auto pixels = texture.image.isRead() ? linearColors(texture.image) : nullptr;
+    if (!pixels || pixels->rgb.empty()) { return picture.value; }
+    glm::dvec3 sum(0.0);
+    for (size_t i = 0; i + 2 < pixels->rgb.size(); i += 3) {
+        sum += glm::dvec3(pixels->rgb[i], pixels->rgb[i + 1], pixels->rgb[i + 2]);
+    }
+    return Vec3(sum / (static_cast<double>(pixels->rgb.size()) / 3.0));
+}
+
+}  // namespace
+
+bool aimProjector(const Affine& toWorld, const Vec3& right, Light* light, SceneDescription* scene) {
+    if (!isInvertible(toWorld)) { return false; }
+    light->position = toWorld.translation;
+    light->direction = toWorld.vector(Vec3(0, 0, 1));
+    light->up = toWorld.vector(Vec3(0, 1, 0));
+    const bool isMirrored = glm::dot(toWorld.vector(right), glm::cross(light->direction, light->up)) < 0.0f;
+    if (isMirrored && light->picture.texture >= 0) {
+        Texture texture = scene->textures[static_cast<size_t>(light->picture.texture)];
+        mirror(&texture);
+        light->picture.texture = static_cast<int>(scene->textures.size());
+        scene->textures.push_back(std::move(texture));
+    }
+    return true;
+}
+
+Vec2 projectedExtent(const Light& projector) {
+    const float half = std::tan(0.5f * projector.fovDeg / kDegrees);
+    return {half, half / projector.aspect};
+}
+
+Light spotOfProjector(const SceneDescription& scene, const Light& projector) {
+    Light spot = projector;
+    spot.kind = LightKind::Spot;
+    const Vec2 half = projectedExtent(projector);
+    const float area = 4.0f * half.x * half.y;
+    const float cone = std::atan(std::sqrt(area / kPi));
+    spot.color = projector.color * meanOf(scene, projector.picture);
+    spot.strength = projector.strength * area / (kTwoPi * (1.0f - std::cos(cone)));
+    spot.coneAngleDeg = spot.coneFalloffStartDeg = cone * kDegrees;
+    return spot;
+}
+
+}  // namespace glint
