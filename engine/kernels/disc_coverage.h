@@ -72,18 +72,12 @@ struct Disc {
     Frame frame;  ///< n: the normal on the side that is seen
     float radius;
 
-    /// Whether photons at such a place of another surface could count, which is seen from the direction
-    /// `from`.
-    GLINT_HD bool goesOnAs(const SurfacePoint& found, const Vec3& from) const {
-        const bool isTurned = glm::dot(found.ng, surface.ng) < 0.0f;
-        const Vec3 ng = isTurned ? -found.ng : found.ng;
-        if (!(glm::dot(ng, surface.ng) > kLeastNormalCosine)) { return false; }
-        // The underside of a ball on a floor is a wall, which only touches it.
-        const bool isSameSide = (glm::dot(from, ng) > 0.0f) == (glm::dot(frame.n, surface.ng) > 0.0f);
-        if (isTurned && !isSameSide) { return false; }
-        const float height = 0.5f * glm::dot(found.p - centre, ng + surface.ng);
-        if (!sharePhotons(view, surfaceNumber<kMask>(view, params, found.instance), surface.number, isTurned,
-                          height, radius * radius)) {
+    /// Whether photons at such a place of another surface could count.
+    GLINT_HD bool goesOnAs(const SurfacePoint& found) const {
+        if (!(glm::dot(found.ng, surface.ng) > kLeastNormalCosine)) { return false; }
+        const float height = 0.5f * glm::dot(found.p - centre, found.ng + surface.ng);
+        if (!sharePhotons(view, surfaceNumber<kMask>(view, params, found.instance), surface.number, height,
+                          radius * radius)) {
             return false;
         }
         return found.material == surface.material ||
@@ -107,20 +101,10 @@ struct Disc {
             Hit hit;
             if (!intersect<kWhole>(view, ray, &hit)) { continue; }
             const SurfacePoint found = surfaceAt<kMask>(view, ray, hit);
-            if (isHole(found) || goesOnAs(found, -direction)) { continue; }
+            if (isHole(found) || goesOnAs(found)) { continue; }
             clip.add(glm::dot(found.ng, direction) < 0.0f ? found.ng : -found.ng, lift + hit.t * direction);
         }
         return clip;
-    }
-
-    /// Whether nothing stands between the centre and a place at its height.
-    GLINT_HD bool isOpenTo(const Vec3& fromCentre) const {
-        const float distance = glm::length(fromCentre);
-        if (!(distance > 0.0f)) { return true; }
-        Hit hit;
-        const Ray ray{centre + kWallRayHeight * radius * frame.n, fromCentre * (1.0f / distance), 0.0f,
-                      distance};
-        return !intersect<kWhole>(view, ray, &hit);
     }
 
     /// Looks down from where photons can be highest, through what cannot hold them: the underside of what
@@ -132,11 +116,7 @@ struct Disc {
         Hit hit;
         for (int layer = 0; layer < kMostLayers && intersect<kWhole>(view, ray, &hit); ++layer) {
             const SurfacePoint found = surfaceAt<kMask>(view, ray, hit);
-            // The bottom of a box on a floor is no floor wound the other way.
-            const bool isTurned = glm::dot(found.ng, surface.ng) < 0.0f;
-            if (!isHole(found) && goesOnAs(found, frame.n) && (!isTurned || isOpenTo(fromCentre))) {
-                return true;
-            }
+            if (!isHole(found) && goesOnAs(found)) { return true; }
             ray.tMin = hit.t;
         }
         return false;
