@@ -21,7 +21,7 @@ struct MtlMaterial {
     MtlMap color;             ///< map_Kd
     MtlMap emission;          ///< map_Ke
     MtlMap roughness;         ///< map_Pr
-    MtlMap crossRoughness;    ///< the same, across its direction; where the material has such a roughness
+    MtlMap crossRoughness{};  ///< the same, across its direction; where the material has such a roughness
     MtlMap metallic;          ///< map_Pm
     MtlMap height;            ///< map_Bump, bump
     float bumpFactor = 1.0f;  ///< -bm: multiplies what a height is for the model (obj_materials.h)
