@@ -215,7 +215,7 @@ std::vector<Object> MitsubaShapes::finish(const Shape& shape, Object object, UvO
     }
     object.frontOnly = back.frontOnly = true;
     if (surface.back != nullptr) {
-        if (meshBack < 0 && isTextured(surface.back)) {
+        if (meshBack < 0 && looksAtUv(surface.back)) {
             shape.object->approximated("approximated: textures on backs of flat shapes lie mirrored");
         }
         return {std::move(object), std::move(back)};
