@@ -178,7 +178,7 @@ INSTANTIATE_TEST_SUITE_P(
         ReferenceScene{"bsdf_spheres/test_constant_path", "bsdf_spheres/refs/test_constant", 0.005},
         ReferenceScene{"bsdf_spheres/test_pointlight_path", "bsdf_spheres/refs/test_pointlight", 0.1},
         ReferenceScene{"bsdf_spheres/test_roughdielectric_path", "bsdf_spheres/refs/test_roughdielectric",
-                       0.0, 4096},
+                       0.0, 512},
         ReferenceScene{"bsdf_spheres/test_roughplastic_nonlinear_path",
                        "bsdf_spheres/refs/test_roughplastic_nonlinear", 0.07},
         ReferenceScene{"bsdf_spheres/test_textured_roughconductor_path",
