@@ -156,21 +156,15 @@ SceneDescription brushedBox() {
     SceneDescription scene = small(cornellBox());
     Material metal = diffuseMaterial(Vec3(1.0f));
     metal.kind = MaterialKind::Conductor;
-    metal.roughness.value = 0.3f;
-    metal.crossRoughness.value = 0.8f;
+    metal.roughness.value = 0.2f;
+    metal.crossRoughness.value = 0.7f;
     metal.anisotropyRotationDeg = 30.0f;
-    Material glass = metal;
-    glass.kind = MaterialKind::Dielectric;
-    glass.roughness.value = 0.7f;
-    glass.crossRoughness.value = 0.35f;
-    glass.distribution = FacetDistribution::Beckmann;
-    const Material balls[] = {metal, glass};
-    int next = 0;
-    for (Object& object : scene.objects) {
-        if (object.shape == ShapeKind::Sphere) { object.material = addMaterial(&scene, balls[next++]); }
-    }
+    Material beckmann = metal;
+    beckmann.distribution = FacetDistribution::Beckmann;
     addObject(&scene, ShapeKind::Rectangle,
-              placeFlatShape({0.0f, 1.2f, -0.3f}, {0.0f, 1.0f, 0.6f}, 0.6f, 0.6f), metal);
+              placeFlatShape({-0.3f, 1.2f, -0.3f}, {0.0f, 1.0f, 0.6f}, 0.5f, 0.6f), metal);
+    addObject(&scene, ShapeKind::Rectangle,
+              placeFlatShape({0.5f, 1.0f, -0.3f}, {-0.5f, 1.0f, 0.3f}, 0.4f, 0.4f), beckmann);
     return scene;
 }
 

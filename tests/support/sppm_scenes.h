@@ -29,7 +29,8 @@ SceneDescription absorbingGlassBox();
 SceneDescription translucentBox();
 /// A painted ball with a smooth coat, one of cloth, and a sheet of worn metal whose inputs are textures.
 SceneDescription principledBox();
-/// A box with brushed metal and glass, whose facets lie in a direction.
+/// A box with two sheets of brushed metal. They are flat: on the balls, six pixels wide, normals turn within
+/// a disc by as much as the facets do.
 SceneDescription brushedBox();
 
 /// The box without its balls, lit by a projector instead of its lamp: a point, whose shadows and edges would
