@@ -9,10 +9,10 @@
 // index 1.5.
 //
 // What lies under a layer gets what the layer's directional albedo leaves, at the more grazing of both
-// directions: it is reciprocal, and no angle gains more light than 0.4 % (0.8 % where the base is anisotropic:
-// plastic.h). The diffuse part is coupled as plastic.h's, but light does not go back and forth under the
-// boundary. Left out: transmission, a coat with a normal of its own, light that bounces more than once between
-// facets.
+// directions: it is reciprocal, and no angle gains more light than 0.4 % (0.8 % where the base is
+// anisotropic: plastic.h). The diffuse part is coupled as plastic.h's, but light does not go back and forth
+// under the boundary. Left out: transmission, a coat with a normal of its own, light that bounces more than
+// once between facets.
 #pragma once
 
 #include "engine/kernels/bsdf/plastic.h"
