@@ -156,8 +156,8 @@ SceneDescription brushedBox() {
     SceneDescription scene = small(cornellBox());
     Material metal = diffuseMaterial(Vec3(1.0f));
     metal.kind = MaterialKind::Conductor;
-    metal.roughness.value = 0.2f;
-    metal.crossRoughness.value = 0.7f;
+    metal.roughness.value = 0.4f;
+    metal.crossRoughness.value = 0.9f;
     metal.anisotropyRotationDeg = 30.0f;
     Material beckmann = metal;
     beckmann.distribution = FacetDistribution::Beckmann;
