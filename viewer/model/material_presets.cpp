@@ -8,8 +8,10 @@
 namespace glint {
 namespace {
 
-constexpr float kBrushed = 0.25f;  // GGX alpha
+// GGX alphas.
+constexpr float kSatin = 0.25f;
 constexpr float kFrosted = 0.3f;
+constexpr float kAlongGrooves = 0.12f, kAcrossGrooves = 0.4f;
 
 struct NamedColor {
     const char* name;
@@ -35,12 +37,15 @@ Material ofKind(MaterialKind kind) {
 
 MaterialPresetGroup metals() {
     MaterialPresetGroup group{"Metals", {}};
-    for (const float roughness : {0.0f, kBrushed}) {
+    for (const bool isBrushed : {false, true}) {
         for (const std::string_view name : listedMetals()) {
             Material metal = ofKind(MaterialKind::Conductor);
             metal.metal = name;
-            metal.roughness.value = roughness;
-            group.presets.push_back({std::string(name) + (roughness > 0.0f ? ", brushed" : ""), metal});
+            if (isBrushed) {
+                metal.roughness.value = kAlongGrooves;
+                metal.crossRoughness.value = kAcrossGrooves;
+            }
+            group.presets.push_back({std::string(name) + (isBrushed ? ", brushed" : ""), metal});
         }
     }
     return group;
@@ -65,7 +70,7 @@ MaterialPresetGroup glasses() {
 
 MaterialPresetGroup plastics() {
     MaterialPresetGroup group{"Plastics", {}};
-    for (const auto& [finish, roughness] : {std::pair("glossy", 0.0f), std::pair("satin", kBrushed)}) {
+    for (const auto& [finish, roughness] : {std::pair("glossy", 0.0f), std::pair("satin", kSatin)}) {
         for (const NamedColor& color : kPlastics) {
             Material plastic = ofKind(MaterialKind::Plastic);
             plastic.color.value = color.linear;
@@ -92,7 +97,7 @@ MaterialPresetGroup layers() {
         Material paint = ofKind(MaterialKind::Principled);
         paint.color.value = color.linear;
         paint.metallic.value = 0.7f;
-        paint.roughness.value = kBrushed;
+        paint.roughness.value = kSatin;
         paint.clearcoat.value = 1.0f;
         group.presets.push_back({std::string(color.name) + ", car paint", paint});
     }
