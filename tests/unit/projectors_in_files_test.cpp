@@ -125,8 +125,6 @@ TEST_F(ProjectorFiles, PbrtsHaveTheirPictures) {
     }
     // The power of an intensity over 1.5 by 1 times tan^2, by its cubed cosines: as photons have it.
     const SceneDescription bright = pbrt("\"float power\" 80", true);
-    const auto built = buildAll(bright);
-    const SceneView view = built->view();
     double sum = 0.0;
     constexpr int kSteps = 100;
     const float half = std::tan(0.5f * bright.lights.at(0).fovDeg * kPi / 180.0f);
