@@ -61,11 +61,12 @@ TEST(EmbeddedFiles, AreReadOnceLikeFilesOnTheDisk) {
     ASSERT_TRUE(read) << read.error().format();
     EXPECT_EQ(counts.meshFiles, 1u);
     EXPECT_EQ(counts.meshFileBytes, std::string(test::kLeafPly).size());
-    EXPECT_EQ(counts.imageFiles, 2u) << "the texture, and the environment, which becomes linear";
+    EXPECT_EQ(counts.imageFiles, 2u) << "the texture, and the environment, whose values are light";
     EXPECT_EQ(scene.meshes[0].data, scene.meshes[1].data);
     EXPECT_EQ(scene.textures[0].image.bytes, scene.textures[1].image.bytes);
     EXPECT_EQ(scene.textures[0].image.bytes->rgb[11], 199);
-    EXPECT_EQ(scene.environmentImages[0].floats->rgb[0], 1.0f);
+    ASSERT_NE(scene.environmentImages[0].bytes, nullptr) << "8-bit pictures stay in bytes";
+    EXPECT_EQ(scene.environmentImages[0].bytes->rgb[0], 255);
     EXPECT_EQ(scene.meshes[0].data->uvs.size(), 3u);
     EXPECT_TRUE(std::holds_alternative<EmbeddedFile>(scene.textures[0].image.source)) << "keeps its name";
 }
