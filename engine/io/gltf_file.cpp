@@ -32,6 +32,7 @@ constexpr std::string_view kSupported[] = {"KHR_lights_punctual",
                                            "KHR_materials_specular",
                                            "KHR_materials_clearcoat",
                                            "KHR_materials_sheen",
+                                           "KHR_materials_anisotropy",
                                            "KHR_materials_iridescence",
                                            "KHR_materials_variants",
                                            "KHR_materials_pbrSpecularGlossiness"};
@@ -82,11 +83,8 @@ Error wrongVersion(const GltfFile& file, std::string_view version) {
 
 /// Materials and textures say themselves what of them is left out.
 Status checkExtensions(GltfFile* file) {
-    const auto isRead = [](const std::string& name) {
-        return std::ranges::find(kSupported, name) != std::end(kSupported);
-    };
     for (const std::string& name : file->model.extensionsRequired) {
-        if (!isRead(name)) {
+        if (!readsGltfExtension(name)) {
             return file->error(fmt::format(
                 "needs {}, which Glint does not read; expected a file that was saved without it", name));
         }
@@ -94,12 +92,16 @@ Status checkExtensions(GltfFile* file) {
     for (const std::string& name : file->model.extensionsUsed) {
         const bool isOfParts =
             name.find("_materials_") != std::string::npos || name.find("_texture_") != std::string::npos;
-        if (!isRead(name) && !isOfParts) { file->remark("extensions are left out", name); }
+        if (!readsGltfExtension(name) && !isOfParts) { file->remark("extensions are left out", name); }
     }
     return {};
 }
 
 }  // namespace
+
+bool readsGltfExtension(std::string_view name) {
+    return std::ranges::find(kSupported, name) != std::end(kSupported);
+}
 
 uint64_t gltfJsonEnd(std::string_view head, uint64_t fileBytes) {
     if (!head.starts_with("glTF")) { return fileBytes; }

@@ -38,6 +38,10 @@ std::string_view gltfBinary(std::string_view bytes);
 /// Where the JSON of a file ends whose first 20 bytes or more these are; `fileBytes` for text.
 uint64_t gltfJsonEnd(std::string_view head, uint64_t fileBytes);
 
+/// Whether Glint reads an extension of that name: a file that needs another one is refused, and what
+/// materials have of others is left out with a remark.
+bool readsGltfExtension(std::string_view name);
+
 /// With its buffers, unpacked. Error: the file or a buffer cannot be read, is no glTF 2.x, or needs an
 /// extension that is not supported.
 Result<std::unique_ptr<GltfFile>> readGltfFile(const std::string& path);

@@ -230,14 +230,7 @@ void GltfMaterials::remarkLeftOut(const tinygltf::Material& from) {
         file_.remark("occlusion maps are left out: light is occluded by itself", from.name);
     }
     for (const auto& [name, value] : from.extensions) {
-        const bool isRead = name == "KHR_materials_ior" || name == "KHR_materials_pbrSpecularGlossiness" ||
-                            name == "KHR_materials_unlit" || name == "KHR_materials_emissive_strength" ||
-                            name == "KHR_materials_transmission" || name == "KHR_materials_volume" ||
-                            name == "KHR_materials_diffuse_transmission" ||
-                            name == "KHR_materials_specular" || name == "KHR_materials_clearcoat" ||
-                            name == "KHR_materials_sheen" || name == "KHR_materials_anisotropy" ||
-                            name == "KHR_materials_iridescence";
-        if (!isRead) { file_.remark("extensions of materials are left out", name); }
+        if (!readsGltfExtension(name)) { file_.remark("extensions of materials are left out", name); }
     }
 }
 

@@ -61,6 +61,7 @@ TEST_F(Gltf, TextAndBinaryFilesHoldTheSameMesh) {
 TEST_F(Gltf, WhatIsReadMayBeNeeded) {
     for (const char* extension : {"KHR_materials_diffuse_transmission", "KHR_materials_volume",
                                   "KHR_materials_specular", "KHR_materials_clearcoat", "KHR_materials_sheen",
+                                  "KHR_materials_anisotropy", "KHR_materials_iridescence",
                                   "KHR_materials_variants", "KHR_texture_transform", "KHR_lights_punctual"}) {
         EXPECT_FALSE(
             load(gltf(material("") + R"(, "extensionsRequired": [")" + extension + "\"]")).objects.empty())

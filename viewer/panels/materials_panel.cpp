@@ -151,7 +151,7 @@ void draw(SceneDocument* document, AssetReader* assets, SceneFiles* files) {
     Material& material = materials[static_cast<size_t>(selected)];
     ImGui::PushID(selected);
     ui::kindChoice("Kind", &material.kind, kKinds);
-    const TextureRows rows{document, files, static_cast<size_t>(selected)};
+    const TextureRows rows(document, files, static_cast<size_t>(selected));
     drawScattering(rows, assets, &material);
     if (Texture* texture = placedTexture(material, &document->draft().textures)) { drawPlacement(texture); }
     drawRelief(rows, &material);

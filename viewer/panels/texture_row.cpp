@@ -39,20 +39,23 @@ void askForFile(const TextureRows& rows, const int* chosen) {
 
 }  // namespace
 
-void drawTextureRow(const TextureRows& rows, const char* label, const char* tooltip, int* chosen) {
-    std::vector<std::string> names{"none"};
-    const std::vector<Texture>& textures = rows.document->draft().textures;
+TextureRows::TextureRows(SceneDocument* ofDocument, SceneFiles* ofFiles, size_t ofMaterial)
+    : document(ofDocument), files(ofFiles), material(ofMaterial), choices{"none"} {
+    const std::vector<Texture>& textures = document->draft().textures;
     for (size_t i = 0; i < textures.size(); ++i) {
         const std::string path = pathOf(textures[i].image.source);
-        names.push_back(!textures[i].name.empty() ? textures[i].name
-                        : !path.empty()           ? path
-                                                  : fmt::format("texture {}", i));
+        choices.push_back(!textures[i].name.empty() ? textures[i].name
+                          : !path.empty()           ? path
+                                                    : fmt::format("texture {}", i));
     }
-    names.emplace_back("From a file…");
-    const std::vector<std::string_view> views(names.begin(), names.end());
+    choices.emplace_back("From a file…");
+}
+
+void drawTextureRow(const TextureRows& rows, const char* label, const char* tooltip, int* chosen) {
+    const std::vector<std::string_view> views(rows.choices.begin(), rows.choices.end());
     int index = *chosen + 1;
     if (!ui::choice(label, &index, views, tooltip)) { return; }
-    if (static_cast<size_t>(index) == textures.size() + 1) {
+    if (static_cast<size_t>(index) + 1 == views.size()) {
         askForFile(rows, chosen);
     } else {
         *chosen = index - 1;

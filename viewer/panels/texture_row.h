@@ -1,6 +1,9 @@
 // A row of the Materials panel that chooses an input's texture.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "engine/math/material_inputs.h"
 #include "viewer/model/scene_document.h"
 #include "viewer/model/scene_files.h"
@@ -12,7 +15,9 @@ struct TextureRows {
     SceneDocument* document;
     SceneFiles* files;
     size_t material;
+    std::vector<std::string> choices;  ///< of every row: none, the draft's textures, a file
 
+    TextureRows(SceneDocument* document, SceneFiles* files, size_t material);
     Material* of() const { return &document->draft().materials[material]; }
 };
 
