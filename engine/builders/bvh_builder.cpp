@@ -13,7 +13,7 @@
 namespace glint {
 namespace {
 
-constexpr int kBins = 32;
+constexpr int kBvhBins = 32;
 constexpr uint32_t kTaskPrimitives = 4096;  // smaller subtrees are not worth a task
 
 struct Bin {
@@ -21,7 +21,7 @@ struct Bin {
     uint32_t count = 0;
 };
 
-struct Split {
+struct BvhSplit {
     float cost = kInfinity;  // sum over both sides of half area times leaves
     int axis = -1;
     int bin = 0;  // the left side takes bins below this one
@@ -39,11 +39,14 @@ struct Extent {
 };
 
 /// Few primitives do not need many bins.
-int binCount(uint32_t primitives) { return static_cast<int>(std::min<uint32_t>(kBins, 6 + primitives / 16)); }
+int binCount(uint32_t primitives) {
+    return static_cast<int>(std::min<uint32_t>(kBvhBins, 6 + primitives / 16));
+}
 
-class Builder {
+class BvhBuilder {
   public:
-    Builder(HugeVector<BuildPrimitive>* primitives, const BvhOptions& options, HugeVector<BinaryNode>* nodes)
+    BvhBuilder(HugeVector<BuildPrimitive>* primitives, const BvhOptions& options,
+               HugeVector<BinaryNode>* nodes)
         : primitives_(primitives->data()),
           options_(options),
           leavesPerPrimitive_(1.0f / static_cast<float>(options.leafPrimitives)),
@@ -82,7 +85,7 @@ class Builder {
     /// Partitions the node's primitives and returns where the right side begins; both sides get some.
     uint32_t split(const BinaryNode& node, const Bounds& doubledCenters, Extent* left, Extent* right) {
         const BinMap map(doubledCenters, binCount(node.end - node.begin));
-        Split best;
+        BvhSplit best;
         if (!options_.balanced && !map.empty()) { best = findSplit(node, map); }
         if (best.axis >= 0) { return partition(node, map, best, left, right); }
         const uint32_t middle = node.begin + (node.end - node.begin) / 2;
@@ -92,7 +95,7 @@ class Builder {
         return middle;
     }
 
-    uint32_t partition(const BinaryNode& node, const BinMap& map, const Split& best, Extent* left,
+    uint32_t partition(const BinaryNode& node, const BinMap& map, const BvhSplit& best, Extent* left,
                        Extent* right) {
         uint32_t low = node.begin;
         uint32_t high = node.end;
@@ -120,8 +123,8 @@ class Builder {
                          });
     }
 
-    Split findSplit(const BinaryNode& node, const BinMap& map) const {
-        Bin bins[3][kBins];
+    BvhSplit findSplit(const BinaryNode& node, const BinMap& map) const {
+        Bin bins[3][kBvhBins];
         const int count = binCount(node.end - node.begin);
         for (uint32_t i = node.begin; i < node.end; ++i) {
             const BuildPrimitive& p = primitives_[i];
@@ -134,7 +137,7 @@ class Builder {
                 ++target.count;
             }
         }
-        Split best;
+        BvhSplit best;
         for (int axis = 0; axis < 3; ++axis) {
             if (map.splits(axis)) { sweep(bins[axis], count, axis, &best); }
         }
@@ -145,8 +148,8 @@ class Builder {
         return side.box.halfArea() * std::ceil(static_cast<float>(side.count) * leavesPerPrimitive_);
     }
 
-    void sweep(const Bin* bins, int count, int axis, Split* best) const {
-        float rightCost[kBins];
+    void sweep(const Bin* bins, int count, int axis, BvhSplit* best) const {
+        float rightCost[kBvhBins];
         Bin side;
         for (int i = count - 1; i > 0; --i) {
             side.box.grow(bins[i].box);
@@ -176,7 +179,7 @@ BinaryTree buildBinaryTree(HugeVector<BuildPrimitive>* primitives, const BvhOpti
     BinaryTree tree;
     const uint32_t count = static_cast<uint32_t>(primitives->size());
     tree.nodes.resize(2 * static_cast<size_t>(count));
-    Builder builder(primitives, options, &tree.nodes);
+    BvhBuilder builder(primitives, options, &tree.nodes);
     const int threads = count >= 2 * kTaskPrimitives ? startableThreads(options.threads) : 1;
     if (threads == 1) {
         builder.build(0, 0, count, builder.extentOf(0, count));

@@ -15,7 +15,7 @@
 namespace glint {
 namespace {
 
-constexpr int kBins = 64;
+constexpr int kKdBins = 64;
 constexpr uint32_t kFew = 32;               // up to so many, every side of a box is tried
 constexpr uint32_t kTaskPrimitives = 4096;  // smaller subtrees are not worth a task
 constexpr float kStepCost = 1.0f;
@@ -29,7 +29,7 @@ struct Part {
     uint32_t index;
 };
 
-struct Split {
+struct KdSplit {
     float cost = kInfinity;
     int axis = -1;
     float plane = 0.0f;
@@ -60,9 +60,9 @@ struct Tree {
     }
 };
 
-class Builder {
+class KdBuilder {
   public:
-    Builder(const LeafOptions& options, const HugeVector<BuildPrimitive>& primitives)
+    KdBuilder(const LeafOptions& options, const HugeVector<BuildPrimitive>& primitives)
         : options_(options),
           maxDepth_(std::min(kKdStackSize - 1,
                              8 + static_cast<int>(1.3f * std::log2(static_cast<float>(primitives.size()))))) {
@@ -76,7 +76,7 @@ class Builder {
     /// Appends the subtree over the parts in a cell. Takes the parts' memory.
     void build(const Bounds& cell, std::vector<Part>& parts, int depth, int badSplits, Tree* tree) const {
         const float leafCost = itemCost(parts.size());
-        const Split split = depth < maxDepth_ && leafCost > kLeafCost ? findSplit(cell, parts) : Split{};
+        const KdSplit split = depth < maxDepth_ && leafCost > kLeafCost ? findSplit(cell, parts) : KdSplit{};
         badSplits = split.cost < leafCost ? 0 : badSplits + 1;
         if (split.axis < 0 || badSplits > kMaxBadSplits) { return addLeaf(parts, tree); }
         Bounds lowerCell = cell, upperCell = cell;
@@ -122,7 +122,8 @@ class Builder {
         return kLeafCost * static_cast<float>((primitives + together - 1) / together);
     }
 
-    void consider(const Bounds& cell, int axis, float plane, size_t lower, size_t upper, Split* best) const {
+    void consider(const Bounds& cell, int axis, float plane, size_t lower, size_t upper,
+                  KdSplit* best) const {
         if (!(plane > cell.lo[axis] && plane < cell.hi[axis])) { return; }
         Bounds lowerCell = cell, upperCell = cell;
         lowerCell.hi[axis] = upperCell.lo[axis] = plane;
@@ -132,8 +133,8 @@ class Builder {
         if (cost < best->cost) { *best = {cost, axis, plane}; }
     }
 
-    Split findSplit(const Bounds& cell, const std::vector<Part>& parts) const {
-        Split best;
+    KdSplit findSplit(const Bounds& cell, const std::vector<Part>& parts) const {
+        KdSplit best;
         for (int axis = 0; axis < 3; ++axis) {
             if (parts.size() <= kFew) {
                 trySides(cell, parts, axis, &best);
@@ -144,7 +145,7 @@ class Builder {
         return best;
     }
 
-    void trySides(const Bounds& cell, const std::vector<Part>& parts, int axis, Split* best) const {
+    void trySides(const Bounds& cell, const std::vector<Part>& parts, int axis, KdSplit* best) const {
         float lo[kFew], hi[kFew];
         const size_t count = parts.size();
         for (size_t i = 0; i < count; ++i) {
@@ -162,27 +163,27 @@ class Builder {
         }
     }
 
-    void tryBins(const Bounds& cell, const std::vector<Part>& parts, int axis, Split* best) const {
-        const float perBin = (cell.hi[axis] - cell.lo[axis]) / kBins;
+    void tryBins(const Bounds& cell, const std::vector<Part>& parts, int axis, KdSplit* best) const {
+        const float perBin = (cell.hi[axis] - cell.lo[axis]) / kKdBins;
         const float scale = 1.0f / perBin;
         if (!std::isfinite(scale) || !(scale > 0.0f)) { return; }
         const auto binOf = [&](float x) {
-            return static_cast<int>(std::clamp((x - cell.lo[axis]) * scale, 0.0f, kBins - 1.0f));
+            return static_cast<int>(std::clamp((x - cell.lo[axis]) * scale, 0.0f, kKdBins - 1.0f));
         };
-        size_t begins[kBins] = {}, ends[kBins] = {};
+        size_t begins[kKdBins] = {}, ends[kKdBins] = {};
         for (const Part& part : parts) {
             ++begins[binOf(part.box.lo[axis])];
             ++ends[binOf(part.box.hi[axis])];
         }
         size_t lower = 0, upper = parts.size();
-        for (int bin = 1; bin < kBins; ++bin) {
+        for (int bin = 1; bin < kKdBins; ++bin) {
             lower += begins[bin - 1];
             upper -= ends[bin - 1];
             consider(cell, axis, cell.lo[axis] + perBin * static_cast<float>(bin), lower, upper, best);
         }
     }
 
-    void distribute(const std::vector<Part>& parts, const Split& split, const Bounds& lowerCell,
+    void distribute(const std::vector<Part>& parts, const KdSplit& split, const Bounds& lowerCell,
                     const Bounds& upperCell, std::vector<Part>* lower, std::vector<Part>* upper) const {
         for (const Part& part : parts) {
             const bool isLower = part.box.lo[split.axis] < split.plane;
@@ -230,7 +231,7 @@ HugeVector<std::byte> memoryOf(const Bounds& bounds, Tree* tree, const std::vect
 
 HugeVector<std::byte> buildKdTree(HugeVector<BuildPrimitive>* primitives, const LeafOptions& options,
                                   const PackLeaves& packLeaves) {
-    const Builder builder(options, *primitives);
+    const KdBuilder builder(options, *primitives);
     std::vector<Part> parts;
     parts.reserve(primitives->size());
     for (const BuildPrimitive& p : *primitives) {

@@ -10,7 +10,7 @@
 namespace glint {
 namespace {
 
-constexpr int kBins = 12;
+constexpr int kLightTreeBins = 12;
 /// Larger groups are split along their longest axis only: near the root directions hardly separate
 /// anything yet.
 constexpr size_t kAllAxesCount = 1024;
@@ -55,7 +55,7 @@ double groupCost(const Group& group) {
     return static_cast<double>(group.node.intensity) * orientationMeasure(group.node) * area;
 }
 
-struct Split {
+struct LightTreeSplit {
     double cost = std::numeric_limits<double>::infinity();
     int axis = -1;
     float lo = 0.0f;
@@ -63,13 +63,13 @@ struct Split {
     int lastLeft = 0;    ///< bins up to this one go left
 
     int binOf(const Vec3& center) const {
-        return std::clamp(static_cast<int>((center[axis] - lo) * scale), 0, kBins - 1);
+        return std::clamp(static_cast<int>((center[axis] - lo) * scale), 0, kLightTreeBins - 1);
     }
 };
 
-class Builder {
+class LightTreeBuilder {
   public:
-    explicit Builder(const std::vector<LightNode>& leaves) : leaves_(leaves), order_(leaves.size()) {
+    explicit LightTreeBuilder(const std::vector<LightNode>& leaves) : leaves_(leaves), order_(leaves.size()) {
         for (size_t i = 0; i < order_.size(); ++i) {
             order_[i] = static_cast<uint32_t>(i);
         }
@@ -117,7 +117,7 @@ class Builder {
         }
         const Vec3 extent = centers.extent();
         const int longest = extent.x >= extent.y && extent.x >= extent.z ? 0 : (extent.y >= extent.z ? 1 : 2);
-        Split best;
+        LightTreeSplit best;
         for (int axis = 0; axis < 3; ++axis) {
             if (end - begin > kAllAxesCount && axis != longest) { continue; }
             if (extent[axis] > 0.0f) {
@@ -135,25 +135,26 @@ class Builder {
     }
 
     /// `stretch`: penalty against cutting thin boxes lengthwise (longest edge over this edge).
-    void tryAxis(const Bounds& centers, int axis, float stretch, size_t begin, size_t end, Split* best) {
-        Split split;
+    void tryAxis(const Bounds& centers, int axis, float stretch, size_t begin, size_t end,
+                 LightTreeSplit* best) {
+        LightTreeSplit split;
         split.axis = axis;
         split.lo = centers.lo[axis];
-        split.scale = static_cast<float>(kBins) / (centers.hi[axis] - centers.lo[axis]);
+        split.scale = static_cast<float>(kLightTreeBins) / (centers.hi[axis] - centers.lo[axis]);
         if (!std::isfinite(split.scale)) { return; }
-        std::array<Group, kBins> bins;
+        std::array<Group, kLightTreeBins> bins;
         for (size_t i = begin; i < end; ++i) {
             const LightNode& leaf = leaves_[order_[i]];
             bins[static_cast<size_t>(split.binOf(leaf.center))].add({leaf, boxOf(leaf)});
         }
-        std::array<double, kBins> rightCosts{};
+        std::array<double, kLightTreeBins> rightCosts{};
         Group right;
-        for (size_t i = kBins - 1; i > 0; --i) {
+        for (size_t i = kLightTreeBins - 1; i > 0; --i) {
             right.add(bins[i]);
             rightCosts[i] = right.empty() ? -1.0 : groupCost(right);
         }
         Group left;
-        for (size_t i = 0; i + 1 < kBins; ++i) {
+        for (size_t i = 0; i + 1 < kLightTreeBins; ++i) {
             left.add(bins[i]);
             if (left.empty() || rightCosts[i + 1] < 0.0) { continue; }
             split.cost = static_cast<double>(stretch) * (groupCost(left) + rightCosts[i + 1]);
@@ -214,6 +215,6 @@ LightNode joinLightNodes(const LightNode& a, const LightNode& b) {
     return joined;
 }
 
-LightTree buildLightTree(const std::vector<LightNode>& leaves) { return Builder(leaves).build(); }
+LightTree buildLightTree(const std::vector<LightNode>& leaves) { return LightTreeBuilder(leaves).build(); }
 
 }  // namespace glint

@@ -14,8 +14,8 @@ constexpr int kLevels = 5;
 constexpr std::array<float, 3> kTaps{3.0f / 8.0f, 1.0f / 4.0f, 1.0f / 16.0f};
 /// Weights fall by e for normals this far apart (chords), for nearness that differs by this share a pixel
 /// beyond the surface's own slope, and for luminances so many standard errors apart.
-constexpr float kNormalWidth = 0.25f;
-constexpr float kNearnessWidth = 0.01f;
+constexpr float kWaveletNormalWidth = 0.25f;
+constexpr float kWaveletNearnessWidth = 0.01f;
 constexpr float kNoiseWidth = 3.0f;
 
 using Channel = std::vector<float>;
@@ -47,9 +47,9 @@ class Wavelets {
         }
         for (size_t i = 0; i < slope_.size(); ++i) {
             slope_[i] = std::fabs(planes.slope[i].x) + std::fabs(planes.slope[i].y) +
-                        kNearnessWidth * planes.nearness[i];
+                        kWaveletNearnessWidth * planes.nearness[i];
             for (int axis = 0; axis < 3; ++axis) {
-                normal_[static_cast<size_t>(axis)][i] = planes.input.normal[i][axis] / kNormalWidth;
+                normal_[static_cast<size_t>(axis)][i] = planes.input.normal[i][axis] / kWaveletNormalWidth;
             }
         }
     }
@@ -168,7 +168,7 @@ class Wavelets {
     const Planes& planes_;
     int width_, height_;
     int threads_;
-    std::array<Channel, 3> normal_;  ///< over kNormalWidth
+    std::array<Channel, 3> normal_;  ///< over kWaveletNormalWidth
     Channel slope_;                  ///< what nearness may differ by a pixel
 };
 

@@ -13,7 +13,7 @@ constexpr double kSteps = kAltar + 3.4;  ///< z where the steps to it begin
 Outline benchEnd() {
     Outline outline{{{-0.26, 0.0}, {0.26, 0.0}, {0.22, 0.3}, {0.2, 0.55}, {0.16, 0.66}}, true, 40.0};
     for (int i = 0; i <= 10; ++i) {
-        const double angle = kPi64 * i / 10.0;
+        const double angle = kPiD * i / 10.0;
         outline.points.emplace_back(-0.14 + 0.11 * std::cos(angle), 0.95 + 0.13 * std::sin(angle));
     }
     outline.points.emplace_back(-0.24, 0.3);
@@ -101,7 +101,7 @@ void addChandelier(const Vec3d& middle, CathedralMeshes* to) {
     to->globes.push_back(middle + Vec3d(0.0, -0.1, 0.0));
     add(&to->iron, tube({{0.0, 0.1, 0.0}, {0.0, 2.0, 0.0}}, 0.015, corners), Pose{middle});
     for (int i = 0; i < 12; ++i) {
-        const double angle = kPi64 / 6.0 * i;
+        const double angle = kPiD / 6.0 * i;
         const Vec3d out(std::cos(angle), 0.0, std::sin(angle));
         add(&to->gold, lathe(cup, to->detail.steps(24, 6)), Pose{middle + 1.15 * out});
         to->lamps.push_back(middle + 1.15 * out + Vec3d(0.0, 0.32, 0.0));
@@ -139,7 +139,7 @@ void addAltarCloth(CathedralMeshes* to) {
     add(&to->cloth,
         sheet(columns, static_cast<uint32_t>(to->detail.steps(24, 4)), {6.0, 0.6},
               [&](double u, double v) {
-                  const double angle = -2.0 * kPi64 * u;
+                  const double angle = -2.0 * kPiD * u;
                   const Vec2d d(std::cos(angle), std::sin(angle));
                   const double fold =
                       0.035 * (1.0 - v) * (1.0 + std::sin(46.0 * angle + 2.0 * std::sin(7.0 * angle)));

@@ -106,7 +106,7 @@ void paintLancet(ExampleFolder* folder) {
                       const double y = fraction(v * 4.0);  // one of four medallions
                       const double px = x * 1.0, py = std::abs(2.0 * y - 1.0);
                       const double radius = std::sqrt(px * px + py * py);
-                      const double petal = std::atan2(py, px) / (kPi64 / 4.0);
+                      const double petal = std::atan2(py, px) / (kPiD / 4.0);
                       const bool isLead =
                           std::abs(x - 0.86) < 0.012 || std::abs(radius - 0.72) < 0.014 ||
                           std::abs(radius - 0.34) < 0.014 ||
@@ -128,7 +128,7 @@ void paintRose(ExampleFolder* folder) {
     folder->image("rose.png", paint(1024, 1024, [&](double u, double v) {
                       const double x = 2.0 * u - 1.0, y = 2.0 * v - 1.0;
                       const double radius = std::sqrt(x * x + y * y);
-                      const double angle = (std::atan2(y, x) / kPi64 + 1.0) * 6.0;  // twelve petals
+                      const double angle = (std::atan2(y, x) / kPiD + 1.0) * 6.0;  // twelve petals
                       const double ring = radius * 9.0;
                       const int band = static_cast<int>(ring);
                       const double spokes = angle * (band < 3 ? 1.0 : band < 6 ? 2.0 : 4.0) + 0.5 * band;

@@ -64,7 +64,7 @@ MeshData course(const std::vector<Course>& list, const Detail& detail) {
         const double t = place - static_cast<double>(i);
         const Course &a = list[i], &b = list[i + 1];
         const auto between = [t](double from, double to) { return from + (to - from) * t; };
-        const double angle = -2.0 * kPi64 * u;
+        const double angle = -2.0 * kPiD * u;
         const double leaf =
             std::pow(std::abs(std::cos(8.0 * angle)), 1.5) * 0.14 + 0.05 * std::abs(std::sin(24.0 * angle));
         const double shape = 1.0 + between(a.lobed, b.lobed) * (lobes(angle) - 1.0);
@@ -101,7 +101,7 @@ Outline archMoulding(double halfDepth) {
     Outline outline{{}, false};
     const auto roll = [&](double x, double y) {  // three quarters of a circle on an edge
         for (int i = 0; i <= 9; ++i) {
-            const double angle = kPi64 * (i / 6.0 - 0.25);
+            const double angle = kPiD * (i / 6.0 - 0.25);
             outline.points.emplace_back(x + 0.075 * std::cos(angle), y + 0.075 * std::sin(angle));
         }
     };

@@ -107,7 +107,7 @@ void addRoseWall(const Pose& frame, CathedralMeshes* to) {
     const double low = kStringCourse - kRoseHeight, high = kNaveTop - kRoseHeight, half = kNave;
     const int columns = to->detail.steps(96, 24) / 8 * 8;
     const auto direction = [](double u) {
-        return Vec2d(std::cos(-2.0 * kPi64 * u), std::sin(-2.0 * kPi64 * u));
+        return Vec2d(std::cos(-2.0 * kPiD * u), std::sin(-2.0 * kPiD * u));
     };
     const auto edge = [&](double u) {
         const Vec2d d = direction(u);
@@ -160,7 +160,7 @@ MeshData web(const PointedArch& arch, double halfX, double halfZ, bool toWall, i
 void addRib(const PointedArch& arch, double halfLength, double size, const Pose& frame, CathedralMeshes* to) {
     Outline outline{{{0.9, -0.6}, {0.9, 0.3}, {0.55, 0.5}, {0.45, 0.75}}, false};
     for (int i = 0; i <= 8; ++i) {
-        const double angle = kPi64 * (i / 6.0 - 1.0 / 6.0);
+        const double angle = kPiD * (i / 6.0 - 1.0 / 6.0);
         outline.points.emplace_back(0.5 * std::cos(angle), 1.15 + 0.5 * std::sin(angle));
     }
     for (size_t i = 4; i-- > 0;) {
@@ -188,7 +188,7 @@ void addVaultBay(const PointedArch& arch, double x, double z, double halfX, Cath
         }
     }
     const double diagonal = std::sqrt(halfX * halfX + halfZ * halfZ);
-    const double degrees = std::atan2(halfZ, halfX) * 180.0 / kPi64;
+    const double degrees = std::atan2(halfZ, halfX) * 180.0 / kPiD;
     const double size = 0.05 + 0.025 * halfX / kNave * 2.0;
     addRib(arch, diagonal, size, turned({x, 0.0, z}, degrees), to);
     addRib(arch, diagonal, size, turned({x, 0.0, z}, -degrees), to);

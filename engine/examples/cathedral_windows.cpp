@@ -74,7 +74,7 @@ void addWindow(const PointedArch& arch, const Pose& frame, CathedralMeshes* to) 
     const Vec2d middle(0.0, arch.spring + 0.45 * arch.rise);
     addBar(circle(middle, 0.38 * hw, 2 * steps), 0.07, pane * Pose{{0.0, 0.0, 0.05}}, to, true);
     for (int i = 0; i < 4; ++i) {
-        const double angle = kPi64 * (0.25 + 0.5 * i);
+        const double angle = kPiD * (0.25 + 0.5 * i);
         const Vec2d leaf = middle + 0.19 * hw * Vec2d(std::cos(angle), std::sin(angle));
         addBar(circle(leaf, 0.14 * hw, steps), 0.035, pane * Pose{{0.0, 0.0, 0.05}}, to, true);
     }
@@ -86,7 +86,7 @@ void addRoseWindow(CathedralMeshes* to) {
     const int steps = to->detail.steps(22, 6);
     MeshData disc = bendGrid(MeshGrid{96, 1, false, false, false}, [&](double u, double v) {
         const double radius = (kRoseRadius + 0.05) * (1.0 - 0.999 * v);
-        return Vec3d(radius * std::cos(2.0 * kPi64 * u), radius * std::sin(2.0 * kPi64 * u), 0.0);
+        return Vec3d(radius * std::cos(2.0 * kPiD * u), radius * std::sin(2.0 * kPiD * u), 0.0);
     });
     for (size_t i = 0; i < disc.uvs.size(); ++i) {
         disc.uvs[i] = Vec2(disc.positions[i]) / static_cast<float>(2.0 * kRoseRadius) + 0.5f;
@@ -101,7 +101,7 @@ void addRoseWindow(CathedralMeshes* to) {
     ring(0.52, 0.1, 0.07);
     ring(0.34, 0.05, 0.07);
     for (int i = 0; i < 12; ++i) {
-        const double angle = kPi64 / 6.0 * i;
+        const double angle = kPiD / 6.0 * i;
         const Pose spoke = pane * Pose{{0.0, 0.0, 0.07},
                                        {std::cos(angle), std::sin(angle), 0.0},
                                        {-std::sin(angle), std::cos(angle), 0.0},
@@ -110,18 +110,18 @@ void addRoseWindow(CathedralMeshes* to) {
         addBar(circle({1.9, 0.0}, 0.07, steps), 0.06, spoke, to, true);
         std::vector<Vec2d> arc;  // from this spoke to the next one, outwards
         for (int k = 0; k <= steps; ++k) {
-            const double t = static_cast<double>(k) / steps, a = kPi64 / 6.0 * t;
-            const double radius = 1.9 + 0.42 * std::sin(kPi64 * t);
+            const double t = static_cast<double>(k) / steps, a = kPiD / 6.0 * t;
+            const double radius = 1.9 + 0.42 * std::sin(kPiD * t);
             arc.emplace_back(radius * std::cos(a), radius * std::sin(a));
         }
         addBar(arc, 0.07, spoke, to);
-        const double between = kPi64 / 12.0;
+        const double between = kPiD / 12.0;
         addBar(circle({2.62 * std::cos(0.0), 0.0}, 0.34, 2 * steps), 0.06, spoke, to, true);
         addBar({{2.3 * std::cos(between), 2.3 * std::sin(between)},
                 {2.98 * std::cos(between), 2.98 * std::sin(between)}},
                0.06, spoke, to);
         for (int leaf = 0; leaf < 4; ++leaf) {
-            const double turn = kPi64 * (0.25 + 0.5 * leaf);
+            const double turn = kPiD * (0.25 + 0.5 * leaf);
             addBar(circle({2.62 + 0.16 * std::cos(turn), 0.16 * std::sin(turn)}, 0.12, steps), 0.03, spoke,
                    to, true);
         }

@@ -14,7 +14,7 @@ struct Run {
 std::vector<Run> smoothRuns(const Outline& outline) {
     const std::vector<Vec2d>& p = outline.points;
     const size_t n = p.size();
-    const double mostCos = std::cos(outline.creaseDeg * kPi64 / 180.0);
+    const double mostCos = std::cos(outline.creaseDeg * kPiD / 180.0);
     const auto isCorner = [&](size_t i) {
         if (!outline.closed && (i == 0 || i + 1 == n)) { return true; }
         const Vec2d before = p[i] - p[(i + n - 1) % n], after = p[(i + 1) % n] - p[i];
@@ -72,12 +72,14 @@ Vec3d cellCentre(const Outline& outline) {
 }  // namespace
 
 Pose turned(const Vec3d& origin, double degrees) {
-    const double angle = degrees * kPi64 / 180.0;
+    const double angle = degrees * kPiD / 180.0;
     return {origin,
             {std::cos(angle), 0.0, -std::sin(angle)},
             {0.0, 1.0, 0.0},
             {std::sin(angle), 0.0, std::cos(angle)}};
 }
+
+Pose lying(const Vec3d& origin) { return {origin, {1.0, 0.0, 0.0}, {0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}}; }
 
 Pose operator*(const Pose& outer, const Pose& inner) {
     const auto direction = [&](const Vec3d& d) { return outer.at(d) - outer.origin; };
@@ -87,7 +89,7 @@ Pose operator*(const Pose& outer, const Pose& inner) {
 Outline ellipse(double radiusX, double radiusY, int corners) {
     Outline outline{{}, true, 80.0};
     for (int i = 0; i < corners; ++i) {
-        const double angle = 2.0 * kPi64 * i / corners;
+        const double angle = 2.0 * kPiD * i / corners;
         outline.points.emplace_back(radiusX * std::cos(angle), radiusY * std::sin(angle));
     }
     return outline;
@@ -133,7 +135,7 @@ MeshData sweep(const Outline& outline, const std::vector<Pose>& path, bool close
 MeshData lathe(const Outline& outline, int steps) {
     std::vector<Pose> path;
     for (int i = 0; i < steps; ++i) {
-        const double angle = 2.0 * kPi64 * i / steps;
+        const double angle = 2.0 * kPiD * i / steps;
         path.push_back({Vec3d(0.0),
                         {std::cos(angle), 0.0, std::sin(angle)},
                         {0.0, 1.0, 0.0},
@@ -173,7 +175,7 @@ MeshData roundedBox(const Vec3d& size, double radius, int steps) {
     const auto along1 = [&](uint32_t i, double most, double straight) {
         const bool upper = i > static_cast<uint32_t>(steps);
         const double step = upper ? i - steps - 1.0 : steps - static_cast<double>(i);
-        const double place = straight + radius * std::tan(step / steps * kPi64 / 4.0);
+        const double place = straight + radius * std::tan(step / steps * kPiD / 4.0);
         return (upper ? 1.0 : -1.0) * std::min(place, most);
     };
     MeshData mesh;

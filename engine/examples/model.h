@@ -15,8 +15,6 @@ namespace glint::examples {
 
 using Vec2d = glm::dvec2;
 
-constexpr double kPi64 = 3.14159265358979323846;
-
 /// Where a part stands: the world's place of its origin and of its three axes.
 struct Pose {
     Vec3d origin{0.0};
@@ -29,6 +27,8 @@ struct Pose {
 
 /// Standing at `origin`, turned counter-clockwise from above.
 Pose turned(const Vec3d& origin, double degrees);
+/// Lying at `origin`: the z of what is placed points up.
+Pose lying(const Vec3d& origin);
 /// `inner` within `outer`.
 Pose operator*(const Pose& outer, const Pose& inner);
 

@@ -49,7 +49,7 @@ void paintCloth(ExampleFolder* folder) {
     const auto weave = [&](double u, double v) {
         const double a = fraction(16.0 * u), b = fraction(16.0 * v);
         const bool isOver = (static_cast<int>(16.0 * u) + static_cast<int>(16.0 * v)) % 2 == 0;
-        const double warp = std::sin(kPi64 * a), weft = std::sin(kPi64 * b);
+        const double warp = std::sin(kPiD * a), weft = std::sin(kPiD * b);
         return (isOver ? warp : weft) * (0.8 + 0.2 * noise.cloud(u, v, 16, 16, 2));
     };
     folder->image("weave_height.png", paintHeights(512, 512, weave));

@@ -7,11 +7,9 @@ namespace {
 
 /// Axes tilted backwards by `degrees` about x.
 Pose leaning(const Vec3d& origin, double degrees) {
-    const double a = degrees * kPi64 / 180.0;
+    const double a = degrees * kPiD / 180.0;
     return {origin, {1.0, 0.0, 0.0}, {0.0, std::cos(a), -std::sin(a)}, {0.0, std::sin(a), std::cos(a)}};
 }
-/// Lying: the frame's z points up.
-Pose lying(const Vec3d& origin) { return {origin, {1.0, 0.0, 0.0}, {0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}}; }
 
 MeshData leg(double height) {
     return lathe({{{0.001, 0.0}, {0.016, 0.0}, {0.026, height}, {0.001, height}}, false}, 20);
@@ -71,7 +69,7 @@ void addSofa(const Pose& frame, RoomMeshes* to) {
                   frame * leaning({i * 0.68, 0.75, -0.22}, 12.0), 10 + number);
     }
     const auto pillow = [&](int kind, const Vec3d& place, double turn, double roll, uint64_t number) {
-        const double a = roll * kPi64 / 180.0;
+        const double a = roll * kPiD / 180.0;
         const Pose rolled{{0.0, 0.0, 0.0},
                           {std::cos(a), std::sin(a), 0.0},
                           {-std::sin(a), std::cos(a), 0.0},

@@ -40,7 +40,7 @@ void addCurtain(double from, double to, double phase, RoomMeshes* room) {
                   // Folds are even where they are gathered, and wander and deepen below.
                   const double wander = down * (0.5 * std::sin(5.0 * u + phase) +
                                                 0.3 * std::sin(11.0 * u + 2.0 * phase + 2.0 * down));
-                  const double angle = 2.0 * kPi64 * kFolds * u + wander;
+                  const double angle = 2.0 * kPiD * kFolds * u + wander;
                   const double depth =
                       0.026 + 0.036 * ramp(0.0, 0.7, down) + 0.012 * std::sin(9.0 * u + 3.0 * phase);
                   const double pleat = 0.4 + 0.6 * ramp(1.0, 0.85, v);
@@ -101,7 +101,7 @@ void addShell(RoomMeshes* to) {
     addAround(skirting, 0.0, &to->trim);
     Outline cornice{{{0.0, -0.14}, {0.012, -0.14}, {0.016, -0.125}}, false};
     for (int i = 0; i <= 10; ++i) {
-        const double angle = kPi64 / 20.0 * i;
+        const double angle = kPiD / 20.0 * i;
         cornice.points.emplace_back(0.11 - 0.09 * std::cos(angle), -0.11 + 0.09 * std::sin(angle));
     }
     cornice.points.insert(cornice.points.end(), {{0.125, -0.016}, {0.125, 0.0}});
@@ -151,7 +151,7 @@ void addRug(RoomMeshes* to) {
     for (double z = -length / 2; z < length / 2; z += spacing) {
         for (double x = -width / 2; x < width / 2; x += spacing) {
             const Vec3d root(x + spacing * dice.next(), 0.004, z + spacing * dice.next());
-            const double turn = 2.0 * kPi64 * dice.next(), lean = dice.between(0.1, 0.9);
+            const double turn = 2.0 * kPiD * dice.next(), lean = dice.between(0.1, 0.9);
             const double blade = 0.45 * spacing;
             const Vec3d across = blade * Vec3d(std::cos(turn), 0.0, std::sin(turn));
             const Vec3d tip = root + Vec3d(-std::sin(turn) * lean * 0.008, dice.between(0.009, 0.013),

@@ -5,8 +5,6 @@
 namespace glint::examples {
 namespace {
 
-Pose lying(const Vec3d& origin) { return {origin, {1.0, 0.0, 0.0}, {0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}}; }
-
 void addCup(const Pose& frame, RoomMeshes* to) {
     const int corners = to->detail.steps(56, 12);
     const Outline saucer{{{0.001, 0.0},
@@ -35,7 +33,7 @@ void addCup(const Pose& frame, RoomMeshes* to) {
     add(&to->porcelain, lathe(cup, corners), frame);
     std::vector<Vec3d> handle;
     for (int i = 0; i <= 16; ++i) {
-        const double angle = kPi64 * (0.62 - 1.2 * i / 16.0);
+        const double angle = kPiD * (0.62 - 1.2 * i / 16.0);
         handle.emplace_back(0.039 + 0.016 * std::cos(angle), 0.041 + 0.017 * std::sin(angle), 0.0);
     }
     add(&to->porcelain, tube(handle, 0.0032, 10), frame);
@@ -58,10 +56,10 @@ void addFruitBowl(const Pose& frame, RoomMeshes* to) {
     const int steps = to->detail.steps(28, 8);
     Outline half{{}, false, 80.0};
     for (int i = 0; i <= steps; ++i) {
-        const double angle = kPi64 * (static_cast<double>(i) / steps - 0.5);
+        const double angle = kPiD * (static_cast<double>(i) / steps - 0.5);
         // Hollow where the stem was.
         const double dent =
-            1.0 - 0.1 * std::exp(-40.0 * (kPi64 / 2 - std::abs(angle)) * (kPi64 / 2 - std::abs(angle)));
+            1.0 - 0.1 * std::exp(-40.0 * (kPiD / 2 - std::abs(angle)) * (kPiD / 2 - std::abs(angle)));
         half.points.emplace_back(std::max(0.0003, 0.038 * std::cos(angle)), 0.036 * dent * std::sin(angle));
     }
     const MeshData orange = lathe(half, 2 * steps);
@@ -117,7 +115,7 @@ void addLeaf(double turn, double reach, double height, double size, const Pose& 
               [&](double u, double v) {
                   const double a = 2.0 * u - 1.0;
                   const double width =
-                      0.36 * std::pow(std::sin(kPi64 * std::pow(std::max(v, 1e-4), 0.75)), 0.8) + 0.002;
+                      0.36 * std::pow(std::sin(kPiD * std::pow(std::max(v, 1e-4), 0.75)), 0.8) + 0.002;
                   const double droop = -0.55 * v * v + 0.1 * v, fold = 0.2 * std::abs(a) * width;
                   const double wave = 0.018 * std::sin(9.0 * v) * a;
                   return tip + size * Vec3d(v, droop + fold + wave, -a * width);

@@ -10,7 +10,6 @@
 namespace glint {
 namespace {
 
-constexpr float kMaxCoordinate = 1e18f;
 constexpr uint64_t kMaxPosedVertices = uint64_t{1}
                                        << 26;  ///< a file may bend one mesh for each of many nodes
 

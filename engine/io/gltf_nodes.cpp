@@ -64,7 +64,8 @@ Result<std::vector<Affine>> instancesOf(const GltfFile& file, const tinygltf::No
         }
     }
     std::vector<Affine> places;
-    std::ranges::transform(nodes, std::back_inserter(places), placementOf);
+    std::ranges::transform(nodes, std::back_inserter(places),
+                           [](const tinygltf::Node& place) { return placementOf(place); });
     return places;
 }
 

@@ -1,6 +1,7 @@
 #include "engine/io/mesh_file.h"
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <type_traits>
 #include <utility>
@@ -119,15 +120,26 @@ std::shared_ptr<MeshData> joinParts(const std::vector<MeshPart>& parts) {
     return out;
 }
 
-bool joinByMaterial(std::vector<MeshPart>* parts) {
+bool joinByMaterial(std::vector<MeshPart>* parts, bool someAreDefined) {
     std::map<std::string, size_t, std::less<>> places;
     std::vector<MeshPart> joined;
-    for (const MeshPart& part : *parts) {
-        places.try_emplace(part.materialName, places.size());
+    std::function<std::string(const MeshPart&)> keyOf = [](const MeshPart& part) {
+        return part.materialName;
+    };
+    const auto findPlaces = [&] {
+        places.clear();
+        for (const MeshPart& part : *parts) {
+            places.try_emplace(keyOf(part), places.size());
+        }
+    };
+    findPlaces();
+    if (!someAreDefined && places.size() > kMostSeparateParts) {
+        keyOf = [](const MeshPart& part) { return part.mesh->colors.empty() ? "" : "with colours"; };
+        findPlaces();
     }
     if (places.size() == parts->size()) { return false; }
     for (MeshPart& part : *parts) {
-        const size_t place = places.find(part.materialName)->second;
+        const size_t place = places.find(keyOf(part))->second;
         if (place == joined.size()) {
             joined.push_back(std::move(part));
         } else {

@@ -53,9 +53,10 @@ constexpr size_t kMostSeparateParts = 10'000;
 /// all at once, room for these spares doubling it.
 constexpr size_t kLateComers = 16;
 
-/// Joins parts of one material, in the order in which the materials come first. Nothing changes where that
-/// leaves as many. False: nothing changed.
-bool joinByMaterial(std::vector<MeshPart>* parts);
+/// Joins parts of one material, in the order in which the materials come first. Where no material is defined,
+/// and there are more than kMostSeparateParts of them, all are one, but for parts with colours of their own.
+/// Nothing changes where that leaves as many. False: nothing changed.
+bool joinByMaterial(std::vector<MeshPart>* parts, bool someAreDefined);
 
 /// Appends all parts as objects like `prototype`, with the file's own materials and textures, which are not
 /// read. `path` is as written in the scene; the textures' paths become relative to the scene's folder.

@@ -12,8 +12,6 @@
 namespace glint {
 namespace {
 
-constexpr float kAir = 1.000277f;
-
 /// What a smooth boundary reflects of diffuse light from outside: Walsh 1926, "The Reflection Factor of a
 /// Polished Glass Surface for Diffused Light".
 float diffuseFresnel(float index) {

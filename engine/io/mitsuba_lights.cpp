@@ -16,8 +16,6 @@
 namespace glint {
 namespace {
 
-constexpr float kDegrees = 180.0f / kPi;
-
 Affine toWorldOf(MitsubaObject* object) { return object->context().world * object->transform(); }
 
 }  // namespace
@@ -102,8 +100,8 @@ void MitsubaLights::placeProjector(MitsubaObject* object) {
     light->strength = kPi * object->number("scale", 1.0f, 0.0f);
     light->aspect = aspectOf(light->picture);
     const float vertical = mitsubaVerticalFov(object, light->aspect);
-    const float half = light->aspect * std::tan(0.5f * vertical / kDegrees);
-    light->fovDeg = std::clamp(2.0f * std::atan(half) * kDegrees, 0.01f, 179.9f);
+    const float half = light->aspect * std::tan(0.5f * vertical / kDegreesPerRadian);
+    light->fovDeg = std::clamp(2.0f * std::atan(half) * kDegreesPerRadian, 0.01f, 179.9f);
     if (!aimProjector(toWorldOf(object), Vec3(-1, 0, 0), light, &context_.scene)) {
         context_.fail(object->element(), "the light is flattened");
     }

@@ -10,7 +10,7 @@
 namespace glint {
 namespace {
 
-constexpr float kBk7 = 1.5046f, kAir = 1.000277f;
+constexpr float kBk7 = 1.5046f;
 constexpr std::string_view kReliefShading =
     "approximated: where bumps and normal maps lean away from the light, shading ends as Glint has it";
 

@@ -12,6 +12,9 @@
 
 namespace glint {
 
+/// The refractive index outside where a scene says nothing.
+constexpr float kAir = 1.000277f;
+
 /// A bsdf as it is on a shape, before the shape shines.
 struct MitsubaSurface {
     Material material;

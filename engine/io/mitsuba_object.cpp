@@ -11,7 +11,6 @@ namespace glint {
 namespace {
 
 constexpr int kMaxNesting = 64;
-constexpr double kLargest = 1e18;
 
 bool isObject(std::string_view tag) {
     static constexpr std::string_view kTags[] = {"bsdf",   "texture", "emitter",   "shape",      "sensor",
@@ -54,7 +53,7 @@ double mitsubaNumber(MitsubaContext* context, const MitsubaElement& at, std::str
         context->fail(at, fmt::format("\"{}\" is no finite number", word.substr(0, 40)));
         return 0.0;
     }
-    return std::clamp(number, -kLargest, kLargest);
+    return std::clamp(number, -kMaxCoordinateD, kMaxCoordinateD);
 }
 
 std::vector<double> mitsubaNumbers(MitsubaContext* context, const MitsubaElement& at, std::string_view list,

@@ -11,7 +11,6 @@ namespace glint {
 namespace {
 
 constexpr int kUnlimitedDepth = 1024;  ///< a path of more events than that brings nothing that is seen
-constexpr float kDegrees = 180.0f / kPi;
 
 void readFilter(MitsubaContext* context, const MitsubaElement* filter) {
     RenderOptions& options = context->scene.options;
@@ -92,8 +91,9 @@ void showWindow(const FilmWindow& window, const Vec2& principal, Camera* camera)
     if (window.shown.height == window.whole.height) { return; }
     const float share = shown.y / whole.y;
     camera->viewHeight *= share;
-    camera->verticalFovDeg =
-        2.0f * std::atan(share * std::tan(0.5f * camera->verticalFovDeg / kDegrees)) * kDegrees;
+    camera->verticalFovDeg = 2.0f *
+                             std::atan(share * std::tan(0.5f * camera->verticalFovDeg / kDegreesPerRadian)) *
+                             kDegreesPerRadian;
 }
 
 /// A <lookat> that nothing but scales of the picture comes before says the camera's points themselves, which
@@ -134,16 +134,17 @@ float mitsubaVerticalFov(MitsubaObject* object, float aspect) {
         std::string_view length = object->text("focal_length", "50mm");
         if (length.ends_with("mm")) { length.remove_suffix(2); }
         const double mm = mitsubaNumber(&object->context(), object->element(), length);
-        fov = 2.0f * std::atan(0.5f * kDiagonalMm / std::max(static_cast<float>(mm), 1e-3f)) * kDegrees;
+        fov = 2.0f * std::atan(0.5f * kDiagonalMm / std::max(static_cast<float>(mm), 1e-3f)) *
+              kDegreesPerRadian;
         axis = "diagonal";
     }
     if (axis == "y") { return fov; }
-    const float tangent = std::tan(0.5f * fov / kDegrees);
+    const float tangent = std::tan(0.5f * fov / kDegreesPerRadian);
     const bool isVertical = (axis == "smaller" && aspect > 1.0f) || (axis == "larger" && aspect < 1.0f);
     const float vertical = isVertical           ? tangent
                            : axis == "diagonal" ? tangent / std::sqrt(1.0f + aspect * aspect)
                                                 : tangent / aspect;
-    return std::clamp(2.0f * std::atan(vertical) * kDegrees, 1e-3f, 179.99f);
+    return std::clamp(2.0f * std::atan(vertical) * kDegreesPerRadian, 1e-3f, 179.99f);
 }
 
 void readMitsubaSensor(MitsubaContext* context, const MitsubaElement& sensor) {

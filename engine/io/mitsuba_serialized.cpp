@@ -15,7 +15,6 @@ namespace {
 constexpr uint16_t kFileId = 0x041c;
 constexpr size_t kHeaderBytes = 4;
 constexpr uint64_t kMaxCount = uint64_t{1} << 26;
-constexpr float kMaxCoordinate = 1e18f;
 constexpr uint32_t kHasNormals = 0x0001, kHasUvs = 0x0002, kHasColors = 0x0008, kHasFaceNormals = 0x0010,
                    kSingle = 0x1000, kDouble = 0x2000;
 

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "engine/io/spectrum_colors.h"
 
 namespace glint {
 namespace {
 
-constexpr double kPiD = std::numbers::pi;
 /// From kcd/m^2, by 683 lm/W and the integral of the observer's y, 106.857 nm.
 constexpr double kPerKilocandela = 1000.0 / (683.002 * 106.857);
 constexpr double kSunSolidAngle = 6.807e-5;

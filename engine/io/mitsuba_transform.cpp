@@ -9,8 +9,6 @@
 namespace glint {
 namespace {
 
-constexpr double kLargest = 1e18;
-
 glm::dvec3 vectorOf(MitsubaContext* context, const MitsubaElement& at, double otherwise) {
     if (at.has("value")) {
         const auto v = mitsubaNumbers(context, at, at.attribute("value"), {1, 3});
@@ -98,7 +96,7 @@ Affine mitsubaTransform(MitsubaContext* context, const MitsubaElement& transform
     for (int column = 0; column < 4; ++column) {
         const glm::dvec3 v = glm::dvec3(all[column]) / all[3].w;
         for (int row = 0; row < 3; ++row) {
-            isFine = isFine && std::abs(v[row]) <= kLargest;
+            isFine = isFine && std::abs(v[row]) <= kMaxCoordinateD;
             (column < 3 ? out.linear[column][row] : out.translation[row]) = static_cast<float>(v[row]);
         }
     }

@@ -35,7 +35,7 @@ Vec3 transmissionOf(const tinyobj::material_t& values) {
     return glm::clamp(Vec3(tf[0], tf[1], tf[2]), Vec3(0.0f), Vec3(1.0f));
 }
 
-bool isGrey(const Vec3& color) { return maxComponent(color) - minComponent(color) <= 0.02f; }
+bool isNearlyGrey(const Vec3& color) { return maxComponent(color) - minComponent(color) <= 0.02f; }
 
 /// Of glass that d or illum 7 make: Tf where it is not black.
 Vec3 tintOf(const MtlEntry& entry, const tinyobj::material_t& values) {
@@ -60,7 +60,7 @@ MtlGlass byTransmission(const MtlEntry& entry, const tinyobj::material_t& values
     }
     const Vec3 tf = transmissionOf(values);
     const std::string why = fmt::format("{}, Tf {} {} {}", illum, tf.x, tf.y, tf.z);
-    if (isGrey(tf)) {
+    if (isNearlyGrey(tf)) {
         const bool isGlass = tf.x <= mostGlass(entry, values);
         return {.isGlass = isGlass, .why = why, .opacity = isGlass ? 1.0f : tf.x};
     }

@@ -28,7 +28,7 @@ Result<MeshFile> parseObj(const std::string& bytes, const std::string& path) {
     if (plain) { file.warnings.push_back(fmt::format("{}: {}", path, plain->repaired)); }
     decodeVertexColors(path, &file);
     const size_t parts = file.parts.size();
-    if (parts > kMostSeparateParts && joinByMaterial(&file.parts)) {
+    if (parts > kMostSeparateParts && joinByMaterial(&file.parts, !file.libraries.empty())) {
         file.notes.push_back(fmt::format("{}: {} runs of faces are joined to {} objects, by their materials",
                                          path, parts, file.parts.size()));
     }

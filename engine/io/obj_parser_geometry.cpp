@@ -12,7 +12,6 @@ namespace glint {
 namespace {
 
 /// Larger coordinates have squared lengths that overflow float.
-constexpr float kMaxCoordinate = 1e18f;
 constexpr size_t kMaxPoolEntries = INT32_MAX;
 
 constexpr std::string_view kMoreOnALine = "more on a line than it can have is left out";

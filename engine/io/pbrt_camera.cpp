@@ -10,8 +10,6 @@
 namespace glint {
 namespace {
 
-constexpr float kDegrees = 180.0f / kPi;
-
 /// The scene's own x is turned over, which changes none of its numbers.
 const Affine kMirror{Mat3(-1, 0, 0, 0, 1, 0, 0, 0, 1), Vec3(0.0f)};
 
@@ -191,7 +189,7 @@ float PbrtView::readLens(const Screen& screen, float unit) {
         const float fov =
             camera_.has("halffov") ? 2.0f * camera_.number("halffov", 45.0f) : camera_.number("fov", 90.0f);
         camera.verticalFovDeg = std::clamp(fov, 0.01f, 179.9f);
-        return std::tan(0.5f * camera.verticalFovDeg / kDegrees);
+        return std::tan(0.5f * camera.verticalFovDeg / kDegreesPerRadian);
     }
     camera_.approximated("approximated: cameras of another kind are perspective ones of 90 degrees");
     camera_.passOver({"mapping"});
@@ -228,7 +226,8 @@ void PbrtView::placeCamera(const Screen& screen) {
     camera.shift = middle / (2.0f * half.y);
     camera.viewHeight = 2.0f * half.y;
     if (half.y != 1.0f || cameraKind_ != "perspective") {
-        camera.verticalFovDeg = std::clamp(2.0f * std::atan(length * half.y) * kDegrees, 1e-3f, 179.99f);
+        camera.verticalFovDeg =
+            std::clamp(2.0f * std::atan(length * half.y) * kDegreesPerRadian, 1e-3f, 179.99f);
     }
     const float reach = camera.focalDistance < 1e5f * unit ? camera.focalDistance : unit;
     camera.target = camera.position + (reach / unit) * forward;

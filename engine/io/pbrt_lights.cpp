@@ -11,11 +11,7 @@
 #include "engine/math/color.h"
 
 namespace glint {
-namespace {
-
-constexpr float kDegrees = 180.0f / kPi;
-
-}  // namespace
+namespace {}  // namespace
 
 Vec3 PbrtLights::colorOf(const PbrtParams& params, std::string_view name) {
     const PbrtParam* param = params.find(name);
@@ -80,7 +76,7 @@ void PbrtLights::placePoint(const PbrtParams& params, const Affine& toWorld) {
 void PbrtLights::placeSpot(const PbrtParams& params, const Affine& toWorld) {
     const float cone = params.number("coneangle", 30.0f, 0.01f, 90.0f);
     const float inner = cone - params.number("conedeltaangle", 5.0f, 0.0f, cone);
-    const float a = std::cos(inner / kDegrees), b = std::cos(cone / kDegrees);
+    const float a = std::cos(inner / kDegreesPerRadian), b = std::cos(cone / kDegreesPerRadian);
     Light* light = add(params, LightKind::Spot, "spot", kTwoPi * ((1.0f - a) + 0.5f * (a - b)));
     const Vec3 from = params.point("from", Vec3(0.0f)), to = params.point("to", Vec3(0, 0, 1));
     light->position = toWorld.point(from);
@@ -115,7 +111,7 @@ void PbrtLights::placeProjection(const PbrtParams& params, const Affine& toWorld
         context_.refuse(params.place(), "the projection has no \"filename\"");
         return;
     }
-    const float tangent = std::tan(0.5f * params.number("fov", 90.0f, 0.1f, 179.0f) / kDegrees);
+    const float tangent = std::tan(0.5f * params.number("fov", 90.0f, 0.1f, 179.0f) / kDegreesPerRadian);
     float aspect = 1.0f;
     const auto picture =
         textures_.projected(params, textures_.imageFile(params, file, ColorEncoding::Srgb), tangent, &aspect);
@@ -123,7 +119,7 @@ void PbrtLights::placeProjection(const PbrtParams& params, const Affine& toWorld
     const float half = tangent * std::max(aspect, 1.0f), area = 4.0f * half * half / aspect;
     Light* light = add(params, LightKind::Projector, "projection",
                        area * std::max(luminance(textures_.meanOf(*picture)), 1e-9f));
-    light->fovDeg = 2.0f * std::atan(half) * kDegrees;
+    light->fovDeg = 2.0f * std::atan(half) * kDegreesPerRadian;
     light->aspect = aspect;
     light->picture = textures_.colorInput(*picture);
     if (!aimProjector(toWorld, Vec3(1, 0, 0), light, &context_.scene)) {

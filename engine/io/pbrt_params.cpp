@@ -32,7 +32,6 @@ constexpr auto kTypes = std::to_array<TypeName>({{"float", PbrtType::Float},
                                                  {"spectrum", PbrtType::Spectrum},
                                                  {"blackbody", PbrtType::Blackbody}});
 
-constexpr float kLargest = 1e18f;
 constexpr std::string_view kBlanks = " \t\r\n";
 
 bool readValue(PbrtText* text, PbrtParam* param) {
@@ -190,7 +189,8 @@ std::string PbrtParams::text(std::string_view name, std::string_view otherwise) 
 Vec3 PbrtParams::point(std::string_view name, const Vec3& otherwise) const {
     const PbrtParam* param = ofType(name, PbrtType::Float, 3);
     if (param == nullptr) { return otherwise; }
-    return glm::clamp(Vec3(param->numbers[0], param->numbers[1], param->numbers[2]), -kLargest, kLargest);
+    return glm::clamp(Vec3(param->numbers[0], param->numbers[1], param->numbers[2]), -kMaxCoordinate,
+                      kMaxCoordinate);
 }
 
 const std::vector<float>& PbrtParams::numbers(std::string_view name, size_t group) const {
@@ -225,7 +225,7 @@ std::vector<Vec3> PbrtParams::points(std::string_view name) const {
         points[i] = Vec3(all[3 * i], all[3 * i + 1], all[3 * i + 2]);
         largest = maxf(largest, maxComponent(absVec(points[i])));
     }
-    if (largest > kLargest) {
+    if (largest > kMaxCoordinate) {
         context_->fail(find(name)->place, fmt::format("\"{}\" has a number above 1e18", name));
     }
     return points;

@@ -8,8 +8,6 @@
 namespace glint {
 namespace {
 
-constexpr double kLargest = 1e18;
-
 /// World to camera: z runs to the target, y as far up as it can, x to the right, which makes it left-handed.
 glm::dmat4 lookAt(PbrtContext* context, const PbrtPlace& at, const std::vector<double>& n) {
     const glm::dvec3 eye(n[0], n[1], n[2]), forward = glm::dvec3(n[3], n[4], n[5]) - eye,
@@ -61,7 +59,7 @@ Affine affineOf(PbrtContext* context, const PbrtPlace& at, const glm::dmat4& mat
     for (int column = 0; column < 4; ++column) {
         const glm::dvec3 v = glm::dvec3(matrix[column]) / matrix[3].w;
         for (int row = 0; row < 3; ++row) {
-            isFine = isFine && std::abs(v[row]) <= kLargest;
+            isFine = isFine && std::abs(v[row]) <= kMaxCoordinateD;
             (column < 3 ? out.linear[column][row] : out.translation[row]) = static_cast<float>(v[row]);
         }
     }

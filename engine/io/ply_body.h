@@ -68,7 +68,6 @@ class PlyBody : public PlyElements<Source> {
     using Base::headerFailure, Base::readCount, Base::skipElement, Base::skipProperty;
 
     /// Larger coordinates have squared lengths that overflow float.
-    static constexpr double kMaxCoordinate = 1e18;
 
     static bool isVertex(const PlyElement& element) { return element.is({"vertex", "vertices"}); }
     static bool isStrip(const PlyElement& element) { return element.is({"tristrips", "tristrip"}); }
@@ -126,7 +125,7 @@ class PlyBody : public PlyElements<Source> {
         if (!source_.read(property.type, nameOf(slot), value)) { return false; }
         if (slot > kZ) {
             makeFinite(value);
-        } else if (!(std::fabs(*value) <= kMaxCoordinate)) {
+        } else if (!(std::fabs(*value) <= kMaxCoordinateD)) {
             if (!unplaced_) {
                 source_.fail(
                     fmt::format("{} is {}; expected a finite number below 1e18", nameOf(slot), *value));
@@ -138,7 +137,7 @@ class PlyBody : public PlyElements<Source> {
     }
 
     void makeFinite(double* attribute) {
-        if (std::fabs(*attribute) <= kMaxCoordinate) { return; }
+        if (std::fabs(*attribute) <= kMaxCoordinateD) { return; }
         source_.remark("normals, texture coordinates and colours that are no finite numbers count as 0");
         *attribute = 0.0;
     }

@@ -7,11 +7,9 @@
 namespace glint {
 namespace {
 
-constexpr float kDegrees = 180.0f / kPi;
-
 /// Shows at 1 - u what it showed at u.
 void mirror(Texture* texture) {
-    const float angle = texture->rotationDeg / kDegrees, width = texture->scale.x;
+    const float angle = texture->rotationDeg / kDegreesPerRadian, width = texture->scale.x;
     texture->offset += width * Vec2(std::cos(angle), std::sin(angle));
     texture->scale.x = -width;
 }
@@ -46,7 +44,7 @@ bool aimProjector(const Affine& toWorld, const Vec3& right, Light* light, SceneD
 }
 
 Vec2 projectedExtent(const Light& projector) {
-    const float half = std::tan(0.5f * projector.fovDeg / kDegrees);
+    const float half = std::tan(0.5f * projector.fovDeg / kDegreesPerRadian);
     return {half, half / projector.aspect};
 }
 
@@ -58,7 +56,7 @@ Light spotOfProjector(const SceneDescription& scene, const Light& projector) {
     const float cone = std::atan(std::sqrt(area / kPi));
     spot.color = projector.color * meanOf(scene, projector.picture);
     spot.strength = projector.strength * area / (kTwoPi * (1.0f - std::cos(cone)));
-    spot.coneAngleDeg = spot.coneFalloffStartDeg = cone * kDegrees;
+    spot.coneAngleDeg = spot.coneFalloffStartDeg = cone * kDegreesPerRadian;
     return spot;
 }
 

@@ -20,7 +20,6 @@ namespace {
 
 constexpr size_t kHeaderBytes = 84;
 constexpr size_t kFacetBytes = 50;
-constexpr float kMaxCoordinate = 1e18f;
 
 struct PositionHash {
     size_t operator()(const Vec3& p) const {

@@ -6,6 +6,9 @@
 
 namespace glint {
 
+/// That of a standard normal variable with 5 % beyond it.
+constexpr double kNormal95 = 1.6448536269514722;
+
 /// -log(1 - v^2) for |v| <= 1, finite.
 GLINT_HD inline float minusLogOneMinusSquare(float v) {
     return -naturalLog(maxf((1.0f - v) * (1.0f + v), 1e-12f));

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -27,9 +28,12 @@ using Mat3 = glm::mat3;  // column-major, as GLM's
 constexpr float kPi = 3.14159265358979323846f;
 constexpr float kInvPi = 0.31830988618379067154f;
 constexpr float kTwoPi = 6.28318530717958647692f;
+constexpr float kDegreesPerRadian = 180.0f / kPi;
+constexpr double kPiD = std::numbers::pi;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 GLINT_HD inline float square(float x) { return x * x; }
+GLINT_HD inline double square(double x) { return x * x; }
 GLINT_HD inline float clampf(float x, float lo, float hi) { return x < lo ? lo : (x > hi ? hi : x); }
 /// Not std::fmin and std::fmax, which keep numbers beside NaN and so are library calls on the host; these are
 /// one instruction. Where a number is NaN the answer is b.

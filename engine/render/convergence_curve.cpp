@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "engine/base/check.h"
+#include "engine/math/inverse_erf.h"
 
 namespace glint {
 namespace {
@@ -16,7 +17,6 @@ constexpr double kTailFactor = 8.0;
 constexpr double kLeastTailFactor = 2.0;
 constexpr size_t kLeastTailPoints = 5;
 /// 95 % quantile of the standard normal distribution: both ends of a 90 % band.
-constexpr double kNormal95 = 1.6448536269514722;
 
 bool isUsable(const ConvergencePoint& point) {
     return std::isfinite(point.relativeError) && point.relativeError > 0.0 && point.renderSeconds > 0.0;

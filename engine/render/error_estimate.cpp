@@ -7,6 +7,7 @@
 
 #include "engine/base/parallel.h"
 #include "engine/math/color.h"
+#include "engine/math/inverse_erf.h"
 #include "engine/render/error_sums.h"
 #include "engine/render/film.h"
 #include "engine/render/image_statistics.h"
@@ -14,9 +15,8 @@
 namespace glint {
 namespace {
 
-constexpr int64_t kChunkPixels = 65536;
+constexpr int64_t kPixelsPerSum = 65536;
 /// 95 % quantile of the standard normal distribution: both ends of a 90 % band.
-constexpr double kNormal95 = 1.6448536269514722;
 /// Standard deviation of the logarithm of the mean squared error from what is assumed of stratification (how
 /// it goes on between powers of two), for one doubling of passes and so much less for many; the same before
 /// there is a calibration; and of a picture that is all bias, whose estimate misses what edges cut off.
@@ -24,14 +24,12 @@ constexpr double kModelSpread = 0.6;
 constexpr double kUncalibratedSpread = 1.2;
 constexpr double kBiasSpread = 0.5;
 
-double square(double x) { return x * x; }
-
 ErrorSums sumPixels(const Film& film, const ImageStatistics* statistics, int threads,
                     const FilmRegion& region) {
     const auto pixels = static_cast<int64_t>(film.pixels().size());
-    std::vector<ErrorSums> partial(static_cast<size_t>((pixels + kChunkPixels - 1) / kChunkPixels));
-    parallelChunks(pixels, kChunkPixels, threads, [&](int64_t begin, int64_t end) {
-        ErrorSums& sums = partial[static_cast<size_t>(begin / kChunkPixels)];
+    std::vector<ErrorSums> partial(static_cast<size_t>((pixels + kPixelsPerSum - 1) / kPixelsPerSum));
+    parallelChunks(pixels, kPixelsPerSum, threads, [&](int64_t begin, int64_t end) {
+        ErrorSums& sums = partial[static_cast<size_t>(begin / kPixelsPerSum)];
         for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
             const int x = static_cast<int>(i) % film.width();
             const int y = static_cast<int>(i) / film.width();

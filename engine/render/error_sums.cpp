@@ -8,8 +8,6 @@
 namespace glint {
 namespace {
 
-double square(double x) { return x * x; }
-
 /// Of z^2 for a standard normal z: the chance to be at most t, its mean and its square's mean up to there.
 /// With F_k the chi-square distribution of k degrees of freedom, these are F_1, F_3 and 3 F_5.
 struct CutSquare {

@@ -12,13 +12,13 @@
 namespace glint {
 namespace {
 
-constexpr int64_t kChunkPixels = 16384;
+constexpr int64_t kPixelsPerTally = 16384;
 
 double luminanceOf(double r, double g, double b) { return 0.2126 * r + 0.7152 * g + 0.0722 * b; }
 
 double luminanceOf(const std::array<double, 3>& rgb) { return luminanceOf(rgb[0], rgb[1], rgb[2]); }
 
-size_t chunkCount(size_t pixels) { return (pixels + kChunkPixels - 1) / kChunkPixels; }
+size_t chunkCount(size_t pixels) { return (pixels + kPixelsPerTally - 1) / kPixelsPerTally; }
 
 /// Welford 1962: mean_n = mean_(n-1) + (x - mean_(n-1)) / n, M_n = M_(n-1) + (x - mean_(n-1)) (x - mean_n).
 void addSample(const Vec3& radiance, FilmPixel* pixel) {
@@ -61,9 +61,9 @@ void Film::commit(const std::vector<PixelSample>& samples, uint32_t passIndex, i
                   const FilmRegion* region) {
     GLINT_CHECK_OP(samples.size(), ==, pixels_.size());
     std::vector<ChunkTally> tallies(chunkCount(pixels_.size()));
-    parallelChunks(static_cast<int64_t>(pixels_.size()), kChunkPixels, threads,
+    parallelChunks(static_cast<int64_t>(pixels_.size()), kPixelsPerTally, threads,
                    [&](int64_t begin, int64_t end) {
-                       ChunkTally& tally = tallies[begin / kChunkPixels];
+                       ChunkTally& tally = tallies[begin / kPixelsPerTally];
                        for (int64_t i = begin; i < end; ++i) {
                            if (isOutside(region, static_cast<size_t>(i))) { continue; }
                            const PixelSample& sample = samples[i];
@@ -83,13 +83,13 @@ void Film::commit(const std::vector<PixelSample>& samples, uint32_t passIndex, i
             faultCounts_[fault] += tallies[chunk].faults[fault];
             faultsHere += tallies[chunk].faults[fault];
         }
-        if (faultsHere > 0) { recordFaults(samples, chunk * kChunkPixels, passIndex, region); }
+        if (faultsHere > 0) { recordFaults(samples, chunk * kPixelsPerTally, passIndex, region); }
     }
 }
 
 void Film::recordFaults(const std::vector<PixelSample>& samples, size_t begin, uint32_t passIndex,
                         const FilmRegion* region) {
-    const size_t end = std::min(samples.size(), begin + kChunkPixels);
+    const size_t end = std::min(samples.size(), begin + kPixelsPerTally);
     for (size_t i = begin; i < end && faults_.size() < kMaxFaultRecords; ++i) {
         if (samples[i].fault != SampleFault::None && !isOutside(region, i)) {
             const int index = static_cast<int>(i);
@@ -111,7 +111,7 @@ double Film::relativeErrorEstimate(int threads) const {
         double luminance = 0.0;
     };
     std::vector<Sums> partial(chunkCount(pixels_.size()));
-    parallelChunks(static_cast<int64_t>(pixels_.size()), kChunkPixels, threads,
+    parallelChunks(static_cast<int64_t>(pixels_.size()), kPixelsPerTally, threads,
                    [&](int64_t begin, int64_t end) {
                        Sums sums;
                        for (int64_t i = begin; i < end; ++i) {
@@ -119,7 +119,7 @@ double Film::relativeErrorEstimate(int threads) const {
                            sums.squaredError += error * error;
                            sums.luminance += luminanceOf(pixels_[i].mean);
                        }
-                       partial[begin / kChunkPixels] = sums;
+                       partial[begin / kPixelsPerTally] = sums;
                    });
     Sums total;
     for (const Sums& sums : partial) {
@@ -155,7 +155,7 @@ void AovFilm::commit(const std::vector<AovSample>& samples, int threads) {
     ++passes_;
     const float weight = 1.0f / static_cast<float>(passes_);
     parallelChunks(
-        static_cast<int64_t>(pixels_.size()), kChunkPixels, threads, [&](int64_t begin, int64_t end) {
+        static_cast<int64_t>(pixels_.size()), kPixelsPerTally, threads, [&](int64_t begin, int64_t end) {
             for (int64_t i = begin; i < end; ++i) {
                 const AovSample& sample = samples[i];
                 AovSample& mean = pixels_[i];

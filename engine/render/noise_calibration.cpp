@@ -21,13 +21,11 @@
 namespace glint {
 namespace {
 
-constexpr int64_t kChunkPixels = 16384;
+constexpr int64_t kPixelsPerClassSum = 16384;
 constexpr double kLeastRatio = 1e-3;
 constexpr double kGreatestRatio = 1.5;
 /// Neighbours that are further apart than this are taken to err independently.
 constexpr int kMaxLag = 8;
-
-double square(double x) { return x * x; }
 
 struct ClassSums {
     double difference = 0.0;  ///< sum of d^2
@@ -75,7 +73,7 @@ class NoiseCalibrator {
         } else {
             next.factors.fill(1.0);
         }
-        parallelChunks(pixels(), kChunkPixels, threads_, [&](int64_t begin, int64_t end) {
+        parallelChunks(pixels(), kPixelsPerClassSum, threads_, [&](int64_t begin, int64_t end) {
             for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
                 film_.pixels_[i].halfSampleMean = static_cast<float>(pixelLuminance(film_, statistics_, i));
             }
@@ -85,16 +83,18 @@ class NoiseCalibrator {
 
   private:
     int64_t pixels() const { return static_cast<int64_t>(film_.pixels_.size()); }
-    size_t chunks() const { return static_cast<size_t>((pixels() + kChunkPixels - 1) / kChunkPixels); }
+    size_t chunks() const {
+        return static_cast<size_t>((pixels() + kPixelsPerClassSum - 1) / kPixelsPerClassSum);
+    }
 
     double meanLuminance() const {
         std::vector<double> partial(chunks());
-        parallelChunks(pixels(), kChunkPixels, threads_, [&](int64_t begin, int64_t end) {
+        parallelChunks(pixels(), kPixelsPerClassSum, threads_, [&](int64_t begin, int64_t end) {
             double sum = 0.0;
             for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
                 sum += pixelLuminance(film_, statistics_, i);
             }
-            partial[static_cast<size_t>(begin / kChunkPixels)] = sum;
+            partial[static_cast<size_t>(begin / kPixelsPerClassSum)] = sum;
         });
         double total = 0.0;
         for (const double sum : partial) {
@@ -117,8 +117,8 @@ class NoiseCalibrator {
 
     AllClasses sumClasses(const NoiseCalibration& classes) const {
         std::vector<AllClasses> partial(chunks());
-        parallelChunks(pixels(), kChunkPixels, threads_, [&](int64_t begin, int64_t end) {
-            AllClasses& sums = partial[static_cast<size_t>(begin / kChunkPixels)];
+        parallelChunks(pixels(), kPixelsPerClassSum, threads_, [&](int64_t begin, int64_t end) {
+            AllClasses& sums = partial[static_cast<size_t>(begin / kPixelsPerClassSum)];
             for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
                 // What regions left out has not doubled its samples.
                 if (film_.pixels_[i].count != film_.passes_) { continue; }

@@ -8,7 +8,7 @@
 namespace glint {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kInfinityD = std::numeric_limits<double>::infinity();
 constexpr double kLevel = 0.975;  // two sides of 95 %
 
 /// P(|T| <= t) for `degrees` degrees of freedom.
@@ -35,7 +35,7 @@ double studentMass(double t, int degrees) {
 struct Line {
     double slope = 0.0;
     double intercept = 0.0;
-    double slopeError = kInfinity;  ///< standard error by the regression
+    double slopeError = kInfinityD;  ///< standard error by the regression
     int points = 0;
 };
 
@@ -129,7 +129,7 @@ TimeToReach timeToReach(std::span<const CurvePoint> curve, double target,
         const CurvePoint& above = curve[firstBelow - 1];
         const CurvePoint& below = curve[firstBelow];
         // An error of 0 is below everything on log axes: the step is then taken at its end.
-        const double fall = below.error > 0.0 ? std::log(above.error / below.error) : kInfinity;
+        const double fall = below.error > 0.0 ? std::log(above.error / below.error) : kInfinityD;
         const double share = std::isfinite(fall) && fall > 0.0 ? std::log(above.error / target) / fall : 1.0;
         return {TimeToReach::Kind::Measured,
                 above.seconds * std::pow(below.seconds / above.seconds, std::clamp(share, 0.0, 1.0))};

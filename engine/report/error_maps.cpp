@@ -12,11 +12,11 @@
 #include "engine/report/finite_pixels.h"
 #include "engine/report/flip.h"
 #include "engine/report/heat_map.h"
+#include "engine/report/plane_filter.h"
 
 namespace glint {
 namespace {
 
-constexpr int64_t kPixelsPerChunk = 8192;
 constexpr double kShareBeyondRange = 0.001;
 constexpr double kShareBeyondSignedRange = 0.01;  ///< its linear scale would show nothing but the outliers
 constexpr double kDecades = 4.0;

@@ -14,7 +14,6 @@ namespace glint {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr int64_t kPixelsPerChunk = 8192;
 
 /// The paper's parameters: exponent of the colour difference (q_c), the split of its range (p_c, p_t),
 /// exponent of the feature difference (q_f) and the width of the feature detectors in degrees (w).

@@ -10,7 +10,6 @@ namespace glint {
 namespace {
 
 /// Enough work for a thread to be worth waking.
-constexpr int64_t kPixelsPerChunk = 8192;
 
 /// Calls body(y) for every row.
 template <class Body>

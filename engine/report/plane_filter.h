@@ -9,6 +9,9 @@
 
 namespace glint {
 
+/// What a thread takes at once of a plane of pixels.
+constexpr int64_t kPixelsPerChunk = 8192;
+
 /// width * height values, row 0 at the top.
 struct Plane {
     int width = 0;

@@ -4,7 +4,6 @@
 // plane through their backs.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "engine/report/stress_families.h"
 #include "engine/report/stress_render.h"
@@ -14,7 +13,6 @@ namespace glint {
 namespace {
 
 constexpr const char* kFamily = "lamp";
-constexpr double kPiD = std::numbers::pi;
 
 double reflected(double irradiance) { return irradiance * static_cast<double>(kFloorAlbedo) / kPiD; }
 

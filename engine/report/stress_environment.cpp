@@ -4,7 +4,6 @@
 // The truth is the irradiance of a level plane by quadrature in double over the image as it is interpolated.
 #include <cmath>
 #include <memory>
-#include <numbers>
 
 #include "engine/report/stress_families.h"
 #include "engine/report/stress_render.h"
@@ -15,7 +14,6 @@ namespace {
 
 constexpr int kWidth = 64;
 constexpr int kHeight = 32;
-constexpr double kPiD = std::numbers::pi;
 
 /// The integral of row y's hat function times cos sin over the polar angle's upper half; the outermost row
 /// reaches to the pole.

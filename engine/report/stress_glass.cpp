@@ -5,7 +5,6 @@
 // and the dark: T = 1 / (1 + sum R / (1 - R)) over the interfaces, unpolarised at each of them as the
 // renderer is.
 #include <cmath>
-#include <numbers>
 
 #include "engine/report/stress_families.h"
 #include "engine/report/stress_render.h"
@@ -15,7 +14,6 @@ namespace glint {
 namespace {
 
 constexpr const char* kFamily = "glass";
-constexpr double kPiD = std::numbers::pi;
 
 /// Unpolarised reflectance; n: index beyond over index before; 1 under total reflection. (Born and Wolf 1999,
 /// section 1.5.2.)

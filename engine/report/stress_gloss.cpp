@@ -4,7 +4,6 @@
 // The truths are quadratures of the microfacet model in double, written with Smith's Lambda and slopes
 // instead of the kernels' forms, and closed forms for point lights.
 #include <cmath>
-#include <numbers>
 
 #include "engine/report/stress_families.h"
 #include "engine/report/stress_render.h"
@@ -12,8 +11,6 @@
 
 namespace glint {
 namespace {
-
-constexpr double kPiD = std::numbers::pi;
 
 /// Smith's Lambda for GGX (Walter et al. 2007, eq. 34, as G1 = 1 / (1 + Lambda)).
 double smithLambda(double cosine, double alpha) {

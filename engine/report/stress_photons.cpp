@@ -4,7 +4,6 @@
 // The truths are a floor under even light in closed form, with the bias that a radius beyond its edges has,
 // and the same room in metres from the same random numbers.
 #include <cmath>
-#include <numbers>
 
 #include "engine/report/stress_families.h"
 #include "engine/report/stress_render.h"
@@ -14,7 +13,6 @@ namespace glint {
 namespace {
 
 constexpr const char* kFamily = "photons";
-constexpr double kPiD = std::numbers::pi;
 constexpr double kFloorRadiance = 0.5 / kPiD;  // albedo 0.5, irradiance 1
 
 /// The middle of a floor, lit by photons of the light alone.

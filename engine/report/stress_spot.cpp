@@ -3,7 +3,6 @@
 // The truths are the falloff's definition in double, and its integral by quadrature.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "engine/report/stress_families.h"
 #include "engine/report/stress_render.h"
@@ -12,7 +11,6 @@
 namespace glint {
 namespace {
 
-constexpr double kPiD = std::numbers::pi;
 constexpr double kAlbedoD = static_cast<double>(kFloorAlbedo);
 
 /// The falloff between the inner and the outer cone: cubic in the cosine, which is 1 - 2 sin^2 of the half.

@@ -14,7 +14,6 @@ namespace {
 
 constexpr uint32_t kMinTriangles = 12;
 constexpr uint32_t kMaxTriangles = 100'000'000;
-constexpr double kPiD = 3.14159265358979323846;
 
 /// Smooth noise in [-1, 1]: a few plane waves whose directions and phases come from the seed.
 class Waves {

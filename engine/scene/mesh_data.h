@@ -11,6 +11,10 @@
 
 namespace glint {
 
+/// The largest coordinate, so that squares of lengths are floats; and in double, as files are read.
+constexpr float kMaxCoordinate = 1e18f;
+constexpr double kMaxCoordinateD = 1e18;
+
 /// Indexed triangles. Optional arrays are either empty or have one entry per vertex. Every index is below
 /// positions.size(); every position is finite: loaders see to both.
 struct MeshData {

@@ -16,7 +16,6 @@
 namespace glint::test {
 namespace {
 
-constexpr double kPiDouble = 3.14159265358979324;
 constexpr int kSize = 33;
 
 SessionCapture renderTo(uint32_t passes, SceneDescription scene, int threads = 2,
@@ -63,7 +62,7 @@ SceneDescription shinyBall() {
 
 /// Where the pixel's ray meets the ball, in double; false: nowhere.
 bool meetBall(int x, int y, glm::dvec3* direction, glm::dvec3* normal) {
-    const double scale = std::tan(15.0 * kPiDouble / 180.0) * 2.0 / kSize;
+    const double scale = std::tan(15.0 * kPiD / 180.0) * 2.0 / kSize;
     *direction =
         glm::normalize(glm::dvec3((x + 0.5 - 0.5 * kSize) * scale, -(y + 0.5 - 0.5 * kSize) * scale, -1.0));
     const glm::dvec3 origin(0.0, 0.0, 5.0);
@@ -81,7 +80,7 @@ glm::dvec3 phong(const glm::dvec3& direction, const glm::dvec3& normal, const gl
     if (cosine <= 0.0) { return glm::dvec3(0.0); }
     const glm::dvec3 mirrored = 2.0 * cosine * normal - toLight;
     const double highlight = std::pow(std::max(0.0, -glm::dot(mirrored, direction)), double{kExponent});
-    return (glm::dvec3(kAlbedo) * cosine + glm::dvec3(kSpecular) * highlight) * irradiance / kPiDouble;
+    return (glm::dvec3(kAlbedo) * cosine + glm::dvec3(kSpecular) * highlight) * irradiance / kPiD;
 }
 
 TEST(RayCast, ADirectionalLightIsPhongsFormulaInEveryPixel) {
@@ -114,7 +113,7 @@ TEST(RayCast, WithoutALightOneShinesFromTheCamera) {
     const SessionCapture capture = renderTo(1, shinyBall());
     glm::dvec3 direction, normal;
     ASSERT_TRUE(meetBall(20, 12, &direction, &normal));
-    expectNear(pixelOf(capture, 20, 12), phong(direction, normal, -direction, glm::dvec3(kPiDouble)), 5e-3);
+    expectNear(pixelOf(capture, 20, 12), phong(direction, normal, -direction, glm::dvec3(kPiD)), 5e-3);
 }
 
 /// A floor, a point light two above its middle, and a small ball between that and the pixel in the middle.
@@ -137,7 +136,7 @@ TEST(RayCast, LightsCastShadowsOrNot) {
     EXPECT_EQ(pixelOf(renderTo(1, scene), kMiddle, kMiddle).x, 0.0);
     scene.rayCast.shadows = false;
     // Intensity over distance squared, times albedo over pi.
-    expectNear(pixelOf(renderTo(1, scene), kMiddle, kMiddle), glm::dvec3(6.0 / 4.0 * 0.5 / kPiDouble), 1e-3);
+    expectNear(pixelOf(renderTo(1, scene), kMiddle, kMiddle), glm::dvec3(6.0 / 4.0 * 0.5 / kPiD), 1e-3);
 }
 
 TEST(RayCast, WithoutFalloffALightShinesEverywhereAsAtTheMiddle) {
@@ -147,7 +146,7 @@ TEST(RayCast, WithoutFalloffALightShinesEverywhereAsAtTheMiddle) {
     // What has an end reaches from the floor to the ball's top.
     const double atMiddle = 6.0 / ((2.0 - 0.95) * (2.0 - 0.95));
     constexpr int kMiddle = kSize / 2;
-    expectNear(pixelOf(capture, kMiddle, kMiddle), glm::dvec3(atMiddle * 0.5 / kPiDouble), 1e-3);
+    expectNear(pixelOf(capture, kMiddle, kMiddle), glm::dvec3(atMiddle * 0.5 / kPiD), 1e-3);
 }
 
 TEST(RayCast, OfDiffuseSurfacesItIsPathTracingOfDepthOne) {

@@ -68,8 +68,6 @@ TEST_P(PhotonEnergy, EmittedPowerIsTheEmittersAndNothingEscapes) {
     EXPECT_EQ(render.lastPass.photons.faulty, 0u);
 }
 
-constexpr double kPiD = 3.14159265358979323846;
-
 INSTANTIATE_TEST_SUITE_P(
     Emitters, PhotonEnergy,
     testing::Values(EnergyCase{"Sphere", ShapeKind::Sphere, false, scale(Vec3(0.5f)),

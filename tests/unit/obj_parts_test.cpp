@@ -58,8 +58,22 @@ TEST(ObjParts, MoreRunsAreJoinedByTheirMaterials) {
     EXPECT_EQ(file->parts[1].smoothing.back().firstTriangle, kMostSeparateParts / 2);
 }
 
-TEST(ObjParts, OfAMaterialEachStayApart) {
+TEST(ObjParts, OfVeryManyMaterialsThatNoLibraryDefinesAreOne) {
     std::string text = kSquare;
+    for (size_t i = 0; i <= kMostSeparateParts; ++i) {
+        text += fmt::format("usemtl m{}\nf 1 2 3\n", i);
+    }
+    const auto file = parseObj(text + "v 2 0 0 1 0 0\nusemtl red\nf 5 5 1\nf 2 3 5\n", "a.obj");
+    ASSERT_TRUE(file);
+    EXPECT_THAT(file->notes, ElementsAre(HasSubstr("10002 runs of faces are joined to 2 objects")));
+    ASSERT_EQ(file->parts.size(), 2u);
+    EXPECT_EQ(file->parts[0].mesh->triangleCount(), kMostSeparateParts + 1);
+    EXPECT_THAT(file->parts[0].mesh->colors, IsEmpty());
+    EXPECT_FALSE(file->parts[1].mesh->colors.empty());
+}
+
+TEST(ObjParts, OfAMaterialEachStayApart) {
+    std::string text = std::string("mtllib a.mtl\n") + kSquare;
     for (size_t i = 0; i <= kMostSeparateParts; ++i) {
         text += fmt::format("usemtl m{}\nf 1 2 3\n", i);
     }

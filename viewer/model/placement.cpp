@@ -3,11 +3,7 @@
 #include <cmath>
 
 namespace glint {
-namespace {
-
-constexpr float kDegrees = 180.0f / kPi;
-
-}  // namespace
+namespace {}  // namespace
 
 Mat3 rotationOf(const Affine& placed) {
     const Mat3& m = placed.linear;
@@ -18,8 +14,9 @@ Mat3 rotationOf(const Affine& placed) {
 }
 
 Mat3 rotationFromDegrees(const Vec3& degrees) {
-    return rotate({0, 0, 1}, degrees.z / kDegrees).linear * rotate({0, 1, 0}, degrees.y / kDegrees).linear *
-           rotate({1, 0, 0}, degrees.x / kDegrees).linear;
+    return rotate({0, 0, 1}, degrees.z / kDegreesPerRadian).linear *
+           rotate({0, 1, 0}, degrees.y / kDegreesPerRadian).linear *
+           rotate({1, 0, 0}, degrees.x / kDegreesPerRadian).linear;
 }
 
 PlacementNumbers numbersOf(const Affine& placed) {
@@ -32,7 +29,7 @@ PlacementNumbers numbersOf(const Affine& placed) {
     const float sign = placed.determinant() < 0.0f ? -1.0f : 1.0f;
     return {
         placed.translation,
-        Vec3(x, y, z) * kDegrees + Vec3(0.0f),
+        Vec3(x, y, z) * kDegreesPerRadian + Vec3(0.0f),
         {sign * glm::length(placed.linear[0]), glm::length(placed.linear[1]), glm::length(placed.linear[2])}};
 }
 

@@ -51,10 +51,10 @@ Result<GLuint> linkProgram(const GlApi& gl) {
 bool runsOnProcessor(const GlApi& gl) {
     const auto* text = reinterpret_cast<const char*>(gl.GetString(GL_RENDERER));
     const std::string_view name = text != nullptr ? text : "";
-    constexpr std::array<std::string_view, 5> kNames{"llvmpipe", "softpipe", "swrast", "SwiftShader",
-                                                     "GDI Generic"};
+    constexpr std::array<std::string_view, 5> kRenderers{"llvmpipe", "softpipe", "swrast", "SwiftShader",
+                                                         "GDI Generic"};
     return std::ranges::any_of(
-        kNames, [&](std::string_view part) { return name.find(part) != std::string_view::npos; });
+        kRenderers, [&](std::string_view part) { return name.find(part) != std::string_view::npos; });
 }
 
 GLuint makeTexture(const GlApi& gl, GLint filter) {
