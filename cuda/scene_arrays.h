@@ -47,10 +47,17 @@ void forEachArray(EnvironmentView& environment, Visit&& visit) {
     visit(environment.columnCdf, height * (width + 1));
 }
 
+template <class Visit>
+void forEachArray(PortalView& portal, Visit&& visit) {
+    static_assert(sizeof(PortalView) == 104, "list a new array of PortalView below");
+    const size_t side = static_cast<size_t>(portal.size) + 1;
+    visit(portal.sums, portal.size > 0 ? side * side : 0);
+}
+
 /// The scene's own arrays but for the tables of meshes and textures, whose entries hold pointers themselves.
 template <class Visit>
 void forEachArray(SceneView& view, Visit&& visit) {
-    static_assert(sizeof(GeometryView) == 176 && sizeof(LightView) == 144, "list a new array below");
+    static_assert(sizeof(GeometryView) == 176 && sizeof(LightView) == 248, "list a new array below");
     const auto visitView = [&](auto& array) { visit(array.data, size_t{array.count}); };
     visitView(view.geometry.instances);
     visitView(view.geometry.profiles);
@@ -68,6 +75,7 @@ void forEachArray(SceneView& view, Visit&& visit) {
     visitView(view.lights.emitterNodes);
     visitView(view.lights.castLights);
     forEachArray(view.lights.environment, visit);
+    forEachArray(view.lights.portal, visit);
 }
 
 }  // namespace glint

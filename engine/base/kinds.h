@@ -48,7 +48,7 @@ enum class FacetDistribution : uint8_t {
 };
 
 /// Lights without a shape. Shapes shine through their material.
-enum class LightKind : uint8_t { Point, Spot, Directional, Projector };
+enum class LightKind : uint8_t { Point, Spot, Directional, Projector, Goniometric };
 
 /// How the bytes of an image are to be read.
 enum class ColorEncoding : uint8_t { Srgb, Linear };

@@ -7,6 +7,7 @@
 #include "engine/base/parallel.h"
 #include "engine/builders/emission_means.h"
 #include "engine/builders/light_tree_builder.h"
+#include "engine/builders/point_emitters.h"
 #include "engine/builders/repeated_triangles.h"
 #include "engine/kernels/shapes/shape_facts.h"
 #include "engine/math/color.h"
@@ -14,85 +15,6 @@
 
 namespace glint {
 namespace {
-
-/// 1 - cos as 2 sin^2 of the half: keeps its digits for narrow angles.
-float oneMinusCosine(float angleDeg) {
-    const double sine = std::sin(static_cast<double>(angleDeg) * (std::numbers::pi / 360.0));
-    return static_cast<float>(2.0 * sine * sine);
-}
-
-/// The direction is set.
-void setPicture(const Light& light, const TextureTable& textures, EmitterData* e) {
-    e->kind = EmitterKind::Projector;
-    e->original = textures.packed(light.picture.texture);
-    const float half = std::tan(0.5f * light.fovDeg * (kPi / 180.0f));
-    const Vec3 right = pictureRight(light);
-    e->axisU = half * right;
-    e->axisV = half / light.aspect * glm::cross(right, e->direction);
-    const bool isImage = e->original != kNone;
-    if (!isImage) { e->radiance *= light.picture.value; }
-    e->area = isImage ? luminance(EmissionMeans(textures.textures[e->original]).overAll()) : 1.0f;
-}
-
-EmitterData pointlikeEmitter(const Light& light, const TextureTable& textures) {
-    EmitterData e;
-    e.position = light.position;
-    e.radiance = light.color * light.strength;
-    const float length = glm::length(light.direction);
-    e.direction = length > 0.0f ? light.direction / length : Vec3(0, -1, 0);
-    switch (light.kind) {
-        case LightKind::Point:
-            e.kind = EmitterKind::Point;
-            break;
-        case LightKind::Spot:
-            e.kind = EmitterKind::Spot;
-            break;
-        case LightKind::Directional:
-            e.kind = EmitterKind::Directional;
-            break;
-        case LightKind::Projector:
-            setPicture(light, textures, &e);
-            break;
-    }
-    e.oneMinusCosOuter = oneMinusCosine(light.coneAngleDeg);
-    e.oneMinusCosInner = oneMinusCosine(std::min(light.coneFalloffStartDeg, light.coneAngleDeg));
-    if (e.kind == EmitterKind::Directional) { e.area = luminance(e.radiance); }
-    return e;
-}
-
-/// Where, which way and how strongly a single light shines.
-LightNode leafNode(const EmitterData& e) {
-    LightNode node;
-    node.center = e.position;
-    node.intensity = luminance(e.radiance);
-    node.bothSides = e.emitsBothSides;
-    switch (e.kind) {
-        case EmitterKind::Shape:
-            visitShape<void, kAllFeatures>(e.shape,
-                                           [&](auto shape) { decltype(shape)::boundEmitter(e, &node); });
-            break;
-        case EmitterKind::Spot:
-            node.axis = e.direction;
-            node.cosNormals = 1.0f - e.oneMinusCosOuter;
-            node.cosEmission = 0.999f;
-            break;
-        case EmitterKind::Projector: {
-            const float most = lengthSquared(e.axisU) + lengthSquared(e.axisV);  // tan^2 to the corners
-            node.axis = e.direction;
-            node.cosNormals = 1.0f / std::sqrt(1.0f + most);
-            node.cosEmission = 0.999f;
-            node.intensity *= e.area * std::pow(1.0f + most, 1.5f);
-            break;
-        }
-        case EmitterKind::Point:
-        case EmitterKind::Directional:
-        case EmitterKind::Environment:
-            break;
-    }
-    node.radius *= 1.0f + 1e-6f;
-    if (!std::isfinite(node.intensity)) { node.intensity = 1e30f; }
-    return node;
-}
 
 class TableBuilder {
   public:
@@ -195,6 +117,19 @@ class TableBuilder {
     std::shared_ptr<LightTable> table_ = std::make_shared<LightTable>();
 };
 
+/// The portal; says which even luminance would have as much of a white environment's light fall on it.
+float addPortal(const SceneDescription& scene, const LightTable* previous, int threads, LightTable* table) {
+    table->portal = portalOpening(scene.environment);
+    if (!table->environment) { return 1.0f; }
+    EnvironmentView image = table->environment->view();
+    image.cosRotation = std::cos(table->environmentRotationRad);
+    image.sinRotation = std::sin(table->environmentRotationRad);
+    table->portalSums =
+        buildPortalSums(table->environment->source, image, table->environmentRotationRad, table->portal,
+                        previous != nullptr ? previous->portalSums : nullptr, threads);
+    return table->portalSums->irradiance * kInvPi;
+}
+
 void addEnvironment(const SceneDescription& scene, const LightTable* previous, int threads,
                     LightTable* table) {
     const Environment& environment = scene.environment;
@@ -210,6 +145,7 @@ void addEnvironment(const SceneDescription& scene, const LightTable* previous, i
         table->environmentRotationRad = environment.rotationDeg * (kPi / 180.0f);
         if (table->environment) { mean = table->environment->meanLuminance; }
     }
+    if (!environment.portal.empty()) { mean = addPortal(scene, previous, threads, table); }
     table->environmentIsSeenOnly = environment.seenOnly;
     if (environment.seenOnly) { return; }
     table->environmentIrradiance = luminance(table->environmentRadiance) * mean * kPi;
@@ -243,10 +179,13 @@ FeatureMask LightTable::features() const {
         if (isDeltaLight(e.kind)) { mask |= kFeatureDeltaLights; }
     }
     for (const EmitterData& e : castLights) {
-        if (e.kind == EmitterKind::Projector) { mask |= kFeatureProjectors; }
+        if (e.kind == EmitterKind::Projector || e.kind == EmitterKind::Goniometric) {
+            mask |= kFeatureProjectors;
+        }
     }
     if (maxComponent(environmentRadiance) > 0.0f) {
         mask |= environment ? kFeatureEnvironmentImage : kFeatureEnvironmentConstant;
+        if (portal.area > 0.0f) { mask |= kFeaturePortal; }
     }
     return mask;
 }
@@ -267,13 +206,18 @@ LightView LightTable::view() const {
         v.environment.cosRotation = std::cos(environmentRotationRad);
         v.environment.sinRotation = std::sin(environmentRotationRad);
     }
+    v.portal.opening = portal;
+    if (portalSums) {
+        v.portal.sums = portalSums->sums.data();
+        v.portal.size = portalSums->size;
+    }
     return v;
 }
 
 size_t LightTable::bytes() const {
     return (emitters.size() + castLights.size()) * sizeof(EmitterData) + nodes.size() * sizeof(LightNode) +
            (emitterNodes.size() + firstEmitter.size()) * sizeof(uint32_t) +
-           (environment ? environment->bytes() : 0);
+           (environment ? environment->bytes() : 0) + (portalSums ? portalSums->bytes() : 0);
 }
 
 std::shared_ptr<const LightTable> buildLightTable(const SceneDescription& scene, const TextureTable& textures,

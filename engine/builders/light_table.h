@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/builders/environment_table.h"
+#include "engine/builders/portal_table.h"
 #include "engine/builders/texture_table.h"
 #include "engine/kernels/features.h"
 #include "engine/kernels/light_view.h"
@@ -27,6 +28,8 @@ struct LightTable {
     /// shines but cannot be sampled. Instances take it into InstanceData::firstEmitter.
     std::vector<uint32_t> firstEmitter;
     std::shared_ptr<const EnvironmentTable> environment;  ///< null without an environment image
+    EmitterData portal;                                   ///< PortalView::opening
+    std::shared_ptr<const PortalSums> portalSums;         ///< null without a portal, or without an image
     uint32_t finiteCount = 0;
     bool usesTree = false;
     bool environmentIsSeenOnly = false;
@@ -35,7 +38,7 @@ struct LightTable {
     Vec3 environmentRadiance{0.0f};
     float environmentRotationRad = 0.0f;
 
-    /// The light bits of the feature mask: area, delta and many lights, the kinds of environment.
+    /// The light bits of the feature mask: area, delta and many lights, the kinds of environment, its portal.
     FeatureMask features() const;
     /// Host pointers into this object.
     LightView view() const;

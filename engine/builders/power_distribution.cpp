@@ -22,10 +22,15 @@ float emitterPower(const SceneView& scene, const EmitterData& e) {
             return radiance * kTwoPi * (0.5f * (e.oneMinusCosInner + e.oneMinusCosOuter));
         case EmitterKind::Projector:
             return radiance * e.area * 4.0f * glm::length(e.axisU) * glm::length(e.axisV);
+        case EmitterKind::Goniometric:
+            return radiance * e.area * 4.0f * kPi;
         case EmitterKind::Directional:
             return radiance * sceneDisc;
         case EmitterKind::Environment:
             break;
+    }
+    if (hasPortal(scene.lights.portal)) {
+        return scene.lights.environmentIrradiance * scene.lights.portal.opening.area;
     }
     // environmentIrradiance is pi times the mean luminance; the whole sphere of directions brings four times
     // that.

@@ -171,6 +171,9 @@ SceneDescription recentred(const SceneDescription& scene, const Recentring& rece
     for (Light& light : out.lights) {
         light.position -= origin;
     }
+    for (Vec3& corner : out.environment.portal) {
+        corner -= origin;
+    }
     out.camera.position -= origin;
     out.camera.target -= origin;
     return out;

@@ -111,9 +111,9 @@ class GltfExporter : public SceneExport {
     /// Colours end at 1.
     void writeLight(const Light& from) {
         if (from.onlyRayCast) { return; }
-        if (from.kind == LightKind::Projector) {
-            warn("approximated: projectors are spots of the same power, without a picture");
-            writeLight(spotOfProjector(scene_, from));
+        if (hasPicture(from.kind)) {
+            warn(lostPicture(from.kind));
+            writeLight(withoutPicture(scene_, from));
             return;
         }
         const float most = std::max(maxComponent(from.color), 1.0f);

@@ -12,6 +12,7 @@
 #include "engine/io/exporter.h"
 #include "engine/io/mitsuba_environment.h"
 #include "engine/io/mitsuba_writer.h"
+#include "engine/io/projected_picture.h"
 #include "engine/io/scene_export.h"
 #include "engine/scene/scene_use.h"
 
@@ -48,10 +49,14 @@ class MitsubaExporter : public SceneExport {
 
   private:
     void writeLights() {
-        for (const Light& light : scene_.lights) {
+        for (Light light : scene_.lights) {
             if (light.kind == LightKind::Projector) {
                 writeProjector(light);
                 continue;
+            }
+            if (light.kind == LightKind::Goniometric) {
+                warn(lostPicture(light.kind));
+                light = withoutPicture(scene_, light);
             }
             const char* kTypes[] = {"point", "spot", "directional"};
             out_.open("emitter", fmt::format("type=\"{}\"", kTypes[static_cast<size_t>(light.kind)]));
@@ -124,6 +129,9 @@ class MitsubaExporter : public SceneExport {
     void writeEnvironment() {
         const Environment& environment = scene_.environment;
         const Vec3 color = environment.strength * environment.color;
+        if (!environment.portal.empty()) {
+            warn("approximated: environments shine from everywhere, not through their portals alone");
+        }
         if (environment.image < 0) {
             out_.open("emitter", "type=\"constant\"");
             out_.color("radiance", color);

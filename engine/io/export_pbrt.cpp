@@ -44,6 +44,12 @@ class PbrtExporter : public SceneExport {
         const Environment& environment = scene_.environment;
         if (!environment.emissive()) { return; }
         out_ += "LightSource \"infinite\"" + pbrtNumber("scale", environment.strength);
+        if (!environment.portal.empty()) { out_ += pbrtPoints("portal", environment.portal); }
+        if (environment.image < 0 && !environment.portal.empty()) {  // pbrt has portals of images alone
+            const ImageF even{16, 16, std::vector<float>(size_t{3} * 16 * 16, 1.0f)};
+            out_ += pbrtString("filename", saveEnvironment(even, environment.color)) + "\n";
+            return;
+        }
         if (environment.image < 0) {
             out_ += pbrtRgb("L", environment.color) + "\n";
             return;
@@ -57,9 +63,12 @@ class PbrtExporter : public SceneExport {
     }
 
     void writeLight(const Light& light) {
-        if (light.kind == LightKind::Projector) {
-            warn("approximated: projectors are spots of the same power, without a picture");
-            writeLight(spotOfProjector(scene_, light));
+        if (light.kind == LightKind::Goniometric && light.picture.texture < 0) {
+            writeLight(withoutPicture(scene_, light));
+            return;
+        }
+        if (hasPicture(light.kind)) {
+            writePictured(light);
             return;
         }
         const std::string power = pbrtRgb(light.kind == LightKind::Directional ? "L" : "I", light.color) +
@@ -77,6 +86,17 @@ class PbrtExporter : public SceneExport {
                             light.position.x, light.position.y, light.position.z, towards,
                             pbrtNumber("coneangle", light.coneAngleDeg),
                             pbrtNumber("conedeltaangle", light.coneAngleDeg - light.coneFalloffStartDeg));
+    }
+
+    /// pbrt projects images without a colour of their own.
+    void writePictured(const Light& light) {
+        const bool projects = light.kind == LightKind::Projector;
+        ImageF picture = projects ? pbrtProjectedPicture(scene_, light)
+                                  : pbrtGoniometricPicture(scene_, light, &warnings_);
+        for (size_t i = 0; projects && i < picture.rgb.size(); ++i) {
+            picture.rgb[i] *= light.color[static_cast<int>(i % 3)];
+        }
+        out_ += pbrtPicturedLight(light, savePicture(fmt::format("-light{}.exr", pictures_++), picture));
     }
 
     /// Of a glass that absorbs inside.
@@ -210,6 +230,7 @@ class PbrtExporter : public SceneExport {
 
     std::string out_;
     std::map<int, std::string> plys_;
+    int pictures_ = 0;
 };
 
 Status save(const SceneDescription& scene, const std::string& path, std::vector<std::string>* warnings) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/math/color.h"
+#include "engine/math/equal_area.h"
 
 namespace glint {
 namespace {
@@ -77,28 +78,38 @@ ImageF laidOut(int width, int samples, const Affine& toWorld, const RadianceOf& 
     return out;
 }
 
+/// A square map, each texel the mean over samples x samples of its directions.
+template <class RadianceOf>
+ImageF squareOf(int size, int samples, const RadianceOf& radianceOf) {
+    ImageF out{size, size, {}};
+    out.rgb.resize(size_t{3} * static_cast<size_t>(size) * static_cast<size_t>(size));
+    const float perSample = 1.0f / static_cast<float>(size * samples);
+#pragma omp parallel for
+    for (int y = 0; y < size; ++y) {
+        for (int x = 0; x < size; ++x) {
+            Vec3 sum(0.0f);
+            for (int k = 0; k < samples * samples; ++k) {
+                const int column = x * samples + k % samples, row = y * samples + k / samples;
+                const Vec2 at(static_cast<float>(column) + 0.5f, static_cast<float>(row) + 0.5f);
+                sum += radianceOf(equalAreaDirection(perSample * at));
+            }
+            const Vec3 mean = sum / static_cast<float>(samples * samples);
+            std::copy_n(&mean.x, 3, &out.rgb[3 * static_cast<size_t>(y * size + x)]);
+        }
+    }
+    return out;
+}
+
+/// Where pbrt-v3's maps have a unit direction.
+Vec2 pbrtLatLong(const Vec3& d) {
+    const float u = std::atan2(d.y, d.x) / kTwoPi;
+    return {u < 0.0f ? u + 1.0f : u, std::acos(clampf(d.z, -1.0f, 1.0f)) / kPi};
+}
+
 constexpr int kMostColumns = 4096;
+constexpr int kFewestColumns = 16, kMostSquareColumns = 2048;
 
 }  // namespace
-
-Vec2 equalAreaPoint(const Vec3& d) {
-    const Vec3 a = absVec(d);
-    const float r = safeSqrt(1.0f - a.z);
-    const float quarter = a.x == 0.0f && a.y == 0.0f ? 0.0f : std::atan2(a.y, a.x) / (0.5f * kPi);
-    Vec2 p(r * (1.0f - quarter), r * quarter);
-    if (d.z < 0.0f) { p = Vec2(1.0f - p.y, 1.0f - p.x); }
-    return 0.5f * Vec2(std::copysign(p.x, d.x), std::copysign(p.y, d.y)) + Vec2(0.5f);
-}
-
-Vec3 equalAreaDirection(const Vec2& point) {
-    const Vec2 p = 2.0f * point - Vec2(1.0f);
-    const Vec2 a(std::fabs(p.x), std::fabs(p.y));
-    const float inside = 1.0f - (a.x + a.y), r = 1.0f - std::fabs(inside);
-    const float phi = 0.25f * kPi * (r == 0.0f ? 1.0f : (a.y - a.x) / r + 1.0f);
-    const float ring = r * safeSqrt(2.0f - r * r);
-    return {std::copysign(std::cos(phi), p.x) * ring, std::copysign(std::sin(phi), p.y) * ring,
-            std::copysign(1.0f - r * r, inside)};
-}
 
 ImageF latLongOfEqualArea(const ImageF& map, const Affine& toWorld) {
     const int width = std::clamp(2 * map.width, 16, kMostColumns);
@@ -110,39 +121,24 @@ ImageF latLongOfEqualArea(const ImageF& map, const Affine& toWorld) {
 ImageF latLongOfPbrt(const ImageF& map, const Affine& toWorld) {
     const int width = std::clamp(map.width, 16, kMostColumns);
     const int samples = 2 * std::max(1, (map.width + width - 1) / width);
-    return laidOut(width, samples, toWorld, [&](const Vec3& d) {
-        const float u = std::atan2(d.y, d.x) / kTwoPi;
-        const Vec2 at(u < 0.0f ? u + 1.0f : u, std::acos(clampf(d.z, -1.0f, 1.0f)) / kPi);
-        return bilinear(map, at, latLongTexel);
-    });
+    return laidOut(width, samples, toWorld,
+                   [&](const Vec3& d) { return bilinear(map, pbrtLatLong(d), latLongTexel); });
 }
 
 ImageF equalAreaOfLatLong(const ImageF& map, float rotationDeg) {
-    constexpr int kMostSize = 2048;
-    const int size = std::clamp(map.width / 2, 16, kMostSize);
+    const int size = std::clamp(map.width / 2, kFewestColumns, kMostSquareColumns);
     const int samples = 2 * std::max(1, (map.width + 2 * size - 1) / (2 * size));
     const float c = std::cos(rotationDeg * kPi / 180.0f), s = std::sin(rotationDeg * kPi / 180.0f);
-    ImageF out{size, size, {}};
-    out.rgb.resize(size_t{3} * static_cast<size_t>(size) * static_cast<size_t>(size));
-    const float perSample = 1.0f / static_cast<float>(size * samples);
-#pragma omp parallel for
-    for (int y = 0; y < size; ++y) {
-        for (int x = 0; x < size; ++x) {
-            Vec3 sum(0.0f);
-            for (int k = 0; k < samples * samples; ++k) {
-                const int column = x * samples + k % samples, row = y * samples + k / samples;
-                const Vec2 at(static_cast<float>(column) + 0.5f, static_cast<float>(row) + 0.5f);
-                const Vec3 w = equalAreaDirection(perSample * at);
-                const Vec3 d(c * w.x - s * w.z, w.y, s * w.x + c * w.z);
-                const Vec2 uv(0.5f + std::atan2(d.x, -d.z) / kTwoPi,
-                              std::acos(clampf(d.y, -1.0f, 1.0f)) / kPi);
-                sum += bilinear(map, uv, latLongTexel);
-            }
-            const Vec3 mean = sum / static_cast<float>(samples * samples);
-            std::copy_n(&mean.x, 3, &out.rgb[3 * static_cast<size_t>(y * size + x)]);
-        }
-    }
-    return out;
+    return squareOf(size, samples, [&](const Vec3& w) {
+        const Vec3 d(c * w.x - s * w.z, w.y, s * w.x + c * w.z);
+        const Vec2 uv(0.5f + std::atan2(d.x, -d.z) / kTwoPi, std::acos(clampf(d.y, -1.0f, 1.0f)) / kPi);
+        return bilinear(map, uv, latLongTexel);
+    });
+}
+
+ImageF equalAreaOfPbrt(const ImageF& map) {
+    return squareOf(std::clamp(map.width, kFewestColumns, kMostSquareColumns), 2,
+                    [&](const Vec3& d) { return bilinear(map, pbrtLatLong(d), latLongTexel); });
 }
 
 double illuminanceOfEqualArea(const ImageF& map) {

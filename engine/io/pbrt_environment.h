@@ -7,17 +7,13 @@
 
 namespace glint {
 
-/// Where a unit direction lies in the square [0, 1]^2, in which equal areas are equal solid angles: Clarberg
-/// 2008, "Fast Equal-Area Mapping of the (Hemi)Sphere using SIMD". +z lies in the middle.
-Vec2 equalAreaPoint(const Vec3& direction);
-/// The other way.
-Vec3 equalAreaDirection(const Vec2& point);
-
-/// A square map of that kind, laid out anew with `toWorld` turning its directions: up to 4096 columns, each
-/// texel the mean of what it covers. Irradiance stays.
+/// A square map of equal areas (math/equal_area.h), laid out anew with `toWorld` turning its directions: up
+/// to 4096 columns, each texel the mean of what it covers. Irradiance stays.
 ImageF latLongOfEqualArea(const ImageF& map, const Affine& toWorld);
 /// pbrt-v3's map: rows from +z down, columns from +x to +y.
 ImageF latLongOfPbrt(const ImageF& map, const Affine& toWorld);
+/// pbrt-v3's map as a square one of equal areas of the same directions, of as many columns within bounds.
+ImageF equalAreaOfPbrt(const ImageF& map);
 /// Glint's map, turned by `rotationDeg` about +y (scene/light.h), as a square one of up to 2048 columns.
 ImageF equalAreaOfLatLong(const ImageF& map, float rotationDeg);
 /// What a surface that faces +z gets of an equal-area map, by luminance.

@@ -19,12 +19,6 @@ Vec3 PbrtLights::colorOf(const PbrtParams& params, std::string_view name) {
     return rgbOfSpace(params.colorSpace(), Vec3(1.0f), SpectrumRole::Emission);
 }
 
-Vec3 PbrtLights::meanOf(const PbrtParams& params) {
-    if (!params.has("filename") && !params.has("mapname")) { return Vec3(1.0f); }
-    return textures_.meanOf(
-        textures_.imageFile(params, params.has("filename") ? "filename" : "mapname", ColorEncoding::Srgb));
-}
-
 void PbrtLights::place(const std::string& kind, const PbrtParams& params, const PbrtState& state) {
     const Affine toWorld = context_.world * affineOf(&context_, params.place(), state.transform);
     if (context_.failed()) { return; }
@@ -95,12 +89,26 @@ void PbrtLights::placeDistant(const PbrtParams& params, const Affine& toWorld) {
     if (isZero(light->direction)) { params.fail("the light has no direction"); }
 }
 
+/// Its image has the local +y in its middle, +x to its right and +z at its bottom.
 void PbrtLights::placeGoniometric(const PbrtParams& params, const Affine& toWorld) {
-    params.approximated("approximated: goniometric lights shine alike in all directions");
-    Light* light = add(params, LightKind::Point, "goniometric", 4.0f * kPi);
-    if (!params.has("power")) { light->color *= meanOf(params); }
-    params.passOver({"filename", "mapname"});
+    const bool isLatLong = params.has("mapname");
+    std::optional<PbrtValue> picture;
+    if (isLatLong || params.has("filename")) {
+        picture = textures_.goniometric(
+            params, textures_.imageFile(params, isLatLong ? "mapname" : "filename", ColorEncoding::Srgb),
+            isLatLong);
+        if (!picture) { return; }
+    }
+    const float mean = picture ? luminance(textures_.meanOf(*picture)) : 1.0f;
+    Light* light = add(params, picture ? LightKind::Goniometric : LightKind::Point, "goniometric",
+                       4.0f * kPi * std::max(mean, 1e-9f));
     light->position = toWorld.translation;
+    if (!picture) { return; }
+    light->picture = textures_.colorInput(*picture);
+    const Affine toPicture{Mat3(1, 0, 0, 0, 0, -1, 0, 1, 0), Vec3(0.0f)};
+    if (!aimProjector(toWorld * toPicture, Vec3(1, 0, 0), light, &context_.scene)) {
+        params.fail("the light is flattened");
+    }
 }
 
 /// It lights a window of the plane at a distance of 1, which is `fov` wide on its shorter side, with an
@@ -129,14 +137,12 @@ void PbrtLights::placeProjection(const PbrtParams& params, const Affine& toWorld
 
 void PbrtLights::placeInfinite(const PbrtParams& params, const Affine& toWorld) {
     Environment& environment = context_.scene.environment;
-    if (params.has("portal")) {
-        params.approximated("approximated: environments shine through all openings, not just their portals");
-    }
     if (environment.emissive()) {
         params.approximated("environments after the first are left out");
-        params.passOver({"L", "filename", "mapname", "scale", "illuminance"});
+        params.passOver({"L", "filename", "mapname", "scale", "illuminance", "portal"});
         return;
     }
+    if (params.has("portal")) { placePortal(params); }
     const bool isLatLong = params.has("mapname");
     environment.color = isLatLong || !params.has("filename") ? colorOf(params, "L") : Vec3(1.0f);
     if (const PbrtParam* scale = params.find("scale"); scale != nullptr && scale->type == PbrtType::Rgb) {
@@ -149,6 +155,22 @@ void PbrtLights::placeInfinite(const PbrtParams& params, const Affine& toWorld) 
     } else if (const float illuminance = params.number("illuminance", -1.0f); illuminance > 0.0f) {
         environment.strength *= illuminance / kPi;
     }
+}
+
+/// In world space, whatever the light's own transform is. Light leaves against the cross product of its last
+/// edge and its first, which a mirror turns over.
+void PbrtLights::placePortal(const PbrtParams& params) {
+    std::vector<Vec3> corners = params.points("portal");
+    for (Vec3& corner : corners) {
+        corner = context_.world.point(corner);
+    }
+    if (context_.failed()) { return; }
+    if (!isRectangle(corners)) {
+        params.fail("the portal is no rectangle; expected its four corners one after the other");
+        return;
+    }
+    if (glm::determinant(context_.world.linear) < 0.0f) { std::swap(corners[1], corners[3]); }
+    context_.scene.environment.portal = std::move(corners);
 }
 
 void PbrtLights::placeMap(const PbrtParams& params, const Affine& toWorld, bool isLatLong) {

@@ -32,10 +32,9 @@ class PbrtLights {
     void placeGoniometric(const PbrtParams& params, const Affine& toWorld);
     void placeProjection(const PbrtParams& params, const Affine& toWorld);
     void placeInfinite(const PbrtParams& params, const Affine& toWorld);
+    void placePortal(const PbrtParams& params);
     void placeMap(const PbrtParams& params, const Affine& toWorld, bool isLatLong);
     Vec3 colorOf(const PbrtParams& params, std::string_view name);
-    /// The mean over all of an image that a light shows.
-    Vec3 meanOf(const PbrtParams& params);
 
     PbrtContext& context_;
     PbrtTextures& textures_;

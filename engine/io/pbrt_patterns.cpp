@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
+#include "engine/io/pbrt_environment.h"
 #include "engine/io/pbrt_textures.h"
 #include "engine/math/rng.h"
 
@@ -91,6 +94,27 @@ std::optional<PbrtValue> PbrtTextures::projected(const PbrtParams& at, const Pbr
     texture.wrapU = texture.wrapV = WrapMode::Clamp;
     texture.filter = TexelFilter::Nearest;
     return baked(texture, out);
+}
+
+std::optional<PbrtValue> PbrtTextures::goniometric(const PbrtParams& at, const PbrtValue& image,
+                                                   bool isLatLong) {
+    const auto pixels = image.image ? pixelsOf(at, *image.image) : nullptr;
+    if (!pixels) { return std::nullopt; }
+    if (!isLatLong && pixels->width != pixels->height) {
+        at.fail(fmt::format(
+            "the image \"{}\" has {} x {} pixels; expected a square, in which equal areas are equal "
+            "solid angles",
+            image.image->name, pixels->width, pixels->height));
+        return std::nullopt;
+    }
+    ImageF grey = isLatLong ? equalAreaOfPbrt(*pixels) : *pixels;
+    for (size_t i = 0; i + 2 < grey.rgb.size(); i += 3) {
+        std::fill_n(&grey.rgb[i], 3, (grey.rgb[i] + grey.rgb[i + 1] + grey.rgb[i + 2]) / 3.0f);
+    }
+    Texture texture = *image.image;
+    texture.wrapU = texture.wrapV = WrapMode::Clamp;
+    texture.filter = TexelFilter::Nearest;
+    return baked(texture, grey);
 }
 
 /// Perlin's noise has the mean 0 and, without its sign, about 0.2: pbrt's own figure for what octaves too

@@ -42,6 +42,9 @@ class PbrtTextures {
     /// `tangent`. Nothing: it cannot be read.
     std::optional<PbrtValue> projected(const PbrtParams& at, const PbrtValue& image, float tangent,
                                        float* aspect);
+    /// A goniometric light's image: its grey mean of the channels, in a square of equal areas, as it is or,
+    /// from pbrt-v3, of longitude and latitude. Nothing: it cannot be read, or it is no square.
+    std::optional<PbrtValue> goniometric(const PbrtParams& at, const PbrtValue& image, bool isLatLong);
     /// The mean over the image.
     Vec3 meanOf(const PbrtValue& value);
 

@@ -35,6 +35,13 @@ std::string pbrtRgb(std::string_view name, const Vec3& v) {
 std::string pbrtPoint(std::string_view name, const Vec3& v) {
     return fmt::format(" \"point3 {}\" [{} {} {}]", name, v.x, v.y, v.z);
 }
+std::string pbrtPoints(std::string_view name, const std::vector<Vec3>& values) {
+    std::string out = fmt::format(" \"point3 {}\" [", name);
+    for (const Vec3& v : values) {
+        out += fmt::format("{}{} {} {}", out.ends_with('[') ? "" : "  ", v.x, v.y, v.z);
+    }
+    return out + "]";
+}
 
 std::string pbrtTextureName(int index, bool isNumber) {
     return fmt::format("t{}{}", index, isNumber ? "n" : "");

@@ -17,6 +17,7 @@ std::string pbrtFlag(std::string_view name, bool value);
 std::string pbrtString(std::string_view name, std::string_view value);
 std::string pbrtRgb(std::string_view name, const Vec3& value);
 std::string pbrtPoint(std::string_view name, const Vec3& value);
+std::string pbrtPoints(std::string_view name, const std::vector<Vec3>& values);
 /// In quotes.
 std::string pbrtQuoted(std::string_view text);
 
@@ -33,6 +34,16 @@ std::string pbrtNumberInput(std::string_view name, const NumberInput& input);
 /// The material as a MakeNamedMaterial directive.
 std::string pbrtMaterial(const SceneDescription& scene, int index, std::vector<std::string>* warnings);
 std::string pbrtMaterialName(const SceneDescription& scene, int index);
+
+/// What a projector without a colour sends out by its picture, and a goniometric light by its image, as
+/// pbrt's images of such lights have it, upright. The one is an intensity, for which the other's irradiance
+/// at a distance of 1 is divided by the cube of the cosine, in 1024 columns or more; the other is grey, which
+/// warns where it was not, and has its own texels where they are not interpolated.
+ImageF pbrtProjectedPicture(const SceneDescription& scene, const Light& light);
+ImageF pbrtGoniometricPicture(const SceneDescription& scene, const Light& light,
+                              std::vector<std::string>* warnings);
+/// Either light, with that image file.
+std::string pbrtPicturedLight(const Light& light, std::string_view file);
 
 /// Integrator, film and camera, up to WorldBegin.
 std::string pbrtView(const SceneDescription& scene, std::vector<std::string>* warnings);

@@ -48,8 +48,19 @@ Vec2 projectedExtent(const Light& projector) {
     return {half, half / projector.aspect};
 }
 
-Light spotOfProjector(const SceneDescription& scene, const Light& projector) {
+std::string_view lostPicture(LightKind kind) {
+    return kind == LightKind::Projector
+               ? "approximated: projectors are spots of the same power, without a picture"
+               : "approximated: goniometric lights shine alike in all directions";
+}
+
+Light withoutPicture(const SceneDescription& scene, const Light& projector) {
     Light spot = projector;
+    if (projector.kind == LightKind::Goniometric) {
+        spot.kind = LightKind::Point;
+        spot.color *= meanOf(scene, projector.picture);
+        return spot;
+    }
     spot.kind = LightKind::Spot;
     const Vec2 half = projectedExtent(projector);
     const float area = 4.0f * half.x * half.y;

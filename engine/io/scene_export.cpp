@@ -71,11 +71,15 @@ std::string SceneExport::savePly(const MeshData& mesh) {
     return save(fmt::format("-{}.ply", plyCount_++), std::make_shared<const std::string>(encodePly(mesh)));
 }
 
+std::string SceneExport::savePicture(std::string_view ending, const ImageF& picture) {
+    return save(ending, std::get<EmbeddedFile>(bakedImage(picture, path_, 0)).bytes);
+}
+
 std::string SceneExport::saveEnvironment(ImageF map, const Vec3& factor) {
     for (size_t i = 0; i < map.rgb.size(); ++i) {
         map.rgb[i] *= factor[static_cast<int>(i % 3)];
     }
-    return save("-environment.exr", std::get<EmbeddedFile>(bakedImage(map, path_, 0)).bytes);
+    return savePicture("-environment.exr", map);
 }
 
 std::shared_ptr<const ImageF> SceneExport::environmentImage() {

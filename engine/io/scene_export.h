@@ -49,6 +49,8 @@ class SceneExport {
     /// Writes a file beside the new one, named after it; says under which name.
     std::string save(std::string_view ending, std::shared_ptr<const std::string> bytes);
     std::string savePly(const MeshData& mesh);
+    /// The same of a picture, as EXR.
+    std::string savePicture(std::string_view ending, const ImageF& picture);
     /// Writes the environment's map, times `factor`, and says under which name.
     std::string saveEnvironment(ImageF map, const Vec3& factor);
 

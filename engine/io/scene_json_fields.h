@@ -39,7 +39,8 @@ void SceneJsonReader::readValue(const JsonFields& fields, std::string_view key, 
             case VectorForm::Color:
                 return fields.color(key, traits.range, out);
         }
-    } else if constexpr (std::is_same_v<Member, std::vector<Vec2>>) {
+    } else if constexpr (std::is_same_v<Member, std::vector<Vec2>> ||
+                         std::is_same_v<Member, std::vector<Vec3>>) {
         readPoints(fields.find(key), key, out);
     } else if constexpr (kIsInput<Member>) {
         readInput(fields, key, traits.range, out);

@@ -73,6 +73,10 @@ void SceneJsonReader::readPoints(const JsonValue& value, std::string_view what, 
     readVectors<2>(errors_, value, what, out);
 }
 
+void SceneJsonReader::readPoints(const JsonValue& value, std::string_view what, std::vector<Vec3>* out) {
+    readVectors<3>(errors_, value, what, out);
+}
+
 void SceneJsonReader::readMeshes(const JsonValue& value) {
     if (!value.present() || !expectType(errors_, value, "meshes", JsonType::Object)) { return; }
     forEachMember(errors_, value, [&](const std::string& name, const JsonValue& mesh) {

@@ -64,6 +64,7 @@ class SceneJsonReader {
     // scene_json_objects.cpp
     void readMeshes(const JsonValue& value);
     void readPoints(const JsonValue& value, std::string_view what, std::vector<Vec2>* out);
+    void readPoints(const JsonValue& value, std::string_view what, std::vector<Vec3>* out);
     void readObjects(const JsonValue& value);
     void readObject(const JsonValue& value, size_t number);
     void readMeshObject(const JsonFields& fields, Object object);

@@ -86,7 +86,8 @@ class SceneJsonWriter {
             }
         } else if constexpr (std::is_integral_v<Value>) {
             json_.field(key, static_cast<int64_t>(value));
-        } else if constexpr (std::is_same_v<Value, std::vector<Vec2>>) {
+        } else if constexpr (std::is_same_v<Value, std::vector<Vec2>> ||
+                             std::is_same_v<Value, std::vector<Vec3>>) {
             writeVectors(key, value);
         } else if constexpr (kIsInput<Value>) {
             writeInput(key, traits, value);

@@ -119,6 +119,8 @@ std::string valueSchema(const Field<Owner, Member>& field) {
         return R"("$ref": "#/definitions/vec2")";
     } else if constexpr (std::is_same_v<Member, std::vector<Vec2>>) {
         return R"("type": "array", "minItems": 2, "items": { "$ref": "#/definitions/vec2" })";
+    } else if constexpr (std::is_same_v<Member, std::vector<Vec3>>) {
+        return R"("type": "array", "minItems": 4, "maxItems": 4, "items": { "$ref": "#/definitions/vec3" })";
     } else if constexpr (std::is_same_v<Member, std::string> || std::is_same_v<Member, SceneImage>) {
         return traits.words == nullptr ? R"("type": "string")" : wordSchema(traits.words());
     } else {

@@ -4,6 +4,7 @@
 // at EnvironmentView.
 #pragma once
 
+#include "engine/kernels/environment_portal.h"
 #include "engine/kernels/features.h"
 #include "engine/kernels/light_tree.h"
 #include "engine/kernels/scene_view.h"
@@ -54,7 +55,7 @@ GLINT_HD inline Vec3 environmentLookup(const EnvironmentView& e, const Vec2& uv)
     return (1.0f - fy) * top + fy * bottom;
 }
 
-/// Radiance that arrives from the unit direction `w`; 0 without an environment.
+/// Radiance that arrives from the unit direction `w` where no portal is in its way; 0 without an environment.
 template <FeatureMask kMask>
 GLINT_HD inline Vec3 environmentRadiance(const SceneView& view, const Vec3& w) {
     const LightView& lights = view.lights;
@@ -66,6 +67,16 @@ GLINT_HD inline Vec3 environmentRadiance(const SceneView& view, const Vec3& w) {
     }
     if constexpr (hasFeature<kMask>(kFeatureEnvironmentConstant)) { return lights.environmentRadiance; }
     return Vec3(0.0f);
+}
+
+/// What arrives at the place `p`.
+template <FeatureMask kMask>
+GLINT_HD inline Vec3 environmentRadiance(const SceneView& view, const Vec3& p, const Vec3& w) {
+    if constexpr (hasFeature<kMask>(kFeaturePortal)) {
+        const PortalView& portal = view.lights.portal;
+        if (hasPortal(portal) && !seesThroughPortal(portal, p, w)) { return Vec3(0.0f); }
+    }
+    return environmentRadiance<kMask>(view, w);
 }
 
 /// The last entry of an increasing table (of count + 1 entries from 0 to 1) that is at most `u` and has a
@@ -82,11 +93,6 @@ GLINT_HD inline int findInterval(const float* cdf, int count, float u) {
     }
     return lo;
 }
-
-struct DirectionSample {
-    Vec3 wiWorld{0.0f};
-    float pdfSolidAngle = 0.0f;
-};
 
 GLINT_HD inline float environmentCellPdf(const EnvironmentView& e, int x, int y, float sinTheta) {
     const float* columns = e.columnCdf + static_cast<size_t>(y) * static_cast<size_t>(e.width + 1);
@@ -136,6 +142,9 @@ GLINT_HD inline float pdfEnvironmentConstant(const LightContext& at, const Vec3&
 template <FeatureMask kMask>
 GLINT_HD inline DirectionSample sampleEnvironment(const LightView& lights, const LightContext& at,
                                                   const Vec2& u) {
+    if constexpr (hasFeature<kMask>(kFeaturePortal)) {
+        if (hasPortal(lights.portal)) { return samplePortal(lights.portal, at.p, u); }
+    }
     if constexpr (hasFeature<kMask>(kFeatureEnvironmentImage)) {
         if (lights.environment.width > 0) { return sampleEnvironmentImage(lights.environment, u); }
     }
@@ -145,6 +154,9 @@ GLINT_HD inline DirectionSample sampleEnvironment(const LightView& lights, const
 /// Density of sampleEnvironment() for a unit direction.
 template <FeatureMask kMask>
 GLINT_HD inline float pdfEnvironment(const LightView& lights, const LightContext& at, const Vec3& wiWorld) {
+    if constexpr (hasFeature<kMask>(kFeaturePortal)) {
+        if (hasPortal(lights.portal)) { return pdfPortal(lights.portal, at.p, wiWorld); }
+    }
     if constexpr (hasFeature<kMask>(kFeatureEnvironmentImage)) {
         if (lights.environment.width > 0) { return pdfEnvironmentImage(lights.environment, wiWorld); }
     }

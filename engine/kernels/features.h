@@ -48,7 +48,8 @@ enum Feature : FeatureMask {
     kFeatureTranslucent = 1u << 31,   ///< sheets that let light through diffusely
     kFeaturePrincipled = 1ull << 32,  ///< coats and sheen over plastic or metal
     kFeatureFacets = 1ull << 33,      ///< facets other than GGX with one alpha
-    kFeatureProjectors = 1ull << 34,  ///< lights that show a picture
+    kFeatureProjectors = 1ull << 34,  ///< lights that show a picture, or shine by one
+    kFeaturePortal = 1ull << 35,      ///< an environment that shines through a rectangle alone
     /// every surface point has dpdu and dpdv, not only those whose material needs them: for tests
     kFeatureTangents = 1ull << 63,
     /// any of these makes shading normals differ from geometric ones
@@ -56,7 +57,7 @@ enum Feature : FeatureMask {
 };
 
 /// All that a scene can ask for.
-constexpr FeatureMask kAllFeatures = (1ull << 35) - 1;
+constexpr FeatureMask kAllFeatures = (1ull << 36) - 1;
 constexpr FeatureMask kMaterialFeatures = kFeatureDiffuse | kFeatureSpecular | kFeatureDielectric |
                                           kFeatureGlossy | kFeaturePlastic | kFeatureMixture |
                                           kFeatureTranslucent | kFeaturePrincipled;

@@ -7,6 +7,7 @@
 #include "engine/kernels/light_tree.h"
 #include "engine/kernels/scene_view.h"
 #include "engine/kernels/shapes/shapes.h"
+#include "engine/math/equal_area.h"
 
 namespace glint {
 
@@ -81,6 +82,16 @@ GLINT_HD inline Vec3 projectedIntensity(const SceneView& view, const EmitterData
     return irradiance * glm::max(sampleTexture<kMask>(view.textures[e.original], uv), Vec3(0.0f));
 }
 
+/// What a goniometric light sends into a unit direction, W/sr.
+template <FeatureMask kMask>
+GLINT_HD inline Vec3 goniometricIntensity(const SceneView& view, const EmitterData& e,
+                                          const Vec3& direction) {
+    if (e.original >= view.textures.count) { return e.radiance; }
+    const Vec2 uv = equalAreaPoint(
+        Vec3(glm::dot(direction, e.axisU), glm::dot(direction, e.axisV), glm::dot(direction, e.direction)));
+    return e.radiance * glm::max(sampleTexture<kMask>(view.textures[e.original], uv), Vec3(0.0f));
+}
+
 template <FeatureMask kMask>
 GLINT_HD inline LightSample sampleDeltaLight(const SceneView& view, const EmitterData& e, const Vec3& from) {
     LightSample s;
@@ -105,6 +116,9 @@ GLINT_HD inline LightSample sampleDeltaLight(const SceneView& view, const Emitte
         if (e.kind == EmitterKind::Projector) {
             float cosine;
             s.radiance = projectedIntensity<kMask>(view, e, -s.wiWorld, &cosine) * (1.0f / distance2);
+        }
+        if (e.kind == EmitterKind::Goniometric) {
+            s.radiance = goniometricIntensity<kMask>(view, e, -s.wiWorld) * (1.0f / distance2);
         }
     }
     s.pdfSolidAngle = isZero(s.radiance) ? 0.0f : 1.0f;

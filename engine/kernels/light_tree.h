@@ -69,29 +69,46 @@ struct LightChoice {
 
 // ---- Lights infinitely far away: directional ones and the environment ----
 
+/// An environment behind a portal by about the share of directions that the portal takes.
+template <FeatureMask kMask>
+GLINT_HD inline float environmentImportance(const LightView& lights, const LightContext& at) {
+    if constexpr (hasFeature<kMask>(kFeaturePortal)) {
+        const EmitterData& opening = lights.portal.opening;
+        if (opening.area > 0.0f) {
+            const Vec3 d = at.p - opening.position;
+            if (!(glm::dot(d, opening.direction) > 0.0f)) { return 0.0f; }
+            return lights.environmentIrradiance * minf(1.0f, opening.area / (kPi * lengthSquared(d)));
+        }
+    }
+    return lights.environmentIrradiance;
+}
+
+template <FeatureMask kMask>
 GLINT_HD inline float infiniteImportance(const LightView& lights, const EmitterData& e,
                                          const LightContext& at) {
-    if (e.kind == EmitterKind::Environment) { return lights.environmentIrradiance; }
+    if (e.kind == EmitterKind::Environment) { return environmentImportance<kMask>(lights, at); }
     const float cosine = -glm::dot(at.n, e.direction);
     return e.area *
            (at.bothSides ? std::fabs(cosine) : maxf(cosine, 0.0f));  // area: the irradiance's luminance
 }
 
+template <FeatureMask kMask>
 GLINT_HD inline float infiniteImportanceSum(const LightView& lights, const LightContext& at) {
     float sum = 0.0f;
     for (uint32_t i = lights.finiteCount; i < lights.emitters.count; ++i) {
-        sum += infiniteImportance(lights, lights.emitters[i], at);
+        sum += infiniteImportance<kMask>(lights, lights.emitters[i], at);
     }
     return sum;
 }
 
 /// `u` in [0, 1) is used up.
+template <FeatureMask kMask>
 GLINT_HD inline LightChoice chooseInfinite(const LightView& lights, const LightContext& at, float sum,
                                            float u) {
     LightChoice choice;
     float left = u * sum;
     for (uint32_t i = lights.finiteCount; i < lights.emitters.count; ++i) {
-        const float importance = infiniteImportance(lights, lights.emitters[i], at);
+        const float importance = infiniteImportance<kMask>(lights, lights.emitters[i], at);
         if (importance <= 0.0f) { continue; }
         choice = {i, importance / sum};
         if (left < importance) { break; }
@@ -194,7 +211,7 @@ template <FeatureMask kMask>
 GLINT_HD inline LightChoice chooseLight(const LightView& lights, const LightContext& at, float u) {
     if (lights.emitters.count <= 1) { return {0, lights.emitters.count == 1 ? 1.0f : 0.0f}; }
     const float finite = finiteImportanceSum<kMask>(lights, at);
-    const float infinite = infiniteImportanceSum(lights, at);
+    const float infinite = infiniteImportanceSum<kMask>(lights, at);
     if (!(finite + infinite > 0.0f)) { return {}; }
     const float share = finiteShare(finite, infinite);
     LightChoice choice;
@@ -203,7 +220,7 @@ GLINT_HD inline LightChoice chooseLight(const LightView& lights, const LightCont
                                               : chooseAmongFew(lights, at, finite, u / share);
         choice.probability *= share;
     } else {
-        choice = chooseInfinite(lights, at, infinite, (u - share) / (1.0f - share));
+        choice = chooseInfinite<kMask>(lights, at, infinite, (u - share) / (1.0f - share));
         choice.probability *= 1.0f - share;
     }
     return choice;
@@ -214,12 +231,12 @@ template <FeatureMask kMask>
 GLINT_HD inline float lightProbability(const LightView& lights, const LightContext& at, uint32_t emitter) {
     if (lights.emitters.count == 1) { return 1.0f; }
     const float finite = finiteImportanceSum<kMask>(lights, at);
-    const float infinite = infiniteImportanceSum(lights, at);
+    const float infinite = infiniteImportanceSum<kMask>(lights, at);
     if (!(finite + infinite > 0.0f)) { return 0.0f; }
     const float share = finiteShare(finite, infinite);
     if (emitter >= lights.finiteCount) {
         if (share >= 1.0f) { return 0.0f; }
-        return (1.0f - share) * infiniteImportance(lights, lights.emitters[emitter], at) / infinite;
+        return (1.0f - share) * infiniteImportance<kMask>(lights, lights.emitters[emitter], at) / infinite;
     }
     if (share <= 0.0f) { return 0.0f; }
     if (usesLightTree<kMask>(lights)) { return share * treeProbability(lights, at, emitter); }

@@ -16,37 +16,38 @@ enum class EmitterKind : uint8_t {
     Spot,
     Directional,
     Projector,
+    Goniometric,
     Environment,
 };
 
 GLINT_HD constexpr bool isDeltaLight(EmitterKind kind) {
     return kind == EmitterKind::Point || kind == EmitterKind::Spot || kind == EmitterKind::Directional ||
-           kind == EmitterKind::Projector;
+           kind == EmitterKind::Projector || kind == EmitterKind::Goniometric;
 }
 
 /// One light that can be chosen. Area emitters stand in the order of SceneDescription::objects, the triangles
 /// of an emissive mesh in order and without gaps (degenerate ones included, with area 0).
 struct EmitterData {
-    /// centre of sphere, ellipsoid, rectangle, disc; triangle: vertex 0; point, spot and projector: position
+    /// centre of sphere, ellipsoid, rectangle, disc; triangle: vertex 0; lights that are points: position
     Vec3 position{0.0f};
     /// rectangle, disc: images of the unit half axes; triangle: vertex 1 - vertex 0; projector: half the
-    /// picture's width, to its right, on the plane at a distance of 1
+    /// picture's width, to its right, on the plane at a distance of 1; goniometric: unit, to its right
     Vec3 axisU{0.0f};
     Vec3 axisV{0.0f};      ///< likewise, upwards; triangle: vertex 2 - vertex 0
-    Vec3 direction{0.0f};  ///< flat shapes: unit normal of the front; spot, directional, projector: unit,
-                           ///< where the light travels
+    Vec3 direction{0.0f};  ///< flat shapes: unit normal of the front; else unit, where the light travels
+                           ///< or, goniometric, the middle of the picture
     /// area: W/(sr m^2), with an emission texture about its mean; point, spot: W/sr; directional: W/m^2
-    /// facing it; projector: the same 1 m away, before its texture
+    /// facing it; projector: the same 1 m away, before its texture; goniometric: W/sr, likewise
     Vec3 radiance{0.0f};
     /// rectangle, parallelogram, disc, triangle: area; directional: luminance of `radiance`;
-    /// projector: the mean luminance of its texture, or 1
+    /// projector, goniometric: the mean luminance of its texture, or 1
     float area = 0.0f;
     float radiusWorld = 0.0f;       ///< sphere
     float oneMinusCosOuter = 2.0f;  ///< spot: the light ends here; narrow cones' cosines have no digits left
     float oneMinusCosInner = 2.0f;  ///< spot: begins to fall off here
     uint32_t instance = 0;          ///< area emitters: index into GeometryView::instances
     /// triangle: the emitter that this one repeats and that is sampled in its stead, or its own index;
-    /// projector: its texture, or kNone
+    /// projector, goniometric: its texture, or kNone
     uint32_t original = 0;
     EmitterKind kind = EmitterKind::Shape;
     ShapeKind shape = ShapeKind::Sphere;
@@ -90,6 +91,19 @@ struct EnvironmentView {
     float sinRotation = 0.0f;
 };
 
+/// The rectangle through which alone an environment shines. Where there is an image, its radiance is summed
+/// over a square that spans the directions out of the portal: its columns and rows are equal steps of the
+/// angles, from -90 to 90 degrees, between the portal's normal and the direction's projections along the
+/// portal's edges (Bitterli, Novak and Jarosz 2015), so that what is seen of it from any place is a
+/// rectangle.
+struct PortalView {
+    /// as of a rectangle's emitter that lights what lies before its front; area 0: there is no portal
+    EmitterData opening;
+    /// (size + 1)^2 sums of the cells of radiance times solid angle with a smaller row and column, row by row
+    const double* sums = nullptr;
+    int size = 0;  ///< cells along either side; 0: the environment is constant
+};
+
 struct LightView {
     /// area, point and spot lights first, then directional ones, then the environment
     View<EmitterData> emitters;
@@ -99,10 +113,11 @@ struct LightView {
     uint32_t finiteCount = 0;     ///< emitters[0 .. finiteCount) have a place, the rest are infinitely far
     bool usesTree = false;
     bool environmentIsSeenOnly = false;  ///< by rays from the camera: then it is no emitter
-    /// luminance times pi, averaged over all directions: weighs its choice
+    /// luminance times pi, averaged over all directions: weighs its choice; with a portal what falls on that
     float environmentIrradiance = 0.0f;
     Vec3 environmentRadiance{0.0f};  ///< constant environment; multiplies the image where there is one
     EnvironmentView environment;
+    PortalView portal;
     /// for ray casting: all lights without a shape, those in `emitters` and those for it alone
     View<EmitterData> castLights;
 };

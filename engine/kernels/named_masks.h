@@ -23,11 +23,12 @@ constexpr FeatureMask kMaskDiffuseMeshes = kMaskDiffuseShapes | kMeshes | kFeatu
                                            kFeatureTextures | kFeatureManyLights | kFeatureCameraArea;
 /// Everything with one sampler, but for what few scenes have: textures on inputs other than the colour,
 /// placed and mip-mapped ones, surfaces of revolution, bumps, cut-outs, dispersion, glass that absorbs,
-/// translucent sheets, facets other than GGX with one alpha, projectors and other acceleration structures.
+/// translucent sheets, facets other than GGX with one alpha, projectors, portals and other acceleration
+/// structures.
 constexpr FeatureMask kMaskOneSampler =
     kAllFeatures &
     ~(kFeatureIndependentSampler | kFeatureInputTextures | kFeaturePlacedTextures | kFeatureMipmaps |
       kFeatureRevolved | kFeatureBumps | kFeatureCutouts | kFeatureDispersion | kFeatureAttenuation |
-      kFeatureTranslucent | kFeatureAccelerators | kFeatureFacets | kFeatureProjectors);
+      kFeatureTranslucent | kFeatureAccelerators | kFeatureFacets | kFeatureProjectors | kFeaturePortal);
 
 }  // namespace glint

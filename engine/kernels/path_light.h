@@ -87,7 +87,8 @@ GLINT_HD inline void addEnvironment(const SceneView& view, const PassParams& par
     if constexpr (hasFeature<kMask>(kFeatureEnvironmentConstant) ||
                   hasFeature<kMask>(kFeatureEnvironmentImage)) {
         const bool isHidden = view.lights.environmentIsSeenOnly && path->depth > 0;
-        const Vec3 radiance = isHidden ? Vec3(0.0f) : environmentRadiance<kMask>(view, path->ray.direction);
+        const Vec3 radiance =
+            isHidden ? Vec3(0.0f) : environmentRadiance<kMask>(view, path->ray.origin, path->ray.direction);
         const float pdfLight = path->specularBounce
                                    ? 0.0f
                                    : pdfLightEnvironment<kMask>(view, path->context, path->ray.direction);

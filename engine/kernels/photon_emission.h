@@ -1,12 +1,13 @@
 // Photons leaving lights: one light by its power, one point on it, one direction.
 //
 // Every light kind emits: area lights by area and cosine, spheres over their whole surface, point and spot
-// lights from their place, directional lights and the environment from a disc that covers the scene. Infinite
-// emissive planes do not emit photons: their power has no bound. What they light is found by the camera
-// path's own sampling.
+// lights from their place, directional lights and the environment from a disc that covers the scene, or from
+// its portal. Infinite emissive planes do not emit photons: their power has no bound. What they light is
+// found by the camera path's own sampling.
 #pragma once
 
 #include "engine/kernels/environment.h"
+#include "engine/kernels/intersect.h"
 #include "engine/kernels/light_sampling.h"
 #include "engine/kernels/scene_view.h"
 #include "engine/kernels/surface.h"
@@ -87,6 +88,17 @@ GLINT_HD inline EmittedPhoton emitFromProjector(const SceneView& view, const Emi
     return photon;
 }
 
+/// Uniform over all directions.
+template <FeatureMask kMask>
+GLINT_HD inline EmittedPhoton emitFromGoniometric(const SceneView& view, const EmitterData& e,
+                                                  const Vec2& uDirection) {
+    EmittedPhoton photon;
+    photon.ray.origin = e.position;
+    photon.ray.direction = sampleSphere(uDirection);
+    photon.flux = goniometricIntensity<kMask>(view, e, photon.ray.direction) * (2.0f * kTwoPi);
+    return photon;
+}
+
 /// From outside the scene's bounding sphere, along `direction`, uniform over the sphere's shadow.
 GLINT_HD inline Ray rayFromFarAway(const SceneView& view, const Vec3& direction, const Vec2& uPoint) {
     const Vec2 d = sampleDisc(uPoint);
@@ -97,9 +109,33 @@ GLINT_HD inline Ray rayFromFarAway(const SceneView& view, const Vec3& direction,
     return ray;
 }
 
+/// Uniform over the portal. What stands before it, outside, keeps light from what is inside, as it does from
+/// shadow rays, and is not lit itself.
+template <FeatureMask kMask>
+GLINT_HD inline EmittedPhoton emitFromPortal(const SceneView& view, const Vec2& uPoint,
+                                             const Vec2& uDirection) {
+    EmittedPhoton photon;
+    const PortalView& portal = view.lights.portal;
+    const EmitterData& e = portal.opening;
+    const DirectionSample towards = samplePortalDirection(portal, uDirection);
+    if (!(towards.pdfSolidAngle > 0.0f)) { return photon; }
+    Ray outwards;
+    outwards.origin = e.position + (2.0f * uPoint.x - 1.0f) * e.axisU + (2.0f * uPoint.y - 1.0f) * e.axisV;
+    outwards.direction = towards.wiWorld;
+    if (occluded<kMask>(view, outwards)) { return photon; }
+    photon.ray.origin = outwards.origin;
+    photon.ray.direction = -towards.wiWorld;
+    photon.flux = environmentRadiance<kMask>(view, towards.wiWorld) *
+                  (e.area * -glm::dot(towards.wiWorld, e.direction) / towards.pdfSolidAngle);
+    return photon;
+}
+
 template <FeatureMask kMask>
 GLINT_HD inline EmittedPhoton emitFromEnvironment(const SceneView& view, const Vec2& uPoint,
                                                   const Vec2& uDirection) {
+    if constexpr (hasFeature<kMask>(kFeaturePortal)) {
+        if (hasPortal(view.lights.portal)) { return emitFromPortal<kMask>(view, uPoint, uDirection); }
+    }
     EmittedPhoton photon;
     LightContext everywhere;
     everywhere.bothSides = true;
@@ -135,6 +171,11 @@ GLINT_HD inline EmittedPhoton emitPhoton(const SceneView& view, const PowerDistr
         case EmitterKind::Projector:
             if constexpr (hasFeature<kMask>(kFeatureProjectors)) {
                 photon = detail::emitFromProjector<kMask>(view, e, uDirection);
+            }
+            break;
+        case EmitterKind::Goniometric:
+            if constexpr (hasFeature<kMask>(kFeatureProjectors)) {
+                photon = detail::emitFromGoniometric<kMask>(view, e, uDirection);
             }
             break;
         case EmitterKind::Directional:

@@ -87,7 +87,7 @@ GLINT_HD PixelSample traceRayCast(const SceneView& view, const RayCastView& sett
     sample.rays = 1;
     Hit hit;
     if (!intersect<kMask>(view, ray, &hit)) {
-        sample.radiance = environmentRadiance<kMask>(view, ray.direction);
+        sample.radiance = environmentRadiance<kMask>(view, ray.origin, ray.direction);
         return sample;
     }
     const SurfacePoint surface = surfaceAt<kMask>(view, ray, hit);

@@ -58,7 +58,8 @@ std::span<const KindName<LightKind>> kindNames<LightKind>() {
     static constexpr KindName<LightKind> kNames[] = {{"point", LightKind::Point},
                                                      {"spot", LightKind::Spot},
                                                      {"directional", LightKind::Directional},
-                                                     {"projector", LightKind::Projector}};
+                                                     {"projector", LightKind::Projector},
+                                                     {"goniometric", LightKind::Goniometric}};
     return kNames;
 }
 

@@ -522,7 +522,8 @@ struct FieldsOf<Light> {
     static constexpr EditKind kEdit = EditKind::Lights;
     static constexpr uint32_t kSpot = only(LightKind::Spot);
     static constexpr uint32_t kProjector = only(LightKind::Projector);
-    static constexpr uint32_t kPlaced = only(LightKind::Point, LightKind::Spot);
+    static constexpr uint32_t kPlaced = only(LightKind::Point, LightKind::Spot, LightKind::Goniometric);
+    static constexpr uint32_t kPictured = only(LightKind::Projector, LightKind::Goniometric);
     static constexpr std::tuple kList{
         field("type", &Light::kind, {.required = true}),
         label("name", &Light::name),
@@ -530,12 +531,13 @@ struct FieldsOf<Light> {
         field("direction", &Light::direction,
               {.form = VectorForm::Direction,
                .help = "where the light travels",
-               .kinds = only(LightKind::Spot, LightKind::Directional, LightKind::Projector)}),
+               .kinds = only(LightKind::Spot, LightKind::Directional) | kPictured}),
         field("color", &Light::color, {.range = kNotNegative, .form = VectorForm::Color}),
         field("intensity", &Light::strength,
               {.range = kNotNegative,
                .unit = "W/sr",
-               .help = "factor on color; of a spot along its axis",
+               .help =
+                   "factor on color; of a spot along its axis, of a goniometric light where its picture is 1",
                .kinds = kPlaced}),
         field("irradiance", &Light::strength,
               {.range = kNotNegative,
@@ -559,7 +561,7 @@ struct FieldsOf<Light> {
         field("up", &Light::up,
               {.form = VectorForm::Direction,
                .help = "upwards in the picture, where that is across the direction",
-               .kinds = kProjector,
+               .kinds = kPictured,
                .onlyOwnKinds = true}),
         field("fovDeg", &Light::fovDeg,
               {.range = kViewAngle,
@@ -574,8 +576,10 @@ struct FieldsOf<Light> {
                .onlyOwnKinds = true}),
         field("picture", &Light::picture,
               {.range = kNotNegative,
-               .help = "what is projected, upright as seen from the projector; a factor on color",
-               .kinds = kProjector,
+               .help = "what is projected, upright as seen from the projector; of a goniometric light its "
+                       "intensity by directions, in a square of equal areas with the direction in its "
+                       "middle; a factor on color",
+               .kinds = kPictured,
                .onlyOwnKinds = true}),
         field("onlyRayCast", &Light::onlyRayCast,
               {.help = "shines in ray casting alone", .onlyIfSet = true})};
@@ -595,7 +599,16 @@ struct FieldsOf<Environment> {
               {.unit = "degrees", .help = "about +y, counter-clockwise from above"}),
         field(
             "seenOnly", &Environment::seenOnly,
-            {.help = "a background: rays from the camera see it, and it lights nothing", .onlyIfSet = true})};
+            {.help = "a background: rays from the camera see it, and it lights nothing", .onlyIfSet = true}),
+        field("portal", &Environment::portal,
+              {.unit = "m",
+               .help = "four corners of the rectangle through which alone it shines and is seen, "
+                       "counter-clockwise from where its light goes",
+               .onlyIfSet = true},
+              {.holds = [](const Environment& environment) { return isRectangle(environment.portal); },
+               .message = "\"portal\" is no rectangle; expected its four corners one after the other, "
+                          "counter-clockwise as seen from where the light goes",
+               .isSaved = [](const Environment& environment) { return !environment.portal.empty(); }})};
 };
 
 /// What the picture depends on is the image.

@@ -43,9 +43,7 @@ std::vector<int> usedTextures(const Material& material) {
     return textures;
 }
 
-bool showsPicture(const Light& light) {
-    return light.kind == LightKind::Projector && light.picture.texture >= 0;
-}
+bool showsPicture(const Light& light) { return hasPicture(light.kind) && light.picture.texture >= 0; }
 
 std::vector<bool> usedMaterials(const SceneDescription& scene) {
     std::vector<bool> used(scene.materials.size(), false);

@@ -110,6 +110,13 @@ TEST_P(SppmAgainstPaths, Projector) {
     finer.radiusFootprints = 1.0f;
     expectAgreementOf(projectorBox(), finer);
 }
+TEST_P(SppmAgainstPaths, Goniometric) {
+    SppmParams finer = params();
+    finer.photonsPerPass = 32000;
+    finer.radiusFootprints = 1.0f;
+    expectAgreementOf(goniometricBox(), finer);
+}
+TEST_P(SppmAgainstPaths, Portal) { expectAgreementOf(portalBox(), params()); }
 TEST_P(SppmAgainstPaths, Principled) {
     SppmParams finer = params();  // the balls are six pixels wide, and have highlights
     finer.photonsPerPass = 32000;

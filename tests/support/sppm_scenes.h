@@ -37,6 +37,13 @@ SceneDescription brushedBox();
 /// be hard, so that its picture fades and there are none; small.
 SceneDescription projectorBox();
 
+/// The same, lit from its middle by a goniometric light.
+SceneDescription goniometricBox();
+
+/// The box without its balls and its lamp, lit by an uneven sky through a portal over a hole in its ceiling,
+/// with a black disc outside that hides a part of the sky; small. The open front lets nothing in.
+SceneDescription portalBox();
+
 /// A ball and a cube of glass of extreme dispersion on a floor, one seen through the other: what a camera
 /// path and a photon are bent by meets on the floor, and in a second ball of rough glass; small.
 SceneDescription dispersiveGlass();

@@ -298,7 +298,9 @@ std::vector<NamedScene> allTestScenes() {
             {"absorbingGlass", absorbingGlassBox()},
             {"translucentSheets", translucentBox()},
             {"principled", principledBox()},
-            {"projector", projectorBox()}};
+            {"projector", projectorBox()},
+            {"goniometric", goniometricBox()},
+            {"portal", portalBox()}};
 }
 
 }  // namespace glint::test

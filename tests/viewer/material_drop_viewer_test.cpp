@@ -135,5 +135,45 @@ wait jobs
     EXPECT_TRUE(saved->environmentImages[0].isGenerated());
 }
 
+TEST(ImageChoice, PicturesOfLightsComeFromFiles) {
+    fs::create_directories("images");
+    ASSERT_TRUE(savePng("images/green.png", {2, 1, {0, 200, 0, 0, 200, 0}}));
+    fs::remove("pictured.json");
+    std::string lit = kScene;
+    lit.insert(lit.find("\"objects\""),
+               R"("lights": [{"type": "spot", "position": [0, 2, 2], "direction": [0, -1, -1]}],
+)");
+    write("lit.json", lit);
+    write("script.txt", kOnlyThese + R"(
+open "Lights"
+open "Checkpoint"
+wait frames 3
+expect no-widget "Lights/Picture"
+set "Lights/Kind" Projector
+wait picture
+set "Lights/Picture" "From a file…"
+wait frames 3
+set "Name" images/green.png
+click "Open this"
+wait picture
+expect "Lights/Picture" green.png
+set "Lights/Kind" Goniometric
+wait picture
+expect "Lights/Picture" green.png
+expect no-error
+set "Scene file" pictured.json
+click "Save scene"
+wait jobs
+)");
+    expectPlayed(run("view lit.json --headless --threads 1 --script script.txt"));
+    const auto saved = loadScene("pictured.json");
+    ASSERT_TRUE(saved) << saved.error().format();
+    ASSERT_EQ(saved->lights.size(), 1u);
+    EXPECT_EQ(saved->lights[0].kind, LightKind::Goniometric);
+    ASSERT_EQ(saved->lights[0].picture.texture, 0);
+    EXPECT_EQ(saved->textures[0].encoding, ColorEncoding::Srgb);
+    EXPECT_TRUE(saved->textures[0].image.isRead());
+}
+
 }  // namespace
 }  // namespace glint

@@ -31,6 +31,22 @@ ColorEncoding encodingOf(const Material& material, size_t input) {
     return isColor ? ColorEncoding::Srgb : ColorEncoding::Linear;
 }
 
+/// The index of the scene's texture of an absolute file, which is made where there is none.
+int textureOf(SceneDescription* scene, const std::string& file, ColorEncoding encoding) {
+    const auto known = std::ranges::find_if(scene->textures, [&](const Texture& texture) {
+        return texture.encoding == encoding && isOfFile(texture.image, scene->path, file);
+    });
+    const auto index = static_cast<int>(known - scene->textures.begin());
+    if (known == scene->textures.end()) {
+        Texture texture;
+        texture.name = fs::path(file).filename().string();
+        texture.image.source = FileSource{file};
+        texture.encoding = encoding;
+        scene->textures.push_back(std::move(texture));
+    }
+    return index;
+}
+
 /// The last image, or one that is alike.
 template <class IsAlike>
 void showImage(SceneDescription* scene, SceneImage image, const IsAlike& isAlike) {
@@ -50,20 +66,17 @@ void chooseTextureFile(SceneDocument* document, size_t material, size_t input, c
     SceneDescription& scene = document->draft();
     if (material >= scene.materials.size()) { return; }
     const std::string file = absolutePath(path);
-    const ColorEncoding encoding = encodingOf(scene.materials[material], input);
-    const auto known = std::ranges::find_if(scene.textures, [&](const Texture& texture) {
-        return texture.encoding == encoding && isOfFile(texture.image, scene.path, file);
-    });
-    const auto index = static_cast<int>(known - scene.textures.begin());
-    if (known == scene.textures.end()) {
-        Texture texture;
-        texture.name = fs::path(file).filename().string();
-        texture.image.source = FileSource{file};
-        texture.encoding = encoding;
-        scene.textures.push_back(std::move(texture));
-    }
-    *inputTextures(&scene.materials[material])[input] = index;
+    *inputTextures(&scene.materials[material])[input] =
+        textureOf(&scene, file, encodingOf(scene.materials[material], input));
     document->nameEdit("Texture " + fs::path(file).filename().string());
+}
+
+void choosePictureFile(SceneDocument* document, size_t light, const std::string& path) {
+    SceneDescription& scene = document->draft();
+    if (light >= scene.lights.size()) { return; }
+    const std::string file = absolutePath(path);
+    scene.lights[light].picture.texture = textureOf(&scene, file, ColorEncoding::Srgb);
+    document->nameEdit("Picture " + fs::path(file).filename().string());
 }
 
 void chooseEnvironmentFile(SceneDocument* document, const std::string& path) {

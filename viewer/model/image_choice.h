@@ -14,6 +14,9 @@ namespace glint {
 /// again.
 void chooseTextureFile(SceneDocument* document, size_t material, size_t input, const std::string& path);
 
+/// The image file is what a light shows, or by which it shines, in sRGB.
+void choosePictureFile(SceneDocument* document, size_t light, const std::string& path);
+
 /// The environment shows the image file, at its own brightness where the environment was black.
 void chooseEnvironmentFile(SceneDocument* document, const std::string& path);
 /// The same of a generated sky, or of the one that the scene has already.

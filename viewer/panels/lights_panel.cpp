@@ -13,6 +13,8 @@
 #include "viewer/panels/asset_state.h"
 #include "viewer/panels/gizmo_rows.h"
 #include "viewer/panels/panel.h"
+#include "viewer/panels/portal_rows.h"
+#include "viewer/panels/texture_row.h"
 #include "viewer/ui/widgets.h"
 
 namespace glint {
@@ -21,7 +23,8 @@ namespace {
 constexpr ui::KindLabel<LightKind> kKinds[]{{LightKind::Point, "Point"},
                                             {LightKind::Spot, "Spot"},
                                             {LightKind::Directional, "Directional"},
-                                            {LightKind::Projector, "Projector"}};
+                                            {LightKind::Projector, "Projector"},
+                                            {LightKind::Goniometric, "Goniometric"}};
 
 /// One colour, an image of the scene, a sky that is made, or a file.
 void drawImage(SceneDocument* document, SceneFiles* files) {
@@ -55,6 +58,7 @@ void drawEnvironment(SceneDocument* document, SceneFiles* files, AssetReader* as
     ui::number("Env. strength", &environment->strength, {.format = "× %.3f", .speed = 0.01f, .max = 1e6f});
     drawImage(document, files);
     drawAssetState(assets);
+    drawPortalRows(document);
     ui::toggle("Background only", &environment->seenOnly, "The camera sees it, and it lights nothing");
     ui::number("Rotation", &environment->rotationDeg,
                {.format = "%.1f°",
@@ -64,12 +68,36 @@ void drawEnvironment(SceneDocument* document, SceneFiles* files, AssetReader* as
                 .tooltip = "About the vertical axis"});
 }
 
-void drawProjection(Light* light) {
+/// None, one of the scene's textures, or a file.
+void drawPictureChoice(SceneDocument* document, SceneFiles* files, size_t number) {
+    const std::vector<std::string> names = textureChoices(document->draft().textures);
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    Light& light = document->draft().lights[number];
+    int index = light.picture.texture + 1;
+    const char* tooltip =
+        light.kind == LightKind::Projector
+            ? "What is projected"
+            : "The intensity by directions: a square of equal areas, the light's direction in "
+              "its middle";
+    if (!ui::choice("Picture", &index, views, tooltip)) { return; }
+    if (static_cast<size_t>(index) + 1 < views.size()) {
+        light.picture.texture = index - 1;
+        return;
+    }
+    files->dialog.ask({"Choose a picture", files->opened, false, [document, number](const std::string& path) {
+                           choosePictureFile(document, number, path);
+                       }});
+}
+
+void drawUp(Light* light) {
     Vec3 up = light->up;
     if (ui::vector3("Up", &up, {.format = "%.3f", .speed = 0.005f, .tooltip = "Upwards in the picture"}) &&
         lengthSquared(up) > 0.0f) {
         light->up = up;
     }
+}
+
+void drawProjection(Light* light) {
     ui::number("Width", &light->fovDeg,
                {.format = "%.1f°",
                 .speed = 0.1f,
@@ -81,7 +109,8 @@ void drawProjection(Light* light) {
         {.format = "%.3f", .speed = 0.01f, .min = 0.01f, .max = 100.0f, .tooltip = "Width over height"});
 }
 
-void drawLight(Light* light, float speed) {
+void drawLight(SceneDocument* document, SceneFiles* files, size_t number, float speed) {
+    Light* light = &document->draft().lights[number];
     ui::kindChoice("Kind", &light->kind, kKinds);
     const bool directional = light->kind == LightKind::Directional;
     const bool projects = light->kind == LightKind::Projector;
@@ -103,6 +132,10 @@ void drawLight(Light* light, float speed) {
             light->direction = direction;
         }
     }
+    if (hasPicture(light->kind)) {
+        drawPictureChoice(document, files, number);
+        drawUp(light);
+    }
     if (projects) { drawProjection(light); }
     if (light->kind != LightKind::Spot) { return; }
     ui::number("Cone", &light->coneAngleDeg,
@@ -117,7 +150,7 @@ void drawLight(Light* light, float speed) {
     light->coneFalloffStartDeg = std::min(light->coneFalloffStartDeg, light->coneAngleDeg);
 }
 
-void drawLights(SceneDocument* document, GizmoSettings* gizmo, const KeyMap& keys) {
+void drawLights(SceneDocument* document, SceneFiles* files, GizmoSettings* gizmo, const KeyMap& keys) {
     std::vector<Light>& lights = document->draft().lights;
     if (lights.empty()) {
         ui::hint("No point, spot or directional lights.");
@@ -132,7 +165,8 @@ void drawLights(SceneDocument* document, GizmoSettings* gizmo, const KeyMap& key
     if (ui::choice("Light", &document->selectedLight, views)) { document->selectedObject = -1; }
     ImGui::PushID(document->selectedLight);
     const float speed = std::max(maxComponent(document->bounds().extent()) * 0.002f, 1e-4f);
-    drawLight(&lights[static_cast<size_t>(document->selectedLight)], std::isfinite(speed) ? speed : 0.01f);
+    drawLight(document, files, static_cast<size_t>(document->selectedLight),
+              std::isfinite(speed) ? speed : 0.01f);
     ImGui::PopID();
     if (document->selectedObject < 0) { return drawGizmoRows(gizmo, keys); }
     if (ui::button("Handles", ui::buttonWidth(1), "Moves and turns the light in the picture")) {
@@ -159,7 +193,7 @@ void drawStudio(SceneDescription* scene) {
 void draw(SceneDocument* document, SceneFiles* files, AssetReader* assets, GizmoSettings* gizmo,
           const KeyMap* keys) {
     drawStudio(&document->draft());
-    drawLights(document, gizmo, *keys);
+    drawLights(document, files, gizmo, *keys);
     drawEnvironment(document, files, assets);
 }
 

@@ -39,9 +39,8 @@ void askForFile(const TextureRows& rows, const int* chosen) {
 
 }  // namespace
 
-TextureRows::TextureRows(SceneDocument* ofDocument, SceneFiles* ofFiles, size_t ofMaterial)
-    : document(ofDocument), files(ofFiles), material(ofMaterial), choices{"none"} {
-    const std::vector<Texture>& textures = document->draft().textures;
+std::vector<std::string> textureChoices(const std::vector<Texture>& textures) {
+    std::vector<std::string> choices{"none"};
     for (size_t i = 0; i < textures.size(); ++i) {
         const std::string path = pathOf(textures[i].image.source);
         choices.push_back(!textures[i].name.empty() ? textures[i].name
@@ -49,7 +48,14 @@ TextureRows::TextureRows(SceneDocument* ofDocument, SceneFiles* ofFiles, size_t 
                                                     : fmt::format("texture {}", i));
     }
     choices.emplace_back("From a file…");
+    return choices;
 }
+
+TextureRows::TextureRows(SceneDocument* ofDocument, SceneFiles* ofFiles, size_t ofMaterial)
+    : document(ofDocument),
+      files(ofFiles),
+      material(ofMaterial),
+      choices(textureChoices(ofDocument->draft().textures)) {}
 
 void drawTextureRow(const TextureRows& rows, const char* label, const char* tooltip, int* chosen) {
     const std::vector<std::string_view> views(rows.choices.begin(), rows.choices.end());

@@ -10,6 +10,9 @@
 
 namespace glint {
 
+/// What a row offers: none, the textures by their names or files, a file.
+std::vector<std::string> textureChoices(const std::vector<Texture>& textures);
+
 /// What the rows of a material need beside it. `material` counts the draft's.
 struct TextureRows {
     SceneDocument* document;
