@@ -19,6 +19,11 @@ bool flipsV(const SceneDescription& scene, int material);
 size_t writeGltfMaterial(const SceneDescription& scene, int material, bool isLamp, GltfImages* images,
                          GltfWriter* out, std::vector<std::string>* warnings);
 
+/// Adds the layers of a principled material: specular reflection, coat and sheen. `isFlipped`: as of
+/// GltfImages::info().
+void writeGltfLayers(const Material& material, bool isFlipped, GltfImages* images, GltfWriter* out,
+                     GltfJson* to);
+
 /// Gives materials with a height map and no normal map the normals of the heights, as steep as they are on
 /// the average of the material's objects. False: there were none.
 bool makeBumpsNormals(SceneDescription* scene);

@@ -143,37 +143,13 @@ class MaterialWriter {
     void principled() {
         color();
         const NumberInput &rough = from_.roughness, &metal = from_.metallic;
-        surface(metal.texture >= 0 ? images_.metalnessFactor(metal.texture) : metal.value, roughnessFactor());
+        surface(metal.texture >= 0 ? images_.shareFactor(metal.texture) : metal.value, roughnessFactor());
         if (rough.texture >= 0 || metal.texture >= 0) {
             pbr()["metallicRoughnessTexture"] =
                 images_.info(rough.texture, metal.texture, GltfPictureUse::Roughness, isFlipped_);
         }
         ior();
-        layers();
-    }
-
-    void layers() {
-        for (const int index :
-             {from_.specular.texture, from_.specularTint.texture, from_.clearcoat.texture,
-              from_.clearcoatRoughness.texture, from_.sheenColor.texture, from_.sheenRoughness.texture}) {
-            if (index >= 0) { warn("approximated: coats, sheen and specular reflection are even"); }
-        }
-        const float specular = from_.specular.value;
-        if (specular != 1.0f || from_.specularTint.value != Vec3(1.0f)) {
-            out_.extend(&to_, "KHR_materials_specular",
-                        {{"specularFactor", gltfJson(specular)},
-                         {"specularColorFactor", gltfJson(from_.specularTint.value)}});
-        }
-        if (from_.clearcoat.value > 0.0f) {
-            out_.extend(&to_, "KHR_materials_clearcoat",
-                        {{"clearcoatFactor", gltfJson(from_.clearcoat.value)},
-                         {"clearcoatRoughnessFactor", gltfJson(std::sqrt(from_.clearcoatRoughness.value))}});
-        }
-        if (!isZero(from_.sheenColor.value)) {
-            out_.extend(&to_, "KHR_materials_sheen",
-                        {{"sheenColorFactor", gltfJson(from_.sheenColor.value)},
-                         {"sheenRoughnessFactor", gltfJson(std::sqrt(from_.sheenRoughness.value))}});
-        }
+        writeGltfLayers(from_, isFlipped_, &images_, &out_, &to_);
     }
 
     void mirror() {

@@ -80,6 +80,40 @@ Vec3 encodedColor(const Texture& texture, size_t pixel) {
     return color;
 }
 
+/// Before shareFactor() and roughnessFactor().
+float shareAt(const Texture& texture, size_t pixel) {
+    const float number = numberAt(texture, pixel);
+    return isMultiplied(texture) ? number : adjusted(texture, number);
+}
+float roughnessAt(const Texture& texture, size_t pixel) {
+    const float number = numberAt(texture, pixel);
+    return isSquared(texture) ? number : safeSqrt(adjusted(texture, number));
+}
+
+Vec3 colorFor(GltfPictureUse use, const Texture& texture, size_t pixel) {
+    switch (use) {
+        case GltfPictureUse::Roughness:
+            return {1.0f, roughnessAt(texture, pixel), 1.0f};
+        case GltfPictureUse::Share:
+            return Vec3(shareAt(texture, pixel));
+        case GltfPictureUse::Normal: {
+            Vec3 numbers = numbersAt(texture.image, pixel);
+            for (int c = 0; c < 3; ++c) {
+                numbers[c] = adjusted(texture, numbers[c]);
+            }
+            return numbers;
+        }
+        default:
+            return encodedColor(texture, pixel);
+    }
+}
+
+float alphaFor(GltfPictureUse use, const Texture& texture, size_t pixel) {
+    if (use == GltfPictureUse::ShareInAlpha) { return shareAt(texture, pixel); }
+    if (use == GltfPictureUse::RoughnessInAlpha) { return roughnessAt(texture, pixel); }
+    return adjusted(texture, numberAt(texture, pixel));
+}
+
 /// The texture's own placement behind a v that is counted as the file does.
 GltfJson placementOf(const Texture& texture, bool isFlipped) {
     const float angle = texture.rotationDeg * (kPi / 180.0f);
@@ -111,7 +145,7 @@ float GltfImages::roughnessFactor(int index) const {
     return isSquared(texture(index)) ? clampf(texture(index).gain, 0.0f, 1.0f) : 1.0f;
 }
 
-float GltfImages::metalnessFactor(int index) const {
+float GltfImages::shareFactor(int index) const {
     return isMultiplied(texture(index)) ? clampf(texture(index).gain, 0.0f, 1.0f) : 1.0f;
 }
 
@@ -122,30 +156,16 @@ Image8 GltfImages::bake(const Picture& picture) {
     const Texture* color = picture.color >= 0 ? &texture(picture.color) : nullptr;
     const Texture* alpha = picture.alpha >= 0 ? &texture(picture.alpha) : nullptr;
     const bool isSurface = picture.use == GltfPictureUse::Roughness;
-    const bool hasAlpha =
-        !isSurface && color != nullptr && color->image.bytes && !color->image.bytes->alpha.empty();
+    const bool hasAlpha = picture.use == GltfPictureUse::Color && color != nullptr && color->image.bytes &&
+                          !color->image.bytes->alpha.empty();
     for (size_t i = 0; i < pixels; ++i) {
-        Vec3 rgb(1.0f);
-        if (color != nullptr && isSurface) {
-            const float number = numberAt(*color, i);
-            rgb.y = isSquared(*color) ? number : safeSqrt(adjusted(*color, number));
-        } else if (color != nullptr && picture.use == GltfPictureUse::Normal) {
-            const Vec3 numbers = numbersAt(color->image, i);
-            for (int c = 0; c < 3; ++c) {
-                rgb[c] = adjusted(*color, numbers[c]);
-            }
-        } else if (color != nullptr) {
-            rgb = encodedColor(*color, i);
-        }
-        if (alpha != nullptr && isSurface) {
-            const float number = numberAt(*alpha, i);
-            rgb.z = isMultiplied(*alpha) ? number : adjusted(*alpha, number);
-        }
+        Vec3 rgb = color != nullptr ? colorFor(picture.use, *color, i) : Vec3(1.0f);
+        if (alpha != nullptr && isSurface) { rgb.z = shareAt(*alpha, i); }
         for (int c = 0; c < 3; ++c) {
             image.rgb.push_back(byteOf(rgb[c]));
         }
         if (alpha != nullptr && !isSurface) {
-            image.alpha.push_back(byteOf(adjusted(*alpha, numberAt(*alpha, i))));
+            image.alpha.push_back(byteOf(alphaFor(picture.use, *alpha, i)));
         } else if (hasAlpha) {
             image.alpha.push_back(color->image.bytes->alpha[i]);
         }
@@ -154,7 +174,8 @@ Image8 GltfImages::bake(const Picture& picture) {
 }
 
 std::shared_ptr<const std::string> GltfImages::fileOf(const Picture& picture) {
-    if (picture.alpha >= 0 || picture.use == GltfPictureUse::Roughness) { return nullptr; }
+    const bool isPlain = picture.use == GltfPictureUse::Color || picture.use == GltfPictureUse::Normal;
+    if (picture.alpha >= 0 || !isPlain) { return nullptr; }
     const Texture& from = texture(picture.color);
     const bool isReadAlike = picture.use == GltfPictureUse::Normal || from.encoding == ColorEncoding::Srgb;
     if (isChanged(from) || !from.image.bytes || !isReadAlike) { return nullptr; }

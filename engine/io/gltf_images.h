@@ -12,9 +12,10 @@
 
 namespace glint {
 
-/// How programs read a picture: sRGB colours and alpha, tangent-space normals, or roughness (green) over
-/// metalness (blue; 1 without a texture of its own).
-enum class GltfPictureUse { Color, Normal, Roughness };
+/// How programs read a picture: sRGB colours and alpha, tangent-space normals, roughness (green) over
+/// metalness (blue; 1 without a texture of its own), a share of all (red), or a share or a roughness in the
+/// alpha.
+enum class GltfPictureUse { Color, Normal, Roughness, Share, ShareInAlpha, RoughnessInAlpha };
 
 /// The single number that a pixel shows (kernels/texture.h).
 float shownNumber(const Texture& texture, size_t pixel);
@@ -28,13 +29,13 @@ class GltfImages {
         : scene_(scene), path_(path), out_(*out), warnings_(*warnings) {}
 
     /// A textureInfo of one of the scene's textures; with `alpha` >= 0, that texture's number is the alpha of
-    /// the picture, or, of `use` Roughness, its metalness. Either may be -1, not both. `isFlipped`: the
-    /// file's v is 1 - v of the scene.
+    /// the picture, which `use` says the meaning of, or, of `use` Roughness, its metalness. Either may be -1,
+    /// not both. `isFlipped`: the file's v is 1 - v of the scene.
     GltfJson info(int color, int alpha, GltfPictureUse use, bool isFlipped);
     /// What the picture of a GGX alpha is multiplied by to be glTF's roughness.
     float roughnessFactor(int texture) const;
-    /// The same for a metalness.
-    float metalnessFactor(int texture) const;
+    /// The same for a metalness and other shares.
+    float shareFactor(int texture) const;
 
     /// The first error: a picture that was not read, or that cannot be written.
     const Status& status() const { return status_; }

@@ -1,6 +1,7 @@
 // Principled materials written as glTF and opened again.
 #include <gmock/gmock.h>
 
+#include "engine/io/gltf_images.h"
 #include "tests/support/gltf_export_test.h"
 
 namespace glint::test {
@@ -58,6 +59,52 @@ TEST_F(GltfLayers, RoughnessAndMetalnessAreOnePicture) {
     EXPECT_THAT(metal.image.bytes->rgb, ElementsAre(255, 100, 255, 255, 200, 51));
     EXPECT_EQ(textured.textures.at(static_cast<size_t>(textured.materials[0].roughness.texture)).exponent,
               2.0f);
+}
+
+/// Shares are multiplied by the factor, roughness is squared behind it, each by the channel that glTF has it
+/// in.
+TEST_F(GltfLayers, PicturesOfLayersAreKept) {
+    SceneDescription scene = square();
+    Material& paint = scene.materials[0] = paintOf();
+    const Image8 image{2, 1, {0, 100, 255, 40, 200, 51}, {}};
+    const auto add = [&](TextureChannel channel, float gain, float exponent) {
+        const int index = addTexture(&scene, image, ColorEncoding::Linear, channel);
+        scene.textures.back().gain = gain;
+        scene.textures.back().exponent = exponent;
+        return index;
+    };
+    paint.specular.texture = add(TextureChannel::Green, 0.5f, 1.0f);
+    paint.clearcoat.texture = add(TextureChannel::Blue, 0.75f, 1.0f);
+    paint.clearcoatRoughness.texture = add(TextureChannel::Green, 0.5f, 2.0f);
+    paint.sheenRoughness.texture = add(TextureChannel::Red, 1.0f, 1.0f);
+    paint.specularTint.texture = addTexture(&scene, image, ColorEncoding::Srgb);
+    paint.sheenColor.texture = addTexture(&scene, image, ColorEncoding::Srgb);
+    const SceneDescription opened = exported(scene);
+    EXPECT_THAT(warnings, IsEmpty());
+    ASSERT_EQ(opened.materials.size(), 1u);
+    int compared = 0;
+    forEachModelInput(
+        [&](const InputInfo& info, const auto& now, const auto& before) {
+            if (before.texture < 0) { return; }
+            ASSERT_GE(now.texture, 0) << info.key;
+            const Texture &after = opened.textures[static_cast<size_t>(now.texture)],
+                          &from = scene.textures[static_cast<size_t>(before.texture)];
+            ++compared;
+            for (size_t pixel = 0; pixel < 2; ++pixel) {
+                if constexpr (std::is_same_v<std::decay_t<decltype(now)>, NumberInput>) {
+                    EXPECT_NEAR(shownNumber(after, pixel), shownNumber(from, pixel), 3e-3f) << info.key;
+                } else {
+                    for (size_t c = 0; c < 3; ++c) {
+                        EXPECT_EQ(after.image.bytes->rgb[3 * pixel + c], image.rgb[3 * pixel + c])
+                            << info.key;
+                    }
+                }
+            }
+        },
+        opened.materials[0], scene.materials[0]);
+    EXPECT_EQ(compared, 6);
+    const Texture& share = opened.textures[static_cast<size_t>(opened.materials[0].clearcoat.texture)];
+    EXPECT_FLOAT_EQ(share.gain, 0.75f) << "its factor";
 }
 
 /// A film of no thickness changes nothing; one of a quarter wave of green whose index is the root of glass'
