@@ -2,9 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
-#include <utility>
-#include <vector>
+
+#include "engine/scene/reading_options.h"
 
 namespace glint {
 
@@ -21,9 +20,6 @@ struct LoadCounts {
     bool operator==(const LoadCounts&) const = default;
 };
 
-/// Names and values that replace `$name` in scenes with parameters.
-using SceneParameters = std::vector<std::pair<std::string, std::string>>;
-
 struct LoadOptions {
     /// Missing textures and meshes, and what Glint cannot draw, become warnings: the rest of the scene
     /// is loaded.
@@ -33,5 +29,11 @@ struct LoadOptions {
     LoadCounts* counts = nullptr;     ///< added to, where it is not null
     SceneParameters parameters = {};  ///< before those that the scene sets itself
 };
+
+/// Those that read a scene's file so again.
+inline LoadOptions loadOptionsOf(const ReadingOptions& options) {
+    return {
+        .allowMissing = options.allowMissing, .noStudio = options.noStudio, .parameters = options.parameters};
+}
 
 }  // namespace glint

@@ -39,6 +39,7 @@ Result<SceneDescription> loadScene(const std::string& path, const LoadOptions& o
     }
     if (scene) {
         scene->filesRead = read.paths();
+        scene->readWith = {options.allowMissing, options.noStudio, options.parameters};
         makeNamesText(&*scene);
         std::vector<std::string> limits = stabilityWarnings(*scene);
         std::move(limits.begin(), limits.end(), std::back_inserter(scene->warnings));

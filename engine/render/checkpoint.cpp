@@ -1,7 +1,7 @@
 // Sections: INFO (text Glint version, f64 render seconds), SETT (u32 count, then name and value texts), HASH
 // (u32 count, then u64 low and high per scene part), FILM (film_checkpoint.h), CURV (u32 count, then u32
 // passes and 5 f64 per point of the convergence curve), and that of the integrator's statistics where it has
-// some, and SCNE (checkpoint_scene.h). A section with other letters is skipped. Texts are u64 length and
+// some, READ and SCNE (checkpoint_scene.h). A section with other letters is skipped. Texts are u64 length and
 // characters.
 #include "engine/render/checkpoint.h"
 
@@ -70,6 +70,7 @@ Result<CheckpointInfo> readInfo(const CheckpointSections& sections, const std::s
     film.readRaw(2 * sizeof(uint32_t));
     info.passes = film.read<uint32_t>();
     info.scenePath = checkpointScenePath(sections);
+    info.readWith = checkpointReadingOptions(sections);
     if (about.failed() || settings.failed() || count > kMaxSettings || hashes.failed() || !rightParts ||
         film.failed()) {
         return checkpointError(path, "is damaged: a section is too short");

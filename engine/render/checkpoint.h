@@ -21,7 +21,8 @@ struct CheckpointInfo {
     std::string glintVersion;  ///< that wrote it
     double renderSeconds = 0.0;
     uint32_t passes = 0;
-    std::string scenePath;  ///< absolute; "" where it holds no scene
+    std::string scenePath;    ///< absolute; "" where it holds no scene and names none
+    ReadingOptions readWith;  ///< how that was read
     std::vector<Setting> settings;
     SceneHashes hashes;
 };

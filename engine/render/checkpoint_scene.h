@@ -1,4 +1,4 @@
-// The scene in a checkpoint: as it was edited, as Glint JSON.
+// The scene in a checkpoint: as it was edited, as Glint JSON, and how its file was read.
 #pragma once
 
 #include <string>
@@ -14,13 +14,18 @@ std::string absolutePath(const std::string& path);
 
 /// Writes the section SCNE: the scene's path, absolute, as text, then the scene as JSON text whose relative
 /// paths count from there. None where the scene cannot be written, since it holds images in memory alone.
+/// Before it, where the scene has a file, READ: its path likewise, u8 allowMissing, u8 noStudio, and the
+/// parameters as u32 count, then name and value texts.
 void writeCheckpointScene(const SceneDescription& scene, CheckpointWriter* file);
 
 /// Its absolute path, "" where there is none.
 std::string checkpointScenePath(const CheckpointSections& sections);
+/// As in a new scene where the checkpoint does not say, or is damaged.
+ReadingOptions checkpointReadingOptions(const CheckpointSections& sections);
 
-/// The scene with everything that it names, which is read from its files. Error: the checkpoint has none
-/// (older ones, images in memory), it is damaged, or one of those files is missing or broken.
+/// The scene with everything that it names, which is read from its files; where the checkpoint has none
+/// (images in memory) its own file, read as it was. Error: the checkpoint has neither, it is damaged, or one
+/// of those files is missing or broken.
 Result<SceneDescription> readCheckpointScene(const CheckpointSections& sections, const std::string& path);
 
 }  // namespace glint

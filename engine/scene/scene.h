@@ -15,6 +15,7 @@
 #include "engine/scene/light.h"
 #include "engine/scene/material.h"
 #include "engine/scene/mesh_data.h"
+#include "engine/scene/reading_options.h"
 #include "engine/scene/render_options.h"
 
 namespace glint {
@@ -59,6 +60,7 @@ struct Texture {
 
 struct SceneDescription {
     std::string path;         ///< the file it came from; relative paths inside are relative to its folder
+    ReadingOptions readWith;  ///< by the loader: how that file was read
     std::string title;        ///< what the scene shows, one line
     std::string description;  ///< more about it: what to look at, or which value it must have
     Camera camera;

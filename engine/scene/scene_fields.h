@@ -643,6 +643,7 @@ struct FieldsOf<SceneDescription> {
     static constexpr EditKind kEdit = EditKind::Everything;
     static constexpr std::tuple kList{
         field("", &SceneDescription::path, {.inPicture = false}),
+        label("", &SceneDescription::readWith),
         label("title", &SceneDescription::title, "what the scene shows, in one line"),
         label("description", &SceneDescription::description,
               "what to look at, or which value the picture must have"),

@@ -218,5 +218,33 @@ expect no-error
             "-D time=0.5"));
 }
 
+/// Also where the checkpoint opens it: on the disk's next change it is read as it was then.
+TEST(HotReload, ACheckpointKnowsWhatWasChosen) {
+    write("choosy.gltf", choosyGltf(0.5f));
+    write("save.txt", R"(wait finished
+open "Checkpoint"
+wait frames 2
+set "Checkpoint file" choosy.glintfilm
+click "Checkpoint/Save"
+wait jobs
+expect no-error
+)");
+    expectPlayed(
+        run("view choosy.gltf --headless --threads 1 --passes 2 --script save.txt -D variant=green -D "
+            "animation=walk -D time=0.5"));
+    write("resume.txt", R"(wait jobs
+expect "Scene/Variant" green
+expect "Scene/Animation" walk
+expect "Scene/Time" 0.5
+set "Scene/Variant" red
+wait jobs
+wait picture
+expect "Scene/Variant" red
+expect "Scene/Time" 0.5
+expect no-error
+)");
+    expectPlayed(run("view choosy.glintfilm --headless --threads 1 --script resume.txt"));
+}
+
 }  // namespace
 }  // namespace glint

@@ -7,6 +7,7 @@
 #include "engine/base/log.h"
 #include "engine/io/image_formats.h"
 #include "engine/render/checkpoint.h"
+#include "engine/render/checkpoint_scene.h"
 #include "viewer/base/numbered_files.h"
 #include "viewer/base/run_files.h"
 #include "viewer/commands/command_line.h"
@@ -84,6 +85,22 @@ Status checkOutputs(const RenderCommandOptions& o, RunFiles* files) {
     return checkCheckpoint(o, nullptr);
 }
 
+/// As the command line has it. Where that gives no parameters and the scene is that of the checkpoint to go
+/// on from, it is read as it was then.
+LoadOptions loadOptions(const RenderCommandOptions& o) {
+    if (o.resume.empty() || !o.load.parameters.empty()) { return o.load; }
+    const Result<CheckpointInfo> info = readCheckpointInfo(o.resume);
+    if (!info || info->scenePath != absolutePath(o.scene)) { return o.load; }
+    LoadOptions load = o.load;
+    load.allowMissing |= info->readWith.allowMissing;
+    load.noStudio |= info->readWith.noStudio;
+    load.parameters = info->readWith.parameters;
+    for (const auto& [name, value] : load.parameters) {
+        logInfo("-D {}={}, as {} has it", name, value, o.resume);
+    }
+    return load;
+}
+
 int runCommand(const RenderCommandOptions& options) {
     RunFiles files;
     if (options.pixel.empty()) {
@@ -92,7 +109,7 @@ int runCommand(const RenderCommandOptions& options) {
         }
     }
     const auto began = std::chrono::steady_clock::now();
-    Result<SceneDescription> loaded = openScene(options.scene, options.load);
+    Result<SceneDescription> loaded = openScene(options.scene, loadOptions(options));
     if (!loaded) { return reportError(loaded.error(), kExitBadInput); }
     const double loadSeconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();

@@ -119,7 +119,7 @@ void addCheckpointOptions(const Command& command, RenderCommandOptions* o) {
         .group(group);
     command
         .option("--resume", &o->resume,
-                "Go on from this checkpoint, bit for bit; the scene and its -D are given as before")
+                "Go on from this checkpoint, bit for bit; the scene is given as before, its -D are kept")
         .typeName("FILE")
         .group(group);
 }

@@ -34,7 +34,7 @@ double secondsNow() {
 
 struct LoadedCheckpoint {
     Result<ResumePoint> point;
-    std::optional<SceneDescription> scene{};  ///< that it is of; nothing: the one that is open
+    std::optional<FilmFiles::ResumedScene> resumed{};  ///< that it is of; nothing: the one that is open
 };
 
 /// `open` may be null.
@@ -49,7 +49,10 @@ LoadedCheckpoint loadWithScene(const std::string& path, const SceneDescription* 
     if (!scene) { return {scene.error()}; }
     Result<ResumePoint> point = loadCheckpoint(path, *scene);
     restoreBeside(path, &*scene);
-    return {std::move(point), std::move(*scene)};
+    SceneReading reading{.path = scene->path,
+                         .options = loadOptionsOf(scene->readWith),
+                         .choices = readSceneChoices(scene->path)};
+    return {std::move(point), FilmFiles::ResumedScene{std::move(*scene), std::move(reading)}};
 }
 
 /// What a checkpoint is of, as the overwrite guard has it.
@@ -153,9 +156,10 @@ void FilmFiles::resume(const std::string& file) {
                         Error{"the scene was edited meanwhile; nothing was resumed", {path, 0, 0, ""}}, "");
                 } else {
                     const uint32_t passes = loaded->point->film.passes();
-                    const char* how = loaded->scene ? ", with the scene it is of" : "";
-                    guard_->mayReplace(path, sceneName(loaded->scene ? &*loaded->scene : scene.get()));
-                    resume_(std::move(loaded->scene), std::move(*loaded->point),
+                    const char* how = loaded->resumed ? ", with the scene it is of" : "";
+                    guard_->mayReplace(path,
+                                       sceneName(loaded->resumed ? &loaded->resumed->scene : scene.get()));
+                    resume_(std::move(loaded->resumed), std::move(*loaded->point),
                             fmt::format("Resume {}", std::filesystem::path(path).filename().string()));
                     notice_->tell({}, fmt::format("Resumed {} at {} passes{}", path, passes, how));
                 }

@@ -14,6 +14,7 @@
 #include "viewer/model/overwrite_guard.h"
 #include "viewer/model/render_control.h"
 #include "viewer/model/scene_document.h"
+#include "viewer/model/scene_files.h"
 
 namespace glint {
 
@@ -26,8 +27,13 @@ Status savePicture(const std::string& path, const SessionCapture& capture, const
 
 class FilmFiles {
   public:
+    /// A scene that a checkpoint is of, and how its file was read.
+    struct ResumedScene {
+        SceneDescription scene;
+        SceneReading reading;
+    };
     /// Goes on from a checkpoint, as an edit of this name, after opening its scene where there is one.
-    using Resume = std::function<void(std::optional<SceneDescription>, ResumePoint, const std::string& name)>;
+    using Resume = std::function<void(std::optional<ResumedScene>, ResumePoint, const std::string& name)>;
     FilmFiles(JobQueue* jobs, const SceneDocument* document, RenderControl* render, Notice* notice,
               const RunFiles* inputs, OverwriteGuard* guard, Resume resume)
         : jobs_(jobs),

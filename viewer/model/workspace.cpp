@@ -38,9 +38,8 @@ Workspace::Workspace(std::unique_ptr<Backend> backend)
           [this](SceneDescription scene) { addObjectsOf(std::move(scene)); },
           [this](const auto& scene) { document.noteSaved(scene); }),
       filmFiles(&jobs, &document, &render, &notice, &inputs, &overwrite,
-                [this](std::optional<SceneDescription> scene, ResumePoint point, const std::string& name) {
-                    resumeFrom(std::move(scene), std::move(point), name);
-                }),
+                [this](std::optional<FilmFiles::ResumedScene> resumed, ResumePoint point,
+                       const std::string& name) { resumeFrom(std::move(resumed), std::move(point), name); }),
       assets(&jobs, &document, &notice),
       convergence(&document, &render, &notice),
       curveExport(&jobs, &notice, &inputs, &overwrite),

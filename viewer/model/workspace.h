@@ -140,7 +140,8 @@ class Workspace {
     bool commitDraft(bool held);
     void goTo(size_t state);
     void restart();
-    void resumeFrom(std::optional<SceneDescription> scene, ResumePoint point, const std::string& name);
+    void resumeFrom(std::optional<FilmFiles::ResumedScene> resumed, ResumePoint point,
+                    const std::string& name);
     /// What was known of the scene before.
     void forgetScene();
 

@@ -54,9 +54,12 @@ void Workspace::restart() {
     logInfo("Restarted by hand");
 }
 
-void Workspace::resumeFrom(std::optional<SceneDescription> scene, ResumePoint point,
+void Workspace::resumeFrom(std::optional<FilmFiles::ResumedScene> resumed, ResumePoint point,
                            const std::string& name) {
-    if (scene) { adopt(std::move(*scene), false); }
+    if (resumed) {
+        sceneFiles.reading = std::move(resumed->reading);
+        adopt(std::move(resumed->scene), false);
+    }
     const FilmTake take = history.nextTake();
     history.record({name, document.version(), take, display.choices()}, 0);
     render.resume(document.posted(), std::move(point), take);
