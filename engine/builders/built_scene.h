@@ -12,6 +12,7 @@ namespace glint {
 
 struct BuiltMesh;      // builders/mesh_builder.h: one mesh with its acceleration structure
 struct Recentring;     // builders/recentring.h: where a scene far from the origin was moved to
+struct MeshTangents;   // builders/tangent_builder.h
 struct InstanceTable;  // builders/instance_builder.h: instances and the top-level structure
 struct MaterialTable;  // builders/material_table.h
 struct TextureTable;   // builders/texture_table.h
@@ -19,6 +20,8 @@ struct LightTable;     // builders/light_table.h
 
 struct BuiltScene {
     std::vector<std::shared_ptr<const BuiltMesh>> meshes;  ///< same indices as SceneDescription::meshes
+    /// Same indices; null where nothing asks for them.
+    std::vector<std::shared_ptr<const MeshTangents>> tangents;
     std::shared_ptr<const InstanceTable> instances;
     std::shared_ptr<const MaterialTable> materials;
     std::shared_ptr<const TextureTable> textures;

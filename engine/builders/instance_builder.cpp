@@ -53,12 +53,16 @@ size_t InstanceTable::bytes() const {
 
 std::shared_ptr<const InstanceTable> buildInstances(
     const SceneDescription& scene, const std::vector<std::shared_ptr<const BuiltMesh>>& meshes,
-    const std::vector<uint32_t>& firstEmitter) {
+    const std::vector<uint32_t>& firstEmitter,
+    const std::vector<std::shared_ptr<const MeshTangents>>& tangents) {
     auto table = std::make_shared<InstanceTable>();
     table->meshes.reserve(meshes.size());
     table->instances.reserve(scene.objects.size());
     for (const auto& mesh : meshes) {
         table->meshes.push_back(mesh->view());
+    }
+    for (size_t i = 0; i < tangents.size(); ++i) {
+        if (tangents[i]) { table->meshes[i].tangents = tangents[i]->alongU.data(); }
     }
     HugeVector<BuildPrimitive> boxes;
     boxes.reserve(scene.objects.size());

@@ -6,6 +6,7 @@
 
 #include "engine/builders/mesh_builder.h"
 #include "engine/builders/profile_builder.h"
+#include "engine/builders/tangent_builder.h"
 #include "engine/scene/scene.h"
 
 namespace glint {
@@ -25,10 +26,11 @@ struct InstanceTable {
 };
 
 /// `firstEmitter` has one entry per object (LightTable::firstEmitter), or is empty when nothing emits.
-/// The description must be valid: indices in range, transforms invertible. The meshes must outlive the
-/// table's users.
+/// The description must be valid: indices in range, transforms invertible. The meshes and their tangents,
+/// which may be empty, must outlive the table's users.
 std::shared_ptr<const InstanceTable> buildInstances(
     const SceneDescription& scene, const std::vector<std::shared_ptr<const BuiltMesh>>& meshes,
-    const std::vector<uint32_t>& firstEmitter);
+    const std::vector<uint32_t>& firstEmitter,
+    const std::vector<std::shared_ptr<const MeshTangents>>& tangents = {});
 
 }  // namespace glint

@@ -125,7 +125,10 @@ Status checkCoat(const Material& material) {
 
 uint16_t flagsOf(const Material& material) {
     int flags = 0;
-    flags |= material.kind == MaterialKind::Dielectric && material.thin ? kMaterialThin : 0;
+    const bool passes = transmits(material);
+    flags |= (material.kind == MaterialKind::Dielectric || passes) && material.thin ? kMaterialThin : 0;
+    flags |= passes ? kMaterialTransmits : 0;
+    flags |= passes && material.rootTint ? kMaterialRootTint : 0;
     flags |= material.emissive() && material.emitsBothSides ? kMaterialEmitsBothSides : 0;
     flags |= material.emissive() ? kMaterialEmissive : 0;
     return static_cast<uint16_t>(flags);
@@ -141,11 +144,17 @@ void setEmission(const Material& material, const TextureTable& textures, Materia
 
 /// Facets that are not GGX with one alpha.
 void setFacets(const Material& material, MaterialData* data) {
+    const bool hasTwo =
+        material.kind == MaterialKind::Ward || distributionOf(material) != FacetDistribution::Ggx;
+    if (hasFacets(material.kind) && hasTwo && !hasCrossRoughness(material)) {
+        data->textures.crossRoughness = data->textures.roughness;
+    }
     data->distribution = distributionOf(material);
     const bool isGeneral = isAnisotropic(material) || data->distribution != FacetDistribution::Ggx;
     const bool isRough = data->inputs.roughness > 0.0f || data->inputs.crossRoughness > 0.0f ||
                          detail::hasRoughnessTexture(*data);
-    if (!hasFacets(material.kind) || !isGeneral || !isRough || (data->flags & kMaterialThin) != 0) { return; }
+    const bool isPane = material.kind == MaterialKind::Dielectric && material.thin;
+    if (!hasFacets(material.kind) || !isGeneral || !isRough || isPane) { return; }
     data->flags |= kMaterialFacets;
     const float angle = material.anisotropyRotationDeg * (kPi / 180.0f);
     data->facetTurn = Vec2(std::cos(angle), std::sin(angle));
@@ -191,8 +200,10 @@ Status setOwn(const Material& material, MaterialData* data) {
     switch (material.kind) {
         case MaterialKind::Conductor:
             return setMetal(material, data);
+        case MaterialKind::Coated:
+            if (const Status status = checkCoat(material); !status) { return status; }
+            return setMetal(material, data);
         case MaterialKind::Dielectric:
-            data->absorption = absorptionOf(material);
             return setGlass(material, data);
         case MaterialKind::Mixture:
             if (const Status status = checkMixture(material); !status) { return status; }
@@ -203,6 +214,8 @@ Status setOwn(const Material& material, MaterialData* data) {
         case MaterialKind::Diffuse:
         case MaterialKind::Mirror:
         case MaterialKind::Translucent:
+        case MaterialKind::Phong:
+        case MaterialKind::Ward:
             break;
     }
     return {};
@@ -212,6 +225,7 @@ Result<MaterialData> makeMaterial(const Material& material, const TextureTable& 
     if (const Status status = checkMaterial(material); !status) { return status.error(); }
     MaterialData data;
     data.kind = material.kind;
+    data.wardForm = material.wardForm;
     data.flags = flagsOf(material);
     data.color = glm::clamp(material.color.value, Vec3(0.0f), Vec3(1.0f));
     data.colorTexture = textures.packed(material.color.texture);
@@ -219,6 +233,7 @@ Result<MaterialData> makeMaterial(const Material& material, const TextureTable& 
     setFacets(material, &data);
     setRelief(material, textures, &data);
     if (material.emissive()) { setEmission(material, textures, &data); }
+    data.absorption = absorptionOf(material);
     if (const Status status = setOwn(material, &data); !status) { return status.error(); }
     settleConstants(&data);
     return data;
@@ -231,7 +246,7 @@ bool sameMaterial(const MaterialData& a, const MaterialData& b) {
                 a.normalTexture == b.normalTexture && a.normalCode == b.normalCode &&
                 a.normalStrength == b.normalStrength && a.opacity == b.opacity &&
                 a.opacityTexture == b.opacityTexture && a.alphaTexture == b.alphaTexture &&
-                a.facetTurn == b.facetTurn && a.distribution == b.distribution &&
+                a.facetTurn == b.facetTurn && a.distribution == b.distribution && a.wardForm == b.wardForm &&
                 a.dispersion == b.dispersion && a.absorption == b.absorption;
     forEachModelInput([&](const InputInfo&, const auto& x, const auto& y, const TextureSlot& s,
                           const TextureSlot& t) { same = same && x == y && s.index == t.index; },

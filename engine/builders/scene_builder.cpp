@@ -1,6 +1,6 @@
 // The edit table in code: each part asks whether an edit concerns it, and is shared with the previous scene
-// otherwise. The order is that of the parts' dependencies: origin, meshes, textures, materials, lights,
-// instances, camera, features.
+// otherwise. The order is that of the parts' dependencies: origin, meshes, textures, materials, tangents,
+// lights, instances, camera, features.
 #include "engine/builders/scene_builder.h"
 
 #include <algorithm>
@@ -15,6 +15,7 @@
 #include "engine/builders/mesh_builder.h"
 #include "engine/builders/recentring.h"
 #include "engine/builders/scene_validation.h"
+#include "engine/builders/tangent_builder.h"
 #include "engine/builders/texture_table.h"
 #include "engine/kernels/bsdf/bsdf.h"
 #include "engine/scene/scene_use.h"
@@ -64,8 +65,8 @@ class SceneBuild {
     Result<std::shared_ptr<const BuiltScene>> run() {
         for (Status (SceneBuild::*step)() :
              {&SceneBuild::validate, &SceneBuild::recentre, &SceneBuild::meshes, &SceneBuild::textures,
-              &SceneBuild::materials, &SceneBuild::lights, &SceneBuild::instances, &SceneBuild::camera,
-              &SceneBuild::features}) {
+              &SceneBuild::materials, &SceneBuild::tangents, &SceneBuild::lights, &SceneBuild::instances,
+              &SceneBuild::camera, &SceneBuild::features}) {
             if (stop_ != nullptr && *stop_) { return Error{"the build was given up", {}}; }
             if (Status done = (this->*step)(); !done) { return done.error(); }
         }
@@ -153,6 +154,14 @@ class SceneBuild {
         return {};
     }
 
+    Status tangents() {
+        if (!concerns(kMaterials | EditKind::ObjectTransform | EditKind::Accelerator)) { return {}; }
+        auto tangents = buildTangents(*scene_, built_->tangents);
+        tangentsChanged_ = tangents != built_->tangents;
+        built_->tangents = std::move(tangents);
+        return {};
+    }
+
     bool showPictures() const { return std::ranges::any_of(scene_->lights, showsPicture); }
 
     Status lights() {
@@ -169,8 +178,10 @@ class SceneBuild {
     }
 
     Status instances() {
-        if (concerns(EditKind::ObjectTransform | EditKind::Accelerator) || emittersMoved_) {
-            built_->instances = buildInstances(*scene_, built_->meshes, built_->lights->firstEmitter);
+        if (concerns(EditKind::ObjectTransform | EditKind::Accelerator) || emittersMoved_ ||
+            tangentsChanged_) {
+            built_->instances =
+                buildInstances(*scene_, built_->meshes, built_->lights->firstEmitter, built_->tangents);
             report_.topLevelBuilt = true;
         }
         return {};
@@ -236,6 +247,7 @@ class SceneBuild {
     std::shared_ptr<BuiltScene> built_;
     bool emissionChanged_ = false;
     bool emittersMoved_ = false;
+    bool tangentsChanged_ = false;
     bool materialFeaturesChanged_ = false;
 };
 

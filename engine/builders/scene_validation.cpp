@@ -135,7 +135,7 @@ Status checkMaterial(const SceneDescription& scene, size_t index) {
         !isFinite(material.normalMap.value)) {
         return fault(who, "bump height, normal map and its strength must be finite numbers");
     }
-    if (material.kind == MaterialKind::Conductor && !material.metal.empty() && !findMetal(material.metal)) {
+    if (hasMetal(material) && !material.metal.empty() && !findMetal(material.metal)) {
         return fault(who, fmt::format("\"{}\" is not a known metal", material.metal));
     }
     if (hasGlass(material) && !material.glass.empty() && !findGlass(material.glass)) {
@@ -148,8 +148,9 @@ Status checkMaterial(const SceneDescription& scene, size_t index) {
         !inRange(material.attenuationDistance, 1e-30f, 1e30f)) {
         return fault(who, "the attenuation colour must be 0 to 1 and its distance more than 0");
     }
-    if (!notNegative(material.eta.value) || !notNegative(material.k.value)) {
-        return fault(who, "eta and k must not be negative");
+    if (!notNegative(material.eta.value) || !notNegative(material.k.value) ||
+        !notNegative(material.coatAbsorption.value)) {
+        return fault(who, "eta, k and a coat's absorption must not be negative");
     }
     if (material.kind == MaterialKind::Mixture &&
         (!notNegative(material.mixtureWeights.value) || isZero(material.mixtureWeights.value))) {

@@ -23,6 +23,19 @@ void makePrincipled(Material* material) {
 
 }  // namespace
 
+void coatMetal(float ior, const NumberInput& alpha, Material* metal) {
+    if (metal->kind == MaterialKind::Mirror) {
+        metal->metal.clear();
+        metal->eta = {Vec3(1e-3f)};
+        metal->k = {Vec3(1e4f)};  // reflects all but 4e-11
+        metal->roughness = {};
+        metal->crossRoughness = NumberInput{-1.0f};
+    }
+    metal->kind = MaterialKind::Coated;
+    metal->ior = {ior};
+    metal->clearcoatRoughness = alpha;
+}
+
 bool coatMaterial(float ior, const NumberInput& alpha, Material* material) {
     switch (material->kind) {
         case MaterialKind::Diffuse:
@@ -45,6 +58,9 @@ bool coatMaterial(float ior, const NumberInput& alpha, Material* material) {
         case MaterialKind::Plastic:
         case MaterialKind::Mixture:
         case MaterialKind::Translucent:
+        case MaterialKind::Coated:
+        case MaterialKind::Phong:
+        case MaterialKind::Ward:
             break;
     }
     return false;

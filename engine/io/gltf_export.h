@@ -19,10 +19,12 @@ bool flipsV(const SceneDescription& scene, int material);
 size_t writeGltfMaterial(const SceneDescription& scene, int material, bool isLamp, GltfImages* images,
                          GltfWriter* out, std::vector<std::string>* warnings);
 
-/// Adds the layers of a principled material: specular reflection, coat and sheen. `isFlipped`: as of
-/// GltfImages::info().
+/// Adds what a principled material has beside its base: coat, sheen, specular reflection and what passes.
+/// `isFlipped`: as of GltfImages::info(). What is approximated is appended to `warnings`, each once.
 void writeGltfLayers(const Material& material, bool isFlipped, GltfImages* images, GltfWriter* out,
-                     GltfJson* to);
+                     GltfJson* to, std::vector<std::string>* warnings);
+/// Adds the inside of a material that light passes, unless it is a sheet.
+void writeGltfVolume(const Material& material, GltfWriter* out, GltfJson* to);
 
 /// Gives materials with a height map and no normal map the normals of the heights, as steep as they are on
 /// the average of the material's objects. False: there were none.

@@ -1,7 +1,9 @@
-// KHR_materials_specular, _clearcoat and _sheen of a glTF file that is written: what gltf_layers.cpp reads.
+// The layers of a principled material, and what passes it, as extensions of a glTF file's materials:
+// KHR_materials_specular, _clearcoat, _sheen, _transmission and _volume.
 #include <cmath>
 
 #include "engine/io/gltf_export.h"
+#include "engine/io/scene_export.h"
 
 namespace glint {
 namespace {
@@ -38,6 +40,14 @@ class LayerWriter {
         }
         return to;
     }
+    GltfJson transmission() {
+        GltfJson to;
+        if (transmits(from_)) {
+            share(from_.specularTransmission, GltfPictureUse::Share, "transmissionFactor",
+                  "transmissionTexture", &to);
+        }
+        return to;
+    }
 
   private:
     void picture(int texture, GltfPictureUse use, const char* key, GltfJson* to) {
@@ -70,7 +80,7 @@ class LayerWriter {
 }  // namespace
 
 void writeGltfLayers(const Material& material, bool isFlipped, GltfImages* images, GltfWriter* out,
-                     GltfJson* to) {
+                     GltfJson* to, std::vector<std::string>* warnings) {
     LayerWriter layers(material, isFlipped, images);
     const auto extend = [&](const char* name, GltfJson layer) {
         if (!layer.is_null()) { out->extend(to, name, std::move(layer)); }
@@ -78,6 +88,22 @@ void writeGltfLayers(const Material& material, bool isFlipped, GltfImages* image
     extend("KHR_materials_specular", layers.specular());
     extend("KHR_materials_clearcoat", layers.coat());
     extend("KHR_materials_sheen", layers.sheen());
+    if (!transmits(material)) { return; }
+    if (material.rootTint) {
+        warnOnce("approximated: what passes is tinted by the colour at each surface", warnings);
+    }
+    extend("KHR_materials_transmission", layers.transmission());
+    writeGltfVolume(material, out, to);
+}
+
+void writeGltfVolume(const Material& material, GltfWriter* out, GltfJson* to) {
+    if (material.thin) { return; }
+    GltfJson volume = GltfJson::object({{"thicknessFactor", 1}});
+    if (material.attenuationColor != Vec3(1.0f)) {
+        volume["attenuationDistance"] = gltfJson(material.attenuationDistance);
+        volume["attenuationColor"] = gltfJson(material.attenuationColor);
+    }
+    out->extend(to, "KHR_materials_volume", std::move(volume));
 }
 
 }  // namespace glint

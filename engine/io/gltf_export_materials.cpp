@@ -29,7 +29,7 @@ class MaterialWriter {
         anisotropy();
         normals();
         if (from_.emissive()) { emission(isLamp); }
-        const bool isBody = from_.kind == MaterialKind::Dielectric && !from_.thin;  // with an inside
+        const bool isBody = isClearBody(from_);
         if (from_.emissive() ? from_.emitsBothSides : !isBody) { to_["doubleSided"] = true; }
         return std::move(to_);
     }
@@ -123,6 +123,8 @@ class MaterialWriter {
                 glass();
                 return;
             case MaterialKind::Plastic:
+            case MaterialKind::Phong:  // withUsualModels() has been there
+            case MaterialKind::Ward:
                 warn("approximated: light does not go back and forth under coats of plastic");
                 color();
                 surface(0.0f);
@@ -134,6 +136,7 @@ class MaterialWriter {
             case MaterialKind::Translucent:
                 sheet();
                 return;
+            case MaterialKind::Coated:
             case MaterialKind::Principled:
                 principled();
                 return;
@@ -149,7 +152,7 @@ class MaterialWriter {
                 images_.info(rough.texture, metal.texture, GltfPictureUse::Roughness, isFlipped_);
         }
         ior();
-        writeGltfLayers(from_, isFlipped_, &images_, &out_, &to_);
+        writeGltfLayers(from_, isFlipped_, &images_, &out_, &to_, &warnings_);
     }
 
     void mirror() {
@@ -172,17 +175,12 @@ class MaterialWriter {
     }
 
     void glass() {
+        if (from_.color != ColorInput{Vec3(1.0f)}) { warn("approximated: what glass reflects has no tint"); }
         color();
-        surface(0.0f);
+        from_.thin ? surface(0.0f, 0.0f) : surface(0.0f);
         ior();
         out_.extend(&to_, "KHR_materials_transmission", GltfJson::object({{"transmissionFactor", 1}}));
-        if (from_.thin) { return; }
-        GltfJson volume = GltfJson::object({{"thicknessFactor", 1}});
-        if (from_.attenuationColor != Vec3(1.0f)) {
-            volume["attenuationDistance"] = gltfJson(from_.attenuationDistance);
-            volume["attenuationColor"] = gltfJson(from_.attenuationColor);
-        }
-        out_.extend(&to_, "KHR_materials_volume", std::move(volume));
+        writeGltfVolume(from_, &out_, &to_);
     }
 
     void mixture() {

@@ -1,4 +1,4 @@
-// KHR_materials_specular, _clearcoat, _sheen and _anisotropy of glTF's materials.
+// KHR_materials_specular, _clearcoat, _sheen, _transmission and _anisotropy of glTF's materials.
 #include <cmath>
 #include <numbers>
 
@@ -77,8 +77,13 @@ Status GltfMaterials::takeLayers(const tinygltf::Material& from, Material* out) 
         status = takeNumber(sheen, {"sheenRoughnessFactor", "sheenRoughnessTexture", 0.0f},
                             {kLinear, TextureChannel::Alpha, 1.0f, 2.0f}, &out->sheenRoughness);
     }
-    const bool isBare = out->metallic == NumberInput{0.0f} && out->clearcoat == NumberInput{0.0f} &&
-                        out->sheenColor == ColorInput{Vec3(0.0f)};
+    if (status) {
+        status = takeNumber(extensionOf(from, "KHR_materials_transmission"),
+                            {"transmissionFactor", "transmissionTexture", 0.0f},
+                            {kLinear, TextureChannel::Red}, &out->specularTransmission);
+    }
+    const bool isBare = !transmits(*out) && out->metallic == NumberInput{0.0f} &&
+                        out->clearcoat == NumberInput{0.0f} && out->sheenColor == ColorInput{Vec3(0.0f)};
     if (isBare && (out->specular == NumberInput{0.0f} || out->ior.value == 1.0f)) {
         out->kind = MaterialKind::Diffuse;
     }

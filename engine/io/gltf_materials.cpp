@@ -165,9 +165,7 @@ Status GltfMaterials::takeSurfaceImage(const tinygltf::TextureInfo& info, bool i
 
 Status GltfMaterials::takeSurface(const tinygltf::Material& from, Material* out) {
     const tinygltf::PbrMetallicRoughness pbr = gltfSurface(from);
-    const auto* transmission = extensionOf(from, "KHR_materials_transmission");
-    const double passing = numberOf(transmission, "transmissionFactor", 0.0);
-    const bool isGlass = passing >= 0.5;
+    const bool isGlass = isOnlyGlass(from);
     out->roughness.value = square(gltfNumber(pbr.roughnessFactor, 0.0, 1.0));
     out->metallic.value = gltfNumber(pbr.metallicFactor, 0.0, 1.0);
     if (pbr.metallicRoughnessTexture.index >= 0) {
@@ -195,14 +193,12 @@ Status GltfMaterials::takeSurface(const tinygltf::Material& from, Material* out)
     } else {
         out->kind = MaterialKind::Principled;
         if (const Status status = takeLayers(from, out); !status) { return status; }
+        if (transmits(*out)) { takeVolume(extensionOf(from, "KHR_materials_volume"), out); }
         if (const Status status = takeAnisotropy(from, out); !status) { return status; }
         if (const auto* film = extensionOf(from, "KHR_materials_iridescence")) {
             takeIridescence(*film, out);
             file_.remark("approximated: iridescence is the colour that it shows from the front", from.name);
         }
-    }
-    if (passing > 0.0 && passing < 1.0) {
-        file_.remark("materials that light passes in part become glass or let nothing through", from.name);
     }
     return {};
 }

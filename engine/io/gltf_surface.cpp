@@ -50,6 +50,21 @@ tinygltf::PbrMetallicRoughness gltfSurface(const tinygltf::Material& material) {
     return surface;
 }
 
+bool isOnlyGlass(const tinygltf::Material& from) {
+    const tinygltf::PbrMetallicRoughness& pbr = from.pbrMetallicRoughness;
+    const auto* transmission = extensionOf(from, "KHR_materials_transmission");
+    const bool passesAll =
+        numberOf(transmission, "transmissionFactor", 0.0) >= 1.0 && !transmission->Has("transmissionTexture");
+    const bool isWhite = pbr.baseColorTexture.index < 0 && gltfColor(pbr.baseColorFactor) == Vec3(1.0f);
+    const bool isSheet = !(numberOf(extensionOf(from, "KHR_materials_volume"), "thicknessFactor", 0.0) > 0.0);
+    const bool hasLayers = extensionOf(from, "KHR_materials_specular") != nullptr ||
+                           extensionOf(from, "KHR_materials_clearcoat") != nullptr ||
+                           extensionOf(from, "KHR_materials_sheen") != nullptr ||
+                           extensionOf(from, "KHR_materials_iridescence") != nullptr;
+    return passesAll && isWhite && pbr.metallicFactor <= 0.0 && !hasLayers &&
+           !(isSheet && pbr.roughnessFactor > 0.0);
+}
+
 void takeVolume(const tinygltf::Value* volume, Material* out) {
     out->thin = !(numberOf(volume, "thicknessFactor", 0.0) > 0.0);
     const double distance = numberOf(volume, "attenuationDistance", 0.0);

@@ -26,8 +26,11 @@ tinygltf::PbrMetallicRoughness gltfSurface(const tinygltf::Material& material);
 /// tints; images of its share and thickness count as their greatest values.
 void takeIridescence(const tinygltf::Value& extension, Material* out);
 
-/// KHR_materials_volume of a glass: without a thickness a sheet; otherwise what it absorbs inside. Null:
-/// none.
+/// Whether all light passes that is not reflected, untinted and without layers, as Glint's glass has it.
+bool isOnlyGlass(const tinygltf::Material& material);
+
+/// KHR_materials_volume of what light passes: without a thickness a sheet; otherwise what it absorbs inside.
+/// Null: none.
 void takeVolume(const tinygltf::Value* volume, Material* out);
 /// KHR_materials_diffuse_transmission: the share that passes is taken from what is reflected; an image of the
 /// colour keeps all of it.

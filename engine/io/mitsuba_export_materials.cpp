@@ -25,7 +25,7 @@ class MaterialWriter {
     /// Wrappers from the outside in, then the model.
     void write() {
         const bool isCutOut = material_.opacity.texture >= 0 || material_.opacity.value < 1.0f;
-        const bool lets = material_.kind == MaterialKind::Dielectric;
+        const bool lets = material_.kind == MaterialKind::Dielectric || transmits(material_);
         int open = 0;
         if (isCutOut) {
             begin("mask", &open);
@@ -132,6 +132,8 @@ class MaterialWriter {
                 color("specular_transmittance", material_.color);
                 return;
             case MaterialKind::Plastic:
+            case MaterialKind::Phong:  // withUsualModels() has been there
+            case MaterialKind::Ward:
                 begin(rough("plastic"), open);
                 ior();
                 roughness();
@@ -149,6 +151,7 @@ class MaterialWriter {
                 begin("diffuse", open);
                 diffuseColor();
                 return;
+            case MaterialKind::Coated:
             case MaterialKind::Principled:
                 principled(open);
                 return;
@@ -158,12 +161,18 @@ class MaterialWriter {
     /// Mitsuba's alpha is its roughness squared.
     void principled(int* open) {
         warn("approximated: principled materials have Mitsuba's lobes");
-        begin("principled", open);
+        const bool isClear = transmits(material_);
+        begin(isClear && material_.thin ? "principledthin" : "principled", open);
         color("base_color", material_.color);
         principledRoughness();
         number("metallic", material_.metallic);
         const float root = (material_.ior.value - 1.0f) / (material_.ior.value + 1.0f);
-        out_.number("specular", std::fmin(material_.specular.value * root * root / 0.08f, 1.0f));
+        if (isClear) {
+            number("spec_trans", material_.specularTransmission);
+            out_.number("eta", material_.ior.value);
+        } else {
+            out_.number("specular", std::fmin(material_.specular.value * root * root / 0.08f, 1.0f));
+        }
         NumberInput coat = material_.clearcoat;
         coat.value = std::fmin(coat.value / kBurleyCoat, 1.0f);
         number("clearcoat", coat);

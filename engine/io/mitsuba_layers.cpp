@@ -36,8 +36,6 @@ float numberIn(const Vec3& color) {
     return color.x == color.y && color.y == color.z ? color.x : luminance(color);
 }
 
-float alphaOfExponent(float exponent) { return std::clamp(std::sqrt(2.0f / (exponent + 2.0f)), 0.0f, 1.0f); }
-
 }  // namespace
 
 void MitsubaMaterials::readPlastic(MitsubaObject* object, UvOrigin origin, MitsubaSurface* out) {
@@ -64,44 +62,34 @@ void MitsubaMaterials::readPlastic(MitsubaObject* object, UvOrigin origin, Mitsu
     }
 }
 
-void MitsubaMaterials::readPhong(MitsubaObject* object, UvOrigin origin, MitsubaSurface* out) {
-    object->approximated(
-        object->type() == "ward"
-            ? std::string_view("approximated: Ward's model is plastic of the same roughness")
-            : std::string_view("approximated: Phong's model is plastic of a like highlight"));
-    Material& material = out->material;
-    material.kind = MaterialKind::Plastic;
-    material.color.value = Vec3(0.5f);
-    if (const auto color = mitsubaInput(object, {"diffuse_reflectance"}, SpectrumRole::Reflectance)) {
-        material.color = colorOf(*color, origin);
-    }
-    const float specular = meanNumber(object, "specular_reflectance", 0.2f);
-    const float root = std::sqrt(std::clamp(specular, 0.0f, 0.81f));
-    material.ior.value = (1.0f + root) / (1.0f - root);
-    if (object->type() == "ward") {
-        object->passOver({"variant"});
-        const float u =
-            std::clamp(meanNumber(object, "alpha_u", meanNumber(object, "alpha", 0.1f)), 0.0f, 1.0f);
-        const float v = std::clamp(meanNumber(object, "alpha_v", u), 0.0f, 1.0f);
-        material.distribution = FacetDistribution::Beckmann;
-        material.roughness.value = u;
-        if (u != v) { material.crossRoughness.value = v; }
-    } else {
-        material.roughness.value =
-            alphaOfExponent(std::clamp(meanNumber(object, "exponent", 30.0f), 0.0f, 1e8f));
-    }
-}
-
 void MitsubaMaterials::readCoating(MitsubaObject* object, UvOrigin origin, MitsubaSurface* out) {
     *out = nested(object, origin);
-    object->passOver({"thickness", "sigma_a", "specular_reflectance"});
+    const auto tint = mitsubaInput(object, {"specular_reflectance"}, SpectrumRole::Reflectance);
+    if (tint && (tint->texture != nullptr || tint->color != Vec3(1.0f))) {
+        object->approximated("approximated: coats reflect without a tint");
+    }
     const float ior = readIndex(object, "int_ior", 1.5046f) / readIndex(object, "ext_ior", kAir);
+    const float thickness = object->number("thickness", 1.0f, 0.0f);
+    const auto absorption = mitsubaInput(object, {"sigma_a"}, SpectrumRole::Index);
     Material coat;
     if (object->type() == "roughcoating") { readRoughness(object, origin, &coat); }
-    const bool isDiffuse = out->material.kind == MaterialKind::Diffuse;
+    const MaterialKind below = out->material.kind;
+    if (below == MaterialKind::Conductor || below == MaterialKind::Mirror) {
+        coatMetal(std::clamp(ior, 1.0f, 100.0f), coat.roughness, &out->material);
+        if (absorption) {
+            out->material.coatAbsorption =
+                colorOf(*absorption, origin, [thickness](const Vec3& c) { return thickness * c; });
+        }
+        if (object->type() == "roughcoating") {
+            object->approximated(
+                "approximated: rough coats over metal have GGX facets, alike in all directions");
+        }
+        return;
+    }
+    const bool isDiffuse = below == MaterialKind::Diffuse;
     if (!coatMaterial(std::clamp(ior, 1.0f, 100.0f), coat.roughness, &out->material)) {
         object->approximated(
-            "approximated: coats over glass, plastic, sheets and metals of textures are left out");
+            "approximated: coats over glass, plastic, sheets, highlights and coats are left out");
         return;
     }
     if (isDiffuse) {
@@ -110,7 +98,7 @@ void MitsubaMaterials::readCoating(MitsubaObject* object, UvOrigin origin, Mitsu
     }
     object->approximated(isDiffuse
                              ? "approximated: coats over diffuse surfaces are plastic that absorbs nothing"
-                             : "approximated: coats over metal are clear ones of index 1.5");
+                             : "approximated: coats over principled materials are clear ones of index 1.5");
 }
 
 void MitsubaMaterials::readBlend(MitsubaObject* object, UvOrigin origin, MitsubaSurface* out) {
@@ -220,7 +208,8 @@ void MitsubaMaterials::readPrincipled(MitsubaObject* object, UvOrigin origin, Mi
                       "main_specular_sampling_rate", "clearcoat_sampling_rate"});
     const float root = std::sqrt(0.08f * std::clamp(specular, 0.0f, 10.0f));
     material.ior.value = eta > 0.0f ? std::clamp(eta, 1.0f, 100.0f) : (1.0f + root) / (1.0f - root);
-    out->isTwoSided = object->type() == "principledthin" || passes > 0.0f;
+    const bool isSheet = object->type() == "principledthin";
+    out->isTwoSided = isSheet || passes > 0.0f;
     const bool isMetal = meanNumber(object, "metallic", 0.0f) >= 0.5f;
     if (share > 0.0f && passes < 0.5f && !isMetal) {
         material.kind = MaterialKind::Translucent;
@@ -232,9 +221,14 @@ void MitsubaMaterials::readPrincipled(MitsubaObject* object, UvOrigin origin, Mi
     material.color = colorOf(base, origin);
     const Vec3 mean = base.texture != nullptr ? textures_.meanOf(*base.texture) : base.color;
     readPrincipledLayers(object, origin, mean, &material);
-    if (passes >= 0.5f) {
-        material.kind = MaterialKind::Dielectric;
-        material.thin = object->type() == "principledthin";
+    material.specularTransmission = numberOf(object, "spec_trans", origin, 0.0f);
+    material.rootTint = !isSheet && passes > 0.0f;
+    if (!isSheet) { return; }
+    // A sheet reflects at its boundary as much of all light as it lets pass of what enters.
+    material.specular = material.specularTransmission;
+    material.thin = passes > 0.0f;
+    if (passes > 0.0f) {
+        object->approximated("approximated: what passes thin sheets is as rough as what they reflect");
     }
 }
 

@@ -76,7 +76,7 @@ MitsubaSurface MitsubaMaterials::read(const MitsubaElement& bsdf, UvOrigin origi
                                       {"plastic", &MitsubaMaterials::readPlastic},
                                       {"roughplastic", &MitsubaMaterials::readPlastic},
                                       {"phong", &MitsubaMaterials::readPhong},
-                                      {"ward", &MitsubaMaterials::readPhong},
+                                      {"ward", &MitsubaMaterials::readWard},
                                       {"coating", &MitsubaMaterials::readCoating},
                                       {"roughcoating", &MitsubaMaterials::readCoating},
                                       {"mask", &MitsubaMaterials::readMask},

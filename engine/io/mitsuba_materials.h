@@ -57,6 +57,9 @@ class MitsubaMaterials {
     void readConductor(MitsubaObject* object, UvOrigin origin, MitsubaSurface* out);
     void readPlastic(MitsubaObject* object, UvOrigin origin, MitsubaSurface* out);
     void readPhong(MitsubaObject* object, UvOrigin origin, MitsubaSurface* out);
+    void readWard(MitsubaObject* object, UvOrigin origin, MitsubaSurface* out);
+    /// The two reflectances that Phong's and Ward's models have.
+    void readReflectances(MitsubaObject* object, UvOrigin origin, Material* material);
     void readCoating(MitsubaObject* object, UvOrigin origin, MitsubaSurface* out);
     void readMask(MitsubaObject* object, UvOrigin origin, MitsubaSurface* out);
     void readTwoSided(MitsubaObject* object, UvOrigin origin, MitsubaSurface* out);

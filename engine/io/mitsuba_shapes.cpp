@@ -147,7 +147,7 @@ Vec3 MitsubaShapes::absorptionOf(const MitsubaElement& element) {
 
 bool MitsubaShapes::isGlassBody(const MitsubaElement* bsdf) {
     const MitsubaSurface& surface = materials_.surfaceOf(bsdf, UvOrigin::Top);
-    return surface.isThere && surface.material.kind == MaterialKind::Dielectric && !surface.material.thin;
+    return surface.isThere && isClearBody(surface.material);
 }
 
 int MitsubaShapes::glassOf(const Shape& shape, UvOrigin origin) {

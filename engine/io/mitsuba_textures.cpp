@@ -153,12 +153,25 @@ Texture MitsubaTextures::makeCheckerboard(MitsubaObject* object, UvOrigin origin
     return texture;
 }
 
-Vec3 MitsubaTextures::meanOf(const MitsubaElement& element) {
+std::shared_ptr<const ImageF> MitsubaTextures::pixelsOf(const MitsubaElement& element) {
     MitsubaObject object(&context_, element);
     const int number = take(element, UvOrigin::Top, Use::Color, nullptr);
-    if (number < 0) { return Vec3(0.5f); }
+    if (number < 0) { return nullptr; }
     const Texture& texture = context_.scene.textures[static_cast<size_t>(number)];
-    const auto pixels = pixelsOf(&object, texture.image.source, texture.encoding == ColorEncoding::Linear);
+    return pixelsOf(&object, texture.image.source, texture.encoding == ColorEncoding::Linear);
+}
+
+Vec3 MitsubaTextures::mostOf(const MitsubaElement& element) {
+    const auto pixels = pixelsOf(element);
+    Vec3 most(pixels ? 0.0f : 0.5f);
+    if (pixels) {
+        forEachPixel(*pixels, [&](size_t, const Vec3& c) { most = glm::max(most, c); });
+    }
+    return most;
+}
+
+Vec3 MitsubaTextures::meanOf(const MitsubaElement& element) {
+    const auto pixels = pixelsOf(element);
     if (!pixels) { return Vec3(0.5f); }
     glm::dvec3 sum(0.0);
     forEachPixel(*pixels, [&](size_t, const Vec3& c) { sum += glm::dvec3(c); });

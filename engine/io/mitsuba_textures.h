@@ -26,6 +26,8 @@ class MitsubaTextures {
     NumberInput number(const MitsubaElement& texture, UvOrigin origin, const Change& change = nullptr);
     /// The mean of the texture, for models that cannot have one.
     Vec3 meanOf(const MitsubaElement& texture);
+    /// The largest value of each channel.
+    Vec3 mostOf(const MitsubaElement& texture);
     /// The name of the mesh attribute that the texture shows; empty: it is another one.
     std::string_view attributeOf(const MitsubaElement& texture);
 
@@ -36,6 +38,8 @@ class MitsubaTextures {
     Texture makeBitmap(MitsubaObject* object, UvOrigin origin, Use use, const Change& change);
     Texture makeCheckerboard(MitsubaObject* object, UvOrigin origin, const Change& change);
     void place(MitsubaObject* object, UvOrigin origin, Texture* texture);
+    /// The texels of a texture that is shown as it is; nothing where it cannot be read.
+    std::shared_ptr<const ImageF> pixelsOf(const MitsubaElement& texture);
     /// The image's texels as linear colours; nothing, with a remark, where it cannot be read.
     std::shared_ptr<const ImageF> pixelsOf(MitsubaObject* object, const ImageSource& source, bool isRaw);
 

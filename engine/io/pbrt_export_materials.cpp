@@ -28,12 +28,15 @@ class MaterialWriter {
             case MaterialKind::Dielectric:
                 return dielectric() + (material_.thin ? std::string() : rough);
             case MaterialKind::Plastic:
+            case MaterialKind::Phong:  // withUsualModels() has been there
+            case MaterialKind::Ward:
                 return pbrtString("type", "coateddiffuse") + pbrtColorInput("reflectance", material_.color) +
                        pbrtNumber("eta", index()) + rough;
             case MaterialKind::Translucent:
                 return pbrtString("type", "diffusetransmission") +
                        pbrtColorInput("reflectance", material_.color) +
                        pbrtColorInput("transmittance", material_.transmission);
+            case MaterialKind::Coated:
             case MaterialKind::Principled:
                 return principled(rough);
             case MaterialKind::Mixture:
@@ -85,6 +88,10 @@ class MaterialWriter {
 
     std::string principled(const std::string& rough) {
         warn("approximated: principled materials are metals or coated diffuse ones");
+        if (transmits(material_) && material_.specularTransmission.value >= 0.5f &&
+            material_.metallic.value < 0.5f) {
+            return dielectric() + rough;
+        }
         const std::string color = pbrtColorInput("reflectance", material_.color);
         if (material_.metallic.value < 0.5f) {
             return pbrtString("type", "coateddiffuse") + color + pbrtNumber("eta", index()) + rough;

@@ -219,7 +219,9 @@ void PbrtMaterials::readDisney(const PbrtParams& params, PbrtSurface* out) {
     material.sheenColor.value = kBurleySheen * std::clamp(meanNumber(params, "sheen", 0.0f), 0.0f, 1.0f) *
                                 burleyTint(base, meanNumber(params, "sheentint", 0.5f));
     material.sheenRoughness.value = kBurleySheenAlpha;
-    if (meanNumber(params, "spectrans", 0.0f) >= 0.5f) { material.kind = MaterialKind::Dielectric; }
+    material.specularTransmission = share("spectrans", 0.0f, 1.0f);
+    material.rootTint = transmits(material);
+    material.thin = material.rootTint && params.flag("thin", false);
     params.passOver({"flatness", "difftrans", "thin", "scatterdistance"});
 }
 

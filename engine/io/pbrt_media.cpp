@@ -31,9 +31,7 @@ Vec3 PbrtMaterials::absorptionIn(int number, const std::string& medium, const Pb
     }
     const PbrtSurface& surface = surfaceOf(number);
     const Material& material = surface.material;
-    if (surface.isThere && material.kind == MaterialKind::Dielectric && !material.thin) {
-        return found->second;
-    }
+    if (surface.isThere && isClearBody(material)) { return found->second; }
     at.approximated("media are left out but within glass");
     return Vec3(0.0f);
 }

@@ -25,9 +25,7 @@ bool isCylinder(const Object& object, bool runsUpwards) {
            (runsUpwards ? p[0].y < p[1].y : p[0].y > p[1].y);
 }
 
-bool absorbsInside(const Material& material) {
-    return material.kind == MaterialKind::Dielectric && !isZero(absorptionOf(material));
-}
+bool absorbsInside(const Material& material) { return !isZero(absorptionOf(material)); }
 
 float oneIor(const Material& material, std::vector<std::string>* warnings) {
     if (material.ior.texture >= 0) { warnOnce("approximated: indices of refraction are constant", warnings); }

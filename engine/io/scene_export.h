@@ -18,6 +18,10 @@ constexpr float kExportedPlaneSize = 1e4f;
 /// Appends a warning unless it is there.
 void warnOnce(std::string_view warning, std::vector<std::string>* warnings);
 
+/// Puts plastic of a like highlight in the place of Phong's and Ward's models, and principled materials in
+/// that of coated metals; warns where one is used.
+void withUsualModels(SceneDescription* scene, std::vector<std::string>* warnings);
+
 /// The index of refraction of a material, one for all colours and places; warns where it is not.
 float oneIor(const Material& material, std::vector<std::string>* warnings);
 
@@ -42,6 +46,7 @@ class SceneExport {
     SceneExport(SceneDescription scene, const std::string& path, std::vector<std::string>* warnings)
         : scene_(std::move(scene)), path_(path), warnings_(*warnings) {
         if (!scene_.hiddenObjects.empty()) { warn("left out: hidden objects"); }
+        withUsualModels(&scene_, &warnings_);
     }
 
     /// Writes images in memory beside the new file, and names all as seen from there.

@@ -60,7 +60,7 @@ Material SceneJsonReader::readMaterial(const JsonValue& value, const std::string
     if (!kind) { return material; }
     material.kind = *kind;
     const JsonFields fields = fieldsOf(value, nameOf(*kind), fieldKeys<Material>(only(*kind)));
-    if (*kind == MaterialKind::Conductor) { checkMetal(fields, &material); }
+    if (hasMetal(material)) { checkMetal(fields, &material); }
     if (hasGlass(material)) { checkGlass(fields); }
     readFields(fields, only(*kind), &material);
     return material;
@@ -71,7 +71,7 @@ void SceneJsonReader::checkMetal(const JsonFields& fields, Material* material) {
     const JsonValue eta = fields.find("eta");
     const JsonValue k = fields.find("k");
     if (metal.present() && (eta.present() || k.present())) {
-        errors_.add(metal, "a conductor has either \"metal\" or \"eta\" and \"k\", not both");
+        errors_.add(metal, "a metal has either \"metal\" or \"eta\" and \"k\", not both");
     } else if (eta.present() != k.present()) {
         errors_.add(eta.present() ? eta : k, "\"eta\" and \"k\" belong together; expected both");
     } else if (eta.present()) {

@@ -38,18 +38,21 @@ enum Feature : FeatureMask {
     kFeatureInputTextures = 1u << 22,  ///< textures on inputs of materials other than the colour
     /// turned, moved, clamped or mirrored textures, nearest texels, changed values, other channels
     kFeaturePlacedTextures = 1u << 23,
-    kFeatureRevolved = 1u << 24,      ///< surface of revolution
-    kFeatureBumps = 1u << 25,         ///< height and normal maps
-    kFeatureCutouts = 1u << 26,       ///< surfaces that are not there everywhere
-    kFeatureMipmaps = 1u << 27,       ///< textures that are filtered by a pixel's width
-    kFeatureDispersion = 1u << 28,    ///< glass whose index depends on the wavelength
-    kFeatureAccelerators = 1u << 29,  ///< acceleration structures other than bounding volume hierarchies
-    kFeatureAttenuation = 1u << 30,   ///< glass that absorbs light on its way inside
-    kFeatureTranslucent = 1u << 31,   ///< sheets that let light through diffusely
-    kFeaturePrincipled = 1ull << 32,  ///< coats and sheen over plastic or metal
-    kFeatureFacets = 1ull << 33,      ///< facets other than GGX with one alpha
-    kFeatureProjectors = 1ull << 34,  ///< lights that show a picture, or shine by one
-    kFeaturePortal = 1ull << 35,      ///< an environment that shines through a rectangle alone
+    kFeatureRevolved = 1u << 24,        ///< surface of revolution
+    kFeatureBumps = 1u << 25,           ///< height and normal maps
+    kFeatureCutouts = 1u << 26,         ///< surfaces that are not there everywhere
+    kFeatureMipmaps = 1u << 27,         ///< textures that are filtered by a pixel's width
+    kFeatureDispersion = 1u << 28,      ///< glass whose index depends on the wavelength
+    kFeatureAccelerators = 1u << 29,    ///< acceleration structures other than bounding volume hierarchies
+    kFeatureAttenuation = 1u << 30,     ///< glass that absorbs light on its way inside
+    kFeatureTranslucent = 1u << 31,     ///< sheets that let light through diffusely
+    kFeaturePrincipled = 1ull << 32,    ///< coats and sheen over plastic or metal
+    kFeatureFacets = 1ull << 33,        ///< facets other than GGX with one alpha
+    kFeatureProjectors = 1ull << 34,    ///< lights that show a picture, or shine by one
+    kFeaturePortal = 1ull << 35,        ///< an environment that shines through a rectangle alone
+    kFeatureHighlights = 1ull << 36,    ///< Phong's and Ward's models
+    kFeatureTransmission = 1ull << 37,  ///< principled materials that let light pass
+    kFeatureCoated = 1ull << 38,        ///< metals under coats
     /// every surface point has dpdu and dpdv, not only those whose material needs them: for tests
     kFeatureTangents = 1ull << 63,
     /// any of these makes shading normals differ from geometric ones
@@ -57,10 +60,10 @@ enum Feature : FeatureMask {
 };
 
 /// All that a scene can ask for.
-constexpr FeatureMask kAllFeatures = (1ull << 36) - 1;
-constexpr FeatureMask kMaterialFeatures = kFeatureDiffuse | kFeatureSpecular | kFeatureDielectric |
-                                          kFeatureGlossy | kFeaturePlastic | kFeatureMixture |
-                                          kFeatureTranslucent | kFeaturePrincipled;
+constexpr FeatureMask kAllFeatures = (1ull << 39) - 1;
+constexpr FeatureMask kMaterialFeatures =
+    kFeatureDiffuse | kFeatureSpecular | kFeatureDielectric | kFeatureGlossy | kFeaturePlastic |
+    kFeatureMixture | kFeatureTranslucent | kFeaturePrincipled | kFeatureHighlights | kFeatureCoated;
 
 /// Whether the mask has the feature, or any of several.
 template <FeatureMask kMask>

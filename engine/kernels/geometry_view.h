@@ -63,6 +63,7 @@ struct MeshView {
     const Vec3* normals = nullptr;
     const Vec2* uvs = nullptr;
     const Vec3* colors = nullptr;
+    const Vec3* tangents = nullptr;  ///< along u, either way; where some highlight on it has a direction
     uint32_t triangleCount = 0;
     uint32_t vertexCount = 0;
     uint32_t clusterCount = 0;

@@ -38,8 +38,9 @@ struct GlassStack {
 
 /// Whether there is something of the material behind its surface that light goes through.
 GLINT_HD inline bool hasInside(const MaterialData& material) {
-    return (material.kind == MaterialKind::Dielectric && (material.flags & kMaterialThin) == 0) ||
-           material.kind == MaterialKind::Mixture;
+    const bool isSheet = (material.flags & kMaterialThin) != 0;
+    return (material.kind == MaterialKind::Dielectric && !isSheet) ||
+           material.kind == MaterialKind::Mixture || ((material.flags & kMaterialTransmits) != 0 && !isSheet);
 }
 
 /// A path passes the surface, to its back or to its front.

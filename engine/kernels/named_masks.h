@@ -23,12 +23,13 @@ constexpr FeatureMask kMaskDiffuseMeshes = kMaskDiffuseShapes | kMeshes | kFeatu
                                            kFeatureTextures | kFeatureManyLights | kFeatureCameraArea;
 /// Everything with one sampler, but for what few scenes have: textures on inputs other than the colour,
 /// placed and mip-mapped ones, surfaces of revolution, bumps, cut-outs, dispersion, glass that absorbs,
-/// translucent sheets, facets other than GGX with one alpha, projectors, portals and other acceleration
-/// structures.
+/// translucent sheets, principled materials that let light pass, facets other than GGX with one alpha,
+/// Phong's and Ward's models, metals under coats, projectors, portals and other acceleration structures.
 constexpr FeatureMask kMaskOneSampler =
     kAllFeatures &
     ~(kFeatureIndependentSampler | kFeatureInputTextures | kFeaturePlacedTextures | kFeatureMipmaps |
       kFeatureRevolved | kFeatureBumps | kFeatureCutouts | kFeatureDispersion | kFeatureAttenuation |
-      kFeatureTranslucent | kFeatureAccelerators | kFeatureFacets | kFeatureProjectors | kFeaturePortal);
+      kFeatureTranslucent | kFeatureAccelerators | kFeatureFacets | kFeatureProjectors | kFeatureHighlights |
+      kFeatureTransmission | kFeatureCoated | kFeaturePortal);
 
 }  // namespace glint

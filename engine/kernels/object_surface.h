@@ -43,6 +43,15 @@ GLINT_HD inline ObjectPoint objectPointAt(const SceneView& view, const Ray& ray,
         instance.shape, [&](auto shape) { return decltype(shape)::template surface<kMask>(pRough); });
 }
 
+/// The tangents by which highlights lie, of those that objectTangentsAt() says: a mesh may have smooth ones.
+template <FeatureMask kMask>
+GLINT_HD inline Tangents facetTangentsAt(const SceneView& view, const Hit& hit, const Tangents& tangents) {
+    const InstanceData& instance = view.geometry.instances[hit.instance];
+    return isMesh<kMask>(instance)
+               ? MeshShape::smoothTangents(view.geometry.meshes[instance.mesh], hit, tangents)
+               : tangents;
+}
+
 /// dp/du and dp/dv in object space at a hit; p: objectPointAt() it.
 template <FeatureMask kMask>
 GLINT_HD inline Tangents objectTangentsAt(const SceneView& view, const Hit& hit, const Vec3& p) {

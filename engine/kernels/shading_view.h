@@ -20,6 +20,8 @@ enum MaterialFlag : uint16_t {
     kMaterialMipmaps = 1u << 6,        ///< some texture is filtered by a pixel's width
     kMaterialDisperses = 1u << 7,      ///< its index depends on the wavelength
     kMaterialFacets = 1u << 8,         ///< facets other than GGX with one alpha: bsdf/facets.h
+    kMaterialTransmits = 1u << 9,  ///< principled: some light passes, as bsdf/principled_transmission.h says
+    kMaterialRootTint = 1u << 10,  ///< likewise: it is tinted by the root of the colour
 };
 
 /// An alpha of facets below this is treated as perfectly smooth: its lobe is narrower than float directions
@@ -62,7 +64,7 @@ struct MaterialData {
     ShadingInputs inputs;                               ///< constants; what textures replace is not looked at
     MaterialInputs<TextureSlot, TextureSlot> textures;  ///< none in masks without kFeatureInputTextures
     Dispersion dispersion;
-    Vec3 absorption{0.0f};                    ///< of glass: per metre of a way inside
+    Vec3 absorption{0.0f};                    ///< of bodies that light passes: per metre of a way inside
     uint32_t coatTable = TextureSlot::kNone;  ///< coat with textures: first row in SceneView::coats
     /// radiance, strength included; with a texture: the strength, which multiplies it
     Vec3 emission{0.0f};
@@ -78,6 +80,7 @@ struct MaterialData {
     Vec2 facetTurn{1.0f, 0.0f};                  ///< of the first roughness, from dpdu: cosine and sine
     FacetDistribution distribution = FacetDistribution::Ggx;
     MaterialKind kind = MaterialKind::Diffuse;
+    WardForm wardForm = WardForm::Balanced;
     uint16_t flags = 0;
 };
 

@@ -22,7 +22,8 @@ struct SurfacePoint {
     Vec3 ng;
     Vec3 ns;  ///< unit shading normal on ng's side
     Vec2 uv;  ///< set where the mask has textures
-    /// derivatives of p by uv; set where the mask has kFeatureTangents or the material needs them
+    /// derivatives of p by uv; set where the mask has kFeatureTangents or the material needs them. Of a mesh
+    /// whose highlights have a direction they are smooth
     Vec3 dpdu;
     Vec3 dpdv;
     float uvWidth;     ///< what a pixel covers of u and v; 0 where no texture asks for it
@@ -123,6 +124,11 @@ GLINT_HD inline void addTangents(const SceneView& view, const Ray& ray, const Hi
     if (hasFeature<kMask>(kFeatureBumps) && (flags & kMaterialBump) != 0) {
         point->ns = perturbedNormal<kMask>(view, view.materials[instance.material], point->uv, point->uvWidth,
                                            world, point->ng, point->ns);
+    }
+    if (hasFeature<kMask>(kFeatureFacets) && (flags & kMaterialFacets) != 0) {
+        const Tangents smooth = facetTangentsAt<kMask>(view, hit, object);
+        point->dpdu = vectorToWorld<kMask>(instance, smooth.dpdu);
+        point->dpdv = vectorToWorld<kMask>(instance, smooth.dpdv);
     }
 }
 

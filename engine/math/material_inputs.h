@@ -13,13 +13,16 @@ namespace glint {
 /// Color and Number: what stands for three numbers and for one, made from a default.
 template <class Color, class Number>
 struct MaterialInputs {
-    /// conductor without a metal name: index of refraction at R, G, B
+    /// conductor, coated, without a metal name: index of refraction at R, G, B
     Color eta{Vec3(0.2f)};
-    /// conductor without a metal name: extinction at R, G, B
+    /// likewise: extinction at R, G, B
     Color k{Vec3(3.9f)};
-    /// dielectric, plastic, mixture, principled: interior over exterior index of refraction, > 0
+    /// dielectric, plastic, mixture, principled: interior over exterior index of refraction, > 0. Coated: of
+    /// the coat
     Number ior{1.5f};
-    /// conductor, dielectric, plastic, principled: alpha of the facets in [0, 1]; below kSmoothAlpha: smooth
+    /// conductor, dielectric, plastic, principled, coated: alpha of the (metal's) facets in [0, 1]; below
+    /// kSmoothAlpha: smooth.
+    /// Ward: of the half vector's slope, at least kSmoothAlpha
     Number roughness{0.0f};
     /// likewise: alpha across the direction of `roughness`; negative: the same
     Number crossRoughness{-1.0f};
@@ -29,12 +32,19 @@ struct MaterialInputs {
     Color mixtureWeights{Vec3(1.0f, 0.0f, 0.0f)};
     /// translucent: what passes, diffusely; with the colour at most 1
     Color transmission{Vec3(0.25f)};
+    /// Phong, Ward: of the highlight; what it sums with the colour to beyond 1 is scaled, both alike
+    Color specularReflectance{Vec3(0.2f)};
+    /// Phong: of the highlight, which is the narrower, the larger it is
+    Number exponent{30.0f};
+    /// coated: optical depth straight through the coat, in one direction
+    Color coatAbsorption{Vec3(0.0f)};
     /// principled, all from here on, in [0, 1]: between plastic and a metal whose reflectance is the colour
     Number metallic{0.0f};
-    Number specular{1.0f};            ///< factor on what the dielectric's boundary reflects
-    Color specularTint{Vec3(1.0f)};   ///< likewise, but for grazing incidence
-    Number clearcoat{0.0f};           ///< share of the surface that is coated
-    Number clearcoatRoughness{0.0f};  ///< GGX alpha; below kSmoothAlpha: smooth
+    Number specularTransmission{0.0f};  ///< share of what enters the dielectric that passes it
+    Number specular{1.0f};              ///< factor on what the dielectric's boundary reflects
+    Color specularTint{Vec3(1.0f)};     ///< likewise, but for grazing incidence
+    Number clearcoat{0.0f};             ///< share of the surface that is coated
+    Number clearcoatRoughness{0.0f};    ///< GGX alpha; below kSmoothAlpha: smooth. Coated, too
     Color sheenColor{Vec3(0.0f)};
     Number sheenRoughness{0.3f};  ///< the smaller, the more at grazing incidence alone
 };
@@ -74,14 +84,18 @@ GLINT_HD constexpr auto withModelInputs(const Combine& combine) {
     constexpr uint32_t kMixture = kindBit(MaterialKind::Mixture);
     constexpr uint32_t kTranslucent = kindBit(MaterialKind::Translucent);
     constexpr uint32_t kPrincipled = kindBit(MaterialKind::Principled);
-    constexpr uint32_t kRough = kConductor | kDielectric | kPlastic | kPrincipled;
+    constexpr uint32_t kPhong = kindBit(MaterialKind::Phong);
+    constexpr uint32_t kWard = kindBit(MaterialKind::Ward);
+    constexpr uint32_t kCoated = kindBit(MaterialKind::Coated);
+    constexpr uint32_t kMetal = kConductor | kCoated;
+    constexpr uint32_t kRough = kMetal | kDielectric | kPlastic | kPrincipled | kWard;
+    constexpr uint32_t kRefractive = kDielectric | kPlastic | kMixture | kPrincipled | kCoated;
     constexpr float kMost = 1e18f;
-    return combine(ModelInput{InputInfo{"eta", 0.0f, kMost, kConductor, true},
+    return combine(ModelInput{InputInfo{"eta", 0.0f, kMost, kMetal, true},
                               [](auto& set) -> decltype(auto) { return (set.eta); }},
-                   ModelInput{InputInfo{"k", 0.0f, kMost, kConductor, true},
+                   ModelInput{InputInfo{"k", 0.0f, kMost, kMetal, true},
                               [](auto& set) -> decltype(auto) { return (set.k); }},
-                   ModelInput{InputInfo{"ior", 1e-3f, 1e3f, kDielectric | kPlastic | kMixture | kPrincipled,
-                                        false, true},
+                   ModelInput{InputInfo{"ior", 1e-3f, 1e3f, kRefractive, false, true},
                               [](auto& set) -> decltype(auto) { return (set.ior); }},
                    ModelInput{InputInfo{"roughness", 0.0f, 1.0f, kRough},
                               [](auto& set) -> decltype(auto) { return (set.roughness); }},
@@ -93,15 +107,23 @@ GLINT_HD constexpr auto withModelInputs(const Combine& combine) {
                               [](auto& set) -> decltype(auto) { return (set.mixtureWeights); }},
                    ModelInput{InputInfo{"transmission", 0.0f, 1.0f, kTranslucent},
                               [](auto& set) -> decltype(auto) { return (set.transmission); }},
+                   ModelInput{InputInfo{"specularReflectance", 0.0f, 1.0f, kPhong | kWard},
+                              [](auto& set) -> decltype(auto) { return (set.specularReflectance); }},
+                   ModelInput{InputInfo{"exponent", 0.0f, 1e8f, kPhong},
+                              [](auto& set) -> decltype(auto) { return (set.exponent); }},
+                   ModelInput{InputInfo{"coatAbsorption", 0.0f, kMost, kCoated},
+                              [](auto& set) -> decltype(auto) { return (set.coatAbsorption); }},
                    ModelInput{InputInfo{"metallic", 0.0f, 1.0f, kPrincipled},
                               [](auto& set) -> decltype(auto) { return (set.metallic); }},
+                   ModelInput{InputInfo{"specularTransmission", 0.0f, 1.0f, kPrincipled},
+                              [](auto& set) -> decltype(auto) { return (set.specularTransmission); }},
                    ModelInput{InputInfo{"specular", 0.0f, 1.0f, kPrincipled},
                               [](auto& set) -> decltype(auto) { return (set.specular); }},
                    ModelInput{InputInfo{"specularTint", 0.0f, 1.0f, kPrincipled},
                               [](auto& set) -> decltype(auto) { return (set.specularTint); }},
                    ModelInput{InputInfo{"clearcoat", 0.0f, 1.0f, kPrincipled},
                               [](auto& set) -> decltype(auto) { return (set.clearcoat); }},
-                   ModelInput{InputInfo{"clearcoatRoughness", 0.0f, 1.0f, kPrincipled},
+                   ModelInput{InputInfo{"clearcoatRoughness", 0.0f, 1.0f, kPrincipled | kCoated},
                               [](auto& set) -> decltype(auto) { return (set.clearcoatRoughness); }},
                    ModelInput{InputInfo{"sheenColor", 0.0f, 1.0f, kPrincipled},
                               [](auto& set) -> decltype(auto) { return (set.sheenColor); }},

@@ -7,6 +7,7 @@
 #include "engine/builders/light_table.h"
 #include "engine/builders/material_table.h"
 #include "engine/builders/mesh_builder.h"
+#include "engine/builders/tangent_builder.h"
 #include "engine/builders/texture_table.h"
 #include "engine/render/film.h"
 #include "engine/render/integrator.h"
@@ -67,6 +68,12 @@ MemoryUse memoryOf(const BuiltScene& scene) {
             if (mesh->isReady && vertices.insert(mesh->data.get()).second) {
                 addVertices(*mesh->data, readsTextureCoordinates(scene.features), &use);
             }
+        }
+    }
+    std::set<const MeshTangents*> tangents;
+    for (const auto& mesh : scene.tangents) {
+        if (mesh && tangents.insert(mesh.get()).second) {
+            use[MemoryPart::VertexShading] += bytesOf(mesh->alongU);
         }
     }
     use[MemoryPart::Instances] = scene.instances ? scene.instances->bytes() : 0;

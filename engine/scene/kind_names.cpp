@@ -42,7 +42,19 @@ std::span<const KindName<MaterialKind>> kindNames<MaterialKind>() {
         {"translucent", MaterialKind::Translucent,
          "A thin sheet that reflects and lets through diffusely, on both sides alike: a leaf, paper."},
         {"principled", MaterialKind::Principled,
-         "A clear coat over sheen over a base between plastic and metal: car paint, cloth, worn steel."}};
+         "A clear coat over sheen over a base between plastic and metal: car paint, cloth, worn steel."},
+        {"phong", MaterialKind::Phong,
+         "The modified Phong model: diffuse, with a highlight that is a power of the cosine."},
+        {"ward", MaterialKind::Ward, "Ward's model: diffuse, with an anisotropic highlight."},
+        {"coated", MaterialKind::Coated,
+         "A metal under a dielectric coat that may absorb: lacquered brass."}};
+    return kNames;
+}
+
+template <>
+std::span<const KindName<WardForm>> kindNames<WardForm>() {
+    static constexpr KindName<WardForm> kNames[] = {
+        {"ward", WardForm::Ward}, {"ward-duer", WardForm::Duer}, {"balanced", WardForm::Balanced}};
     return kNames;
 }
 

@@ -34,6 +34,8 @@ std::span<const KindName<MaterialKind>> kindNames<MaterialKind>();
 template <>
 std::span<const KindName<FacetDistribution>> kindNames<FacetDistribution>();
 template <>
+std::span<const KindName<WardForm>> kindNames<WardForm>();
+template <>
 std::span<const KindName<LightKind>> kindNames<LightKind>();
 template <>
 std::span<const KindName<ColorEncoding>> kindNames<ColorEncoding>();

@@ -37,24 +37,29 @@ struct Material : MaterialInputs<ColorInput, NumberInput> {
     std::string name;
     MaterialKind kind = MaterialKind::Diffuse;
 
-    /// Diffuse, plastic: albedo. Translucent: what it reflects. Mirror: reflectance. Dielectric: tint of what
-    /// passes and reflects. Mixture: all three. Conductor: a factor on the Fresnel reflectance, 1 by default.
-    /// Principled: albedo of plastic, reflectance of metal.
-    /// Range [0, 1].
+    /// Diffuse, plastic, Phong, Ward: albedo of diffuse reflection. Translucent: what it reflects. Mirror:
+    /// reflectance. Dielectric: tint of what passes and reflects. Mixture: all three. Conductor, coated: a
+    /// factor on the metal's reflectance, 1 by default. Principled: albedo of plastic, reflectance of metal,
+    /// tint of what passes. Range [0, 1].
     ColorInput color;
 
-    std::string metal = "gold";  ///< conductor: measured constants by name (metals.h); empty: use eta and k
+    std::string metal = "gold";  ///< conductor, coated: measured constants by name (metals.h); empty: use
+                                 ///< eta and k
     std::string glass;  ///< dielectric, mixture: measured indices by name (glasses.h); empty: those below
     /// dielectric, mixture: index at red, green and blue, for pictures of three wavelengths; 0: use ior
     Vec3 iorRgb{0.0f};
     /// dielectric, mixture: Abbe number of `ior`, by how much colours are bent alike; 0: all are
     float abbeNumber = 0.0f;
-    bool thin = false;  ///< dielectric only
+    bool thin = false;  ///< dielectric, principled that light passes: a sheet instead of a body
+    /// principled that light passes: it is tinted by the root of the colour, so that a way in and out of a
+    /// body makes the colour
+    bool rootTint = false;
+    WardForm wardForm = WardForm::Balanced;  ///< Ward only
     /// conductor, dielectric, plastic: of the facets of what is rough
     FacetDistribution distribution = FacetDistribution::Ggx;
     /// turns the direction of `roughness` counter-clockwise from dpdu to dpdv, seen where these turn so
     float anisotropyRotationDeg = 0.0f;
-    /// dielectric that is not thin: the share of light that is left after attenuationDistance inside, per
+    /// of a body that light passes: the share of light that is left after attenuationDistance inside, per
     /// channel. A millionth at least
     Vec3 attenuationColor{1.0f};
     float attenuationDistance = 1.0f;  ///< metres, > 0
@@ -80,6 +85,17 @@ struct Material : MaterialInputs<ColorInput, NumberInput> {
     }
 };
 
+/// Whether it is principled and some light passes it.
+inline bool transmits(const Material& material) {
+    return material.kind == MaterialKind::Principled &&
+           (material.specularTransmission.texture >= 0 || material.specularTransmission.value > 0.0f);
+}
+
+/// Whether light goes in and out of it, so that it has an inside which can absorb.
+inline bool isClearBody(const Material& material) {
+    return (material.kind == MaterialKind::Dielectric || transmits(material)) && !material.thin;
+}
+
 template <class Value>
 constexpr bool kIsInput = std::is_same_v<Value, ColorInput> || std::is_same_v<Value, NumberInput>;
 
@@ -88,15 +104,20 @@ inline bool hasGlass(const Material& material) {
     return material.kind == MaterialKind::Dielectric || material.kind == MaterialKind::Mixture;
 }
 
-/// What a glass absorbs per metre of a way inside; a millionth of the light is the least that is left after
+/// What a body absorbs per metre of a way inside; a millionth of the light is the least that is left after
 /// the attenuation distance.
 inline Vec3 absorptionOf(const Material& material) {
     Vec3 absorption(0.0f);
-    for (int channel = 0; channel < 3 && !material.thin; ++channel) {
+    for (int channel = 0; channel < 3 && isClearBody(material); ++channel) {
         const float left = clampf(material.attenuationColor[channel], 1e-6f, 1.0f);
         if (left < 1.0f) { absorption[channel] = -std::log(left) / material.attenuationDistance; }
     }
     return absorption;
+}
+
+/// Whether it has the fields of a metal.
+inline bool hasMetal(const Material& material) {
+    return material.kind == MaterialKind::Conductor || material.kind == MaterialKind::Coated;
 }
 
 /// Whether something else than `ior` says what its index is.
@@ -104,15 +125,17 @@ inline bool replacesIor(const Material& material) {
     return hasGlass(material) && (!material.glass.empty() || !isZero(material.iorRgb));
 }
 
-/// Whether it has facets where it is rough.
+/// Whether it is rough by an alpha, or by two.
 inline bool hasFacets(MaterialKind kind) {
     return kind == MaterialKind::Conductor || kind == MaterialKind::Dielectric ||
-           kind == MaterialKind::Plastic || kind == MaterialKind::Principled;
+           kind == MaterialKind::Plastic || kind == MaterialKind::Principled || kind == MaterialKind::Ward ||
+           kind == MaterialKind::Coated;
 }
 
-/// Principled materials are defined with GGX.
+/// Principled materials are defined with GGX, and Ward's have a distribution of their own.
 inline FacetDistribution distributionOf(const Material& material) {
-    return material.kind == MaterialKind::Principled ? FacetDistribution::Ggx : material.distribution;
+    const bool isDefined = material.kind == MaterialKind::Principled || material.kind == MaterialKind::Ward;
+    return isDefined ? FacetDistribution::Ggx : material.distribution;
 }
 
 /// Whether a roughness across is given.

@@ -25,6 +25,7 @@ constexpr NumberRange kIor{
     .lo = double{0.01f}, .hi = 100.0, .expected = "an index of refraction from 0.01 to 100"};
 constexpr NumberRange kAbbeNumber{
     .lo = 0.0, .hi = 1000.0, .expected = "an Abbe number up to 1000, or 0 for none"};
+constexpr NumberRange kPhongExponent{.lo = 0.0, .hi = 1e8, .expected = "an exponent from 0 to 1e8"};
 constexpr NumberRange kShininess{.lo = 0.0, .hi = 1e6, .expected = "an exponent from 0 to 1e6"};
 constexpr NumberRange kConeAngle{
     .lo = 0.0, .hi = 90.0, .openLo = true, .expected = "a half angle above 0 and up to 90 degrees"};
@@ -247,20 +248,22 @@ struct FieldsOf<Checkerboard> {
 /// Whether `color` is a factor on a reflectance that is there without it.
 constexpr bool isTinted(MaterialKind kind) {
     return kind == MaterialKind::Mirror || kind == MaterialKind::Conductor ||
-           kind == MaterialKind::Dielectric;
+           kind == MaterialKind::Dielectric || kind == MaterialKind::Coated;
 }
 
 template <>
 struct FieldsOf<Material> {
     static constexpr EditKind kEdit = EditKind::MaterialParameters;
-    static constexpr uint32_t kConductor = only(MaterialKind::Conductor);
-    static constexpr uint32_t kRefractive = only(MaterialKind::Dielectric, MaterialKind::Plastic,
-                                                 MaterialKind::Mixture, MaterialKind::Principled);
+    static constexpr uint32_t kMetal = only(MaterialKind::Conductor, MaterialKind::Coated);
+    static constexpr uint32_t kRefractive =
+        only(MaterialKind::Dielectric, MaterialKind::Plastic, MaterialKind::Mixture, MaterialKind::Principled,
+             MaterialKind::Coated);
     static constexpr uint32_t kGlass = only(MaterialKind::Dielectric, MaterialKind::Mixture);
-    static constexpr uint32_t kRough = only(MaterialKind::Conductor, MaterialKind::Dielectric,
-                                            MaterialKind::Plastic, MaterialKind::Principled);
+    static constexpr uint32_t kRough =
+        only(MaterialKind::Conductor, MaterialKind::Dielectric, MaterialKind::Plastic,
+             MaterialKind::Principled, MaterialKind::Ward, MaterialKind::Coated);
     static constexpr uint32_t kFacets =
-        only(MaterialKind::Conductor, MaterialKind::Dielectric, MaterialKind::Plastic);
+        only(MaterialKind::Conductor, MaterialKind::Dielectric, MaterialKind::Plastic, MaterialKind::Coated);
     static constexpr uint32_t kPrincipled = only(MaterialKind::Principled);
     static constexpr std::tuple kList{
         field("type", &Material::kind, {.edit = EditKind::MaterialKind, .required = true}),
@@ -271,16 +274,15 @@ struct FieldsOf<Material> {
                    [](Material* material) {
                        material->color.value = Vec3(isTinted(material->kind) ? 1.0f : 0.5f);
                    }}),
-        field("metal", &Material::metal,
-              {.help = "measured constants", .kinds = kConductor, .words = metalNames},
+        field("metal", &Material::metal, {.help = "measured constants", .kinds = kMetal, .words = metalNames},
               {.isSaved = [](const Material& material) { return !material.metal.empty(); }}),
         field<Material, ColorInput>(
             "eta", &Material::eta,
-            {.range = kPositive, .help = "index of refraction, grey or [r, g, b]", .kinds = kConductor},
+            {.range = kPositive, .help = "index of refraction, grey or [r, g, b]", .kinds = kMetal},
             {.isSaved = [](const Material& material) { return material.metal.empty(); }}),
         field<Material, ColorInput>(
             "k", &Material::k,
-            {.range = kNotNegative, .help = "extinction, grey or [r, g, b]", .kinds = kConductor},
+            {.range = kNotNegative, .help = "extinction, grey or [r, g, b]", .kinds = kMetal},
             {.isSaved = [](const Material& material) { return material.metal.empty(); }}),
         field("glass", &Material::glass,
               {.help = "measured indices by wavelength",
@@ -312,7 +314,11 @@ struct FieldsOf<Material> {
             "roughness", &Material::roughness,
             {.range = kUnitInterval,
              .help = "alpha of the facets; 0: smooth. Along u where crossRoughness is given",
-             .kinds = kRough}),
+             .kinds = kRough},
+            {.setDefault =
+                 [](Material* material) {
+                     if (material->kind == MaterialKind::Ward) { material->roughness.value = 0.1f; }
+                 }}),
         field<Material, NumberInput>("crossRoughness", &Material::crossRoughness,
                                      {.range = kUnitInterval,
                                       .help = "alpha across u, of brushed surfaces; left out: as roughness",
@@ -341,30 +347,63 @@ struct FieldsOf<Material> {
                .onlyIfSet = true}),
         field("thin", &Material::thin,
               {.help = "a sheet of no thickness: light passes straight",
-               .kinds = only(MaterialKind::Dielectric)}),
+               .kinds = only(MaterialKind::Dielectric, MaterialKind::Principled)}),
         field("attenuationColor", &Material::attenuationColor,
               {.range = kReflectance,
                .form = VectorForm::Color,
                .help = "what is left of light after attenuationDistance inside glass that is not thin",
-               .kinds = only(MaterialKind::Dielectric),
+               .kinds = only(MaterialKind::Dielectric, MaterialKind::Principled),
                .onlyIfSet = true}),
         field("attenuationDistance", &Material::attenuationDistance,
               {.range = kPositive,
                .unit = "m",
                .help = "way inside the glass that leaves attenuationColor",
-               .kinds = only(MaterialKind::Dielectric),
+               .kinds = only(MaterialKind::Dielectric, MaterialKind::Principled),
                .onlyIfSet = true}),
         field<Material, ColorInput>("transmission", &Material::transmission,
                                     {.range = kReflectance,
                                      .help = "what passes, diffusely; with the colour at most 1",
                                      .kinds = only(MaterialKind::Translucent),
                                      .onlyOwnKinds = true}),
+        field<Material, ColorInput>(
+            "specularReflectance", &Material::specularReflectance,
+            {.range = kReflectance,
+             .help = "of the highlight; with the colour at most 1, or both are scaled",
+             .kinds = only(MaterialKind::Phong, MaterialKind::Ward),
+             .onlyOwnKinds = true}),
+        field<Material, NumberInput>("exponent", &Material::exponent,
+                                     {.range = kPhongExponent,
+                                      .help = "of the highlight: larger is narrower",
+                                      .kinds = only(MaterialKind::Phong),
+                                      .onlyOwnKinds = true}),
+        field("variant", &Material::wardForm,
+              {.help = "ward: as of 1992; ward-duer: of 2006; balanced: of 2010, bounded by itself",
+               .kinds = only(MaterialKind::Ward),
+               .onlyOwnKinds = true}),
+        field<Material, ColorInput>(
+            "coatAbsorption", &Material::coatAbsorption,
+            {.range = kNotNegative,
+             .help = "optical depth straight through the coat: absorption per metre times thickness",
+             .kinds = only(MaterialKind::Coated),
+             .onlyOwnKinds = true}),
         field<Material, NumberInput>(
             "metallic", &Material::metallic,
             {.range = kUnitInterval,
              .help = "0: plastic over the colour; 1: a metal that reflects the colour",
              .kinds = kPrincipled,
              .onlyOwnKinds = true}),
+        field<Material, NumberInput>("specularTransmission", &Material::specularTransmission,
+                                     {.range = kUnitInterval,
+                                      .help = "share of what enters plastic that passes it instead of being "
+                                              "scattered; thin: straight, else with refraction",
+                                      .kinds = kPrincipled,
+                                      .onlyOwnKinds = true,
+                                      .onlyIfSet = true}),
+        field("rootTint", &Material::rootTint,
+              {.help = "what passes is tinted by the root of the colour: in and out by the colour",
+               .kinds = kPrincipled,
+               .onlyOwnKinds = true,
+               .onlyIfSet = true}),
         field<Material, NumberInput>("specular", &Material::specular,
                                      {.range = kUnitInterval,
                                       .help = "factor on what plastic reflects at its boundary",
@@ -384,7 +423,7 @@ struct FieldsOf<Material> {
         field<Material, NumberInput>("clearcoatRoughness", &Material::clearcoatRoughness,
                                      {.range = kUnitInterval,
                                       .help = "GGX alpha of the coat; 0: smooth",
-                                      .kinds = kPrincipled,
+                                      .kinds = kPrincipled | only(MaterialKind::Coated),
                                       .onlyOwnKinds = true}),
         field<Material, ColorInput>("sheenColor", &Material::sheenColor,
                                     {.range = kReflectance,

@@ -183,7 +183,8 @@ class Search {
 
     bool isGlass(size_t object) const {
         const auto index = static_cast<size_t>(scene_.objects[object].material);
-        return index < scene_.materials.size() && scene_.materials[index].kind == MaterialKind::Dielectric;
+        return index < scene_.materials.size() && (scene_.materials[index].kind == MaterialKind::Dielectric ||
+                                                   transmits(scene_.materials[index]));
     }
 
     /// Whether the boxes meet in a part of a side, with nothing between them and nothing overlapping.

@@ -94,6 +94,20 @@ TEST(Attenuation, ASheetAbsorbsNothing) {
     expectLeft(scene, [](int, int) { return glm::dvec3(0.0); });
 }
 
+/// What a principled body lets pass is absorbed as in glass.
+TEST(Attenuation, PrincipledBodiesAbsorb) {
+    SceneDescription scene = straightScene();
+    Material body = glassOf(kLeft, 0.7f, 1.0f);
+    body.kind = MaterialKind::Principled;
+    body.specularTransmission.value = 1.0f;
+    addBall(&scene, 1.0f, body);
+    expectLeft(scene, [](int x, int y) { return kPerMetre * chord(x, y, 1.0); });
+    body.thin = true;
+    scene.objects.clear();
+    addBall(&scene, 1.0f, body);
+    expectLeft(scene, [](int, int) { return glm::dvec3(0.0); });
+}
+
 /// A slab of index 1.5, 0.3 m thick, square to the rays: each boundary reflects 0.04.
 constexpr double kReflected = 0.04, kThick = 0.3, kSigma = 2.0;
 

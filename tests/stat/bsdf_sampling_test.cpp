@@ -17,8 +17,10 @@ constexpr int kSamples = 100000;
 Vec3 lobeAxis(const Bsdf<kAllFeatures>& bsdf, bool transmission) {
     const Vec3 wo = bsdf.woLocal;
     if (!transmission) { return bsdf.frame.toWorld(detail::mirrored(wo)); }
-    const float sine2 = (1.0f - square(wo.z)) / square(bsdf.eta);
-    const Vec3 refracted(-wo.x / bsdf.eta, -wo.y / bsdf.eta, -safeSqrt(1.0f - sine2));
+    const bool isSheet = (bsdf.material->flags & kMaterialThin) != 0;
+    const float eta = isSheet ? 1.0f : bsdf.eta;
+    const float sine2 = (1.0f - square(wo.z)) / square(eta);
+    const Vec3 refracted(-wo.x / eta, -wo.y / eta, -safeSqrt(1.0f - sine2));
     return bsdf.frame.toWorld(glm::normalize(refracted));
 }
 
@@ -93,6 +95,11 @@ TEST(BsdfSampling, FollowsItsDensityWithBentShadingNormals) {
         {"conductor", conductorMaterial("silver", 0.3f)},
         {"dielectric", dielectricMaterial(1.5f, 0.3f)},
         {"plastic", plasticMaterial(Vec3(0.5f), 1.5f, 0.2f)},
+        {"coated", coatedMaterial("silver", 0.3f, 1.5f, 0.0f)},
+        {"phong", phongMaterial(Vec3(0.5f), Vec3(0.4f), 30.0f)},
+        {"ward", wardMaterial(Vec3(0.5f), Vec3(0.4f), Vec2(0.1f, 0.4f), WardForm::Duer)},
+        {"passing body", withPassing(principledMaterial(Vec3(0.5f), 0.3f, 0.0f), 0.6f, false)},
+        {"passing sheet", withPassing(principledMaterial(Vec3(0.5f), 0.3f, 0.0f), 0.6f, true)},
         {"principled", principledMaterial(Vec3(0.5f), 0.3f, 0.4f, 0.8f, 0.1f, Vec3(0.6f))}};
     const std::vector<float> cosines{0.9f, 0.1f, -0.3f};
     const double level = sidakLevel(kFamilyLevel, static_cast<int>(cases.size() * cosines.size()));

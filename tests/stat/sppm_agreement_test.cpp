@@ -123,11 +123,36 @@ TEST_P(SppmAgainstPaths, Principled) {
     finer.radiusFootprints = 1.0f;
     expectAgreementOf(principledBox(), finer);
 }
+TEST_P(SppmAgainstPaths, Passing) {
+    SppmParams finer = params();
+    finer.photonsPerPass = 32000;
+    finer.radiusFootprints = 1.0f;
+    expectAgreementOf(passingBox(), finer);
+}
+TEST_P(SppmAgainstPaths, Highlights) {
+    SppmParams finer = params();
+    finer.photonsPerPass = 32000;
+    finer.radiusFootprints = 1.0f;
+    expectAgreementOf(highlightBox(), finer);
+}
 TEST_P(SppmAgainstPaths, Brushed) {
     SppmParams finer = params();  // highlights are a few pixels wide
     finer.photonsPerPass = 24000;
     finer.radiusFootprints = 1.0f;
     expectAgreementOf(brushedBox(), finer);
+}
+TEST_P(SppmAgainstPaths, Coated) {
+    SppmParams finer = params();
+    finer.photonsPerPass = 24000;
+    finer.radiusFootprints = 1.0f;
+    SceneDescription scene = brushedBox();
+    for (Material& metal : scene.materials) {
+        if (metal.kind != MaterialKind::Conductor) { continue; }
+        metal.kind = MaterialKind::Coated;
+        metal.ior.value = 1.5f;
+        metal.coatAbsorption.value = Vec3(0.1f, 0.3f, 0.6f);
+    }
+    expectAgreementOf(scene, finer);
 }
 TEST_P(SppmAgainstPaths, DispersiveGlass) {
     SppmParams more = params();

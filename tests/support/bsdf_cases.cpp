@@ -67,12 +67,76 @@ MaterialData principledMaterial(const Vec3& color, float alpha, float metallic, 
     return data;
 }
 
+MaterialData withPassing(MaterialData material, float share, bool isSheet, bool isRootTint) {
+    material.flags |=
+        kMaterialTransmits | (isSheet ? kMaterialThin : 0) | (isRootTint ? kMaterialRootTint : 0);
+    material.inputs.specularTransmission = share;
+    return material;
+}
+
+float bendingIor(const MaterialData& material) {
+    return (material.flags & kMaterialThin) != 0 ? 1.0f : material.inputs.ior;
+}
+
 MaterialData withFacets(MaterialData material, float alphaY, FacetDistribution distribution) {
     material.flags |= kMaterialFacets;
     material.distribution = distribution;
     material.inputs.crossRoughness = alphaY;
     if (hasCoatTable(material.kind)) { tabulateCrossedCoat(distribution, &material.inputs); }
     return material;
+}
+
+MaterialData phongMaterial(const Vec3& color, const Vec3& specular, float exponent) {
+    MaterialData data = diffuseMaterial(color);
+    data.kind = MaterialKind::Phong;
+    data.inputs.specularReflectance = specular;
+    data.inputs.exponent = exponent;
+    return data;
+}
+
+MaterialData coatedMaterial(const std::string& metal, float alpha, float ior, float coatAlpha,
+                            const Vec3& absorption) {
+    MaterialData data = conductorMaterial(metal, alpha);
+    data.kind = MaterialKind::Coated;
+    data.inputs.ior = ior;
+    data.inputs.clearcoatRoughness = coatAlpha;
+    data.inputs.coatAbsorption = absorption;
+    return data;
+}
+
+MaterialData wardMaterial(const Vec3& color, const Vec3& specular, Vec2 alpha, WardForm form) {
+    MaterialData data = diffuseMaterial(color);
+    data.kind = MaterialKind::Ward;
+    data.wardForm = form;
+    data.inputs.specularReflectance = specular;
+    data.inputs.roughness = alpha.x;
+    data.inputs.crossRoughness = alpha.y;
+    data.flags = alpha.x != alpha.y ? kMaterialFacets : 0;
+    return data;
+}
+
+/// Phong's and Ward's models, with and without a diffuse part, and with too much of both.
+void addHighlightCases(std::vector<BsdfCase>* cases) {
+    const Vec3 black(0.0f), white(1.0f), grey(0.5f), few(0.2f, 0.1f, 0.5f);
+    for (const float exponent : {0.0f, 3.0f, 30.0f, 1e4f, 1e6f}) {
+        cases->push_back({fmt::format("phong {}", exponent), phongMaterial(grey, few, exponent)});
+        cases->push_back({fmt::format("phong white {}", exponent), phongMaterial(black, white, exponent)});
+        cases->push_back({fmt::format("phong too bright {}", exponent), phongMaterial(white, few, exponent)});
+    }
+    cases->push_back({"phong black", phongMaterial(black, black, 30.0f)});
+    for (const WardForm form : {WardForm::Ward, WardForm::Duer, WardForm::Balanced}) {
+        for (const Vec2 alpha :
+             {Vec2(1e-3f), Vec2(0.1f), Vec2(0.5f), Vec2(1.0f), Vec2(0.02f, 0.3f), Vec2(0.6f, 0.1f)}) {
+            const std::string name = fmt::format("{} by {}", alpha.x, alpha.y);
+            const std::string_view variant = nameOf(form);
+            cases->push_back(
+                {fmt::format("ward {} {}", variant, name), wardMaterial(grey, few, alpha, form)});
+            cases->push_back(
+                {fmt::format("ward {} white {}", variant, name), wardMaterial(black, white, alpha, form)});
+        }
+        cases->push_back(
+            {fmt::format("ward {} too bright", nameOf(form)), wardMaterial(grey, white, Vec2(0.2f), form)});
+    }
 }
 
 /// Materials of facets other than GGX with one alpha.
@@ -123,10 +187,54 @@ void addPrincipledCases(const Vec3& color, std::vector<BsdfCase>* cases) {
     cases->back().material.inputs.specular = 0.0f;
 }
 
+/// Metals under coats.
+void addCoatedCases(std::vector<BsdfCase>* cases) {
+    for (const float alpha : {0.0f, 0.02f, 0.3f, 1.0f}) {
+        for (const float coatAlpha : {0.0f, 0.1f, 0.6f}) {
+            for (const float ior : {1.0f, 1.5f, 2.5f}) {
+                cases->push_back({fmt::format("coated {} under {} of {}", alpha, coatAlpha, ior),
+                                  coatedMaterial("silver", alpha, ior, coatAlpha, Vec3(0.0f, 0.2f, 1.0f))});
+            }
+        }
+    }
+    cases->push_back({"coated, brushed", withFacets(coatedMaterial("silver", 0.4f, 1.5f, 0.0f), 0.1f,
+                                                    FacetDistribution::Beckmann)});
+}
+
+/// Principled materials that let light pass.
+void addPassingCases(const Vec3& color, std::vector<BsdfCase>* cases) {
+    const Vec3 white(1.0f);
+    for (const float alpha : {0.0f, 0.02f, 0.3f, 1.0f}) {
+        for (const bool isSheet : {false, true}) {
+            const auto add = [&](const char* name, const MaterialData& material, float share) {
+                cases->push_back({fmt::format("passing {} {} {}", name, isSheet ? "sheet" : "body", alpha),
+                                  withPassing(material, share, isSheet, !isSheet)});
+            };
+            add("white", principledMaterial(white, alpha, 0.0f), 1.0f);
+            add("half", principledMaterial(color, alpha, 0.0f), 0.5f);
+            add("metal", principledMaterial(color, alpha, 0.7f), 0.8f);
+            add("layered", principledMaterial(white, alpha, 0.2f, 0.8f, 0.2f, Vec3(0.8f, 0.4f, 1.0f)), 0.7f);
+            if (alpha > 0.0f) {
+                add("brushed",
+                    withFacets(principledMaterial(white, alpha, 0.0f), 0.15f, FacetDistribution::Ggx), 0.7f);
+            }
+        }
+    }
+    MaterialData weak = principledMaterial(white, 0.3f, 0.0f);
+    weak.inputs.specular = 0.5f;
+    weak.inputs.specularTint = Vec3(1.0f, 0.5f, 0.0f);
+    cases->push_back({"passing, less reflected", withPassing(weak, 0.9f, false)});
+}
+
 float narrowestAlpha(const MaterialData& material) {
     const ShadingInputs& in = material.inputs;
-    const bool hasRoughCoat = in.clearcoat > 0.0f && in.clearcoatRoughness >= kSmoothAlpha;
-    const float base = material.kind == MaterialKind::Principled && detail::isSmooth(in)
+    if (material.kind == MaterialKind::Phong) {
+        return std::fmin(std::sqrt(2.0f / (in.exponent + 2.0f)), 1.0f);
+    }
+    if (material.kind == MaterialKind::Ward) { return std::fmin(in.roughness, in.crossRoughness); }
+    const bool isCoated = material.kind == MaterialKind::Coated;
+    const bool hasRoughCoat = (isCoated || in.clearcoat > 0.0f) && in.clearcoatRoughness >= kSmoothAlpha;
+    const float base = (isCoated || material.kind == MaterialKind::Principled) && detail::isSmooth(in)
                            ? 1.0f
                            : detail::narrowestAlpha<kAllFeatures>(material, in);
     return hasRoughCoat ? std::fmin(base, in.clearcoatRoughness) : base;
@@ -161,7 +269,10 @@ std::vector<BsdfCase> allBsdfCases() {
         {"plastic black smooth", plasticMaterial(Vec3(0.0f), 1.5f, 0.0f)},
     };
     addPrincipledCases(color, &cases);
+    addPassingCases(color, &cases);
+    addCoatedCases(&cases);
     addFacetCases(color, &cases);
+    addHighlightCases(&cases);
     for (const float alpha : {1e-3f, 1e-2f, 0.1f, 0.3f, 1.0f}) {
         cases.push_back({fmt::format("conductor gold {}", alpha), conductorMaterial("gold", alpha)});
         cases.push_back({fmt::format("dielectric 1.5 {}", alpha), dielectricMaterial(1.5f, alpha)});

@@ -43,12 +43,22 @@ MaterialData mixtureMaterial(const Vec3& color, const Vec3& probability, float i
 /// An index of 1.5; `coat` is the share that has one of alpha coatAlpha.
 MaterialData principledMaterial(const Vec3& color, float alpha, float metallic, float coat = 0.0f,
                                 float coatAlpha = 0.0f, const Vec3& sheen = Vec3(0.0f));
+/// The principled material with this share of what enters passing: a body, or a sheet.
+MaterialData withPassing(MaterialData material, float share, bool isSheet, bool isRootTint = false);
 /// The material with facets of another distribution, or with another alpha along y.
 MaterialData withFacets(MaterialData material, float alphaY, FacetDistribution distribution);
+MaterialData phongMaterial(const Vec3& color, const Vec3& specular, float exponent);
+MaterialData wardMaterial(const Vec3& color, const Vec3& specular, Vec2 alpha, WardForm form);
+/// A metal under a coat of this index, GGX alpha and optical depth.
+MaterialData coatedMaterial(const std::string& metal, float alpha, float ior, float coatAlpha,
+                            const Vec3& absorption = Vec3(0.0f));
 MaterialData translucentMaterial(const Vec3& color, const Vec3& transmission);
 
 /// Every kind over its range of parameters: roughness 0 and 1e-3 to 1, indices below and above 1.
 std::vector<BsdfCase> allBsdfCases();
+
+/// Index behind over that before the surface where light is bent, seen from its front; 1: it passes straight.
+float bendingIor(const MaterialData& material);
 
 /// The alpha of the narrowest lobe that has a density; 1 where none has facets.
 float narrowestAlpha(const MaterialData& material);

@@ -153,6 +153,50 @@ SceneDescription principledBox() {
     return scene;
 }
 
+SceneDescription passingBox() {
+    SceneDescription scene = small(cornellBox());
+    Material body = diffuseMaterial(Vec3(0.3f, 0.6f, 0.8f));
+    body.kind = MaterialKind::Principled;
+    body.specularTransmission.value = 0.6f;
+    body.roughness.value = 0.4f;
+    body.rootTint = true;
+    body.attenuationColor = Vec3(0.7f, 0.8f, 0.9f);
+    body.attenuationDistance = 0.5f;
+    const int clear = addMaterial(&scene, body);
+    for (Object& object : scene.objects) {
+        if (object.shape != ShapeKind::Sphere) { continue; }
+        object.material = clear;
+        break;
+    }
+    Material sheet = diffuseMaterial(Vec3(0.8f, 0.6f, 0.3f));
+    sheet.kind = MaterialKind::Principled;
+    sheet.specularTransmission.value = 0.7f;
+    sheet.roughness.value = 0.5f;
+    sheet.thin = true;
+    addObject(&scene, ShapeKind::Rectangle,
+              placeFlatShape({0.0f, 1.2f, 0.0f}, {0.0f, 1.0f, 0.2f}, 0.6f, 0.6f), sheet);
+    return scene;
+}
+
+SceneDescription highlightBox() {
+    SceneDescription scene = small(cornellBox());
+    Material phong = diffuseMaterial(Vec3(0.3f, 0.3f, 0.5f));
+    phong.kind = MaterialKind::Phong;
+    phong.specularReflectance.value = Vec3(0.5f, 0.4f, 0.3f);
+    phong.exponent.value = 8.0f;
+    Material ward = diffuseMaterial(Vec3(0.2f));
+    ward.kind = MaterialKind::Ward;
+    ward.wardForm = WardForm::Duer;
+    ward.specularReflectance.value = Vec3(0.6f);
+    ward.roughness.value = 0.4f;
+    ward.crossRoughness.value = 0.8f;
+    addObject(&scene, ShapeKind::Rectangle,
+              placeFlatShape({-0.3f, 1.2f, -0.3f}, {0.0f, 1.0f, 0.6f}, 0.5f, 0.6f), phong);
+    addObject(&scene, ShapeKind::Rectangle,
+              placeFlatShape({0.5f, 1.0f, -0.3f}, {-0.5f, 1.0f, 0.3f}, 0.4f, 0.4f), ward);
+    return scene;
+}
+
 SceneDescription brushedBox() {
     SceneDescription scene = small(cornellBox());
     Material metal = diffuseMaterial(Vec3(1.0f));

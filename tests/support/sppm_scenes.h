@@ -29,6 +29,10 @@ SceneDescription absorbingGlassBox();
 SceneDescription translucentBox();
 /// A painted ball with a smooth coat, one of cloth, and a sheet of worn metal whose inputs are textures.
 SceneDescription principledBox();
+/// The box with a body and a sheet that let light pass in part, and scatter the rest; small.
+SceneDescription passingBox();
+/// The box with a wall of Phong's model and a sheet of Ward's; small.
+SceneDescription highlightBox();
 /// A box with two sheets of brushed metal. They are flat: on the balls, six pixels wide, normals turn within
 /// a disc by as much as the facets do.
 SceneDescription brushedBox();

@@ -37,12 +37,13 @@ TEST_F(GltfExport, FilesKeepTheirBits) {
         "materials": [{"name": "board", "pbrMetallicRoughness": {"metallicFactor": 0, "roughnessFactor": 0.4,
           "baseColorTexture": {"index": 0, "extensions": {"KHR_texture_transform": {"offset": [0.25, 0.5],
           "rotation": 0.5, "scale": [2, 3]}}}}, "normalTexture": {"index": 0, "scale": 0.5}},
-         {"name": "glass", "pbrMetallicRoughness": {"roughnessFactor": 0}, "extensions": {"KHR_materials_transmission":
+         {"name": "glass", "pbrMetallicRoughness": {"metallicFactor": 0, "roughnessFactor": 0}, "extensions": {"KHR_materials_transmission":
           {"transmissionFactor": 1}, "KHR_materials_ior": {"ior": 1.4}, "KHR_materials_volume": {"thicknessFactor": 2,
           "attenuationDistance": 3, "attenuationColor": [0.25, 0.5, 0.75]}}},
          {"name": "lamp", "emissiveFactor": [1, 0.5, 0.25], "extensions": {"KHR_materials_emissive_strength":
           {"emissiveStrength": 12.5}}}, {"name": "half", "alphaMode": "BLEND", "pbrMetallicRoughness":
-          {"metallicFactor": 0, "baseColorFactor": [0.1, 0.2, 0.3, 0.6]}}])";
+          {"metallicFactor": 0, "baseColorFactor": [0.1, 0.2, 0.3, 0.6]},
+          "extensions": {"KHR_materials_transmission": {"transmissionFactor": 0.5}}}])";
     const std::string primitive =
         R"({"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2,
         "material": )";

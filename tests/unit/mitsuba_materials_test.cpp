@@ -236,14 +236,12 @@ TEST_F(MitsubaMaterialsTest, WrappersChangeWhatTheyHold) {
 }
 
 TEST_F(MitsubaMaterialsTest, EachFurtherModelIsApproximatedAndSaid) {
-    for (const char* type : {"phong", "ward", "principled", "principledthin"}) {
+    for (const char* type : {"principled", "principledthin"}) {
         materialOf("<bsdf type='" + std::string(type) + "'/>");
         EXPECT_THAT(warnings, Contains(HasSubstr("approximated: "))) << type;
     }
     EXPECT_EQ(materialOf("<bsdf type='principled'><float name='metallic' value='1'/></bsdf>").kind,
               MaterialKind::Principled);
-    EXPECT_EQ(materialOf("<bsdf type='principled'><float name='spec_trans' value='1'/></bsdf>").kind,
-              MaterialKind::Dielectric);
     EXPECT_FLOAT_EQ(
         materialOf("<bsdf type='principled'><float name='roughness' value='0.5'/></bsdf>").roughness.value,
         0.25f);

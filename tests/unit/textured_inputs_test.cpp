@@ -142,49 +142,53 @@ TEST_P(TexturedInputs, AreTheConstantsThatTheTextureHolds) {
     }
 }
 
-int* roughnessOf(Material* m) { return &m->roughness.texture; }
-int* iorOf(Material* m) { return &m->ior.texture; }
-void setRoughness(Material* m, const Vec3& v) { m->roughness.value = v.x; }
-void setIor(Material* m, const Vec3& v) { m->ior.value = v.x; }
+void setValue(float* value, const Vec3& v) { *value = v.x; }
+void setValue(Vec3* value, const Vec3& v) { *value = v; }
+
+/// Of the input that a pointer to a member of MaterialInputs names.
+template <auto kInput>
+InputCase inputCase(const char* name, MaterialKind kind, const Vec3& left, const Vec3& right) {
+    return {name,
+            kind,
+            left,
+            right,
+            [](Material* m) { return &(m->*kInput).texture; },
+            [](Material* m, const Vec3& v) { setValue(&(m->*kInput).value, v); }};
+}
 
 INSTANTIATE_TEST_SUITE_P(
     All, TexturedInputs,
-    testing::Values(InputCase{"MetalRoughness", MaterialKind::Conductor, Vec3(0.0f), Vec3(0.4f), roughnessOf,
-                              setRoughness},
-                    InputCase{"GlassRoughness", MaterialKind::Dielectric, Vec3(0.3f), Vec3(0.0f), roughnessOf,
-                              setRoughness},
-                    InputCase{"GlassIor", MaterialKind::Dielectric, Vec3(1.0f), Vec3(2.0f), iorOf, setIor},
-                    InputCase{"MixtureIor", MaterialKind::Mixture, Vec3(0.7f), Vec3(2.0f), iorOf, setIor},
-                    InputCase{"MixtureWeights", MaterialKind::Mixture, Vec3(0.0f, 3.0f, 1.0f),
-                              Vec3(1.0f, 0.5f, 0.5f), [](Material* m) { return &m->mixtureWeights.texture; },
-                              [](Material* m, const Vec3& v) { m->mixtureWeights.value = v; }},
-                    InputCase{"MetalEta", MaterialKind::Conductor, Vec3(0.2f, 0.9f, 1.1f), Vec3(2.0f),
-                              [](Material* m) { return &m->eta.texture; },
-                              [](Material* m, const Vec3& v) { m->eta.value = v; }},
-                    InputCase{"Metallic", MaterialKind::Principled, Vec3(0.0f), Vec3(0.7f),
-                              [](Material* m) { return &m->metallic.texture; },
-                              [](Material* m, const Vec3& v) { m->metallic.value = v.x; }},
-                    InputCase{"Specular", MaterialKind::Principled, Vec3(0.0f), Vec3(0.4f),
-                              [](Material* m) { return &m->specular.texture; },
-                              [](Material* m, const Vec3& v) { m->specular.value = v.x; }},
-                    InputCase{"SpecularTint", MaterialKind::Principled, Vec3(0.0f, 0.5f, 1.0f), Vec3(1.0f),
-                              [](Material* m) { return &m->specularTint.texture; },
-                              [](Material* m, const Vec3& v) { m->specularTint.value = v; }},
-                    InputCase{"Clearcoat", MaterialKind::Principled, Vec3(0.0f), Vec3(1.0f),
-                              [](Material* m) { return &m->clearcoat.texture; },
-                              [](Material* m, const Vec3& v) { m->clearcoat.value = v.x; }},
-                    InputCase{"ClearcoatRoughness", MaterialKind::Principled, Vec3(0.0f), Vec3(0.2f),
-                              [](Material* m) { return &m->clearcoatRoughness.texture; },
-                              [](Material* m, const Vec3& v) { m->clearcoatRoughness.value = v.x; }},
-                    InputCase{"SheenColor", MaterialKind::Principled, Vec3(0.0f), Vec3(1.0f, 0.5f, 0.2f),
-                              [](Material* m) { return &m->sheenColor.texture; },
-                              [](Material* m, const Vec3& v) { m->sheenColor.value = v; }},
-                    InputCase{"SheenRoughness", MaterialKind::Principled, Vec3(0.1f), Vec3(0.9f),
-                              [](Material* m) { return &m->sheenRoughness.texture; },
-                              [](Material* m, const Vec3& v) { m->sheenRoughness.value = v.x; }},
-                    InputCase{"MetalK", MaterialKind::Conductor, Vec3(3.0f, 2.0f, 1.0f), Vec3(7.0f),
-                              [](Material* m) { return &m->k.texture; },
-                              [](Material* m, const Vec3& v) { m->k.value = v; }}),
+    testing::Values(
+        inputCase<&Material::roughness>("MetalRoughness", MaterialKind::Conductor, Vec3(0.0f), Vec3(0.4f)),
+        inputCase<&Material::roughness>("GlassRoughness", MaterialKind::Dielectric, Vec3(0.3f), Vec3(0.0f)),
+        inputCase<&Material::ior>("GlassIor", MaterialKind::Dielectric, Vec3(1.0f), Vec3(2.0f)),
+        inputCase<&Material::ior>("MixtureIor", MaterialKind::Mixture, Vec3(0.7f), Vec3(2.0f)),
+        inputCase<&Material::mixtureWeights>("MixtureWeights", MaterialKind::Mixture, Vec3(0.0f, 3.0f, 1.0f),
+                                             Vec3(1.0f, 0.5f, 0.5f)),
+        inputCase<&Material::eta>("MetalEta", MaterialKind::Conductor, Vec3(0.2f, 0.9f, 1.1f), Vec3(2.0f)),
+        inputCase<&Material::k>("MetalK", MaterialKind::Conductor, Vec3(3.0f, 2.0f, 1.0f), Vec3(7.0f)),
+        inputCase<&Material::metallic>("Metallic", MaterialKind::Principled, Vec3(0.0f), Vec3(0.7f)),
+        inputCase<&Material::specular>("Specular", MaterialKind::Principled, Vec3(0.0f), Vec3(0.4f)),
+        inputCase<&Material::specularTint>("SpecularTint", MaterialKind::Principled, Vec3(0.0f, 0.5f, 1.0f),
+                                           Vec3(1.0f)),
+        inputCase<&Material::clearcoat>("Clearcoat", MaterialKind::Principled, Vec3(0.0f), Vec3(1.0f)),
+        inputCase<&Material::clearcoatRoughness>("ClearcoatRoughness", MaterialKind::Principled, Vec3(0.0f),
+                                                 Vec3(0.2f)),
+        inputCase<&Material::sheenColor>("SheenColor", MaterialKind::Principled, Vec3(0.0f),
+                                         Vec3(1.0f, 0.5f, 0.2f)),
+        inputCase<&Material::sheenRoughness>("SheenRoughness", MaterialKind::Principled, Vec3(0.1f),
+                                             Vec3(0.9f)),
+        inputCase<&Material::specularTransmission>("Transmission", MaterialKind::Principled, Vec3(0.1f),
+                                                   Vec3(0.7f)),
+        inputCase<&Material::coatAbsorption>("CoatAbsorption", MaterialKind::Coated, Vec3(0.0f),
+                                             Vec3(0.3f, 1.5f, 0.1f)),
+        inputCase<&Material::ior>("CoatIor", MaterialKind::Coated, Vec3(1.0f), Vec3(2.0f)),
+        inputCase<&Material::exponent>("PhongExponent", MaterialKind::Phong, Vec3(0.0f), Vec3(200.0f)),
+        inputCase<&Material::specularReflectance>("PhongReflectance", MaterialKind::Phong, Vec3(0.0f),
+                                                  Vec3(0.3f, 0.7f, 0.1f)),
+        inputCase<&Material::specularReflectance>("WardReflectance", MaterialKind::Ward, Vec3(0.1f),
+                                                  Vec3(0.3f, 0.7f, 0.1f)),
+        inputCase<&Material::roughness>("WardRoughness", MaterialKind::Ward, Vec3(0.0f), Vec3(0.4f))),
     [](const auto& inputCase) { return std::string(inputCase.param.name); });
 
 /// The coat's albedo at a point of the table is that of a coat made for the point.

@@ -49,6 +49,65 @@ set "Transmission" 0.5 0.25 0.125
     EXPECT_EQ(sheet.transmission.value, Vec3(0.5f, 0.25f, 0.125f));
 }
 
+TEST(MaterialsViewer, PrincipledMaterialsLetLightPass) {
+    const Material bottle = editedBy(R"(
+set "Materials/Kind" Principled
+expect no-widget "Root tint"
+set "Transmission" 0.5
+wait frames 2
+set "Root tint" true
+set "Attenuation" 0.5 0.25 1
+wait frames 2
+set "Attenuation distance" 2
+)");
+    EXPECT_EQ(bottle.specularTransmission.value, 0.5f);
+    EXPECT_TRUE(bottle.rootTint);
+    EXPECT_EQ(bottle.attenuationColor, Vec3(0.5f, 0.25f, 1.0f));
+    EXPECT_EQ(bottle.attenuationDistance, 2.0f);
+}
+
+TEST(MaterialsViewer, MetalsAreCoated) {
+    const Material lacquer = editedBy(R"(
+set "Materials/Kind" "Coated metal"
+wait frames 2
+set "IOR" 1.75
+set "Roughness" 0.25
+set "Coat roughness" 0.125
+set "Coat absorption" 0.5 0.25 2
+)");
+    EXPECT_EQ(lacquer.kind, MaterialKind::Coated);
+    EXPECT_EQ(lacquer.ior.value, 1.75f);
+    EXPECT_EQ(lacquer.roughness.value, 0.25f);
+    EXPECT_EQ(lacquer.clearcoatRoughness.value, 0.125f);
+    EXPECT_EQ(lacquer.coatAbsorption.value, Vec3(0.5f, 0.25f, 2.0f));
+}
+
+TEST(MaterialsViewer, HighlightsAreEdited) {
+    const Material phong = editedBy(R"(
+set "Materials/Kind" Phong
+wait frames 2
+set "Specular reflectance" 0.5 0.25 0.125
+set "Exponent" 200
+)");
+    EXPECT_EQ(phong.kind, MaterialKind::Phong);
+    EXPECT_EQ(phong.specularReflectance.value, Vec3(0.5f, 0.25f, 0.125f));
+    EXPECT_EQ(phong.exponent.value, 200.0f);
+    const Material ward = editedBy(R"(
+set "Materials/Kind" Ward
+expect no-widget "Exponent"
+wait frames 2
+set "Form" "Ward 1992"
+set "Roughness" 0.25
+set "Anisotropic" true
+wait frames 2
+set "Roughness across" 0.5
+)");
+    EXPECT_EQ(ward.kind, MaterialKind::Ward);
+    EXPECT_EQ(ward.wardForm, WardForm::Ward);
+    EXPECT_EQ(ward.roughness.value, 0.25f);
+    EXPECT_EQ(ward.crossRoughness.value, 0.5f);
+}
+
 TEST(MaterialsViewer, LayersAreEdited) {
     const Material paint = editedBy(R"(
 set "Materials/Kind" Principled

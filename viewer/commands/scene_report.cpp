@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -24,7 +25,7 @@ struct FeatureName {
     FeatureMask bit;
     const char* name;
 };
-constexpr std::array<FeatureName, 32> kFeatureNames{
+constexpr std::array<FeatureName, 39> kFeatureNames{
     {{kFeatureCurved, "spheres"},
      {kFeaturePlane, "planes"},
      {kFeatureFlat, "rectangles and discs"},
@@ -34,6 +35,7 @@ constexpr std::array<FeatureName, 32> kFeatureNames{
      {kFeatureTransforms, "mesh transforms"},
      {kFeatureFrontOnly, "one-sided objects"},
      {kFeatureTextures, "textures"},
+     {kFeatureInputTextures, "textures on other inputs than the colour"},
      {kFeaturePlacedTextures, "placed textures"},
      {kFeatureMipmaps, "mip maps"},
      {kFeatureBumps, "bump and normal maps"},
@@ -48,15 +50,24 @@ constexpr std::array<FeatureName, 32> kFeatureNames{
      {kFeatureAttenuation, "absorbing glass"},
      {kFeatureTranslucent, "translucent sheets"},
      {kFeaturePrincipled, "principled materials"},
+     {kFeatureCoated, "metals under coats"},
+     {kFeatureTransmission, "principled materials that light passes"},
+     {kFeatureHighlights, "Phong's and Ward's models"},
+     {kFeatureFacets, "facets other than GGX with one alpha"},
      {kFeatureAreaLights, "area lights"},
      {kFeatureDeltaLights, "point, spot and directional lights"},
+     {kFeatureProjectors, "projectors and goniometric lights"},
      {kFeatureEnvironmentConstant, "constant environment"},
      {kFeatureEnvironmentImage, "environment image"},
+     {kFeaturePortal, "portals"},
      {kFeatureManyLights, "light tree"},
      {kFeatureCameraArea, "depth of field or parallel rays"},
      {kFeatureRevolved, "surfaces of revolution"},
      {kFeatureAccelerators, "kd-trees, boxes, no acceleration structure"},
      {kFeatureIndependentSampler, "independent sampler"}}};
+static_assert(std::accumulate(kFeatureNames.begin(), kFeatureNames.end(), FeatureMask{0},
+                              [](FeatureMask all, const FeatureName& f) { return all | f.bit; }) ==
+              kAllFeatures);
 
 /// Of the kinds that occur.
 template <class Items, class Kind>
@@ -71,7 +82,7 @@ std::vector<NamedCount> countByKind(const Items& items, Kind Items::value_type::
 
 /// Materials that gather light into caustics.
 constexpr FeatureMask kCasters = kFeatureSpecular | kFeatureDielectric | kFeatureGlossy | kFeaturePlastic |
-                                 kFeatureMixture | kFeaturePrincipled;
+                                 kFeatureMixture | kFeaturePrincipled | kFeatureHighlights | kFeatureCoated;
 
 void countLights(const SceneDescription& scene, const BuiltScene& built, SceneReport* report) {
     report->lights = countByKind(scene.lights, &Light::kind);

@@ -123,15 +123,26 @@ void drawRoughness(Material* material) {
               "smooth");
     if (material->kind == MaterialKind::Dielectric && material->thin) { return; }
     drawAnisotropy(material);
-    if (material->kind == MaterialKind::Principled) { return; }
+    if (material->kind == MaterialKind::Principled || material->kind == MaterialKind::Ward) { return; }
     static constexpr ui::KindLabel<FacetDistribution> kDistributions[]{
         {FacetDistribution::Ggx, "GGX"}, {FacetDistribution::Beckmann, "Beckmann"}};
     ui::kindChoice("Facets", &material->distribution, kDistributions,
                    "How their normals are distributed: GGX has long tails, Beckmann has none");
 }
 
+void drawPassing(Material* material) {
+    drawShare("Transmission", &material->specularTransmission,
+              "Share of what enters plastic that passes it instead of being scattered");
+    if (!transmits(*material)) { return; }
+    ui::toggle("Thin", &material->thin, "A sheet without thickness: light passes straight");
+    ui::toggle("Root tint", &material->rootTint,
+               "What passes is tinted by the root of the colour: in and out by the colour");
+    if (!material->thin) { drawAttenuation(material); }
+}
+
 void drawPrincipled(Material* material) {
     drawShare("Metallic", &material->metallic, "0: plastic over the colour; 1: metal that reflects it");
+    drawPassing(material);
     drawShare("Specular", &material->specular, "Factor on what plastic reflects at its boundary");
     ui::color("Specular tint", &material->specularTint.value, 1.0f, "Likewise, but for grazing incidence");
     drawShare("Clear coat", &material->clearcoat, "Share of the surface that is coated");
@@ -145,24 +156,50 @@ void drawPrincipled(Material* material) {
     }
 }
 
+void drawPhong(Material* material) {
+    ui::color("Specular reflectance", &material->specularReflectance.value, 1.0f, "Of the highlight");
+    ui::number("Exponent", &material->exponent.value,
+               {.format = "%.1f",
+                .speed = std::max(material->exponent.value * 0.01f, 0.1f),
+                .max = 1e8f,
+                .tooltip = "Of the highlight: larger is narrower"});
+}
+
+void drawWard(Material* material) {
+    static constexpr ui::KindLabel<WardForm> kForms[]{
+        {WardForm::Ward, "Ward 1992"}, {WardForm::Duer, "Dür 2006"}, {WardForm::Balanced, "balanced, 2010"}};
+    ui::color("Specular reflectance", &material->specularReflectance.value, 1.0f, "Of the highlight");
+    ui::kindChoice("Form", &material->wardForm, kForms, "How bright highlights are at grazing incidence");
+    drawRoughness(material);
+}
+
+void drawCoat(Material* material) {
+    drawShare("Coat roughness", &material->clearcoatRoughness, "GGX alpha", "smooth");
+    ui::color("Coat absorption", &material->coatAbsorption.value, 1e6f,
+              "Optical depth straight through the coat. Black: it is clear");
+}
+
 }  // namespace
 
 void drawModelInputs(Material* material) {
     const MaterialKind kind = material->kind;
     const bool mixture = kind == MaterialKind::Mixture;
-    const bool conductor = kind == MaterialKind::Conductor;
+    const bool coated = kind == MaterialKind::Coated;
     const bool dielectric = kind == MaterialKind::Dielectric;
     const bool plastic = kind == MaterialKind::Plastic;
     const bool principled = kind == MaterialKind::Principled;
-    if (conductor) { drawMetal(material); }
+    if (hasMetal(*material)) { drawMetal(material); }
     if (dielectric || mixture) { drawGlass(material); }
-    if (plastic || principled) { drawIor(material); }
-    if (conductor || dielectric || plastic || principled) { drawRoughness(material); }
+    if (plastic || principled || coated) { drawIor(material); }
+    if (hasFacets(kind) && kind != MaterialKind::Ward) { drawRoughness(material); }
+    if (coated) { drawCoat(material); }
     if (dielectric) {
         ui::toggle("Thin", &material->thin, "A sheet without thickness: light passes straight");
         if (!material->thin) { drawAttenuation(material); }
     }
     if (principled) { drawPrincipled(material); }
+    if (kind == MaterialKind::Phong) { drawPhong(material); }
+    if (kind == MaterialKind::Ward) { drawWard(material); }
     if (kind == MaterialKind::Translucent) {
         ui::color("Transmission", &material->transmission.value, 1.0f,
                   "What passes; with the colour at most 1");

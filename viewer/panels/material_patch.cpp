@@ -6,7 +6,7 @@ namespace glint {
 
 Vec3 patchColor(const Material& material) {
     if (material.emissive()) { return material.emission.value; }
-    if (material.kind != MaterialKind::Conductor) { return material.color.value; }
+    if (!hasMetal(material)) { return material.color.value; }
     const auto named = findMetal(material.metal);
     const Vec3 eta = named ? named->eta : material.eta.value;
     const Vec3 k = named ? named->k : material.k.value;

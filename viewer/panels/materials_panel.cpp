@@ -20,11 +20,17 @@
 namespace glint {
 namespace {
 
-constexpr ui::KindLabel<MaterialKind> kKinds[]{
-    {MaterialKind::Diffuse, "Diffuse"},         {MaterialKind::Mirror, "Mirror"},
-    {MaterialKind::Conductor, "Conductor"},     {MaterialKind::Dielectric, "Dielectric"},
-    {MaterialKind::Plastic, "Plastic"},         {MaterialKind::Mixture, "Mixture"},
-    {MaterialKind::Translucent, "Translucent"}, {MaterialKind::Principled, "Principled"}};
+constexpr ui::KindLabel<MaterialKind> kKinds[]{{MaterialKind::Diffuse, "Diffuse"},
+                                               {MaterialKind::Mirror, "Mirror"},
+                                               {MaterialKind::Conductor, "Conductor"},
+                                               {MaterialKind::Dielectric, "Dielectric"},
+                                               {MaterialKind::Plastic, "Plastic"},
+                                               {MaterialKind::Mixture, "Mixture"},
+                                               {MaterialKind::Translucent, "Translucent"},
+                                               {MaterialKind::Principled, "Principled"},
+                                               {MaterialKind::Phong, "Phong"},
+                                               {MaterialKind::Ward, "Ward"},
+                                               {MaterialKind::Coated, "Coated metal"}};
 
 std::string nameOf(const Material& material, size_t index) {
     return material.name.empty() ? fmt::format("material {}", index) : material.name;

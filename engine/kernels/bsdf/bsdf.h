@@ -23,6 +23,7 @@
 // at that of ng after the lobe. Photons scatter by bsdf/importance.h.
 #pragma once
 
+#include "engine/kernels/bsdf/coated.h"
 #include "engine/kernels/bsdf/conductor.h"
 #include "engine/kernels/bsdf/dielectric.h"
 #include "engine/kernels/bsdf/diffuse.h"
@@ -30,9 +31,11 @@
 #include "engine/kernels/bsdf/inputs_at.h"
 #include "engine/kernels/bsdf/mirror.h"
 #include "engine/kernels/bsdf/mixture.h"
+#include "engine/kernels/bsdf/phong.h"
 #include "engine/kernels/bsdf/plastic.h"
 #include "engine/kernels/bsdf/principled.h"
 #include "engine/kernels/bsdf/translucent.h"
+#include "engine/kernels/bsdf/ward.h"
 
 namespace glint {
 namespace detail {
@@ -70,6 +73,12 @@ GLINT_HD auto withModel(const MaterialData& material, Visit&& visit) {
                 return visitIfCompiled<TranslucentModel<kMask>, kMask>(visit);
             case MaterialKind::Principled:
                 return visitIfCompiled<PrincipledModel<kMask>, kMask>(visit);
+            case MaterialKind::Phong:
+                return visitIfCompiled<PhongModel<kMask>, kMask>(visit);
+            case MaterialKind::Ward:
+                return visitIfCompiled<WardModel<kMask>, kMask>(visit);
+            case MaterialKind::Coated:
+                return visitIfCompiled<CoatedModel<kMask>, kMask>(visit);
         }
         return decltype(visit(DiffuseModel<kMask>{})){};
     }
@@ -214,7 +223,8 @@ GLINT_HD bool isSpecularOnly(const Bsdf<kMask>& bsdf) {
 /// specular only.
 template <FeatureMask kMask>
 GLINT_HD bool transmitsSampledLight(const Bsdf<kMask>& bsdf) {
-    return detail::withModel<kMask>(*bsdf.material, [](auto model) { return model.kTransmitsSampledLight; });
+    return detail::withModel<kMask>(*bsdf.material,
+                                    [&](auto model) { return model.transmitsSampledLight(*bsdf.material); });
 }
 
 /// The values of sample()'s uLobe that choose a lobe in which visible points and photons are stored (SPPM):

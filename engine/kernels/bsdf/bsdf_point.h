@@ -112,10 +112,11 @@ struct Bsdf : BsdfLocalFrame<!isDiffuseOnly<kMask>()>,
 
 /// What a model may leave as it is.
 struct BsdfModelDefaults {
-    /// Whether a lobe with a density lets light through, which light sampling then looks for behind, too.
-    static constexpr bool kTransmitsSampledLight = false;
     /// Whether a photon leaves in any direction above the surface, however a camera path bends ns.
     static constexpr bool kPhotonsLeaveAboutNg = false;
+
+    /// Whether a lobe with a density lets light through, which light sampling then looks for behind, too.
+    static GLINT_HD bool transmitsSampledLight(const MaterialData&) { return false; }
 
     /// Whether photons that are stored on it may pass it: through some lobe, at some point of it.
     static GLINT_HD bool letsStoredPhotonsThrough(const MaterialData&, float) { return false; }

@@ -12,6 +12,10 @@
 namespace glint {
 namespace detail {
 
+/// Where the indices differ by less than this, a rough boundary's half vectors have no digits left; light
+/// passes straight.
+constexpr float kLeastIndexDifference = 1e-3f;
+
 GLINT_HD inline float radianceScale(float eta, TransportMode transport) {
     return transport == TransportMode::Radiance ? 1.0f / square(eta) : 1.0f;
 }
@@ -100,14 +104,11 @@ GLINT_HD BsdfSample sampleRoughDielectric(const Bsdf<kMask>& bsdf, const Facets&
 template <FeatureMask kMask>
 struct DielectricModel : BsdfModelDefaults {
     static constexpr FeatureMask kFeatures = kFeatureDielectric;
-    static constexpr bool kTransmitsSampledLight = true;
 
-    /// Where the indices differ by less than this, a rough boundary's half vectors have no digits left; light
-    /// passes straight.
-    static constexpr float kLeastIndexDifference = 1e-3f;
+    static GLINT_HD bool transmitsSampledLight(const MaterialData&) { return true; }
 
     static GLINT_HD void settle(const MaterialData&, const View<CoatRow>&, ShadingInputs* in) {
-        if (std::fabs(in->ior - 1.0f) < kLeastIndexDifference) { in->roughness = 0.0f; }
+        if (std::fabs(in->ior - 1.0f) < detail::kLeastIndexDifference) { in->roughness = 0.0f; }
     }
 
     static GLINT_HD FeatureMask featuresOf(const MaterialData& material) {

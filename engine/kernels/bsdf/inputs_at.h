@@ -60,7 +60,11 @@ GLINT_HD void readInputs(const Scene& scene, const MaterialData& material, Vec2 
     forEachModelInput(
         [&](const InputInfo& info, auto& value, const TextureSlot& slot) {
             constexpr uint32_t kOnlyPrincipled = kindBit(MaterialKind::Principled);
+            constexpr uint32_t kHighlights = kindBit(MaterialKind::Phong) | kindBit(MaterialKind::Ward);
             if (!hasFeature<kMask>(kFeaturePrincipled) && info.kinds == kOnlyPrincipled) { return; }
+            constexpr uint32_t kOnlyCoated = kindBit(MaterialKind::Coated);
+            if (!hasFeature<kMask>(kFeatureHighlights) && (info.kinds & ~kHighlights) == 0) { return; }
+            if (!hasFeature<kMask>(kFeatureCoated) && info.kinds == kOnlyCoated) { return; }
             if (slot.index >= scene.textures.count) { return; }
             readInput<kMask>(scene.textures[slot.index], uv, uvWidth, info, &value);
         },

@@ -12,9 +12,9 @@ namespace glint {
 template <FeatureMask kMask>
 struct TranslucentModel : BsdfModelDefaults {
     static constexpr FeatureMask kFeatures = kFeatureTranslucent;
-    static constexpr bool kTransmitsSampledLight = true;
     static constexpr bool kPhotonsLeaveAboutNg = true;
 
+    static GLINT_HD bool transmitsSampledLight(const MaterialData&) { return true; }
     static GLINT_HD FeatureMask featuresOf(const MaterialData&) { return kFeatureTranslucent; }
     static GLINT_HD bool isSpecularOnly(const Bsdf<kMask>&) { return false; }
     static GLINT_HD bool hasSpecularLobe(const Bsdf<kMask>&) { return false; }

@@ -91,6 +91,26 @@ struct MeshShape {
                 (a.x * edges.dpdv - b.x * edges.dpdu) * inverse};
     }
 
+    /// The tangents of the hit's triangle turned about its normal to where the mesh's own point, if it has
+    /// some: dpdu along the interpolated ones, of its own length, dpdv as far.
+    GLINT_HD static Tangents smoothTangents(const MeshView& mesh, const Hit& hit, const Tangents& flat) {
+        if (mesh.tangents == nullptr) { return flat; }
+        const Triangle t(mesh, hit.primitive);
+        const Vec3 weights(1.0f - hit.barycentric.x - hit.barycentric.y, hit.barycentric.x,
+                           hit.barycentric.y);
+        Vec3 sum(0.0f);
+        for (int i = 0; i < 3; ++i) {
+            const Vec3 along = mesh.tangents[t.corner[i]];
+            sum += glm::dot(along, flat.dpdu) < 0.0f ? -weights[i] * along : weights[i] * along;
+        }
+        const Vec3 n = normalizeOr(normal(t), Vec3(0.0f));
+        const Vec3 from = normalizeOr(flat.dpdu, Vec3(0.0f)), to = normalizeOr(sum, Vec3(0.0f));
+        const Vec3 toFlat = normalizeOr(to - glm::dot(to, n) * n, Vec3(0.0f));
+        if (isZero(from) || isZero(toFlat)) { return flat; }
+        const float cosine = glm::dot(from, toFlat), sine = glm::dot(n, glm::cross(from, toFlat));
+        return {to * glm::length(flat.dpdu), flat.dpdv * cosine + glm::cross(n, flat.dpdv) * sine};
+    }
+
     /// The texture coordinates at the point p, in world space, of the triangle that the emitter is. An affine
     /// transform keeps barycentric weights.
     GLINT_HD static Vec2 emitterUv(const MeshView& mesh, const EmitterData& e, uint32_t primitive,
