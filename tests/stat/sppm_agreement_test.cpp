@@ -145,14 +145,7 @@ TEST_P(SppmAgainstPaths, Coated) {
     SppmParams finer = params();
     finer.photonsPerPass = 24000;
     finer.radiusFootprints = 1.0f;
-    SceneDescription scene = brushedBox();
-    for (Material& metal : scene.materials) {
-        if (metal.kind != MaterialKind::Conductor) { continue; }
-        metal.kind = MaterialKind::Coated;
-        metal.ior.value = 1.5f;
-        metal.coatAbsorption.value = Vec3(0.1f, 0.3f, 0.6f);
-    }
-    expectAgreementOf(scene, finer);
+    expectAgreementOf(coatedBox(), finer);
 }
 TEST_P(SppmAgainstPaths, DispersiveGlass) {
     SppmParams more = params();

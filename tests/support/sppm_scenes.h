@@ -36,6 +36,8 @@ SceneDescription highlightBox();
 /// A box with two sheets of brushed metal. They are flat: on the balls, six pixels wide, normals turn within
 /// a disc by as much as the facets do.
 SceneDescription brushedBox();
+/// The same under coats that absorb.
+SceneDescription coatedBox();
 
 /// The box without its balls, lit by a projector instead of its lamp: a point, whose shadows and edges would
 /// be hard, so that its picture fades and there are none; small.

@@ -2,8 +2,6 @@
 
 #include "tests/support/test_scenes.h"
 
-#include "tests/support/sppm_scenes.h"
-
 namespace glint::test {
 namespace {
 
@@ -280,27 +278,6 @@ SceneDescription dispersiveBalls() {
         glass.roughness.value = 0.3f;
     }
     return scene;
-}
-
-std::vector<NamedScene> allTestScenes() {
-    return {{"cornellBox", cornellBox()},
-            {"allMaterials", allMaterials()},
-            {"texturedInputs", texturedInputs()},
-            {"meshInstances", meshInstances()},
-            {"manyLights", manyLights()},
-            {"lampShapes", emitterShapes()},
-            {"whiteFurnace", whiteFurnace()},
-            {"darkness", darkness()},
-            {"turnedProfiles", turnedProfiles()},
-            {"reliefs", reliefs()},
-            {"kdTrees", kdTrees()},
-            {"dispersiveBalls", dispersiveBalls()},
-            {"absorbingGlass", absorbingGlassBox()},
-            {"translucentSheets", translucentBox()},
-            {"principled", principledBox()},
-            {"projector", projectorBox()},
-            {"goniometric", goniometricBox()},
-            {"portal", portalBox()}};
 }
 
 }  // namespace glint::test
