@@ -1,5 +1,5 @@
 // Sections: INFO (text Glint version, f64 render seconds), SETT (u32 count, then name and value texts), HASH
-// (u32 count, then u64 low and high per scene part), FILM (film_checkpoint.h), CURV (u32 count, then u32
+// (u32 count, then u64 low and high per scene part), FILM (film_checkpoint.h), PERR (u32 count, then u32
 // passes and 5 f64 per point of the convergence curve), and that of the integrator's statistics where it has
 // some, READ and SCNE (checkpoint_scene.h). A section with other letters is skipped. Texts are u64 length and
 // characters.
@@ -89,9 +89,10 @@ void writeCurve(const ConvergenceCurve& curve, ByteWriter* out) {
     }
 }
 
-/// False when the payload is not a curve. Of a checkpoint without one: empty.
+/// False when the payload is not a curve. Of a checkpoint without one, or whose errors were relative to the
+/// mean luminance (CURV): empty.
 bool readCurve(const CheckpointSections& sections, ConvergenceCurve* curve) {
-    const auto section = sections.find("CURV");
+    const auto section = sections.find("PERR");
     if (section == sections.end()) { return true; }
     ByteReader in(section->second);
     const auto count = in.read<uint32_t>();
@@ -172,7 +173,7 @@ Status saveCheckpoint(const std::string& path, const SessionCapture& capture) {
                           65536);
     writeInfo(capture, &file);
     file.section("FILM", [&](ByteWriter* out) { FilmCheckpoint::write(film, out); });
-    file.section("CURV", [&](ByteWriter* out) { writeCurve(capture.curve, out); });
+    file.section("PERR", [&](ByteWriter* out) { writeCurve(capture.curve, out); });
     if (const ImageStatistics* statistics = capture.statistics.get()) {
         file.section(statistics->section().tag, [&](ByteWriter* out) { statistics->write(out); });
     }

@@ -1,4 +1,4 @@
-// The relative error over passes and render time, as a render went: for the live plot, the time forecast,
+// The picture error over passes and render time, as a render went: for the live plot, the time forecast,
 // `--error` and the checkpoint.
 //
 // The render session records one for each integrator's film. Points lie evenly on a logarithmic scale of
@@ -12,8 +12,7 @@
 
 namespace glint {
 
-/// The estimate of error_estimate.h at one moment. Errors are relative to the picture's mean luminance: 0.01
-/// is 1 %.
+/// The estimate of error_estimate.h at one moment. Errors are those of picture_error.h: 0.01 is 1 %.
 struct ConvergencePoint {
     uint32_t passes = 0;
     double renderSeconds = 0.0;     ///< spent in passes since the film's restart, resumed time included

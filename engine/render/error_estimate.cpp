@@ -11,6 +11,8 @@
 #include "engine/render/error_sums.h"
 #include "engine/render/film.h"
 #include "engine/render/image_statistics.h"
+#include "engine/render/picture_error.h"
+#include "engine/render/pixel_errors.h"
 
 namespace glint {
 namespace {
@@ -23,18 +25,20 @@ constexpr int64_t kPixelsPerSum = 65536;
 constexpr double kModelSpread = 0.6;
 constexpr double kUncalibratedSpread = 1.2;
 constexpr double kBiasSpread = 0.5;
+/// The same of what is not known of the truth's brightness where errors are relative to it: measured over
+/// boxes, glass, environments and caustics (tests/stat/error_estimate_test.cpp).
+constexpr double kScaleSpread = 0.25;
 
-ErrorSums sumPixels(const Film& film, const ImageStatistics* statistics, int threads,
-                    const FilmRegion& region) {
+/// Sums over the pixels of a part of the film: `add(&sums, index)` for each.
+template <class Sums, class Add>
+Sums sumPixels(const Film& film, int threads, const FilmRegion& part, Add add) {
     const auto pixels = static_cast<int64_t>(film.pixels().size());
-    std::vector<ErrorSums> partial(static_cast<size_t>((pixels + kPixelsPerSum - 1) / kPixelsPerSum));
+    std::vector<Sums> partial(static_cast<size_t>((pixels + kPixelsPerSum - 1) / kPixelsPerSum));
     parallelChunks(pixels, kPixelsPerSum, threads, [&](int64_t begin, int64_t end) {
-        ErrorSums& sums = partial[static_cast<size_t>(begin / kPixelsPerSum)];
+        Sums& sums = partial[static_cast<size_t>(begin / kPixelsPerSum)];
         for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
-            const int x = static_cast<int>(i) % film.width();
-            const int y = static_cast<int>(i) / film.width();
-            if (region.contains(x, y)) {
-                sums.add(pixelError(film, statistics, i), pixelLuminance(film, statistics, i));
+            if (part.contains(static_cast<int>(i) % film.width(), static_cast<int>(i) / film.width())) {
+                add(&sums, i);
             }
         }
     });
@@ -46,7 +50,7 @@ ErrorSums sumPixels(const Film& film, const ImageStatistics* statistics, int thr
 
 /// Standard deviation of the logarithm of the mean squared error about its estimate: of the error itself, of
 /// the variances that were measured, and of the bias.
-double logSpread(const Film& film, const TrimmedErrors& total) {
+double logSpread(const Film& film, const TrimmedErrors& total, double scaleSpread) {
     const NoiseCalibration& calibration = film.calibration();
     const bool isCalibrated = calibration.passes >= 4;
     const double passes = film.passes();
@@ -59,7 +63,29 @@ double logSpread(const Film& film, const TrimmedErrors& total) {
                             square(total.squaredError());
     const double model = isCalibrated ? kModelSpread / std::log2(passes) : kUncalibratedSpread;
     const double biasModel = kBiasSpread * total.bias / total.squaredError();
-    return std::sqrt(sampling + square(model) + square(biasModel));
+    return std::sqrt(sampling + square(model) + square(biasModel) + square(scaleSpread));
+}
+
+struct Luminances {
+    double sum = 0.0;
+    void add(const Luminances& other) { sum += other.sum; }
+};
+
+FilmRegion wholeOf(const Film& film) { return {0, 0, film.width(), film.height()}; }
+
+bool isTooEarly(const Film& film, const ImageStatistics* statistics) {
+    return film.passes() < 2 || film.pixels().empty() || (statistics && statistics->passCount() < 2);
+}
+
+ErrorEstimate estimateOf(const Film& film, const TrimmedErrors& total, double pixels, double scaleSpread) {
+    if (!(total.squaredError() > 0.0)) { return {.relative = 0.0, .low = 0.0, .high = 0.0}; }
+    ErrorEstimate estimate;
+    estimate.relative = std::sqrt(total.squaredError() / pixels);
+    estimate.bias = std::sqrt(total.bias / pixels);
+    const double half = 0.5 * kNormal95 * logSpread(film, total, scaleSpread);
+    estimate.low = estimate.relative * std::exp(-half);
+    estimate.high = estimate.relative * std::exp(half);
+    return estimate;
 }
 
 /// What a normal error with mean `bias` and standard deviation `sigma` stays within with 90 %: solved by
@@ -104,23 +130,42 @@ std::vector<float> blurred(const std::vector<float>& values, int width, int heig
 ErrorEstimate estimateError(const Film& film, const ImageStatistics* statistics, int threads,
                             const FilmRegion* region) {
     statistics = statistics && statistics->passCount() > 0 ? statistics : nullptr;
-    ErrorEstimate estimate;
-    if (film.passes() < 2 || film.pixels().empty() || (statistics && statistics->passCount() < 2)) {
-        return estimate;
-    }
-    const FilmRegion part = region != nullptr ? *region : FilmRegion{0, 0, film.width(), film.height()};
-    const ErrorSums sums = sumPixels(film, statistics, threads, part);
+    if (isTooEarly(film, statistics)) { return {}; }
+    const FilmRegion part = region != nullptr ? *region : wholeOf(film);
+    const PixelErrors errors(film, statistics, threads, part);
+    const auto typical = sumPixels<TypicalLuminance>(
+        film, threads, part, [&](TypicalLuminance* sums, size_t i) { sums->add(errors.luminance(i)); });
+    const double typicalLuminance = typical.value();
+    const auto sums = sumPixels<ErrorSums>(film, threads, part, [&](ErrorSums* out, size_t i) {
+        const PixelErrors::Around around = errors.around(i);
+        out->add(errors.error(i), around.error, errorScaleSquared(around.luminance, typicalLuminance));
+    });
     const auto pixels = static_cast<double>(part.pixels());
-    const TrimmedErrors total = withoutWorst(sums, kTrimmedShare * pixels);
-    if (!(total.noise > 0.0)) { return {.relative = 0.0, .low = 0.0, .high = 0.0}; }
-    const double kept = (1.0 - kTrimmedShare) * pixels;
-    const double mean = sums.luminance / pixels;
-    estimate.relative = std::sqrt(total.squaredError() / kept) / mean;
-    estimate.bias = std::sqrt(total.bias / kept) / mean;
-    const double half = 0.5 * kNormal95 * logSpread(film, total);
-    estimate.low = estimate.relative * std::exp(-half);
-    estimate.high = estimate.relative * std::exp(half);
+    const TrimmedErrors total = withoutWorst(sums, kTrimmedShare * pixels, kWhollyWrong);
+    ErrorEstimate estimate = estimateOf(film, total, (1.0 - kTrimmedShare) * pixels, kScaleSpread);
+    estimate.whollyWrong = total.pixelsCapped / pixels;
+    estimate.high = std::min(estimate.high, kWhollyWrong);
     return estimate;
+}
+
+ErrorEstimate estimateRmseOverMean(const Film& film, const ImageStatistics* statistics, int threads) {
+    statistics = statistics && statistics->passCount() > 0 ? statistics : nullptr;
+    if (isTooEarly(film, statistics)) { return {}; }
+    const FilmRegion part = wholeOf(film);
+    const auto pixels = static_cast<double>(part.pixels());
+    const double mean = sumPixels<Luminances>(film, threads, part,
+                                              [&](Luminances* sums, size_t i) {
+                                                  sums->sum += pixelLuminance(film, statistics, i);
+                                              })
+                            .sum /
+                        pixels;
+    const auto sums = sumPixels<ErrorSums>(film, threads, part, [&](ErrorSums* out, size_t i) {
+        const PixelError error = pixelError(film, statistics, i);
+        out->add(error, error, square(mean));
+    });
+    constexpr double kNoCap = std::numeric_limits<double>::infinity();
+    return estimateOf(film, withoutWorst(sums, kTrimmedShare * pixels, kNoCap),
+                      (1.0 - kTrimmedShare) * pixels, 0.0);
 }
 
 PixelError pixelError(const Film& film, const ImageStatistics* statistics, size_t index) {

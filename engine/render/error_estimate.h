@@ -15,24 +15,27 @@ class Film;
 struct FilmRegion;
 class ImageStatistics;
 
-/// Of the whole picture: root of the mean squared error of the pixels' luminances over the picture's mean
-/// luminance. The kTrimmedShare of the pixels with the largest squared errors is left out, as relMseTrimmed
-/// does in engine/report/metrics.h: a picture of a million good pixels and one firefly is a good picture, and
-/// its variance is known too badly to stop by. All infinite with fewer than two passes; 0 for a picture
-/// without variance.
+/// Of the whole picture. All infinite with fewer than two passes; 0 for a picture without variance.
 struct ErrorEstimate {
     double relative = std::numeric_limits<double>::infinity();  ///< noise and bias together
     double low = std::numeric_limits<double>::infinity();       ///< 90 % band of `relative`
     double high = std::numeric_limits<double>::infinity();
     double bias = 0.0;  ///< the bias' share of `relative`; 0 for path tracing
+    /// Of the pixels, the share that is wrong by its own brightness or more, the kTrimmedShare of the worst
+    /// with it: sparks, and what has hardly begun to converge.
+    double whollyWrong = 0.0;
 };
 
-constexpr double kTrimmedShare = 0.001;
-
-/// `statistics` are null, or empty, where the integrator has none. The same bits for any number of threads
-/// (0: all). Of the pixels of `region` alone, which must lie in the film, unless that is null.
+/// The picture error (picture_error.h). `statistics` are null, or empty, where the integrator has none. The
+/// same bits for any number of threads (0: all). Of the pixels of `region` alone, which must lie in the film,
+/// unless that is null.
 ErrorEstimate estimateError(const Film& film, const ImageStatistics* statistics, int threads = 0,
                             const FilmRegion* region = nullptr);
+
+/// Root of the mean squared error of the pixels' luminances over the picture's mean luminance, without the
+/// kTrimmedShare of the worst: what lamps dominate where there are some, and what the plans of `glint
+/// converge` are about. `whollyWrong` is 0.
+ErrorEstimate estimateRmseOverMean(const Film& film, const ImageStatistics* statistics, int threads = 0);
 
 /// What is known of one pixel's luminance.
 struct PixelError {

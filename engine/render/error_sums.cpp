@@ -66,20 +66,25 @@ Cut cutFor(const ErrorSums& sums, double most) {
 
 }  // namespace
 
-void ErrorSums::add(const PixelError& error, double pixelLuminance) {
-    luminance += pixelLuminance;
+void ErrorSums::add(const PixelError& error, const PixelError& alike, double scaleSquared) {
     if (!std::isfinite(error.variance)) {
         ++bins.back().pixels;
         return;
     }
-    const double bias = square(kHigherOrders) * (square(error.bias) - 3.0 * error.photonVariance);
-    const auto squaredError = static_cast<float>(error.variance + std::max(0.0, bias));
+    const double unit = scaleSquared > 0.0 ? 1.0 / scaleSquared : 0.0;
+    const double noise = unit * error.variance;
+    const double photons = unit * error.photonVariance;
+    const auto biasOf = [&](const PixelError& of) {
+        return square(kHigherOrders) * unit * (square(of.bias) - 3.0 * of.photonVariance);
+    };
+    const double bias = biasOf(error);
+    const auto squaredError = static_cast<float>(unit * alike.variance + std::max(0.0, biasOf(alike)));
     ErrorBin& bin = bins[std::bit_cast<uint32_t>(squaredError) >> 23];
-    bin.noise += error.variance;
-    bin.noiseSquared += square(error.variance);
-    bin.photonSquared += square(error.photonVariance);
+    bin.noise += noise;
+    bin.noiseSquared += square(noise);
+    bin.photonSquared += square(photons);
     bin.bias += bias;
-    bin.biasTimesPhotons += bias * error.photonVariance;
+    bin.biasTimesPhotons += bias * photons;
     ++bin.pixels;
 }
 
@@ -92,12 +97,17 @@ void ErrorSums::add(const ErrorSums& other) {
         bins[i].biasTimesPhotons += other.bins[i].biasTimesPhotons;
         bins[i].pixels += other.bins[i].pixels;
     }
-    luminance += other.luminance;
 }
 
-TrimmedErrors withoutWorst(const ErrorSums& sums, double worst) {
-    const auto [cut, above] = cutFor(sums, worst);
+TrimmedErrors withoutWorst(const ErrorSums& sums, double worst, double cap) {
+    const Cut free = cutFor(sums, worst);
+    const double cut = std::min(free.level, cap);
     TrimmedErrors total;
+    total.pixelsCapped = pixelsAbove(sums, cap);
+    // Where the cap is the lower one, there are more than `worst` of them, and those are left out of the
+    // capped.
+    const double above = free.level < cap ? free.pixelsAbove : worst;
+    total.capped = free.level < cap ? 0.0 : cap * std::max(0.0, total.pixelsCapped - worst);
     for (size_t i = 0; i + 1 < ErrorSums::kBins; ++i) {
         const ErrorBin& bin = sums.bins[i];
         if (bin.pixels == 0) { continue; }

@@ -32,10 +32,11 @@ struct ErrorSums {
     static constexpr size_t kBins = 256;
     /// The last one counts pixels of which nothing is known.
     std::vector<ErrorBin> bins = std::vector<ErrorBin>(kBins);
-    double luminance = 0.0;
 
-    /// A pixel of which nothing is known, since its samples were dropped, counts as one of the worst.
-    void add(const PixelError& error, double pixelLuminance);
+    /// Errors are counted relative to the root of `scaleSquared`; with 0 they are none. `alike` says to which
+    /// pixels this one is alike: one that has missed a rare path does not know by itself. A pixel of which
+    /// nothing is known, since its samples were dropped, counts as one of the worst.
+    void add(const PixelError& error, const PixelError& alike, double scaleSquared);
     void add(const ErrorSums& other);
 };
 
@@ -45,16 +46,18 @@ struct ErrorSums {
 struct TrimmedErrors {
     double noise = 0.0;
     double bias = 0.0;               ///< not negative
+    double capped = 0.0;             ///< of the errors that are no smaller than the cap
+    double pixelsCapped = 0.0;       ///< expected, the ones left out among them
     double noiseVariance = 0.0;      ///< of the sum of squares, were each error independent
     double varianceSquared = 0.0;    ///< sum of squares of the variances, as far as they are in `noise`
     double calibratedSquared = 0.0;  ///< the same, of a class's calibration as far as it is its own
     double photonSquared = 0.0;
     double biasTimesPhotons = 0.0;
 
-    double squaredError() const { return noise + bias; }
+    double squaredError() const { return noise + bias + capped; }
 };
 
-/// `worst` need not be whole.
-TrimmedErrors withoutWorst(const ErrorSums& sums, double worst);
+/// `worst` need not be whole. No squared error counts more than `cap`.
+TrimmedErrors withoutWorst(const ErrorSums& sums, double worst, double cap);
 
 }  // namespace glint

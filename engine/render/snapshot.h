@@ -20,7 +20,7 @@ struct SnapshotRequest {
 std::shared_ptr<FilmSnapshot> makeSnapshot(const Film& film, const ImageStatistics* statistics,
                                            const SnapshotRequest& request, int threads);
 
-/// The same of a capture, with its integrator, seconds and relative error.
+/// The same of a capture, with its integrator, seconds and error.
 std::shared_ptr<FilmSnapshot> makeSnapshot(const SessionCapture& capture, const SnapshotRequest& request,
                                            int threads);
 

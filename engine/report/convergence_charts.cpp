@@ -29,7 +29,7 @@ double floorOf(const ConvergenceReport& report, ErrorMeasure measure) {
 /// Shares are shown in per cent, as in the tables.
 bool isShare(ErrorMeasure measure) {
     return measure == ErrorMeasure::RelativeError || measure == ErrorMeasure::Mape ||
-           measure == ErrorMeasure::RelativeBias;
+           measure == ErrorMeasure::RelativeBias || measure == ErrorMeasure::PictureError;
 }
 
 double unitOf(ErrorMeasure measure) { return isShare(measure) ? 100.0 : 1.0; }

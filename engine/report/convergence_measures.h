@@ -19,8 +19,9 @@ enum class ErrorMeasure {
     Bias,
     RelativeBias,
     MseWithoutReference,  ///< mse less the reference's own: may be negative
+    PictureError,         ///< what a render estimates of itself (engine/render/picture_error.h)
 };
-constexpr size_t kErrorMeasureCount = 11;
+constexpr size_t kErrorMeasureCount = 12;
 
 using ErrorValues = std::array<double, kErrorMeasureCount>;
 
@@ -45,6 +46,7 @@ constexpr std::array<MeasureName, kErrorMeasureCount> kMeasureNames{{
     {"bias", "mean signed error", "radiance"},
     {"relative_bias", "relative bias", ""},
     {"mse_without_reference", "MSE − reference", "radiance²"},
+    {"picture_error", "picture error", ""},
 }};
 
 }  // namespace glint

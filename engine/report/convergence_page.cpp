@@ -70,7 +70,8 @@ class Page {
     std::string moreCharts() const {
         std::string out = "<h2>Other measures</h2>\n<div class=\"charts\">\n";
         for (const ErrorMeasure measure :
-             {ErrorMeasure::RelMse, ErrorMeasure::RelMseTrimmed, ErrorMeasure::Mape, ErrorMeasure::Flip}) {
+             {ErrorMeasure::PictureError, ErrorMeasure::RelMse, ErrorMeasure::RelMseTrimmed,
+              ErrorMeasure::Mape, ErrorMeasure::Flip}) {
             LogLogChart chart = errorChart(report_, measure);
             chart.title = kMeasureNames[static_cast<size_t>(measure)].title;
             chart.subtitle.clear();

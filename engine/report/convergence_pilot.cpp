@@ -54,8 +54,9 @@ class Pilot {
         }
         const auto capture = outcome == Outcome::Reached ? session_.capture() : std::nullopt;
         if (!capture) { return std::nullopt; }
-        return PilotPoint{byTime ? capture->renderSeconds : static_cast<double>(capture->film.passes()),
-                          kPessimism * estimateError(capture->film, capture->statistics.get(), threads_).low};
+        return PilotPoint{
+            byTime ? capture->renderSeconds : static_cast<double>(capture->film.passes()),
+            kPessimism * estimateRmseOverMean(capture->film, capture->statistics.get(), threads_).low};
     }
 
     const ConvergencePlan& plan_;

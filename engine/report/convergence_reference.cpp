@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/render/error_estimate.h"
 #include "engine/render/snapshot.h"
 
 namespace glint {
@@ -89,10 +90,9 @@ class ReferenceMaker {
 
     Result<std::optional<ReferenceImage>> make() {
         // A replicate's own error is the root of R times the mean's.
-        StopLimits limits{.renderSeconds = plan_.renderSeconds / planned_,
-                          .relativeError = plan_.relativeError * std::sqrt(static_cast<double>(planned_))};
+        const double errorOfOne = plan_.relativeError * std::sqrt(static_cast<double>(planned_));
         while (wantsMore()) {
-            const auto outcome = addReplicate(limits);
+            const auto outcome = addReplicate(errorOfOne);
             if (outcome == MeasuredSession::Outcome::Failed) {
                 return Error{fmt::format("the reference cannot be rendered: {}", session_.status().error),
                              {}};
@@ -101,7 +101,6 @@ class ReferenceMaker {
                 interrupted_ = true;
                 break;
             }
-            limits = {.passes = passesEach_};
         }
         if (sum_.count() < 2) { return std::optional<ReferenceImage>(); }
         made_.endedBy = isPrecise() ? "precision" : interrupted_ ? "interrupt" : "time";
@@ -125,7 +124,23 @@ class ReferenceMaker {
         return plan_.relativeError > 0.0 && !isPrecise() && made_.renderSeconds + each <= plan_.renderSeconds;
     }
 
-    MeasuredSession::Outcome addReplicate(const StopLimits& limits) {
+    /// Until its own estimate says twice that it is as precise as `error`, or its time is up.
+    MeasuredSession::Outcome renderFirst(double error, const std::string& part) {
+        const double seconds = plan_.renderSeconds / planned_;
+        if (!(error > 0.0)) { return session_.runTo({.renderSeconds = seconds}, part); }
+        int precise = 0;
+        for (uint32_t passes = kLeastPassesForError;; passes += passes / kLeastPassesForError) {
+            const auto outcome = session_.runTo({.passes = passes, .renderSeconds = seconds}, part);
+            if (outcome != MeasuredSession::Outcome::Reached) { return outcome; }
+            const auto capture = session_.capture();
+            const ErrorEstimate found =
+                estimateRmseOverMean(capture->film, capture->statistics.get(), plan_.settings.threads);
+            precise = found.high <= error ? precise + 1 : 0;
+            if (precise == 2 || capture->renderSeconds >= seconds) { return outcome; }
+        }
+    }
+
+    MeasuredSession::Outcome addReplicate(double errorOfOne) {
         const int index = sum_.count();
         const std::string part =
             index < planned_
@@ -136,7 +151,8 @@ class ReferenceMaker {
         if (host_.onPart) { host_.onPart(part); }
         const uint32_t seed = plan_.firstSeed + static_cast<uint32_t>(index);
         if (index > 0) { session_.restartWithSeed(seed); }
-        const auto outcome = session_.runTo(limits, part);
+        const auto outcome =
+            index == 0 ? renderFirst(errorOfOne, part) : session_.runTo({.passes = passesEach_}, part);
         if (outcome == MeasuredSession::Outcome::Reached) {
             const auto capture = session_.capture();
             const auto image = makeSnapshot(*capture, {}, plan_.settings.threads);

@@ -158,6 +158,7 @@ class VariantRunner {
         at(values, ErrorMeasure::Bias) = metrics->bias;
         at(values, ErrorMeasure::RelativeBias) = metrics->relativeBias;
         at(values, ErrorMeasure::MseWithoutReference) = metrics->mse - reference_.mse;
+        at(values, ErrorMeasure::PictureError) = metrics->pictureError;
         return values;
     }
 

@@ -7,6 +7,7 @@ namespace {
 using M = ImageMetrics;
 
 constexpr MetricInfo kTable[] = {
+    {"picture_error", "picture-error", "picture error", [](const M& m) { return m.pictureError; }},
     {"mse", "mse", "MSE", [](const M& m) { return m.mse; }},
     {"rmse", "rmse", "RMSE", [](const M& m) { return m.rmse; }},
     {"rel_mse", "relmse", "relMSE", [](const M& m) { return m.relMse; }},

@@ -1,4 +1,4 @@
-// Sums are formed per block of rows and added in the order of the blocks, so that threads change nothing.
+// Sums are formed per block of rows and added in their order, so that threads change nothing.
 #include "engine/report/metrics.h"
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "engine/base/parallel.h"
+#include "engine/render/picture_error.h"
 #include "engine/report/finite_pixels.h"
 #include "engine/report/flip.h"
 #include "engine/report/hdr_flip.h"
@@ -48,10 +49,48 @@ struct Comparison {
     const ImageF& reference;
     double epsilon;
     std::vector<uint8_t> finite;        ///< in both
+    double typicalLuminance;            ///< of the reference
     std::vector<double> relativeError;  ///< mean over the channels
+    std::vector<double> wrongShare;     ///< of picture_error.h
 
     Sums sumPixels(size_t begin, size_t end);
+    double wrongShareOf(size_t pixel) const;
 };
+
+double luminanceAt(const ImageF& image, size_t pixel) {
+    const float* rgb = image.rgb.data() + 3 * pixel;
+    return 0.2126 * static_cast<double>(rgb[0]) + 0.7152 * static_cast<double>(rgb[1]) +
+           0.0722 * static_cast<double>(rgb[2]);
+}
+
+/// Mean over 3 x 3 pixels, of those that are finite; the middle one is.
+double luminanceAround(const ImageF& image, size_t pixel) {
+    const int width = image.width, x = static_cast<int>(pixel) % width, y = static_cast<int>(pixel) / width;
+    double sum = 0.0, count = 0.0;
+    for (int v = std::max(y - 1, 0); v <= std::min(y + 1, image.height - 1); ++v) {
+        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u) {
+            const size_t i = static_cast<size_t>(v) * static_cast<size_t>(width) + static_cast<size_t>(u);
+            if (!isFinitePixel(image, i)) { continue; }
+            sum += luminanceAt(image, i);
+            count += 1.0;
+        }
+    }
+    return sum / count;
+}
+
+double typicalLuminanceOf(const ImageF& test, const ImageF& reference) {
+    TypicalLuminance typical;
+    for (size_t i = 0; i < reference.rgb.size() / 3; ++i) {
+        if (isFinitePixel(test, i) && isFinitePixel(reference, i)) { typical.add(luminanceAt(reference, i)); }
+    }
+    return typical.value();
+}
+
+double Comparison::wrongShareOf(size_t pixel) const {
+    const double error = luminanceAt(test, pixel) - luminanceAt(reference, pixel);
+    const double scale = errorScaleSquared(luminanceAround(reference, pixel), typicalLuminance);
+    return error == 0.0 ? 0.0 : std::min(kWhollyWrong, error * error / scale);
+}
 
 Sums Comparison::sumPixels(size_t begin, size_t end) {
     Sums sums;
@@ -78,6 +117,7 @@ Sums Comparison::sumPixels(size_t begin, size_t end) {
             }
         }
         relativeError[i] = relative / 3.0;
+        wrongShare[i] = wrongShareOf(i);
         sums.relative += relativeError[i];
     }
     return sums;
@@ -98,24 +138,33 @@ Sums sumAll(Comparison* comparison, int threads) {
     return total;
 }
 
-/// Sum of the `kept` smallest values of the finite pixels. Ties at the limit count as often as they are kept.
-double sumOfSmallest(const Comparison& comparison, uint64_t kept) {
-    std::vector<double> values;
-    for (size_t i = 0; i < comparison.finite.size(); ++i) {
-        if (comparison.finite[i] != 0) { values.push_back(comparison.relativeError[i]); }
+/// Sum of the `kept` smallest of the finite pixels' values, of which the largest may count in part. Above 0.
+/// Ties at the limit count as often as they are kept.
+double sumOfSmallest(const std::vector<uint8_t>& finite, const std::vector<double>& values, double kept) {
+    std::vector<double> sorted;
+    for (size_t i = 0; i < finite.size(); ++i) {
+        if (finite[i] != 0) { sorted.push_back(values[i]); }
     }
-    const auto last = values.begin() + static_cast<std::ptrdiff_t>(kept - 1);
-    std::nth_element(values.begin(), last, values.end());
+    const auto last = sorted.begin() + static_cast<std::ptrdiff_t>(std::ceil(kept)) - 1;
+    std::nth_element(sorted.begin(), last, sorted.end());
     const double limit = *last;
     double sum = 0.0;
     uint64_t below = 0;
-    for (size_t i = 0; i < comparison.finite.size(); ++i) {
-        if (comparison.finite[i] != 0 && comparison.relativeError[i] < limit) {
-            sum += comparison.relativeError[i];
+    for (size_t i = 0; i < finite.size(); ++i) {
+        if (finite[i] != 0 && values[i] < limit) {
+            sum += values[i];
             ++below;
         }
     }
-    return sum + static_cast<double>(kept - below) * limit;
+    return sum + (kept - static_cast<double>(below)) * limit;
+}
+
+/// How wrong the picture is, and how many pixels are wholly so.
+void addPictureError(const Comparison& comparison, ImageMetrics* metrics) {
+    const double kept = (1.0 - kTrimmedShare) * static_cast<double>(metrics->comparedPixels);
+    metrics->pictureError = std::sqrt(sumOfSmallest(comparison.finite, comparison.wrongShare, kept) / kept);
+    metrics->whollyWrongPixels = static_cast<uint64_t>(
+        std::ranges::count_if(comparison.wrongShare, [](double share) { return share >= kWhollyWrong; }));
 }
 
 /// Mean over the finite pixels of rows and columns from `border` to as far from the other side.
@@ -215,7 +264,9 @@ Result<ImageMetrics> compareImages(const ImageF& test, const ImageF& reference,
                           .reference = reference,
                           .epsilon = options.relativeEpsilon,
                           .finite = std::vector<uint8_t>(count),
-                          .relativeError = std::vector<double>(count)};
+                          .typicalLuminance = typicalLuminanceOf(test, reference),
+                          .relativeError = std::vector<double>(count),
+                          .wrongShare = std::vector<double>(count)};
     const Sums sums = sumAll(&comparison, options.threads);
     if (sums.pixels == 0) {
         return problem(
@@ -237,8 +288,9 @@ Result<ImageMetrics> compareImages(const ImageF& test, const ImageF& reference,
     metrics.maxErrorX = static_cast<int>(sums.largestAt % static_cast<size_t>(test.width));
     metrics.maxErrorY = static_cast<int>(sums.largestAt / static_cast<size_t>(test.width));
     metrics.trimmedPixels = static_cast<uint64_t>(options.trimmedShare * pixels);
-    const uint64_t kept = sums.pixels - metrics.trimmedPixels;
-    metrics.relMseTrimmed = sumOfSmallest(comparison, kept) / static_cast<double>(kept);
+    const auto kept = static_cast<double>(sums.pixels - metrics.trimmedPixels);
+    metrics.relMseTrimmed = sumOfSmallest(comparison.finite, comparison.relativeError, kept) / kept;
+    addPictureError(comparison, &metrics);
     if (sums.reference == 0.0) { giveUpRelativeErrors(&metrics); }
     addViewerMetrics(comparison, options, &metrics);
     return metrics;

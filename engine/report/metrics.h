@@ -44,6 +44,8 @@ struct ImageMetrics {
     double bias = 0.0;           ///< mean of t - r, in radiance: noise averages out of it
     /// bias / mean of r; 0 where both are 0, infinite where only the mean of r is
     double relativeBias = 0.0;
+    /// engine/render/picture_error.h, in [0, 1], 0.02 for 2 %: the figure that a render estimates of itself
+    double pictureError = 0.0;
     double maxError = 0.0;  ///< largest |t - r| of any channel
     double ssim = 1.0;      ///< structural similarity in [-1, 1], 1 for equal pictures (ssim.h)
     double flip = 0.0;      ///< mean LDR-FLIP in [0, 1], 0 for equal pictures (flip.h)
@@ -52,6 +54,7 @@ struct ImageMetrics {
 
     uint64_t comparedPixels = 0;      ///< finite in both pictures; only they enter the figures above
     uint64_t trimmedPixels = 0;       ///< left out of relMseTrimmed
+    uint64_t whollyWrongPixels = 0;   ///< off by their own brightness or more, see pictureError
     uint64_t testNonFinite = 0;       ///< pixels with an infinite or NaN channel
     uint64_t referenceNonFinite = 0;  ///< the same of the reference
     int maxErrorX = 0;                ///< where maxError is first met, from the top left

@@ -35,7 +35,7 @@ TEST_F(DiffCommand, PrintsEveryMetric) {
          {"  MSE             0.162663", "  RMSE            0.403315", "  relMSE          3.39472",
           "  relMSE trimmed  2.35979", "  MAPE            0.468741", "  bias            0.0478032",
           "  relative bias   0.107204", "  largest error   4.05078", "  SSIM            0.904551",
-          "  FLIP            0.101916"}) {
+          "  FLIP            0.101916", "  picture error   0.107073"}) {
         EXPECT_TRUE(says(run.out, line));
     }
 }
@@ -77,7 +77,7 @@ TEST_F(DiffCommand, JsonHoldsTheSame) {
     const auto report = nlohmann::json::parse(run.out);
     EXPECT_NEAR(report["metrics"]["rel_mse"].get<double>(), 3.39471687312, 1e-5);
     EXPECT_NEAR(report["metrics"]["relative_rmse"].get<double>(), std::sqrt(3.39471687312), 1e-5);
-    EXPECT_EQ(report["metrics"].size(), 12u);
+    EXPECT_EQ(report["metrics"].size(), 13u);
     EXPECT_TRUE(report["metrics"]["hdr_flip"].is_null()) << "not asked for";
     EXPECT_EQ(report["limits"][0]["metric"], "rmse");
     EXPECT_FALSE(report["within_limits"].get<bool>());

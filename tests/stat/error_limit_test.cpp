@@ -9,8 +9,8 @@
 
 #include "engine/io/image_io.h"
 #include "engine/render/convergence_curve.h"
-#include "engine/render/error_estimate.h"
 #include "tests/support/program_test.h"
+#include "tests/support/true_error.h"
 
 namespace glint::test {
 namespace {
@@ -46,20 +46,6 @@ class ErrorLimit : public ProgramTest {
         return out;
     }
 };
-
-/// As ErrorEstimate: without the share of the worst, a fraction of a pixel here.
-double trueError(const std::vector<double>& image, const std::vector<double>& reference) {
-    double sum = 0.0, mean = 0.0, worst = 0.0;
-    for (size_t i = 0; i < image.size(); ++i) {
-        const double square = std::pow(image[i] - reference[i], 2.0);
-        sum += square;
-        mean += reference[i];
-        worst = std::max(worst, square);
-    }
-    const double dropped = kTrimmedShare * static_cast<double>(image.size());
-    return std::sqrt((sum - dropped * worst) / (static_cast<double>(image.size()) - dropped)) /
-           (mean / static_cast<double>(image.size()));
-}
 
 /// What forecasts of the whole number of passes were, over what it was: of each point from 16 passes to half
 /// of the end.

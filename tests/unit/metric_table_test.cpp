@@ -28,14 +28,16 @@ TEST(MetricTable, ValuesAreTheMembers) {
                          .mape = 5.0,
                          .bias = -6.0,
                          .relativeBias = -7.0,
+                         .pictureError = 0.125,
                          .maxError = 8.0,
                          .ssim = 0.5,
                          .flip = 0.25,
                          .hdrFlip = 0.75};
     const std::pair<const char*, double> expected[] = {
-        {"mse", 1.0},           {"rmse", 2.0}, {"rel_mse", 9.0}, {"rel_mse_trimmed", 4.0},
-        {"relative_rmse", 3.0}, {"mape", 5.0}, {"bias", -6.0},   {"relative_bias", -7.0},
-        {"max_error", 8.0},     {"ssim", 0.5}, {"flip", 0.25},   {"hdr_flip", 0.75}};
+        {"picture_error", 0.125}, {"mse", 1.0},           {"rmse", 2.0}, {"rel_mse", 9.0},
+        {"rel_mse_trimmed", 4.0}, {"relative_rmse", 3.0}, {"mape", 5.0}, {"bias", -6.0},
+        {"relative_bias", -7.0},  {"max_error", 8.0},     {"ssim", 0.5}, {"flip", 0.25},
+        {"hdr_flip", 0.75}};
     EXPECT_EQ(metricTable().size(), std::size(expected));
     for (const auto& [key, value] : expected) {
         ASSERT_NE(findMetric(key), nullptr) << key;

@@ -131,6 +131,20 @@ def hdr_flip(test, reference):
     return worst
 
 
+def picture_error(test, reference):
+    """engine/render/picture_error.h; of the pixels that are left out, one may be so in part."""
+    luminance = np.array([0.2126, 0.7152, 0.0722])
+    t, r = (test @ luminance).ravel(), (reference @ luminance).ravel()
+    padded = np.pad((reference @ luminance), 1, constant_values=np.nan)
+    height, width = reference.shape[:2]
+    around = np.nanmean([padded[j:j + height, i:i + width] for j in range(3) for i in range(3)], axis=0).ravel()
+    dark = 0.1 * np.sqrt(r).mean() ** 2
+    shares = np.sort(np.minimum(1, (t - r) ** 2 / (around ** 2 + dark ** 2)))
+    kept = 0.999 * shares.size
+    weights = np.clip(kept - np.arange(shares.size), 0, 1)
+    return np.sqrt((weights * shares).sum() / kept)
+
+
 def all_metrics(test, reference):
     error = test - reference
     relative = (error ** 2 / (reference ** 2 + 0.01)).mean(axis=2).ravel()
@@ -139,7 +153,7 @@ def all_metrics(test, reference):
             "relMseTrimmed": np.sort(relative)[:kept].mean(), "mape": (np.abs(error) / (np.abs(reference) + 0.01)).mean(),
             "bias": error.mean(), "relativeBias": error.mean() / reference.mean(), "maxError": np.abs(error).max(),
             "ssim": ssim(test, reference), "flip": flip(test, reference).mean(),
-            "hdrFlip": hdr_flip(test, reference).mean()}
+            "hdrFlip": hdr_flip(test, reference).mean(), "pictureError": picture_error(test, reference)}
 
 
 if __name__ == "__main__":

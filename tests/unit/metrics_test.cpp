@@ -89,6 +89,31 @@ TEST(Metrics, TrimmingDropsTheOutlierAndNothingElse) {
     EXPECT_NEAR(compare(test, reference, {.trimmedShare = 0.0}).relMseTrimmed, m.relMse, 1e-6 * m.relMse);
 }
 
+/// A spark is one wrong pixel however bright it is, a lamp counts by its own brightness, and black is all
+/// wrong.
+TEST(Metrics, ThePictureErrorIsOfNoLampAndNoSpark) {
+    ImageF reference = flatImage(40, 50, 1.0f);
+    ImageF test = flatImage(40, 50, 1.1f);
+    EXPECT_NEAR(compare(test, reference).pictureError, 0.1 / std::sqrt(1.01), 1e-6);
+    for (size_t i = 0; i < 120; ++i) {
+        reference.rgb[i] = 1e3f;
+        test.rgb[i] = 1.2e3f;
+    }
+    EXPECT_NEAR(compare(test, reference).pictureError, 0.11, 0.005) << "a fiftieth of the pixels are lamps";
+    test.rgb[3 * 1900] = 1e6f;
+    EXPECT_NEAR(compare(test, reference).pictureError, 0.11, 0.005);
+    EXPECT_EQ(compare(test, reference).whollyWrongPixels, 1u);
+    for (size_t i = 0; i < 20; ++i) {
+        test.rgb[3 * (1900 + i)] = 1e6f;
+    }
+    // 2 of the 20 are left out.
+    EXPECT_NEAR(compare(test, reference).pictureError, std::sqrt((18.0 + 0.01 * 1980) / 1998.0), 0.01);
+    EXPECT_NEAR(compare(flatImage(9, 9, 0.0f), flatImage(9, 9, 2.0f)).pictureError, std::sqrt(1.0 / 1.01),
+                1e-6);
+    EXPECT_EQ(compare(flatImage(9, 9, 1.0f), flatImage(9, 9, 0.0f)).pictureError, 1.0);
+    EXPECT_EQ(compare(flatImage(9, 9, 0.0f), flatImage(9, 9, 0.0f)).pictureError, 0.0);
+}
+
 TEST(Metrics, MetricsThatHaveNoReferenceAreSymmetric) {
     const ImageF a = formulaTest(33, 29);
     const ImageF b = formulaReference(33, 29);

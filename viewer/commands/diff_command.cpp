@@ -26,6 +26,8 @@ constexpr const char* kDiffFooter =
     R"(Both are compared as linear Rec.709 colours: EXR, HDR and floats in TIFF as stored, all others decoded from sRGB.
 An 8-bit picture holds nothing above 1, so beside an EXR that does, its lamps and highlights count as errors.
 With t the picture, r the reference, and means over all pixels and channels:
+  picture error  what glint render and the window show and stop by: root of the mean over pixels of the squared error of
+                 the luminance, relative to its own and a tenth of the typical one, 1 at most, without the worst 0.1 %
   MSE            mean of (t - r)^2; RMSE is its square root
   relMSE         mean of (t - r)^2 / (r^2 + epsilon); relative RMSE is its square root; trimmed: without the
                  worst pixels
@@ -90,6 +92,7 @@ void printMetrics(const DiffOptions& options, const ImageMetrics& metrics, const
     if (metrics.trimmedPixels > 0) {
         put("; the worst {} left out of relMSE trimmed", metrics.trimmedPixels);
     }
+    if (metrics.whollyWrongPixels > 0) { put("; {} wholly wrong", metrics.whollyWrongPixels); }
     put("\n");
     for (const MetricInfo& metric : metricTable()) {
         const double value = metric.value(metrics);
@@ -150,6 +153,7 @@ nlohmann::ordered_json jsonReport(const DiffOptions& options, const ImageMetrics
             {"metrics", values},
             {"max_error_pixel", {metrics.maxErrorX, metrics.maxErrorY}},
             {"trimmed_pixels", metrics.trimmedPixels},
+            {"wholly_wrong_pixels", metrics.whollyWrongPixels},
             {"epsilon", options.metrics.relativeEpsilon},
             {"exposure_stops", options.metrics.exposureStops},
             {"pixels_per_degree", options.metrics.pixelsPerDegree},

@@ -28,7 +28,7 @@ std::string describe(const ErrorEstimate& error) {
 void printSummary(const RenderReport& r, const ErrorEstimate& error) {
     const Film& film = r.capture.film;
     const double seconds = r.capture.renderSeconds;
-    put("{}: {}x{}, {} passes in {:.2f} s ({:.2f} Mpaths/s, {}, kernel {}), relative error {}\n",
+    put("{}: {}x{}, {} passes in {:.2f} s ({:.2f} Mpaths/s, {}, kernel {}), picture error {}\n",
         r.options.output, film.width(), film.height(), film.passes(), seconds,
         pathCount(film) / seconds * 1e-6, r.status.backend, r.status.kernel, describe(error));
     if (hasExtension(r.options.output, ".png") && !statedExposure(r.options) && r.exposureStops != 0.0f) {
@@ -36,7 +36,7 @@ void printSummary(const RenderReport& r, const ErrorEstimate& error) {
             r.exposureStops, r.exposureStops < 0.0f ? "white" : "black");
     }
     if (r.denoiseSeconds) {
-        put("denoised in {:.2f} s; the relative error is that of the film\n", *r.denoiseSeconds);
+        put("denoised in {:.2f} s; the picture error is that of the film\n", *r.denoiseSeconds);
     }
     if (const SppmState* photons = asSppm(r.capture.statistics.get())) {
         const auto emitted = static_cast<double>(photons->emittedPhotons);
@@ -118,6 +118,7 @@ nlohmann::ordered_json jsonReport(const RenderReport& r, const ErrorEstimate& er
                                      {"relative_error", error.relative},
                                      {"relative_error_low", error.low},
                                      {"relative_error_high", error.high},
+                                     {"wholly_wrong", error.whollyWrong},
                                      {"relative_bias", error.bias},
                                      {"time_to_error", timeToError(r)},
                                      {"convergence", convergence(r.capture.curve)},

@@ -16,9 +16,9 @@ std::string convergenceCsv(const std::vector<IntegratorCurves>& curves) {
                                point.relativeErrorHigh, point.relativeBias);
         }
         for (const ReferencePoint& point : each.reference) {
-            csv += fmt::format("{},reference,{},{:.6g},,,,,{:.6g},{:.6g},{:.6g},{:.6g}\n", name, point.passes,
-                               point.renderSeconds, point.relativeRmse, point.rmseOverMean, point.mape,
-                               point.relativeBias);
+            csv += fmt::format("{},reference,{},{:.6g},{:.6g},,,,{:.6g},{:.6g},{:.6g},{:.6g}\n", name,
+                               point.passes, point.renderSeconds, point.pictureError, point.relativeRmse,
+                               point.rmseOverMean, point.mape, point.relativeBias);
         }
     }
     return csv;

@@ -43,7 +43,7 @@ class ConvergenceWatch {
     ReferenceErrors reference;
     ReferenceFit fit;
     std::string referencePath;
-    ReferenceMetric metric = ReferenceMetric::RelativeRmse;
+    ReferenceMetric metric = ReferenceMetric::PictureError;
     double targetError = 0.01;  ///< relative; the stop limit takes its place while there is one
 
   private:

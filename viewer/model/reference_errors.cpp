@@ -61,6 +61,7 @@ Result<ReferencePoint> compare(const FilmSnapshot& snapshot, const LoadedReferen
     const auto metrics = compareImages(test, reference.image, {.ssim = false, .flip = false, .threads = 1});
     if (!metrics) { return metrics.error(); }
     ReferencePoint point{.passes = snapshot.passes, .renderSeconds = snapshot.renderSeconds};
+    point.pictureError = metrics->pictureError;
     point.relativeRmse = metrics->relativeRmse();
     point.rmseOverMean = metrics->rmse / reference.mean;
     point.mape = metrics->mape;
@@ -71,8 +72,17 @@ Result<ReferencePoint> compare(const FilmSnapshot& snapshot, const LoadedReferen
 }  // namespace
 
 double ReferencePoint::error(ReferenceMetric metric) const {
-    if (metric == ReferenceMetric::RelativeRmse) { return relativeRmse; }
-    return metric == ReferenceMetric::RmseOverMean ? rmseOverMean : mape;
+    switch (metric) {
+        case ReferenceMetric::PictureError:
+            return pictureError;
+        case ReferenceMetric::RelativeRmse:
+            return relativeRmse;
+        case ReferenceMetric::RmseOverMean:
+            return rmseOverMean;
+        case ReferenceMetric::Mape:
+            break;
+    }
+    return mape;
 }
 
 void ReferenceErrors::load(const std::string& path, const Resolution& picture) {

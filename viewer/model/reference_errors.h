@@ -29,14 +29,16 @@ struct LoadedReference {
 
 /// What the error against the reference is measured as; all are relative, 0.01 for 1 %.
 enum class ReferenceMetric {
+    PictureError,  ///< what the estimate without a reference is of, too (engine/render/picture_error.h)
     RelativeRmse,  ///< square root of relMSE (metrics.h)
-    RmseOverMean,  ///< RMSE over the reference's mean: what the estimate without a reference is of, too
+    RmseOverMean,  ///< RMSE over the reference's mean
     Mape,
 };
 
 struct ReferencePoint {
     uint32_t passes = 0;
     double renderSeconds = 0.0;
+    double pictureError = 0.0;
     double relativeRmse = 0.0;
     double rmseOverMean = 0.0;
     double mape = 0.0;

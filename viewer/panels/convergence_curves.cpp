@@ -66,7 +66,7 @@ std::vector<CurveSource> curveSources(const ConvergenceWatch& convergence) {
         }
     };
     addAll(isMeasured, false);
-    if (isMeasured && convergence.metric == ReferenceMetric::RmseOverMean) { addAll(false, false); }
+    if (isMeasured && convergence.metric == ReferenceMetric::PictureError) { addAll(false, false); }
     addAll(isMeasured, true);
     return sources;
 }

@@ -194,7 +194,8 @@ bool isDoubtful(const ConvergenceWatch& convergence, const Resolution& size) {
 }
 
 void drawReference(ConvergenceWatch* convergence, const SceneDescription& scene) {
-    static constexpr std::array<std::string_view, 3> kMetrics{"Relative RMSE", "RMSE / mean", "MAPE"};
+    static constexpr std::array<std::string_view, 4> kMetrics{"Picture error", "Relative RMSE", "RMSE / mean",
+                                                              "MAPE"};
     ui::heading("Reference");
     const bool entered =
         ui::text("Reference file", &convergence->referencePath, "reference.exr, .hdr, .png",
@@ -216,7 +217,7 @@ void drawReference(ConvergenceWatch* convergence, const SceneDescription& scene)
     if (hasReference(*convergence) &&
         ui::choice(
             "Measured as", &metric, kMetrics,
-            "Relative RMSE: root of relMSE. RMSE / mean: what the estimate is of, too; it is drawn behind. "
+            "Picture error: what the estimate is of, too; it is drawn behind. Relative RMSE: root of relMSE. "
             "MAPE: mean absolute relative error")) {
         convergence->metric = static_cast<ReferenceMetric>(metric);
     }

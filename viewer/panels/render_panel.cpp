@@ -106,10 +106,11 @@ void drawNumbers(const RenderControl& render) {
     ui::value("Rays", isTimed ? withPrefix(status.raysPerSecond, "rays/s") : "–",
               "Camera, bounce and shadow rays");
     ui::value("Elapsed", duration(status.renderSeconds), "Time spent in passes since the last restart");
-    ui::value("Est. error",
-              status.passes > 1 ? percent(status.relativeError) + (status.region ? " (region)" : "") : "–",
-              "Root mean squared standard error of the pixels, relative to the mean luminance, of the "
-              "picture or of the region");
+    ui::value(
+        "Est. error",
+        status.passes > 1 ? percent(status.relativeError) + (status.region ? " (region)" : "") : "–",
+        "How wrong the pixels are, each relative to its own brightness and wholly at most, as a root mean "
+        "square without the worst thousandth; of the picture or of the region");
     ui::value("Last edit", latency(status.lastEditToImageSeconds), "From the edit to its first new picture");
     ui::value("Device", status.backend, "What runs the passes");
     if (!status.error.empty()) {
