@@ -16,7 +16,6 @@ namespace {
 constexpr double kTailFactor = 8.0;
 constexpr double kLeastTailFactor = 2.0;
 constexpr size_t kLeastTailPoints = 5;
-/// 95 % quantile of the standard normal distribution: both ends of a 90 % band.
 
 bool isUsable(const ConvergencePoint& point) {
     return std::isfinite(point.relativeError) && point.relativeError > 0.0 && point.renderSeconds > 0.0;

@@ -18,7 +18,6 @@ namespace glint {
 namespace {
 
 constexpr int64_t kPixelsPerSum = 65536;
-/// 95 % quantile of the standard normal distribution: both ends of a 90 % band.
 /// Standard deviation of the logarithm of the mean squared error from what is assumed of stratification (how
 /// it goes on between powers of two), for one doubling of passes and so much less for many; the same before
 /// there is a calibration; and of a picture that is all bias, whose estimate misses what edges cut off.

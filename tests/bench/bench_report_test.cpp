@@ -75,6 +75,8 @@ TEST_F(BenchReport, Latency) {
         expectKeys(row["cancel"], {"count", "median_ms", "p95_ms", "max_ms"});
         expectKeys(row["edit_to_picture"], {"count", "median_ms", "p95_ms", "max_ms"});
     }
+    EXPECT_EQ(report["window"]["objects"], 10000);
+    EXPECT_GT(report["window"]["ui"]["count"].get<int>(), 200) << report["window"];
 }
 
 TEST_F(BenchReport, Load) {

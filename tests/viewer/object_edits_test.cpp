@@ -144,6 +144,38 @@ TEST(Gizmo, AnAxisFollowsTheMouse) {
     EXPECT_NEAR(steps, std::round(steps), 1e-4f);
 }
 
+/// A step and the one back are nothing; where it snaps, steps are the settings'.
+TEST(Gizmo, KeysMoveTurnAndStretch) {
+    const Affine placed = translate(Vec3(1, 2, 3)) * rotate(Vec3(0, 0, 1), 0.5f * kPi);
+    GizmoSettings settings{
+        .mode = GizmoMode::Move, .moveStep = 0.25f, .turnStepDeg = 90.0f, .scaleStep = 1.0f};
+    const auto origin = [&](const GizmoNudge& by) {
+        return Gizmo::nudged(placed, settings, by, 2.0f).translation;
+    };
+    EXPECT_NEAR(glm::length(origin({.axis = 0}) - Vec3(1.2f, 2, 3)), 0.0f, 1e-6f);
+    EXPECT_NEAR(glm::length(origin({.axis = 1, .direction = -1.0f, .isFine = true}) - Vec3(1, 1.98f, 3)),
+                0.0f, 1e-6f);
+    EXPECT_EQ(origin({}), placed.translation) << "as a whole there is no way";
+    settings.snaps = settings.isLocal = true;
+    EXPECT_NEAR(glm::length(origin({.axis = 0}) - Vec3(1, 2.25f, 3)), 0.0f, 1e-6f) << "its own X is up";
+    for (const GizmoMode mode : {GizmoMode::Move, GizmoMode::Rotate, GizmoMode::Scale}) {
+        settings.mode = mode;
+        for (const bool snaps : {false, true}) {
+            settings.snaps = snaps;
+            const Affine there = Gizmo::nudged(placed, settings, {.axis = 2}, 2.0f);
+            EXPECT_GT(glm::length(there.translation - placed.translation) +
+                          glm::length(there.linear[0] - placed.linear[0]) +
+                          glm::length(there.linear[2] - placed.linear[2]),
+                      0.04f);
+            expectNear(Gizmo::nudged(there, settings, {.axis = 2, .direction = -1.0f}, 2.0f), placed, 1e-5f);
+        }
+    }
+    const Affine larger = Gizmo::nudged(placed, settings, {}, 2.0f);
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_NEAR(glm::length(larger.linear[i]), 2.0f, 1e-5f);
+    }
+}
+
 TEST(Gizmo, ARingTurnsAndABoxStretches) {
     const OnScreen screen;
     const Affine placed = translate({0, 1, 0}) * scale(Vec3(1, 2, 1));

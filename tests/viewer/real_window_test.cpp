@@ -4,10 +4,13 @@
 #include "tests/viewer/real_window.h"
 
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "viewer/model/window_layout.h"
 // Last: Xlib's macros.
 #include "tests/viewer/drag_source.h"
 
@@ -188,6 +191,26 @@ TEST_F(RealWindow, SpaceIsForTheMarkedWidgetUntilEsc) {
     hand("keydown space");
     EXPECT_TRUE(titleSays("paused")) << read("glint.log");
     hand("keyup space");
+}
+
+TEST_F(RealWindow, ArrowsMoveTheSelectionAndAltWithThemThePanels) {
+    openWindow();
+    if (HasFatalFailure()) { return; }
+    hand("windowfocus " + window_);
+    click("Image");
+    press("Right");
+    EXPECT_TRUE(titleSays("^scene.json ")) << "there are no handles";
+    press("g");
+    press("Right");
+    EXPECT_TRUE(titleSays("scene.json[*]")) << read("glint.log");
+    EXPECT_TRUE(titleSaysAfterCtrl("z", "^scene.json ")) << "one step of the history";
+    press("alt+Left");
+    hand("keydown ctrl keydown q");
+    EXPECT_EQ(glint_->exitCode(), 0) << read("glint.log");
+    float column = 0.0f;
+    const std::string layout = read("state/glint/layout");
+    ASSERT_EQ(std::sscanf(layout.c_str(), "column %f", &column), 1) << layout;
+    EXPECT_GE(column, WindowLayout().columnUnits + 20.0f);
 }
 
 TEST_F(RealWindow, AMaterialIsDraggedToAnObject) {

@@ -63,7 +63,7 @@ void JobQueue::start(Work work, bool mustFinish) {
     }
 }
 
-void JobQueue::runCompletions() {
+bool JobQueue::runCompletions() {
     std::vector<Completion> ready;
     {
         const std::lock_guard lock(shared_->mutex);
@@ -72,6 +72,7 @@ void JobQueue::runCompletions() {
     for (const Completion& completion : ready) {
         completion();
     }
+    return !ready.empty();
 }
 
 int JobQueue::running() const {

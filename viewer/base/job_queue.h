@@ -22,8 +22,8 @@ class JobQueue {
 
     /// `mustFinish`: half of it would be worse than waiting when the program ends.
     void start(Work work, bool mustFinish);
-    /// Runs the completions of the jobs that ended. UI thread.
-    void runCompletions();
+    /// Runs the completions of the jobs that ended. UI thread. True: there were some.
+    bool runCompletions();
     int running() const;
     /// A job that need not finish is still running: the process has to end without waiting for its thread.
     static bool anyAbandoned();

@@ -1,5 +1,5 @@
 // `glint bench latency`: how long an edit takes to stop the pass in flight, and until a picture of the new
-// state is there.
+// state is there; and how long the window's own work of a frame takes meanwhile.
 //
 // A session renders as it does behind the window, and a script edits it: single edits of each kind with rests
 // between them, which let full-resolution passes begin, and a drag of edits sixty times a second.
@@ -12,6 +12,7 @@
 #include "viewer/commands/bench.h"
 #include "viewer/commands/bench_scenes.h"
 #include "viewer/commands/bench_statistics.h"
+#include "viewer/commands/bench_window.h"
 
 namespace glint {
 namespace {
@@ -20,6 +21,7 @@ using Clock = std::chrono::steady_clock;
 using Scene = std::shared_ptr<const SceneDescription>;
 
 constexpr double kPatience = 60.0;
+constexpr int kOutlinerObjects = 10000;
 
 struct LatencyRow {
     std::string name;
@@ -145,6 +147,12 @@ Result<BenchReport> measureLatency(const BenchSubject& subject) {
         report.text += fmt::format("{}\n  cancel           {}\n  edit to picture  {}\n", row.name,
                                    percentilesText(row.cancel), percentilesText(row.toImage));
     }
+    const auto window = measureWindow(kOutlinerObjects, options.threads);
+    report.json["window"] = {{"objects", kOutlinerObjects},
+                             {"ui", window ? percentilesJson(*window) : nlohmann::ordered_json()}};
+    report.text += fmt::format(
+        "window, outliner of {} objects beside a render\n  input and panels {}\n", kOutlinerObjects,
+        window ? percentilesText(*window) : "not measured: " + window.error().format());
     return report;
 }
 

@@ -11,6 +11,10 @@ namespace {
 constexpr int kRingSteps = 48;
 constexpr float kStretchUnits = 120.0f;  // of a drag of the middle that doubles the size
 constexpr float kLeastStretch = 1e-3f;
+constexpr float kNudgeShare = 0.1f;  // of a handle
+constexpr float kNudgeDegrees = 5.0f;
+constexpr float kNudgeStretch = 0.05f;
+constexpr float kFineShare = 0.1f;
 
 Mat3 axesFor(const Affine& placed, const GizmoSettings& settings) {
     const bool isLocal = settings.isLocal || settings.mode == GizmoMode::Scale;
@@ -175,6 +179,27 @@ Affine Gizmo::stretched(const GizmoSettings& settings, const ScreenView& view, V
     }
     const float factor = startParameter_ != 0.0f ? along(view, mouse) / startParameter_ : 1.0f;
     out.linear[held_.axis] *= std::max(kLeastStretch, snapped(factor, settings.scaleStep, snaps));
+    return out;
+}
+
+Affine Gizmo::nudged(const Affine& placed, const GizmoSettings& settings, const GizmoNudge& by,
+                     float handleMetres) {
+    const Mat3 axes = axesFor(placed, settings);
+    const float unit = by.isFine ? kFineShare : 1.0f;
+    const auto step = [&](float snap, float free) { return settings.snaps ? snap : unit * free; };
+    Affine out = placed;
+    if (settings.mode == GizmoMode::Scale) {
+        const float factor = std::pow(1.0f + step(settings.scaleStep, kNudgeStretch), by.direction);
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!by.axis || axis == *by.axis) { out.linear[axis] *= factor; }
+        }
+    } else if (settings.mode == GizmoMode::Move && by.axis) {
+        out.translation +=
+            axes[*by.axis] * (by.direction * step(settings.moveStep, kNudgeShare * handleMetres));
+    } else if (settings.mode == GizmoMode::Rotate && by.axis) {
+        const float degrees = by.direction * step(settings.turnStepDeg, kNudgeDegrees);
+        out.linear = rotate(axes[*by.axis], degrees * kPi / 180.0f).linear * placed.linear;
+    }
     return out;
 }
 

@@ -52,6 +52,13 @@ struct GizmoHandle {
     std::vector<Vec2> line;  ///< on the screen; of the middle, one point
 };
 
+/// A step of a key instead of the mouse.
+struct GizmoNudge {
+    std::optional<int> axis;  ///< without one: all, which is for sizes alone
+    float direction = 1.0f;   ///< 1 or -1
+    bool isFine = false;      ///< a tenth of it
+};
+
 class Gizmo {
   public:
     /// The handles of a placed object; none where it is behind the camera.
@@ -65,6 +72,10 @@ class Gizmo {
                const ScreenView& view, Vec2 mouse);
     /// The object's place for the mouse as it is now. `snaps`: in the settings' steps.
     Affine drag(const GizmoSettings& settings, const ScreenView& view, Vec2 mouse, bool snaps) const;
+    /// The object's place after one step of a key: one of the settings' where it snaps, otherwise 5 degrees,
+    /// 5 % or a tenth of a handle of `handleMetres`. A step and the one back lead to the same place.
+    static Affine nudged(const Affine& placed, const GizmoSettings& settings, const GizmoNudge& by,
+                         float handleMetres);
     bool isDragging() const { return isDragging_; }
     const GizmoHandle& held() const { return held_; }
     void end() { isDragging_ = false; }

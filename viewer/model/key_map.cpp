@@ -32,6 +32,14 @@ constexpr KeyActionInfo kActions[] = {
     {KeyAction::FrameSelection, "frame", "f", "frame the selected object"},
     {KeyAction::FrameScene, "frame-all", "shift+f", "frame the whole scene"},
     {KeyAction::Gizmo, "gizmo", "g", "gizmo: move, rotate, scale, none"},
+    {KeyAction::GizmoXLess, "gizmo-x-less", "left", "gizmo: back along X, or about it (Shift: fine)"},
+    {KeyAction::GizmoXMore, "gizmo-x-more", "right", "gizmo: on along X, or about it"},
+    {KeyAction::GizmoYLess, "gizmo-y-less", "down", "gizmo: back along Y, or about it"},
+    {KeyAction::GizmoYMore, "gizmo-y-more", "up", "gizmo: on along Y, or about it"},
+    {KeyAction::GizmoZLess, "gizmo-z-less", "pagedown", "gizmo: back along Z, or about it"},
+    {KeyAction::GizmoZMore, "gizmo-z-more", "pageup", "gizmo: on along Z, or about it"},
+    {KeyAction::GizmoLess, "gizmo-smaller", ",", "gizmo of sizes: smaller as a whole"},
+    {KeyAction::GizmoMore, "gizmo-larger", ".", "gizmo of sizes: larger as a whole"},
     {KeyAction::Hide, "hide", "h", "hide the selected object"},
     {KeyAction::ShowAll, "show-all", "alt+h", "show all objects"},
     {KeyAction::Duplicate, "duplicate", "ctrl+d", "duplicate the selected object"},
@@ -45,6 +53,9 @@ constexpr KeyActionInfo kActions[] = {
     {KeyAction::Keep, "keep", "k", "keep the picture, to compare it later"},
     {KeyAction::NextCompareView, "compare-view", "n", "another way to compare"},
     {KeyAction::Flip, "flip", "x", "the other one of both pictures"},
+    {KeyAction::DividerLeft, "divider-left", "ctrl+left",
+     "divider of both pictures to the left (Shift: fine)"},
+    {KeyAction::DividerRight, "divider-right", "ctrl+right", "divider of both pictures to the right"},
     {KeyAction::Darker, "darker", "[", "exposure down by a third of a stop"},
     {KeyAction::Brighter, "brighter", "]", "exposure up by a third of a stop"},
     {KeyAction::Undo, "undo", "ctrl+z", "undo, also opening a scene"},
@@ -54,6 +65,8 @@ constexpr KeyActionInfo kActions[] = {
     {KeyAction::SaveScene, "save-scene", "ctrl+shift+s", "save the scene as …"},
     {KeyAction::Quit, "quit", "ctrl+q", "quit"},
     {KeyAction::Panels, "panels", "tab", "show or hide the panels"},
+    {KeyAction::ColumnWider, "column-wider", "alt+left", "wider panels (Shift: fine)"},
+    {KeyAction::ColumnNarrower, "column-narrower", "alt+right", "narrower panels"},
     {KeyAction::Walk, "walk", "f6", "panels by arrows, Space, Enter; Esc: back"},
     {KeyAction::Help, "help", "f1", "this list, where keys can be changed"},
 };
@@ -67,6 +80,7 @@ constexpr MouseInput kMouse[] = {
     {"Ctrl + right drag", "move the zoomed picture"},
     {"Click", "select an object and its material"},
     {"Ctrl + click", "focus on what is under the mouse"},
+    {"Esc", "give up what was begun; back to the picture"},
 };
 
 constexpr std::string_view kNoKey = "none";
@@ -98,6 +112,7 @@ std::string written(const KeyChord& chord) {
 std::string forPeople(const KeyChord& chord) {
     std::string key = chord.key;
     if (key.starts_with("kp")) { key = "keypad " + key.substr(2); }
+    if (key.starts_with("page")) { key = "page " + key.substr(4); }
     key[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(key[0])));
     return fmt::format("{}{}{}{}", chord.ctrl ? "Ctrl + " : "", chord.shift ? "Shift + " : "",
                        chord.alt ? "Alt + " : "", key);

@@ -29,6 +29,14 @@ enum class KeyAction : uint8_t {
     FrameSelection,
     FrameScene,
     Gizmo,
+    GizmoXLess,
+    GizmoXMore,
+    GizmoYLess,
+    GizmoYMore,
+    GizmoZLess,
+    GizmoZMore,
+    GizmoLess,
+    GizmoMore,
     Hide,
     ShowAll,
     Duplicate,
@@ -42,6 +50,8 @@ enum class KeyAction : uint8_t {
     Keep,
     NextCompareView,
     Flip,
+    DividerLeft,
+    DividerRight,
     Darker,
     Brighter,
     Undo,
@@ -51,6 +61,8 @@ enum class KeyAction : uint8_t {
     SaveScene,
     Quit,
     Panels,
+    ColumnWider,
+    ColumnNarrower,
     Walk,
     Help,
 };
@@ -68,7 +80,7 @@ struct MouseInput {
     const char* input;
     const char* does;
 };
-/// What the mouse does in the picture, which stays as it is.
+/// What the mouse does in the picture, and Esc, which stay as they are.
 std::span<const MouseInput> mouseInputs();
 
 /// A key with those that are held down with it.

@@ -1,7 +1,9 @@
 #include "viewer/model/outliner.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -14,36 +16,70 @@ std::string lower(std::string text) {
     return text;
 }
 
-/// "Object 3: teapot"; the number makes it the only one.
-template <class Item>
-void addAll(const std::vector<Item>& items, OutlinerEntry::Kind kind, const char* what,
-            std::vector<OutlinerEntry>* out) {
-    for (size_t i = 0; i < items.size(); ++i) {
-        const std::string& name = items[i].name;
-        out->push_back(
-            {kind, static_cast<int>(i),
-             name.empty() ? fmt::format("{} {}", what, i + 1) : fmt::format("{} {}: {}", what, i + 1, name)});
-    }
+/// A part of the list: all things of a kind.
+struct Part {
+    OutlinerEntry::Kind kind;
+    const char* what;
+    size_t count;
+    const std::string& (*nameOf)(const SceneDescription& scene, size_t index);
+};
+
+std::array<Part, 5> partsOf(const SceneDescription& scene) {
+    using Kind = OutlinerEntry::Kind;
+    using Scene = SceneDescription;
+    using Name = const std::string&;
+    return {{{Kind::Object, "Object", scene.objects.size(),
+              [](const Scene& s, size_t i) -> Name { return s.objects[i].name; }},
+             {Kind::Light, "Light", scene.lights.size(),
+              [](const Scene& s, size_t i) -> Name { return s.lights[i].name; }},
+             {Kind::Material, "Material", scene.materials.size(),
+              [](const Scene& s, size_t i) -> Name { return s.materials[i].name; }},
+             {Kind::Texture, "Texture", scene.textures.size(),
+              [](const Scene& s, size_t i) -> Name { return s.textures[i].name; }},
+             {Kind::Hidden, "Hidden", scene.hiddenObjects.size(),
+              [](const Scene& s, size_t i) -> Name { return s.hiddenObjects[i].name; }}}};
 }
 
 }  // namespace
 
-const std::vector<OutlinerEntry>& Outliner::entries(const SceneDocument& document) {
-    if (document.posted() == scene_ && search == searched_) { return entries_; }
+/// "Object 3: teapot"; the number makes it the only one.
+OutlinerEntry Outliner::entryOf(size_t index) const {
+    for (const Part& part : partsOf(*scene_)) {
+        if (index >= part.count) {
+            index -= part.count;
+            continue;
+        }
+        ++labelsMade_;
+        const std::string& name = part.nameOf(*scene_, index);
+        std::string label = fmt::format("{} {}", part.what, index + 1);
+        if (!name.empty()) { label += ": " + name; }
+        return {part.kind, static_cast<int>(index), std::move(label)};
+    }
+    return {};
+}
+
+OutlinerEntry Outliner::at(size_t row) const { return entryOf(searched_.empty() ? row : found_[row]); }
+
+size_t Outliner::count() const {
+    size_t sum = 0;
+    if (!scene_) { return sum; }
+    for (const Part& part : partsOf(*scene_)) {
+        sum += part.count;
+    }
+    return sum;
+}
+
+void Outliner::update(const SceneDocument& document) {
+    if (document.posted() == scene_ && search == searched_) { return; }
     scene_ = document.posted();
     searched_ = search;
-    entries_.clear();
-    addAll(scene_->objects, OutlinerEntry::Kind::Object, "Object", &entries_);
-    addAll(scene_->lights, OutlinerEntry::Kind::Light, "Light", &entries_);
-    addAll(scene_->materials, OutlinerEntry::Kind::Material, "Material", &entries_);
-    addAll(scene_->textures, OutlinerEntry::Kind::Texture, "Texture", &entries_);
-    addAll(scene_->hiddenObjects, OutlinerEntry::Kind::Hidden, "Hidden", &entries_);
-    count_ = entries_.size();
+    found_.clear();
+    if (searched_.empty()) { return; }
     const std::string wanted = lower(search);
-    std::erase_if(entries_, [&](const OutlinerEntry& entry) {
-        return lower(entry.label).find(wanted) == std::string::npos;
-    });
-    return entries_;
+    for (size_t i = 0; i < count(); ++i) {
+        if (lower(entryOf(i).label).find(wanted) == std::string::npos) { continue; }
+        found_.push_back(static_cast<uint32_t>(i));
+    }
 }
 
 }  // namespace glint

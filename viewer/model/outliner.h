@@ -12,25 +12,33 @@ namespace glint {
 
 struct OutlinerEntry {
     enum class Kind : uint8_t { Object, Light, Material, Texture, Hidden };
-    Kind kind;
-    int index;
+    Kind kind = Kind::Object;
+    int index = 0;
     std::string label;  ///< unlike that of any other
 };
 
 class Outliner {
   public:
     std::string search;
-    /// Those whose labels hold the search, in any case (ASCII). Made anew only when the scene or the search
-    /// is another one.
-    const std::vector<OutlinerEntry>& entries(const SceneDocument& document);
+    /// Once a frame, before all else: of the scene as it is posted. Looks through the names only where there
+    /// is a search, and it or the scene is another one.
+    void update(const SceneDocument& document);
+    /// Those whose labels hold the search, in any case (ASCII).
+    size_t size() const { return searched_.empty() ? count() : found_.size(); }
+    /// The entry of a row below size(); its label is made here.
+    OutlinerEntry at(size_t row) const;
     /// Of all, found or not.
-    size_t count() const { return count_; }
+    size_t count() const;
+    /// How many labels were made so far.
+    uint64_t labelsMade() const { return labelsMade_; }
 
   private:
+    OutlinerEntry entryOf(size_t index) const;
+
     std::shared_ptr<const SceneDescription> scene_;
     std::string searched_;
-    std::vector<OutlinerEntry> entries_;
-    size_t count_ = 0;
+    std::vector<uint32_t> found_;  ///< among all
+    mutable uint64_t labelsMade_ = 0;
 };
 
 }  // namespace glint

@@ -116,6 +116,7 @@ void SceneDocument::followFocus() {
 
 SceneDocument::Edits SceneDocument::takeEdits() {
     followFocus();
+    ++comparisons_;
     const EditKind kinds = differences(*posted_, draft_);
     if (kinds == EditKind::None) {
         const bool isUnseen = !sameUnseen(*posted_, draft_);

@@ -87,6 +87,8 @@ class SceneDocument {
     Edits takeEdits();
     /// For what the draft changes until the next takeEdits(), where the fields that it changes do not say it.
     void nameEdit(std::string name) { editName_ = std::move(name); }
+    /// How often takeEdits() has looked through the scene.
+    uint64_t comparisons() const { return comparisons_; }
     /// Once after each takeEdits(): "" without a name.
     std::string takeEditName() { return std::exchange(editName_, {}); }
 
@@ -109,6 +111,7 @@ class SceneDocument {
     std::shared_ptr<Opened> opened_ = std::make_shared<Opened>();
     Vec3 focusPoint_{0.0f};  ///< of focusObject, in its own space
     uint64_t adoptions_ = 0;
+    uint64_t comparisons_ = 0;
     std::string editName_;
     /// The answer of unsaved() is of these.
     mutable std::shared_ptr<const SceneDescription> compared_, comparedWith_;

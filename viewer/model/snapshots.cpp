@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/scene/scene_diff.h"
 #include "viewer/base/units.h"
 
 namespace glint {
@@ -36,7 +37,15 @@ bool Snapshots::keep(const std::shared_ptr<const FilmSnapshot>& picture,
     return true;
 }
 
+size_t Snapshots::differences(const KeptPicture& kept,
+                              const std::shared_ptr<const SceneDescription>& now) const {
+    Found& found = found_[kept.number];
+    if (found.of != now) { found = {now, listDifferences(*kept.scene, *now).size()}; }
+    return found.differences;
+}
+
 void Snapshots::remove(int number) {
+    found_.erase(number);
     std::erase_if(kept_, [number](const KeptPicture& each) { return each.number == number; });
     if (left == number) { left = 0; }
     if (right == number) { right = 0; }

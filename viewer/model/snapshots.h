@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,7 +22,6 @@ struct KeptPicture {
     std::shared_ptr<const SceneDescription> scene;
     DisplayLook look{};
     Thumbnail thumbnail;
-    unsigned int texture = 0;  ///< of the thumbnail, made by who draws; 0: not yet
 
     std::string name() const { return "Snapshot " + std::to_string(number); }
 };
@@ -33,7 +33,8 @@ class Snapshots {
               std::shared_ptr<const SceneDescription> scene, const DisplaySettings& display);
     void remove(int number);
     const std::vector<KeptPicture>& kept() const { return kept_; }
-    std::vector<KeptPicture>& kept() { return kept_; }
+    /// In how many settings the picture's scene differs from `now`. Found once for each version of the scene.
+    size_t differences(const KeptPicture& kept, const std::shared_ptr<const SceneDescription>& now) const;
     /// Null: there is none of that number.
     const KeptPicture* find(int number) const;
 
@@ -52,7 +53,12 @@ class Snapshots {
     const KeptPicture* takeAsked() { return find(std::exchange(asked_, 0)); }
 
   private:
+    struct Found {
+        std::shared_ptr<const SceneDescription> of;
+        size_t differences = 0;
+    };
     std::vector<KeptPicture> kept_;
+    mutable std::map<int, Found> found_;  ///< by the pictures' numbers
     int lastNumber_ = 0;
     int asked_ = 0;
     bool keepsNow_ = false;

@@ -165,7 +165,7 @@ void Workspace::reload() {
 }
 
 void Workspace::refresh() {
-    jobs.runCompletions();
+    jobsEnded_ = jobs.runCompletions() || jobsEnded_;
     if (assets.takeArrival()) { commitEdits(false); }
     if (!document.isOpen()) { examples.list(&jobs); }
     const double now =
@@ -195,11 +195,11 @@ void Workspace::refresh() {
                          render.builtScene());
 }
 
-bool Workspace::commitEdits(bool held) {
+bool Workspace::commitEdits(bool held, bool mayBeEdited) {
     if (!document.isOpen()) { return false; }
     if (!held) { ++gesture_; }
     if (const KeptPicture* kept = snapshots.takeAsked()) { openSceneOf(*kept); }
-    bool isPosted = commitDraft(held);
+    bool isPosted = commitDraft(held, std::exchange(jobsEnded_, false) || mayBeEdited);
     if (const auto asked = history.takeAsked()) {
         goTo(*asked);
         isPosted = true;

@@ -105,8 +105,10 @@ class Workspace {
     void refresh();
     /// The draft's edits, or else a restart, undo or redo that was asked for. `held`: the user is holding a
     /// control or the camera, so passes run at low resolution until finishMotion(), and all edits until it is
-    /// let go are one step of the history. Returns whether anything was posted.
-    bool commitEdits(bool held);
+    /// let go are one step of the history. `mayBeEdited`: there was input not long ago; without, and with no
+    /// job that ended, the draft is taken for what it was: looking through thousands of objects for edits
+    /// takes time. Returns whether anything was posted.
+    bool commitEdits(bool held, bool mayBeEdited = true);
     void finishMotion() { render.setInteracting(false); }
 
     bool busy() const;
@@ -137,7 +139,7 @@ class Workspace {
     void openSceneOf(const KeptPicture& kept);
     void chooseExposure();
     void expectExposure();
-    bool commitDraft(bool held);
+    bool commitDraft(bool held, bool mayBeEdited);
     void goTo(size_t state);
     void restart();
     void resumeFrom(std::optional<FilmFiles::ResumedScene> resumed, ResumePoint point,
@@ -145,6 +147,7 @@ class Workspace {
     /// What was known of the scene before.
     void forgetScene();
 
+    bool jobsEnded_ = false;       ///< since the last commit: they may have edited the draft
     bool awaitsExposure_ = false;  ///< the scene was opened, and no picture of it has come
     uint64_t gesture_ = 1;         ///< counts what the user does at one go
 };

@@ -9,9 +9,9 @@
 
 namespace glint {
 
-bool Workspace::commitDraft(bool held) {
+bool Workspace::commitDraft(bool held, bool mayBeEdited) {
     const std::shared_ptr<const SceneDescription> before = document.posted();
-    const SceneDocument::Edits edits = document.takeEdits();
+    const SceneDocument::Edits edits = mayBeEdited ? document.takeEdits() : SceneDocument::Edits{};
     std::string name = document.takeEditName();
     if (edits.lacksAssets) { assets.read(); }
     const FilmTake take = history.take();

@@ -10,7 +10,9 @@ void drawGizmoRows(GizmoSettings* gizmo, const KeyMap& keys) {
                                                        {GizmoMode::Rotate, "Rotate"},
                                                        {GizmoMode::Scale, "Scale"}};
     ui::kindChoice("Gizmo", &gizmo->mode, kModes,
-                   keys.tip("Handles over the picture; the next kind", KeyAction::Gizmo).c_str());
+                   (keys.tip("Handles over the picture, to drag; the next kind", KeyAction::Gizmo) +
+                    ". Arrows, PageUp and PageDown move it, too: see the list of keys")
+                       .c_str());
     if (gizmo->mode == GizmoMode::Off) { return; }
     ui::toggle("Own axes", &gizmo->isLocal, "The object's instead of the world's; scaling always has these");
     ui::toggle("Snap", &gizmo->snaps, "In steps; Ctrl while dragging does the opposite");

@@ -72,15 +72,15 @@ void drawEntry(SceneDocument* document, const OutlinerEntry& entry) {
 }
 
 /// Only the rows that are seen are made.
-void drawEntries(SceneDocument* document, const std::vector<OutlinerEntry>& entries) {
+void drawEntries(SceneDocument* document, const Outliner& outliner) {
     const float row = ImGui::GetTextLineHeightWithSpacing();
-    const auto rows = static_cast<float>(std::clamp<size_t>(entries.size(), 1, kRowsShown));
+    const auto rows = static_cast<float>(std::clamp<size_t>(outliner.size(), 1, kRowsShown));
     ImGui::BeginChild("##entries", {0.0f, rows * row}, false, ImGuiWindowFlags_NavFlattened);
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(entries.size()));
+    clipper.Begin(static_cast<int>(outliner.size()));
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            drawEntry(document, entries[static_cast<size_t>(i)]);
+            drawEntry(document, outliner.at(static_cast<size_t>(i)));
         }
     }
     ImGui::EndChild();
@@ -89,9 +89,9 @@ void drawEntries(SceneDocument* document, const std::vector<OutlinerEntry>& entr
 void draw(SceneDocument* document, Outliner* outliner, const KeyMap* keys) {
     ui::text("Search", &outliner->search, "name",
              "Part of a name, in any case; or object, light, material, texture, hidden");
-    const std::vector<OutlinerEntry>& entries = outliner->entries(*document);
-    drawEntries(document, entries);
-    ui::hint(fmt::format("{} of {}", entries.size(), outliner->count()).c_str());
+    outliner->update(*document);
+    drawEntries(document, *outliner);
+    ui::hint(fmt::format("{} of {}", outliner->size(), outliner->count()).c_str());
     const bool isObject = document->selectedObject >= 0;
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, isObject ? 1.0f : 0.5f);
     const float width = ui::buttonWidth(1);

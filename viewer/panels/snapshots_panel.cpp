@@ -8,12 +8,12 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "engine/scene/scene_diff.h"
 #include "viewer/model/key_map.h"
 #include "viewer/model/scene_document.h"
 #include "viewer/model/snapshots.h"
 #include "viewer/panels/compare_view.h"
 #include "viewer/panels/panel.h"
+#include "viewer/ui/thumbnail_textures.h"
 #include "viewer/ui/widgets.h"
 
 namespace glint {
@@ -26,8 +26,8 @@ void drawThumbnail(const KeptPicture& kept) {
     const auto [width, height] =
         std::pair(static_cast<float>(kept.thumbnail.width), static_cast<float>(kept.thumbnail.height));
     const float scale = side / std::max(width, height);
-    if (kept.texture != 0) {
-        ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(kept.texture)),
+    if (const unsigned int texture = ui::textureOf(kept.thumbnail); texture != 0) {
+        ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(texture)),
                      {width * scale, height * scale});
     } else {
         ImGui::Dummy({width * scale, height * scale});
@@ -46,7 +46,7 @@ void drawKept(const KeptPicture& kept, const SceneDocument& document, Snapshots*
     ui::hint(kept.summary.c_str());
     const bool isPresent = kept.scene == document.posted();
     if (!isPresent) {
-        const size_t count = listDifferences(*kept.scene, *document.posted()).size();
+        const size_t count = snapshots->differences(kept, document.posted());
         const std::string differs =
             count == 1 ? "1 setting differs" : fmt::format("{} settings differ", count);
         ui::hint(fmt::format("{:+.2f} stops, {} from the scene as it is now", kept.look.exposureStops,

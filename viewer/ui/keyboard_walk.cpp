@@ -1,13 +1,23 @@
 #include "viewer/ui/keyboard_walk.h"
 
+#include <string_view>
+
 #include <imgui_internal.h>
 
 namespace glint::ui {
 
-void allowWalking() { ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard; }
-
-void letEnterPress() {
+void prepareWalk() {
     ImGuiIO& io = ImGui::GetIO();
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    const std::string_view window =
+        context.NavWindow != nullptr ? context.NavWindow->RootWindow->Name : "##image";
+    const bool isQuestion = window != "##panels" && window != "##image";
+    // A walk that has just begun has marked no widget yet.
+    if (!context.NavDisableHighlight || isQuestion || context.OpenPopupStack.Size > 0) {
+        io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    } else {
+        io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+    }
     const int enter = io.KeyMap[ImGuiKey_Enter];
     if (isWalking() && enter >= 0 && io.KeysDown[enter]) { io.NavInputs[ImGuiNavInput_Activate] = 1.0f; }
 }

@@ -4,10 +4,9 @@
 
 namespace glint::ui {
 
-/// In this frame's context, once.
-void allowWalking();
-/// Before each frame: Enter presses what is marked, as Space does.
-void letEnterPress();
+/// Before each frame. Arrows lead on only from a marked widget or in an open list: otherwise they are the
+/// picture's, whatever was clicked last. Enter presses what is marked, as Space does.
+void prepareWalk();
 /// The window that is drawn has the keyboard; its first widget is marked.
 void beginWalkHere();
 /// A widget is marked: arrows, Space and Enter are for it.

@@ -45,7 +45,7 @@ class App {
     App(const ViewerOptions& options, std::unique_ptr<Backend> backend)
         : options_(options),
           workspace_(std::move(backend)),
-          pacer_(options.script.has_value() || !options.frameStats.empty()) {}
+          pacer_(options.script.has_value() || !options.frameStats.empty() || options.uiSeconds != nullptr) {}
     App(const App&) = delete;
     App& operator=(const App&) = delete;
     ~App();
@@ -97,7 +97,6 @@ App::~App() {
 Status App::open(std::optional<SceneDescription> scene) {
     imgui_ = ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
-    ui::allowWalking();
     auto surface =
         options_.headless ? makeHeadlessSurface(options_.surface) : makeWindowSurface(options_.surface);
     if (!surface) { return surface.error(); }
@@ -152,11 +151,11 @@ void App::drawFrame() {
     ImGui_ImplOpenGL3_NewFrame();
     surface_->beginFrame();
     if (player_) { player_->feed(&ImGui::GetIO()); }
-    ui::letEnterPress();
+    ui::prepareWalk();
     ImGui::NewFrame();
     ui::beginFrame(&registry_, &fonts_, loadedScale_ / loadedFramebufferScale_);
     const bool held = shell_.draw(&workspace_, panes_);
-    if (workspace_.commitEdits(held)) { pacer_.noteEdit(); }
+    if (workspace_.commitEdits(held, held || pacer_.isLively())) { pacer_.noteEdit(); }
     if (!held || pacer_.motionHasEnded()) { workspace_.finishMotion(); }
     ImGui::Render();
     const auto built = Clock::now();
@@ -200,7 +199,7 @@ Result<bool> App::run(bool* scriptFailed) {
                 return stepped.error();
             }
         }
-        if (surface_->takeInputFlag()) { pacer_.noteInput(); }
+        if (surface_->takeInputFlag() || (player_ && player_->hasActed())) { pacer_.noteInput(); }
         for (const std::string& file : surface_->takeDroppedFiles()) {
             workspace_.takeDroppedFile(file);
         }
@@ -259,6 +258,7 @@ Status App::finish() {
     if (workspace_.render.status().state == SessionState::Failed && options_.headless) {
         return Error{workspace_.render.status().error, {}};
     }
+    if (options_.uiSeconds != nullptr) { *options_.uiSeconds = stats_.uiSeconds(); }
     return saveViewOutputs(options_, *surface_, stats_, interrupt_.interrupted(), &workspace_);
 }
 

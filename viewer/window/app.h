@@ -31,6 +31,8 @@ struct ViewerOptions {
     double recoverySeconds =
         0.0;                 ///< between two saves for a recovery after a crash; 0: none, nor is one offered
     std::string frameStats;  ///< JSON file of frame times, "-": standard output; draws every frame for them
+    std::vector<double>* uiSeconds =
+        nullptr;  ///< takes FrameTimes::uiMs of each frame; draws every frame for them
 };
 
 /// Runs until the window is closed, or headless until the passes or the script are done. False: until the

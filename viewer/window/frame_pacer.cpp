@@ -7,6 +7,7 @@ constexpr double kFrameSeconds = 1.0 / 60.0;
 constexpr double kQuietFrameSeconds = 0.1;  // while it renders and nobody touches anything
 constexpr double kIdleFrameSeconds = 0.5;   // while nothing happens at all
 constexpr double kLivelySeconds = 0.5;      // 60 Hz for so long after input
+constexpr int kLivelyFrames = 8;            // a widget takes up to three to act on a click
 constexpr double kMotionEndSeconds = 0.12;
 
 double since(FramePacer::Clock::time_point then) {
@@ -14,6 +15,10 @@ double since(FramePacer::Clock::time_point then) {
 }
 
 }  // namespace
+
+bool FramePacer::isLively() const {
+    return framesSinceInput_ < kLivelyFrames || since(lastInput_) < kLivelySeconds;
+}
 
 bool FramePacer::motionHasEnded() const { return since(lastEdit_) > kMotionEndSeconds; }
 

@@ -13,10 +13,18 @@ class FramePacer {
     /// `everyFrame`: scripts and measurements want frames whatever happens.
     explicit FramePacer(bool everyFrame) : everyFrame_(everyFrame) {}
 
-    void noteInput() { lastInput_ = Clock::now(); }
+    void noteInput() {
+        lastInput_ = Clock::now();
+        framesSinceInput_ = 0;
+    }
     void noteEdit() { lastEdit_ = Clock::now(); }
-    void noteDrawn() { lastDrawn_ = Clock::now(); }
+    void noteDrawn() {
+        lastDrawn_ = Clock::now();
+        ++framesSinceInput_;
+    }
 
+    /// What was input may still have its effects.
+    bool isLively() const;
     /// What is held has not moved for a while: the image may refine.
     bool motionHasEnded() const;
     /// `hasNews`: there is something new to be seen. `isBusy`: figures change, if no more.
@@ -26,6 +34,7 @@ class FramePacer {
 
   private:
     bool everyFrame_;
+    int framesSinceInput_ = 0;
     Clock::time_point lastInput_ = Clock::now();
     Clock::time_point lastEdit_ = Clock::now();
     Clock::time_point lastDrawn_{};

@@ -48,6 +48,14 @@ const char* stateName(SessionState state) {
     return "";
 }
 
+std::vector<double> FrameStats::uiSeconds() const {
+    std::vector<double> seconds;
+    for (const FrameTimes& frame : frames_) {
+        seconds.push_back(frame.uiMs / 1000.0);
+    }
+    return seconds;
+}
+
 std::string FrameStats::json(const SessionStatus& session, const Camera& camera) const {
     const auto collect = [this](auto&& part) {
         std::vector<double> values;

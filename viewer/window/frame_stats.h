@@ -23,6 +23,8 @@ class FrameStats {
   public:
     void add(const FrameTimes& times) { frames_.push_back(times); }
     size_t count() const { return frames_.size(); }
+    /// FrameTimes::uiMs of each frame, in seconds.
+    std::vector<double> uiSeconds() const;
     /// {"frames": n, "ui_ms": {"p50", "p95", "p99", "max"}, "upload_ms", "draw_ms", "wake_ms",
     /// "frame_ms_without_drawing", "over_60hz_without_drawing": how many frames took more than 1/60 s,
     /// "session": {"state", "integrator", "passes", "restarts", "preview_passes", "last_edit_ms",

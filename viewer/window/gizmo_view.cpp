@@ -8,6 +8,7 @@
 #include "engine/scene/object_box.h"
 #include "viewer/model/light_placement.h"
 #include "viewer/ui/widgets.h"
+#include "viewer/window/key_input.h"
 #include "viewer/window/split_view.h"
 
 namespace glint {
@@ -21,6 +22,17 @@ constexpr ImU32 kColors[] = {IM_COL32(235, 90, 80, 255), IM_COL32(120, 200, 70, 
 constexpr size_t kMostMarks = 500;
 constexpr ImU32 kBeam = IM_COL32(255, 235, 150, 255);
 constexpr ImU32 kMeant = IM_COL32(255, 225, 110, 255);
+
+struct NudgeKey {
+    KeyAction action;
+    std::optional<int> axis;
+    float direction;
+};
+constexpr NudgeKey kNudgeKeys[] = {
+    {KeyAction::GizmoXLess, 0, -1.0f}, {KeyAction::GizmoXMore, 0, 1.0f},  {KeyAction::GizmoYLess, 1, -1.0f},
+    {KeyAction::GizmoYMore, 1, 1.0f},  {KeyAction::GizmoZLess, 2, -1.0f}, {KeyAction::GizmoZMore, 2, 1.0f},
+    {KeyAction::GizmoLess, {}, -1.0f}, {KeyAction::GizmoMore, {}, 1.0f},
+};
 
 ImVec2 im(Vec2 v) { return {v.x, v.y}; }
 
@@ -74,6 +86,21 @@ std::optional<GizmoView::Target> GizmoView::targetOf(Workspace* workspace) {
                   [placed](const Affine& to) { placeLight(placed, to); }};
 }
 
+bool GizmoView::nudge(const KeyMap& keys, const ScreenView& view, const Target& target) {
+    bool isMoved = false;
+    Affine place = target.placed;
+    const float metres = view.metresPer(kLengthUnits * ui::scale(), place.translation);
+    for (const NudgeKey& each : kNudgeKeys) {
+        isNudging_ = isNudging_ || isHeld(keys, each.action);
+        if (!isPressed(keys, each.action, true)) { continue; }
+        place = Gizmo::nudged(place, target.settings, {each.axis, each.direction, ImGui::GetIO().KeyShift},
+                              metres);
+        isMoved = true;
+    }
+    if (isMoved) { target.place(place); }
+    return isMoved;
+}
+
 /// Where lights stand that can be chosen by a click. True: the mouse is on one.
 bool GizmoView::handleMarks(Workspace* workspace, const ScreenView& view, Vec2 mouse, bool isPressed) {
     const std::vector<Light>& lights = workspace->document.draft().lights;
@@ -104,6 +131,7 @@ bool GizmoView::handle(Workspace* workspace, const PlacedImage& placed, bool hov
     marks_.clear();
     beam_.clear();
     meant_.reset();
+    isNudging_ = false;
     if (workspace->gizmo.mode == GizmoMode::Off || isSideBySide(*workspace)) {
         gizmo_.end();
         return false;
@@ -115,6 +143,9 @@ bool GizmoView::handle(Workspace* workspace, const PlacedImage& placed, bool hov
     if (!held || !target) { gizmo_.end(); }
     if (gizmo_.isDragging()) {
         target->place(gizmo_.drag(target->settings, view, mouse, target->settings.snaps != io.KeyCtrl));
+        target = targetOf(workspace);
+    }
+    if (target && !gizmo_.isDragging() && nudge(workspace->keys, view, *target)) {
         target = targetOf(workspace);
     }
     if (target) {

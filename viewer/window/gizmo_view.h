@@ -15,6 +15,8 @@ class GizmoView {
     /// mouse is on a handle or drags one, and nothing else is to follow it.
     bool handle(Workspace* workspace, const PlacedImage& placed, bool hovered, bool held);
     void draw() const;
+    /// A key that moves the selection is down.
+    bool isNudging() const { return isNudging_; }
 
   private:
     /// What the handles are of.
@@ -29,6 +31,8 @@ class GizmoView {
         int light;
     };
     std::optional<Target> targetOf(Workspace* workspace);
+    /// True: a key has moved it.
+    bool nudge(const KeyMap& keys, const ScreenView& view, const Target& target);
     bool handleMarks(Workspace* workspace, const ScreenView& view, Vec2 mouse, bool isPressed);
     Vec3 pivotOf(const SceneDescription& scene, const Object& object);
 
@@ -38,6 +42,7 @@ class GizmoView {
     std::vector<Vec2> beam_;  ///< on the screen; empty: none
     std::optional<GizmoHandle> meant_;
     bool wasHeld_ = false;
+    bool isNudging_ = false;
     std::shared_ptr<const MeshData> pivotMesh_;  ///< that `meshPivot_` is of
     Vec3 meshPivot_{0.0f};
 };

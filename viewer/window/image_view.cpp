@@ -22,6 +22,8 @@ namespace {
 constexpr float kFlySpeed = 0.7f;  // target distances per second
 constexpr float kFastFactor = 4.0f;
 constexpr double kWheelHoldSeconds = 0.15;
+constexpr float kDividerStep = 0.02f;  // of the width of what is seen of the image
+constexpr float kFineShare = 0.1f;
 
 /// Which way the fly keys point; zero when none is down or a text field has the keyboard.
 Vec3 flyDirection(const KeyMap& keys) {
@@ -48,6 +50,14 @@ Vec2 foldedBack(Vec2 at, const ImageArea& left) {
 }
 
 Vec2 mousePosition() { return {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y}; }
+
+/// By keys.
+void moveDivider(const KeyMap& keys, DisplaySettings* settings) {
+    const float step = kDividerStep * (ImGui::GetIO().KeyShift ? kFineShare : 1.0f);
+    if (isPressed(keys, KeyAction::DividerLeft, true)) { settings->splitAt -= step; }
+    if (isPressed(keys, KeyAction::DividerRight, true)) { settings->splitAt += step; }
+    settings->splitAt = std::clamp(settings->splitAt, 0.0f, 1.0f);
+}
 
 void drawHint(Vec2 min, Vec2 max, const char* text) {
     const ImVec2 size = ImGui::CalcTextSize(text);
@@ -204,7 +214,10 @@ bool ImageView::draw(Workspace* workspace, const ImagePanes& panes, Vec2 min, Ve
     if (hasScene) {
         handleZoomKeys(workspace->keys, area, &framing);
         placed_ = framing.place(area);
-        if (hasDivider(*workspace)) { dragDivider(&workspace->display, placed_); }
+        if (hasDivider(*workspace)) {
+            moveDivider(workspace->keys, &workspace->display);
+            dragDivider(&workspace->display, placed_);
+        }
     }
     ImGui::SetCursorScreenPos({min.x, min.y});
     // A click on the image takes the keyboard back from a text field.
@@ -222,7 +235,7 @@ bool ImageView::draw(Workspace* workspace, const ImagePanes& panes, Vec2 min, Ve
         if (hovered || held) { findPixel(*workspace, area); }
         const bool draws = region_.handle(workspace, placed_, hoveredPixel_, held) ||
                            gizmo_.handle(workspace, placed_, hovered, held);
-        moving = navigate(workspace, area, hovered, held && !draws);
+        moving = navigate(workspace, area, hovered, held && !draws) || gizmo_.isNudging();
         placed_ = framing.place(area);
         if (panes.own.display->texture() != 0) {
             drawPanes(*workspace, panes, placed_);

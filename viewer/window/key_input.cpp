@@ -25,7 +25,8 @@ template <class IsActive>
 bool isMeant(const KeyMap& keys, KeyAction action, const IsActive& isActive) {
     if (ImGui::GetIO().WantTextInput || keys.asked) { return false; }
     for (const KeyChord& chord : keys.chordsOf(action)) {
-        if (ui::isWalking() && std::ranges::find(kOfWidgets, chord.key) != kOfWidgets.end()) { continue; }
+        const bool isOfWidget = !chord.alt && std::ranges::find(kOfWidgets, chord.key) != kOfWidgets.end();
+        if (ui::isWalking() && isOfWidget) { continue; }
         if (isActive(*keyCode(chord.key)) && keys.means(action, withModifiers(chord.key))) { return true; }
     }
     return false;

@@ -1,6 +1,6 @@
 // Which actions the keyboard asks for in this frame, by the map of keys. No key means anything while a text
-// is typed, or a key is chosen for an action; arrows, Space and Enter mean nothing else while a widget is
-// marked.
+// is typed, or a key is chosen for an action; arrows, Space and Enter without Alt mean nothing
+// else while a widget is marked.
 #pragma once
 
 #include <optional>

@@ -1,8 +1,10 @@
 #include "viewer/window/script_player.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -27,6 +29,12 @@ int buttonOf(const ScriptStatement& statement, size_t word) {
     return statement.words[word].text == "right" ? ImGuiMouseButton_Right : ImGuiMouseButton_Middle;
 }
 
+/// It neither is input nor changes anything.
+bool isLooking(std::string_view verb) {
+    constexpr std::array<std::string_view, 5> kVerbs{"wait", "expect", "print", "mark", "screenshot"};
+    return std::ranges::find(kVerbs, verb) != kVerbs.end();
+}
+
 Vec2 centreOf(const WidgetRecord& widget) { return glm::floor((widget.min + widget.max) * 0.5f); }
 
 }  // namespace
@@ -43,11 +51,13 @@ ScriptPlayer::ScriptPlayer(std::vector<ScriptStatement> statements, WidgetRegist
 Status ScriptPlayer::step() {
     wheel_ = 0.0f;
     typed_.clear();
+    hasActed_ = false;
     if (registry_->widgets().empty()) {
         return {};  // the first frames: nothing has been on screen yet
     }
     while (next_ < statements_.size() && actions_.empty() && !finishing_) {
         if (attempts_ == 0) { began_ = secondsNow(); }
+        hasActed_ = hasActed_ || !isLooking(statements_[next_].verb);
         auto progress = run(statements_[next_]);
         if (!progress) {
             next_ = statements_.size();
@@ -64,6 +74,7 @@ Status ScriptPlayer::step() {
         finishing_ = false;
         return {};
     }
+    hasActed_ = true;
     const Action action = actions_.front();
     actions_.pop_front();
     finishing_ = actions_.empty();

@@ -28,6 +28,8 @@ class ScriptPlayer {
     /// widget is missing; the script is over then.
     Status step();
     bool done() const { return next_ == statements_.size() && actions_.empty() && !finishing_; }
+    /// The last step() was input, or set a widget.
+    bool hasActed() const { return hasActed_; }
     /// Overwrites the frame's input with the script's.
     void feed(ImGuiIO* io);
 
@@ -59,8 +61,9 @@ class ScriptPlayer {
     Workspace* workspace_;
     Screenshot screenshot_;
     size_t next_ = 0;
-    int attempts_ = 0;        // frames that the current statement has taken
-    double began_ = 0.0;      // when it began, seconds
+    int attempts_ = 0;    // frames that the current statement has taken
+    double began_ = 0.0;  // when it began, seconds
+    bool hasActed_ = false;
     bool finishing_ = false;  // the last action's frame has not been drawn
     std::deque<Action> actions_;
     SessionCounters mark_{};

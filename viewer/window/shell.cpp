@@ -23,6 +23,8 @@ namespace {
 constexpr float kSplitterUnits = 6.0f;
 constexpr float kSmallestColumn = 300.0f;
 constexpr float kSmallestImage = 240.0f;
+constexpr float kColumnStep = 20.0f;
+constexpr float kFineColumnStep = 2.0f;
 constexpr float kExposureStep = 1.0f / 3.0f;
 constexpr double kNoticeSeconds = 6.0;
 constexpr float kLeastStatusShare = 0.35f;  // what a long message leaves of the status line
@@ -50,6 +52,11 @@ void Shell::handleKeys(Workspace* workspace) {
     if (is(KeyAction::Undo)) { workspace->history.askUndo(); }
     if (is(KeyAction::Redo)) { workspace->history.askRedo(); }
     if (is(KeyAction::Panels)) { panelsShown_ = !panelsShown_; }
+    const float step = ImGui::GetIO().KeyShift ? kFineColumnStep : kColumnStep;
+    if (isPressed(workspace->keys, KeyAction::ColumnWider, true)) { workspace->layout.columnUnits += step; }
+    if (isPressed(workspace->keys, KeyAction::ColumnNarrower, true)) {
+        workspace->layout.columnUnits -= step;
+    }
     if (is(KeyAction::Walk)) { panelsShown_ = workspace->layout.walks = true; }
     if (is(KeyAction::Darker)) { display.exposureStops -= kExposureStep; }
     if (is(KeyAction::Brighter)) { display.exposureStops += kExposureStep; }
@@ -102,7 +109,7 @@ void Shell::drawSplitter(float x, float height, float* columnUnits) const {
         {x, 0.0f}, {x + width, height},
         ImGui::GetColorU32(hovered ? ImGui::GetStyleColorVec4(ImGuiCol_SeparatorHovered)
                                    : theme::kPanelBackground));
-    ui::area("Splitter", {x, 0.0f}, {x + width, height}, "");
+    ui::area("Splitter", {x, 0.0f}, {x + width, height}, fmt::format("{:.0f}", *columnUnits));
     ImGui::End();
     ImGui::PopStyleVar(2);
 }
