@@ -55,6 +55,40 @@ expect "Status message" "There is no object to give the material to"
 )"));
 }
 
+/// Its user may still want it.
+TEST(MaterialDrop, AnEditedMaterialOfThatNameStays) {
+    const std::string drop = R"(
+move "Library/Terracotta"
+press
+move "Image" 0.5 0.5
+wait frames 3
+release
+wait picture
+)";
+    expectPlayed(play(kOnlyThese + R"(
+open "Object"
+open "Library"
+open "Materials"
+wait frames 3
+set "Group" Paints
+wait frames 3
+)" + drop + R"(
+expect "Object/Material" Terracotta
+)" + drop + R"(
+expect "Object/Material" Terracotta
+expect no-widget "Materials/Terracotta 2"
+set "Materials/Colour" 0 0 1
+wait picture
+)" + drop + R"(
+expect "Object/Material" "Terracotta 2"
+click "Materials/Terracotta"
+wait frames 3
+expect "Materials/Colour" 0 0 1
+)" + drop + R"(
+expect "Object/Material" "Terracotta 2"
+)"));
+}
+
 TEST(MaterialDrop, AMaterialOfTheSceneToo) {
     std::string two(kScene);
     two.insert(two.find("\"grey\""), R"("red": {"type": "diffuse", "color": [0.8, 0, 0]}, )");

@@ -203,6 +203,10 @@ expect "Scene/Variant" green
 set "Scene/Time" 1.5
 wait jobs
 expect "Scene/Time" 1.5
+expect no-widget "Scene/Choice note"
+set "Aperture" 20
+wait picture
+expect "Scene/Choice note" "A choice reads the file again, without the unsaved edits; undo brings them back."
 set "Scene/Animation" rest
 wait jobs
 expect no-widget "Scene/Time"

@@ -26,7 +26,7 @@ std::string titleOf(const fs::path& file) {
 }
 
 Thumbnail thumbnailOf(const Image8& image) {
-    Thumbnail out{image.width, image.height, {}};
+    Thumbnail out{image.width, image.height, {}, newThumbnailId()};
     for (size_t i = 0; i + 2 < image.rgb.size(); i += 3) {
         out.rgba.insert(out.rgba.end(), {image.rgb[i], image.rgb[i + 1], image.rgb[i + 2], 255});
     }

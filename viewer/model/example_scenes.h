@@ -12,9 +12,8 @@ namespace glint {
 
 struct ExampleScene {
     std::string path;
-    std::string title;         ///< the scene's own, or its file's name
-    Thumbnail thumbnail{};     ///< no pixels: there is none
-    unsigned int texture = 0;  ///< of the thumbnail, made by who draws; 0: not yet
+    std::string title;      ///< the scene's own, or its file's name
+    Thumbnail thumbnail{};  ///< no pixels: there is none
 };
 
 /// The folder of the examples: beside the program as it is installed, or as it is built; nothing where there

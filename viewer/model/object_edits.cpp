@@ -6,9 +6,12 @@
 #include <iterator>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "engine/scene/generated_mesh.h"
 #include "engine/scene/object_box.h"
 #include "engine/scene/scene_building.h"
+#include "engine/scene/scene_diff.h"
 #include "engine/scene/scene_use.h"
 #include "viewer/model/camera_controller.h"
 
@@ -160,19 +163,39 @@ void showHidden(SceneDocument* document, size_t index) {
     document->selectedObject = static_cast<int>(objectsOf(document).size()) - 1;
 }
 
+namespace {
+
+bool sameButName(const Material& a, const Material& b) {
+    SceneDescription sceneA, sceneB;
+    sceneA.materials = {a};
+    sceneB.materials = {b};
+    return listDifferences(sceneA, sceneB).empty();
+}
+
+/// The preset among the scene's materials. One of its name that is something else by now stays as it is.
+int placeOfPreset(const MaterialPreset& preset, std::vector<Material>* materials) {
+    const auto called = [&](const std::string& name) {
+        return std::ranges::find(*materials, name, &Material::name);
+    };
+    std::string name = preset.name;
+    for (int number = 2; called(name) != materials->end(); ++number) {
+        const auto known = called(name);
+        if (sameButName(*known, preset.material)) { return static_cast<int>(known - materials->begin()); }
+        name = fmt::format("{} {}", preset.name, number);
+    }
+    materials->push_back(preset.material);
+    materials->back().name = name;
+    return static_cast<int>(materials->size()) - 1;
+}
+
+}  // namespace
+
 void giveMaterial(SceneDocument* document, int object, const MaterialDrag& given) {
     SceneDescription& scene = document->draft();
     std::vector<Material>& materials = scene.materials;
     int material = given.material;
     if (object < 0 || static_cast<size_t>(object) >= scene.objects.size()) { return; }
-    if (given.preset != nullptr) {
-        const auto known = std::ranges::find(materials, given.preset->name, &Material::name);
-        material = static_cast<int>(known - materials.begin());
-        if (known == materials.end()) {
-            materials.push_back(given.preset->material);
-            materials.back().name = given.preset->name;
-        }
-    }
+    if (given.preset != nullptr) { material = placeOfPreset(*given.preset, &materials); }
     if (material < 0 || static_cast<size_t>(material) >= materials.size()) { return; }
     Object& taker = scene.objects[static_cast<size_t>(object)];
     taker.material = material;

@@ -29,7 +29,8 @@ void showAll(SceneDocument* document);
 void showHidden(SceneDocument* document, size_t index);
 
 /// Gives an object of the draft the material, and selects both; a preset becomes one of the scene's, or is it
-/// already. Nothing where there is no such object or material.
+/// already, under its name or, where another material has that, the name with a number. Nothing where there
+/// is no such object or material.
 void giveMaterial(SceneDocument* document, int object, const MaterialDrag& given);
 
 /// Adds the objects, meshes, materials and textures of another scene to `scene`, so large and there that they

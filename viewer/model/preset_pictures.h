@@ -15,8 +15,7 @@ namespace glint {
 /// The balls of a group in rows of kColumns, squares of kSide pixels each.
 struct PresetSheet {
     static constexpr int kColumns = 8, kSide = 48;
-    Thumbnail thumbnail{};     ///< no pixels: not rendered yet, or it could not be
-    unsigned int texture = 0;  ///< of the thumbnail, made by who draws; 0: not yet
+    Thumbnail thumbnail{};  ///< no pixels: not rendered yet, or it could not be
 
     /// Where a preset's ball is, in shares of the thumbnail.
     Vec2 cornerOf(size_t preset) const;

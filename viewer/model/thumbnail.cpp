@@ -1,6 +1,7 @@
 #include "viewer/model/thumbnail.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace glint {
 namespace {
@@ -18,11 +19,16 @@ Vec3 meanOf(const FilmSnapshot& picture, int x0, int y0, int x1, int y1) {
 
 }  // namespace
 
+uint64_t newThumbnailId() {
+    static std::atomic<uint64_t> last{0};
+    return ++last;
+}
+
 Thumbnail makeThumbnail(const FilmSnapshot& picture, const DisplayLook& look, int side) {
     const ToneMapper toned(look);
     const int longest = std::max(picture.width, picture.height);
     const auto scaled = [&](int length) { return std::max(1, length * std::min(side, longest) / longest); };
-    Thumbnail out{scaled(picture.width), scaled(picture.height), {}};
+    Thumbnail out{scaled(picture.width), scaled(picture.height), {}, newThumbnailId()};
     for (int y = 0; y < out.height; ++y) {
         for (int x = 0; x < out.width; ++x) {
             const Vec3 mean =

@@ -12,6 +12,7 @@
 #include "viewer/panels/material_drag.h"
 #include "viewer/panels/material_patch.h"
 #include "viewer/panels/panel.h"
+#include "viewer/ui/thumbnail_textures.h"
 #include "viewer/ui/widgets.h"
 
 namespace glint {
@@ -24,13 +25,14 @@ void drawPresets(PresetPictures* pictures, size_t shown, SceneDocument* document
     const MaterialPresetGroup& group = materialPresets()[shown];
     const PresetSheet& sheet = pictures->sheets[shown];
     pictures->ask(shown);
+    const unsigned int texture = ui::textureOf(sheet.thumbnail);
     const float row = kRowUnits * ui::scale() + ImGui::GetStyle().ItemSpacing.y;
     const float rows = std::min(static_cast<float>(group.presets.size()), kMostRows);
     ImGui::BeginChild("presets", {0.0f, rows * row}, false, ImGuiWindowFlags_NavFlattened);
     for (size_t i = 0; i < group.presets.size(); ++i) {
         const MaterialPreset& preset = group.presets[i];
         const Vec2 corner = sheet.cornerOf(i);
-        if (ui::pictureLine(preset.name.c_str(), {sheet.texture, corner, corner + sheet.cellSize()},
+        if (ui::pictureLine(preset.name.c_str(), {texture, corner, corner + sheet.cellSize()},
                             patchColor(preset.material), kRowUnits)) {
             takeMaterial(preset.material, selected);
             document->nameEdit("Material " + preset.name);

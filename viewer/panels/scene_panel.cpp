@@ -81,7 +81,10 @@ void drawChoices(SceneFiles* files, bool hasEdits) {
         reading->isStale |= chooseTime(reading, choices.animations[shown]);
     }
     if (hasEdits && (!choices.variants.empty() || !choices.animations.empty())) {
-        ui::hint("A choice reads the file again, without the unsaved edits; undo brings them back.");
+        constexpr const char* kNote =
+            "A choice reads the file again, without the unsaved edits; undo brings them back.";
+        ui::hint(kNote);
+        ui::itemArea("Choice note", kNote);
     }
     if (reading->isStale && !ImGui::IsAnyItemActive()) {
         reading->isStale = false;

@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include "viewer/ui/theme.h"
+#include "viewer/ui/thumbnail_textures.h"
 #include "viewer/ui/widgets.h"
 
 namespace glint {
@@ -19,11 +20,12 @@ void drawPicture(const ExampleScene& example, Vec2 corner, Vec2 size) {
     ImDrawList* draw = ImGui::GetWindowDrawList();
     draw->AddRectFilled({corner.x, corner.y}, {corner.x + size.x, corner.y + size.y},
                         IM_COL32(20, 20, 20, 255), 4.0f * ui::scale());
-    if (example.texture == 0) { return; }
+    const unsigned int texture = ui::textureOf(example.thumbnail);
+    if (texture == 0) { return; }
     const Vec2 picture(example.thumbnail.width, example.thumbnail.height);
     const Vec2 shown = picture * std::min(size.x / picture.x, size.y / picture.y);
     const Vec2 from = corner + (size - shown) * 0.5f;
-    draw->AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(example.texture)), {from.x, from.y},
+    draw->AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(texture)), {from.x, from.y},
                    {from.x + shown.x, from.y + shown.y});
 }
 

@@ -39,9 +39,7 @@ void ImagePanes::takeDifference(const PictureDifference& made) {
 void ImagePanes::takeColors(Workspace* workspace) {
     takeOverlay(workspace->focusOverlay);
     takeDifference(workspace->difference);
-    thumbnails.update(&workspace->snapshots.kept());
-    thumbnails.update(&workspace->examples.scenes);
-    thumbnails.update(&workspace->presets.sheets);
+    thumbnails.update(*workspace);
 }
 
 void ImagePanes::show(Workspace* workspace) {

@@ -7,7 +7,7 @@
 #include "viewer/model/workspace.h"
 #include "viewer/window/image_display.h"
 #include "viewer/window/shown_image_source.h"
-#include "viewer/window/thumbnail_textures.h"
+#include "viewer/window/thumbnail_uploads.h"
 
 namespace glint {
 
@@ -25,7 +25,7 @@ struct ImagePanes {
     uint64_t overlayVersion = 0;            ///< that it holds
     std::unique_ptr<ImageDisplay> difference;
     std::shared_ptr<const PictureDifference::Made> differenceOf;  ///< that it holds; null: nothing
-    ThumbnailTextures thumbnails;
+    ThumbnailUploads thumbnails;
 
     /// Error: as ImageDisplay::create().
     Status create(const GlApi& gl);
