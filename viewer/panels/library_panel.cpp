@@ -25,7 +25,7 @@ void drawPresets(PresetPictures* pictures, size_t shown, SceneDocument* document
     const MaterialPresetGroup& group = materialPresets()[shown];
     const PresetSheet& sheet = pictures->sheets[shown];
     pictures->ask(shown);
-    const unsigned int texture = ui::textureOf(sheet.thumbnail);
+    const unsigned int texture = ui::textureOf(sheet.thumbnail.id);
     const float row = kRowUnits * ui::scale() + ImGui::GetStyle().ItemSpacing.y;
     const float rows = std::min(static_cast<float>(group.presets.size()), kMostRows);
     ImGui::BeginChild("presets", {0.0f, rows * row}, false, ImGuiWindowFlags_NavFlattened);

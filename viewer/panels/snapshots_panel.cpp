@@ -26,7 +26,7 @@ void drawThumbnail(const KeptPicture& kept) {
     const auto [width, height] =
         std::pair(static_cast<float>(kept.thumbnail.width), static_cast<float>(kept.thumbnail.height));
     const float scale = side / std::max(width, height);
-    if (const unsigned int texture = ui::textureOf(kept.thumbnail); texture != 0) {
+    if (const unsigned int texture = ui::textureOf(kept.thumbnail.id); texture != 0) {
         ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(texture)),
                      {width * scale, height * scale});
     } else {

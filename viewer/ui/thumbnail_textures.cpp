@@ -9,9 +9,9 @@ const TextureTable* tableInUse = nullptr;
 
 void useTextures(const TextureTable* table) { tableInUse = table; }
 
-unsigned int textureOf(const Thumbnail& thumbnail) {
+unsigned int textureOf(uint64_t thumbnailId) {
     if (tableInUse == nullptr) { return 0; }
-    const auto found = tableInUse->find(thumbnail.id);
+    const auto found = tableInUse->find(thumbnailId);
     return found != tableInUse->end() ? found->second : 0;
 }
 

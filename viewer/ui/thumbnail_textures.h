@@ -5,8 +5,6 @@
 #include <cstdint>
 #include <map>
 
-#include "viewer/model/thumbnail.h"
-
 namespace glint::ui {
 
 /// By the thumbnails' ids.
@@ -15,6 +13,6 @@ using TextureTable = std::map<uint64_t, unsigned int>;
 /// What textureOf() looks into, until the next call; null: nothing.
 void useTextures(const TextureTable* table);
 /// 0: there is none yet.
-unsigned int textureOf(const Thumbnail& thumbnail);
+unsigned int textureOf(uint64_t thumbnailId);
 
 }  // namespace glint::ui

@@ -20,7 +20,7 @@ void drawPicture(const ExampleScene& example, Vec2 corner, Vec2 size) {
     ImDrawList* draw = ImGui::GetWindowDrawList();
     draw->AddRectFilled({corner.x, corner.y}, {corner.x + size.x, corner.y + size.y},
                         IM_COL32(20, 20, 20, 255), 4.0f * ui::scale());
-    const unsigned int texture = ui::textureOf(example.thumbnail);
+    const unsigned int texture = ui::textureOf(example.thumbnail.id);
     if (texture == 0) { return; }
     const Vec2 picture(example.thumbnail.width, example.thumbnail.height);
     const Vec2 shown = picture * std::min(size.x / picture.x, size.y / picture.y);
