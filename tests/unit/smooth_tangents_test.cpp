@@ -16,14 +16,14 @@ namespace {
 
 constexpr int kSegments = 12;
 
-/// A ring in z = 0 with u around it and v outwards, from radius 0.2 to 1; `turnsOver`: u runs back on the
+/// A ring in z = 0 with u around it and v outwards, from radius 0.8 to 1; `turnsOver`: u runs back on the
 /// second half.
 MeshData ring(bool turnsOver = false) {
     MeshData mesh;
     for (int i = 0; i <= kSegments; ++i) {
         const float turn = static_cast<float>(i) / kSegments;
         const float u = turnsOver ? 0.5f - std::fabs(turn - 0.5f) : turn;
-        for (const float radius : {0.2f, 1.0f}) {
+        for (const float radius : {0.8f, 1.0f}) {
             mesh.positions.push_back(radius *
                                      Vec3(std::cos(2.0f * kPi * turn), std::sin(2.0f * kPi * turn), 0.0f));
             mesh.normals.emplace_back(0.0f, 0.0f, 1.0f);
@@ -72,7 +72,7 @@ float largestError(const BuiltScene& built) {
     for (int i = 0; i < 720; ++i) {
         const float angle = 2.0f * kPi * (static_cast<float>(i) + 0.3f) / 720.0f;
         const Vec3 outwards(std::cos(angle), std::sin(angle), 0.0f);
-        const Ray ray{0.6f * outwards + Vec3(0.0f, 0.0f, 2.0f), Vec3(0.0f, 0.0f, -1.0f)};
+        const Ray ray{0.9f * outwards + Vec3(0.0f, 0.0f, 2.0f), Vec3(0.0f, 0.0f, -1.0f)};
         Hit hit;
         if (!intersect<kAllFeatures>(view, ray, &hit)) {
             ADD_FAILURE() << "no hit at " << angle;
@@ -91,8 +91,8 @@ float largestError(const BuiltScene& built) {
 
 TEST(SmoothTangents, RunOnOverTriangles) {
     // Between vertices 30 degrees apart, chords and interpolation differ from the arc.
-    EXPECT_LT(largestError(*build(sceneOf(ring(), brushed()))), 2.0f);
-    EXPECT_LT(largestError(*build(sceneOf(ring(true), brushed()))), 2.0f) << "where u turns over";
+    EXPECT_LT(largestError(*build(sceneOf(ring(), brushed()))), 3.0f);
+    EXPECT_LT(largestError(*build(sceneOf(ring(true), brushed()))), 3.0f) << "where u turns over";
     Material plain = brushed();
     plain.crossRoughness.value = -1.0f;
     EXPECT_GT(largestError(*build(sceneOf(ring(), plain))), 12.0f) << "as triangles have them";
