@@ -32,14 +32,10 @@ wheel -300
 wait frames 30
 set "Search" "77"
 wait frames 30
-click "Object 77: ball 77"
-wait frames 4
 set "Search" ""
 wait frames 4
 click "Go to Object"
 wait frames 4
-drag "Object/Position.x" 40 0
-wait frames 30
 drag "Image" 60 0
 wait frames 60
 )";
