@@ -190,8 +190,11 @@ TEST(BsdfReciprocity, HoldsForEveryMaterial) {
             const float scale = !s.isTransmission ? 1.0f : (wo.z > 0.0f ? square(eta) : 1.0f / square(eta));
             // Half vectors carry rounding errors of 1e-7 in units of alpha, or of the difference of indices.
             const float digits = std::fmax(narrowestAlpha(bsdfCase.material), 1e-3f);
+            // What passes a body broadly in one direction is squeezed in the other: a small value beside
+            // large ones.
+            const float floor = (bsdfCase.material.flags & kMaterialTransmits) != 0 ? 2e-3f : 1e-3f;
             for (int c = 0; c < 3; ++c) {
-                EXPECT_NEAR(there[c] * scale, back[c], (1e-5f + 3e-6f / digits) * 20.0f * (back[c] + 2e-3f))
+                EXPECT_NEAR(there[c] * scale, back[c], (1e-5f + 3e-6f / digits) * 20.0f * (back[c] + floor))
                     << bsdfCase.name << " " << wo.z << " " << s.wi.z;
             }
         }
