@@ -1,12 +1,13 @@
-// Loops on the render threads: every index once, what a body throws, and no team of threads for a serial loop.
+// Loops on the render threads: every index once, what a body throws, and no team of threads for a serial
+// loop.
+#include "engine/base/parallel.h"
+
 #include <atomic>
 #include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <omp.h>
-
-#include "engine/base/parallel.h"
 
 namespace glint {
 namespace {
