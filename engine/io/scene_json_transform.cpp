@@ -2,15 +2,11 @@
 #include <fmt/format.h>
 
 #include "engine/base/nearest_name.h"
+#include "engine/io/angle.h"
 #include "engine/io/scene_json_keys.h"
 #include "engine/io/scene_json_reader.h"
 
 namespace glint {
-namespace {
-
-float radians(float degrees) { return degrees * (kPi / 180.0f); }
-
-}  // namespace
 
 Affine SceneJsonReader::readPlacement(const ShapeForm& form, const JsonFields& fields) {
     Placement values;

@@ -1,6 +1,7 @@
 // 6.837-style scenes: groups and transforms.
 #include <fmt/format.h>
 
+#include "engine/io/angle.h"
 #include "engine/io/scene_text_reader.h"
 
 namespace glint {
@@ -10,8 +11,6 @@ constexpr int kMaxDepth = 64;
 constexpr std::string_view kObjects[] = {"Sphere",      "Plane",       "Triangle",      "TriangleMesh",
                                          "Transform",   "Group",       "MaterialIndex", "RevSurface",
                                          "BezierCurve", "BsplineCurve"};
-
-float radians(float degrees) { return degrees * (kPi / 180.0f); }
 
 }  // namespace
 
