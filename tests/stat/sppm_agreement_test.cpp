@@ -92,6 +92,13 @@ void expectAgreement(const SceneDescription& scene, const SppmParams& params, ui
 class SppmAgainstPaths : public testing::TestWithParam<std::tuple<bool, bool>> {
   protected:
     static SppmParams params() { return paramsFor(std::get<0>(GetParam())); }
+    /// Where light changes within the usual radius: highlights and balls of a few pixels.
+    static SppmParams finer(uint32_t photons) {
+        SppmParams out = params();
+        out.photonsPerPass = photons;
+        out.radiusFootprints = 1.0f;
+        return out;
+    }
     static void expectAgreementOf(const SceneDescription& scene, const SppmParams& params) {
         expectAgreement(std::get<1>(GetParam()) ? otherWinding(scene) : scene, params, 24);
     }
@@ -104,49 +111,14 @@ TEST_P(SppmAgainstPaths, Bumps) { expectAgreementOf(bumpyBox(), params()); }
 TEST_P(SppmAgainstPaths, Cutouts) { expectAgreementOf(cutoutBox(), params()); }
 TEST_P(SppmAgainstPaths, AbsorbingGlass) { expectAgreementOf(absorbingGlassBox(), params()); }
 TEST_P(SppmAgainstPaths, TranslucentSheets) { expectAgreementOf(translucentBox(), params()); }
-TEST_P(SppmAgainstPaths, Projector) {
-    SppmParams finer = params();  // its light changes within a radius
-    finer.photonsPerPass = 32000;
-    finer.radiusFootprints = 1.0f;
-    expectAgreementOf(projectorBox(), finer);
-}
-TEST_P(SppmAgainstPaths, Goniometric) {
-    SppmParams finer = params();
-    finer.photonsPerPass = 32000;
-    finer.radiusFootprints = 1.0f;
-    expectAgreementOf(goniometricBox(), finer);
-}
+TEST_P(SppmAgainstPaths, Projector) { expectAgreementOf(projectorBox(), finer(32000)); }
+TEST_P(SppmAgainstPaths, Goniometric) { expectAgreementOf(goniometricBox(), finer(32000)); }
 TEST_P(SppmAgainstPaths, Portal) { expectAgreementOf(portalBox(), params()); }
-TEST_P(SppmAgainstPaths, Principled) {
-    SppmParams finer = params();  // the balls are six pixels wide, and have highlights
-    finer.photonsPerPass = 32000;
-    finer.radiusFootprints = 1.0f;
-    expectAgreementOf(principledBox(), finer);
-}
-TEST_P(SppmAgainstPaths, Passing) {
-    SppmParams finer = params();
-    finer.photonsPerPass = 32000;
-    finer.radiusFootprints = 1.0f;
-    expectAgreementOf(passingBox(), finer);
-}
-TEST_P(SppmAgainstPaths, Highlights) {
-    SppmParams finer = params();
-    finer.photonsPerPass = 32000;
-    finer.radiusFootprints = 1.0f;
-    expectAgreementOf(highlightBox(), finer);
-}
-TEST_P(SppmAgainstPaths, Brushed) {
-    SppmParams finer = params();  // highlights are a few pixels wide
-    finer.photonsPerPass = 24000;
-    finer.radiusFootprints = 1.0f;
-    expectAgreementOf(brushedBox(), finer);
-}
-TEST_P(SppmAgainstPaths, Coated) {
-    SppmParams finer = params();
-    finer.photonsPerPass = 24000;
-    finer.radiusFootprints = 1.0f;
-    expectAgreementOf(coatedBox(), finer);
-}
+TEST_P(SppmAgainstPaths, Principled) { expectAgreementOf(principledBox(), finer(32000)); }
+TEST_P(SppmAgainstPaths, Passing) { expectAgreementOf(passingBox(), finer(32000)); }
+TEST_P(SppmAgainstPaths, Highlights) { expectAgreementOf(highlightBox(), finer(32000)); }
+TEST_P(SppmAgainstPaths, Brushed) { expectAgreementOf(brushedBox(), finer(24000)); }
+TEST_P(SppmAgainstPaths, Coated) { expectAgreementOf(coatedBox(), finer(24000)); }
 TEST_P(SppmAgainstPaths, DispersiveGlass) {
     SppmParams more = params();
     more.photonsPerPass = 20000;
