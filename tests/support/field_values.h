@@ -69,6 +69,10 @@ void changeValue(const FieldTraits& traits, Member* value) {
         auto data = std::make_shared<MeshData>(**value);
         data->positions[0].x += 1.0f;
         *value = data;
+    } else if constexpr (std::is_same_v<Member, std::vector<Vec3>>) {
+        for (Vec3& corner : *value) {
+            corner.x += 1.0f;
+        }
     } else if constexpr (requires { value->push_back(value->back()); }) {
         value->push_back(value->back());
     }

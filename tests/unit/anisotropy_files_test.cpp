@@ -82,7 +82,7 @@ TEST_F(AnisotropyMitsuba, AlphasAndDistributionsAreTaken) {
     EXPECT_FALSE(hasCrossRoughness(materialOf("<bsdf type='principled'/>")));
     const Material ward = materialOf(
         "<bsdf type='ward'><float name='alpha_u' value='0.1'/><float name='alpha_v' value='0.4'/></bsdf>");
-    EXPECT_EQ(ward.distribution, FacetDistribution::Beckmann);
+    EXPECT_EQ(ward.kind, MaterialKind::Ward);
     EXPECT_FLOAT_EQ(ward.crossRoughness.value, 0.4f);
 }
 

@@ -62,6 +62,7 @@ SceneDescription fullScene() {
     scene.textures = {textureFrom("a.png"), textureFrom("b.png"), checkerboard()};
     scene.environmentImages = {sky(10.0f), sky(20.0f)};
     scene.environment = {.color = Vec3(0.3f), .strength = 0.7f, .image = 0, .rotationDeg = 12.0f};
+    scene.environment.portal = {{0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {0, 2, 0}};
     for (const KindName<MaterialKind>& kind : kindNames<MaterialKind>()) {
         Material material;
         material.name = kind.name;
@@ -231,7 +232,7 @@ TEST(SceneFields, SavingAndLoadingKeepsThem) {
                           changed.environmentImages[static_cast<size_t>(changed.environment.image)].source);
             } else if constexpr (std::is_same_v<Member, SceneImage>) {
                 EXPECT_EQ((read.*field.member).source, (owner.*field.member).source);
-            } else if constexpr (!kIsList<Member>) {
+            } else if constexpr (!kIsList<Member> || std::is_same_v<Member, std::vector<Vec3>>) {
                 EXPECT_EQ(read.*field.member, owner.*field.member) << titleOf<Owner>(field.key, i);
             }
             checked.insert(field.key);
