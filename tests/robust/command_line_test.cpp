@@ -108,7 +108,7 @@ TEST_F(CommandLine, AnErrorOfZeroIsNotUnknown) {
     const ProgramRun run =
         runProgram({"render", scene, "-o", folder.path("a.png"), "--passes", "4", "--error", "0.01"});
     EXPECT_EQ(run.exitCode, 0) << run.err;
-    EXPECT_TRUE(says(run.out, "relative error 0.00 %"));
+    EXPECT_TRUE(says(run.out, "picture error 0.00 %"));
     EXPECT_TRUE(says(run.out, "an error below 1 % is confirmed by more passes only"));
     EXPECT_FALSE(says(run.out, "not known"));
 }

@@ -86,13 +86,14 @@ struct CoatedLayers {
         }
         const Vec3 wiInside = reflect(woInside, facets.sampleNormal(woInside, u));
         const Vec3 out = wiInside * in.ior;
-        const float cosine2 = 1.0f - square(out.x) - square(out.y);
+        const float cosine2 = 1.0f - square(in.ior) + square(out.z);
         return {out.x, out.y, wiInside.z > 0.0f ? safeSqrt(cosine2) : 0.0f};
     }
 
   private:
     GLINT_HD Vec3 inside(const Vec3& w) const {
-        const float cosine2 = 1.0f - (square(w.x) + square(w.y)) / square(in.ior);
+        // By z and not by x and y, which leave no digits of it at grazing incidence.
+        const float cosine2 = (square(in.ior) - 1.0f + square(w.z)) / square(in.ior);
         constexpr float kLeast = 1e-8f;
         return {w.x / in.ior, w.y / in.ior, std::sqrt(maxf(cosine2, kLeast))};
     }
