@@ -114,7 +114,7 @@ TEST(CudaDeviceScene, TheListedLengthsAreTheBuildersOwn) {
         if (array == mesh.clusters.data()) { EXPECT_EQ(count, mesh.clusters.size()); }
         if (array == mesh.clusterPrimitives.data()) { EXPECT_EQ(count, mesh.clusterPrimitives.size()); }
         const bool isVertexData = array == view.positions || array == view.indices || array == view.normals ||
-                                  array == view.uvs || array == view.colors;
+                                  array == view.uvs || array == view.colors || array == view.tangents;
         if (!isVertexData) { acceleration += count * sizeof(*pointer); }
     });
     EXPECT_EQ(acceleration, mesh.accelerationBytes());

@@ -19,7 +19,7 @@ TEST_F(ResumeCommand, ResumingKeepsTheParametersOfTheScene) {
     const std::string film = folder.path("a.film"), resumed = folder.path("a.hdr"),
                       whole = folder.path("b.hdr");
     const auto render = [&](const std::string& image, std::vector<std::string> more) {
-        std::vector<std::string> all = {"render", scene, "-o", image, "--size", "16x16"};
+        std::vector<std::string> all = {"--verbose", "render", scene, "-o", image, "--size", "16x16"};
         all.insert(all.end(), more.begin(), more.end());
         const ProgramRun run = runProgram(all);
         EXPECT_EQ(run.exitCode, 0) << run.err;
