@@ -55,7 +55,7 @@ set "Materials/Kind" Principled
 expect no-widget "Root tint"
 set "Transmission" 0.5
 wait frames 2
-set "Root tint" true
+set "Root tint" on
 set "Attenuation" 0.5 0.25 1
 wait frames 2
 set "Attenuation distance" 2
@@ -98,7 +98,7 @@ expect no-widget "Exponent"
 wait frames 2
 set "Form" "Ward 1992"
 set "Roughness" 0.25
-set "Anisotropic" true
+set "Anisotropic" on
 wait frames 2
 set "Roughness across" 0.5
 )");

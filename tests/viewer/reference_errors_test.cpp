@@ -159,6 +159,7 @@ TEST(ReferenceErrors, AnotherSizeIsNotCompared) {
 TEST(ConvergenceCsv, HasALineForEachPoint) {
     const ReferencePoint point{.passes = 3,
                                .renderSeconds = 2.5,
+                               .pictureError = 0.75,
                                .relativeRmse = 0.25,
                                .rmseOverMean = 0.5,
                                .mape = 0.125,
@@ -168,7 +169,7 @@ TEST(ConvergenceCsv, HasALineForEachPoint) {
               "integrator,source,passes,render_seconds,relative_error,low_90,high_90,estimated_bias,"
               "relative_rmse,rmse_over_mean,mape,relative_bias\n"
               "path,estimate,2,1.25,0.1,0,0,0,,,,\n"
-              "sppm,reference,3,2.5,,,,,0.25,0.5,0.125,-0.0625\n");
+              "sppm,reference,3,2.5,0.75,,,,0.25,0.5,0.125,-0.0625\n");
 }
 
 }  // namespace
