@@ -5,6 +5,8 @@
 #include <bit>
 #include <cmath>
 
+#include "engine/math/vec.h"
+
 namespace glint {
 namespace {
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "engine/base/parallel.h"
+#include "engine/math/vec.h"
 #include "engine/render/error_estimate.h"
 #include "engine/render/error_sums.h"
 #include "engine/render/film.h"
