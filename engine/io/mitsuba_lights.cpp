@@ -160,12 +160,12 @@ SceneImage MitsubaLights::imageOf(MitsubaObject* object, const std::string& path
         environment.image = -1;
         return image;
     }
-    if (turnDeg && read->floats->height > kMostRows) {
+    const std::shared_ptr<const ImageF> pixels = linearColors(*read);
+    if (turnDeg && pixels->height > kMostRows) {
         context_.note(object->element(), "the rows of a large environment lie up to half a row off");
         return image;
     }
-    const ImageF laidOut =
-        turnDeg ? withCentredRows(*read->floats) : turnedMap(*read->floats, toWorld, hasRowsAtPoles);
+    const ImageF laidOut = turnDeg ? withCentredRows(*pixels) : turnedMap(*pixels, toWorld, hasRowsAtPoles);
     image.source = bakedImage(laidOut, path, 0);
     return image;
 }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "engine/io/baked_image.h"
+#include "engine/io/image_io.h"
 #include "engine/io/pbrt_environment.h"
 #include "engine/io/projected_picture.h"
 #include "engine/math/color.h"
@@ -184,7 +185,8 @@ void PbrtLights::placeMap(const PbrtParams& params, const Affine& toWorld, bool 
         environment = {};
         return;
     }
-    const ImageF& map = *read->floats;
+    const std::shared_ptr<const ImageF> pixels = linearColors(*read);
+    const ImageF& map = *pixels;
     if (!isLatLong && map.width != map.height) {
         params.fail(
             fmt::format("the environment \"{}\" has {} x {} pixels; expected a square, in which equal "
