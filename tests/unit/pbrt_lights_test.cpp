@@ -187,6 +187,8 @@ TEST_F(PbrtLightsTest, Environments) {
     EXPECT_THAT(errorOf("LightSource \"infinite\" \"string filename\" \"wide.hdr\""),
                 HasSubstr("expected a square"));
     EXPECT_EQ(environmentOf("\"string mapname\" \"wide.hdr\"").image, 0);
+    ASSERT_TRUE(savePng(folder.path("sky.png"), {4, 4, std::vector<uint8_t>(48, 255)}));
+    EXPECT_EQ(environmentOf("\"string filename\" \"sky.png\"").image, 0) << "of 8 bits";
     EXPECT_THAT(errorOf("LightSource \"infinite\" \"string filename\" \"none.hdr\""),
                 HasSubstr("cannot be read"));
 }
