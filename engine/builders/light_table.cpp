@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "engine/base/parallel.h"
 #include "engine/builders/emission_means.h"
@@ -121,12 +120,9 @@ class TableBuilder {
 float addPortal(const SceneDescription& scene, const LightTable* previous, int threads, LightTable* table) {
     table->portal = portalOpening(scene.environment);
     if (!table->environment) { return 1.0f; }
-    EnvironmentView image = table->environment->view();
-    image.cosRotation = std::cos(table->environmentRotationRad);
-    image.sinRotation = std::sin(table->environmentRotationRad);
     table->portalSums =
-        buildPortalSums(table->environment->source, image, table->environmentRotationRad, table->portal,
-                        previous != nullptr ? previous->portalSums : nullptr, threads);
+        buildPortalSums(table->environment->source, table->view().environment, table->environmentRotationRad,
+                        table->portal, previous != nullptr ? previous->portalSums : nullptr, threads);
     return table->portalSums->irradiance * kInvPi;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "engine/base/parallel.h"
 #include "engine/kernels/environment.h"
@@ -25,21 +24,23 @@ struct Cell {
 class Square {
   public:
     Square(const EnvironmentView& image, const Mat3& frame, int size)
-        : image_(image), frame_(frame), step_(std::numbers::pi / (size * kPlaces)) {}
+        : image_(image), frame_(frame), step_(kPiD / (size * kPlaces)) {
+        for (int place = 0; place < size * kPlaces; ++place) {
+            ratios_.push_back(std::tan(step_ * (place + 0.5) - 0.5 * kPiD));
+        }
+    }
 
     Cell cell(int column, int row) const {
         Cell cell;
         for (int y = row * kPlaces; y < (row + 1) * kPlaces; ++y) {
             for (int x = column * kPlaces; x < (column + 1) * kPlaces; ++x) {
-                add(std::tan(angle(x)), std::tan(angle(y)), &cell);
+                add(ratios_[static_cast<size_t>(x)], ratios_[static_cast<size_t>(y)], &cell);
             }
         }
         return cell;
     }
 
   private:
-    double angle(int place) const { return step_ * (place + 0.5) - 0.5 * std::numbers::pi; }
-
     /// A direction by its ratios to the normal: d(solid angle) = (1 - u^2) (1 - v^2) / normal d(angles).
     void add(double ratioU, double ratioV, Cell* cell) const {
         const double cosine = 1.0 / std::sqrt(1.0 + ratioU * ratioU + ratioV * ratioV);
@@ -57,6 +58,7 @@ class Square {
     EnvironmentView image_;
     Mat3 frame_;
     double step_;
+    std::vector<double> ratios_;  ///< of each place to the normal, alike along u and v
 };
 
 /// Of light and solid angle of each cell.

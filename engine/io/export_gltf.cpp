@@ -110,7 +110,6 @@ class GltfExporter : public SceneExport {
 
     /// Colours end at 1.
     void writeLight(const Light& from) {
-        if (from.onlyRayCast) { return; }
         if (hasPicture(from.kind)) {
             warn(lostPicture(from.kind));
             writeLight(withoutPicture(scene_, from));

@@ -11,7 +11,6 @@
 namespace glint {
 namespace {
 
-/// Larger coordinates have squared lengths that overflow float.
 constexpr size_t kMaxPoolEntries = INT32_MAX;
 
 constexpr std::string_view kMoreOnALine = "more on a line than it can have is left out";

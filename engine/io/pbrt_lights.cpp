@@ -12,8 +12,6 @@
 #include "engine/math/color.h"
 
 namespace glint {
-namespace {}  // namespace
-
 Vec3 PbrtLights::colorOf(const PbrtParams& params, std::string_view name) {
     const PbrtParam* param = params.find(name);
     if (param != nullptr) { return pbrtColor(params, *param, SpectrumRole::Emission); }

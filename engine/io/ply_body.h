@@ -67,8 +67,6 @@ class PlyBody : public PlyElements<Source> {
     using Base::header_, Base::source_, Base::headerError_;
     using Base::headerFailure, Base::readCount, Base::skipElement, Base::skipProperty;
 
-    /// Larger coordinates have squared lengths that overflow float.
-
     static bool isVertex(const PlyElement& element) { return element.is({"vertex", "vertices"}); }
     static bool isStrip(const PlyElement& element) { return element.is({"tristrips", "tristrip"}); }
     static bool isFaceOrStrip(const PlyElement& element) {

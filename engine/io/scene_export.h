@@ -46,6 +46,8 @@ class SceneExport {
     SceneExport(SceneDescription scene, const std::string& path, std::vector<std::string>* warnings)
         : scene_(std::move(scene)), path_(path), warnings_(*warnings) {
         if (!scene_.hiddenObjects.empty()) { warn("left out: hidden objects"); }
+        const auto cast = std::erase_if(scene_.lights, [](const Light& light) { return light.onlyRayCast; });
+        if (cast > 0) { warn("left out: lights of ray casting alone"); }
         withUsualModels(&scene_, &warnings_);
     }
 

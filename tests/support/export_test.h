@@ -53,6 +53,15 @@ class ExportTest : public Opened {
                 << "sides of 4 pi, two discs of pi";
         }
     }
+    /// Adds a lamp of ray casting alone to the scene, and expects it back without, and with a word.
+    void expectCastLightsAreLeftOut(SceneDescription scene) {
+        scene.lights.clear();
+        Light lamp;
+        lamp.onlyRayCast = true;
+        scene.lights.push_back(lamp);
+        EXPECT_TRUE(exported(scene).lights.empty());
+        EXPECT_THAT(this->warnings, testing::Contains("left out: lights of ray casting alone"));
+    }
     static SceneDescription repositoryScene(const std::string& name) {
         auto scene = loadScene(std::string(GLINT_SOURCE_DIR) + "/scenes/" + name);
         EXPECT_TRUE(scene) << scene.error().format();

@@ -286,6 +286,13 @@ TEST_F(GltfExport, WhatGltfDoesNotHaveIsSaid) {
     }
 }
 
+TEST_F(GltfExport, LightsOfRayCastingAreLeftOut) {
+    SceneDescription scene = square();
+    scene.lights.emplace_back().onlyRayCast = true;
+    EXPECT_TRUE(exported(scene).lights.empty());
+    EXPECT_THAT(warnings, Contains("left out: lights of ray casting alone"));
+}
+
 /// A model without a light has the studio's in every program of its own.
 TEST_F(GltfExport, TheStudioStaysAtHome) {
     const auto scene = loadScene(folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));

@@ -169,5 +169,9 @@ TEST(Exporters, AreToldByTheirEndings) {
 
 TEST_F(MitsubaExport, CapsOfTurnedProfilesAreKept) { expectCapsAreKept(load("<shape type='sphere'/>")); }
 
+TEST_F(MitsubaExport, LightsOfRayCastingAreLeftOut) {
+    expectCastLightsAreLeftOut(load("<shape type='sphere'/>"));
+}
+
 }  // namespace
 }  // namespace glint::test

@@ -99,5 +99,7 @@ TEST_F(PbrtExport, WhatPbrtDoesNotHaveIsSaid) {
 
 TEST_F(PbrtExport, CapsOfTurnedProfilesAreKept) { expectCapsAreKept(load("Shape \"sphere\"")); }
 
+TEST_F(PbrtExport, LightsOfRayCastingAreLeftOut) { expectCastLightsAreLeftOut(load("Shape \"sphere\"")); }
+
 }  // namespace
 }  // namespace glint::test

@@ -3,8 +3,6 @@
 #include <cmath>
 
 namespace glint {
-namespace {}  // namespace
-
 Mat3 rotationOf(const Affine& placed) {
     const Mat3& m = placed.linear;
     const float sign = placed.determinant() < 0.0f ? -1.0f : 1.0f;
