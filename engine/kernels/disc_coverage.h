@@ -72,12 +72,16 @@ struct Disc {
     Frame frame;  ///< n: the normal on the side that is seen
     float radius;
 
+    /// Whether its front is on the side on which the disc's back is.
+    GLINT_HD bool isTurned(const SurfacePoint& found) const { return glm::dot(found.ng, surface.ng) < 0.0f; }
+
     /// Whether photons at such a place of another surface could count.
     GLINT_HD bool goesOnAs(const SurfacePoint& found) const {
-        if (!(glm::dot(found.ng, surface.ng) > kLeastNormalCosine)) { return false; }
-        const float height = 0.5f * glm::dot(found.p - centre, found.ng + surface.ng);
-        if (!sharePhotons(view, surfaceNumber<kMask>(view, params, found.instance), surface.number, height,
-                          radius * radius)) {
+        const Vec3 ng = isTurned(found) ? -found.ng : found.ng;
+        if (!(glm::dot(ng, surface.ng) > kLeastNormalCosine)) { return false; }
+        const float height = 0.5f * glm::dot(found.p - centre, ng + surface.ng);
+        if (!sharePhotons(view, surfaceNumber<kMask>(view, params, found.instance), surface.number,
+                          isTurned(found), height, radius * radius)) {
             return false;
         }
         return found.material == surface.material ||
@@ -101,10 +105,21 @@ struct Disc {
             Hit hit;
             if (!intersect<kWhole>(view, ray, &hit)) { continue; }
             const SurfacePoint found = surfaceAt<kMask>(view, ray, hit);
-            if (isHole(found) || goesOnAs(found)) { continue; }
+            // The underside of a ball on a floor is a wall, seen from without and from within.
+            if (isHole(found) || (!isTurned(found) && goesOnAs(found))) { continue; }
             clip.add(glm::dot(found.ng, direction) < 0.0f ? found.ng : -found.ng, lift + hit.t * direction);
         }
         return clip;
+    }
+
+    /// Whether nothing stands between the centre and a place at its height.
+    GLINT_HD bool isOpenTo(const Vec3& fromCentre) const {
+        const float distance = glm::length(fromCentre);
+        if (!(distance > 0.0f)) { return true; }
+        Hit hit;
+        const Ray ray{centre + kWallRayHeight * radius * frame.n, fromCentre * (1.0f / distance), 0.0f,
+                      distance};
+        return !intersect<kWhole>(view, ray, &hit);
     }
 
     /// Looks down from where photons can be highest, through what cannot hold them: the underside of what
@@ -116,7 +131,10 @@ struct Disc {
         Hit hit;
         for (int layer = 0; layer < kMostLayers && intersect<kWhole>(view, ray, &hit); ++layer) {
             const SurfacePoint found = surfaceAt<kMask>(view, ray, hit);
-            if (!isHole(found) && goesOnAs(found)) { return true; }
+            // The bottom of a box on a floor is no floor wound the other way.
+            if (!isHole(found) && goesOnAs(found) && (!isTurned(found) || isOpenTo(fromCentre))) {
+                return true;
+            }
             ray.tMin = hit.t;
         }
         return false;

@@ -81,16 +81,19 @@ GLINT_HD uint32_t surfaceNumber(const SceneView& view, const SppmParams& params,
 /// - Between an opaque surface and one that lets photons through, never.
 /// - Between two objects that let photons through, where they have one material and the photon's one goes on
 ///   as the visible point's does: as tiles of a sheet do, and parts of a ball, but not a ball within a ball.
-/// `height`: the photon's, over the visible point, along the mean of both normals, which is 0 on planes and
-/// spheres.
-GLINT_HD inline bool sharePhotons(const SceneView& view, uint32_t ofPhoton, uint32_t ofPoint, float height,
-                                  float radiusSquared) {
+/// - With their fronts on opposite sides, opaque ones that go on as each other do: tiles of a floor that are
+///   wound in opposite ways. Of light that came to the other side the visible point's material sends nothing.
+/// `isTurned`: the fronts are on opposite sides. `height`: the photon's, over the visible point, along the
+/// mean of both normals, turned to one side; 0 on planes and spheres.
+GLINT_HD inline bool sharePhotons(const SceneView& view, uint32_t ofPhoton, uint32_t ofPoint, bool isTurned,
+                                  float height, float radiusSquared) {
     constexpr float kGreatestStep = 1.0f / 64.0f;  // of the radius
-    if (ofPhoton == ofPoint) { return true; }
+    if (ofPhoton == ofPoint && !isTurned) { return true; }
+    const bool goesOn = height * height <= square(kGreatestStep) * radiusSquared;
+    if (isTurned) { return ofPhoton == kOpaqueSurface && ofPoint == kOpaqueSurface && goesOn; }
     if (ofPhoton == kOpaqueSurface || ofPoint == kOpaqueSurface) { return false; }
     const View<InstanceData>& instances = view.geometry.instances;
-    return instances[ofPhoton - 1].material == instances[ofPoint - 1].material &&
-           height * height <= square(kGreatestStep) * radiusSquared;
+    return instances[ofPhoton - 1].material == instances[ofPoint - 1].material && goesOn;
 }
 
 /// What the kernels of a pass are told: whether photons must know their surface, as they must where some of

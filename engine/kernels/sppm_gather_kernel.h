@@ -29,12 +29,14 @@ GLINT_HD inline bool liesOnSurface(const SceneView& view, const PhotonLayout& la
           height * height <= square(kGreatestHeight) * radiusSquared)) {
         return false;
     }
-    const Vec3 ng = layout.ng(photon);
+    Vec3 ng = layout.ng(photon);
+    const bool isTurned = glm::dot(ng, surface.ng) < 0.0f;
+    if (isTurned) { ng = -ng; }
     const Vec3 wi = layout.wi(photon);
     return glm::dot(ng, surface.ng) > kLeastNormalCosine &&
            (glm::dot(wi, ng) > 0.0f) == (glm::dot(wi, surface.ng) > 0.0f) &&
-           sharePhotons(view, layout.surface(photon), surface.number, 0.5f * (height + glm::dot(offset, ng)),
-                        radiusSquared);
+           sharePhotons(view, layout.surface(photon), surface.number, isTurned,
+                        0.5f * (height + glm::dot(offset, ng)), radiusSquared);
 }
 
 /// What a pixel covers of u and v at the point; 0 where no texture asks for it.

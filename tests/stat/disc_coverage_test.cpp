@@ -92,6 +92,52 @@ TEST(DiscCoverage, NothingIsMissingInside) {
     expectRadiance(inside, kFloorRadiance, 0.001);
 }
 
+/// Two tiles, or four around a corner, with their fronts on either side in turn.
+SceneDescription tiledFloor(bool isTurned) {
+    SceneDescription scene = litFloor();
+    scene.objects.clear();
+    for (int i = 0; i < 4; ++i) {
+        const float x = i % 2 == 0 ? -0.5f : 0.5f, z = i / 2 == 0 ? -0.5f : 0.5f;
+        const float side = ((i % 2 == i / 2) != isTurned) ? 1.0f : -1.0f;
+        addObject(&scene, ShapeKind::Rectangle, placeFlatShape({x, 0, z}, {0, side, 0}, 0.5f, 0.5f), 0);
+    }
+    return scene;
+}
+
+TEST(DiscCoverage, TilesWoundInOppositeWaysAreOneFloor) {
+    for (const bool isTurned : {false, true}) {
+        for (const Vec3& seen : {Vec3(0), Vec3(0.01f, 0, 0.5f)}) {
+            const Measured seam = measure(tiledFloor(isTurned), seen + Vec3(0.1f, 1, 0.2f), seen);
+            for (const SppmPixel& pixel : seam.state.pixels) {
+                EXPECT_EQ(pixel.covered, pixel.probes);
+            }
+            expectRadiance(seam, kFloorRadiance, 0.001);
+        }
+    }
+}
+
+/// Light from both sides on a floor that is seen from one, with a tile under it that faces down.
+TEST(DiscCoverage, SheetsBelowAndLightFromBelowAddNothing) {
+    SceneDescription scene = litFloor();
+    scene.lights.push_back(directionalLight({0, 1, 0}));
+    addObject(&scene, ShapeKind::Rectangle, placeFlatShape({0, -0.02f, 0}, {0, -1, 0}, 1.0f, 1.0f), 0);
+    expectRadiance(measure(scene, {0.1f, 1, 0.2f}, {0, 0, 0}), kFloorRadiance, 0.001);
+}
+
+/// The bottom of a box stands on the floor, with its front on the other side.
+TEST(DiscCoverage, ABoxOnAFloorIsNoTileOfIt) {
+    SceneDescription scene = litFloor();
+    const int black = addMaterial(&scene, diffuseMaterial(0.0f));
+    addObject(&scene, ShapeKind::Rectangle, placeFlatShape({0.5f, 0, 0}, {0, -1, 0}, 0.5f, 0.5f), 0);
+    addObject(&scene, ShapeKind::Rectangle, placeFlatShape({0.5f, 0.4f, 0}, {0, 1, 0}, 0.5f, 0.5f), black);
+    addObject(&scene, ShapeKind::Rectangle, placeFlatShape({0, 0.2f, 0}, {-1, 0, 0}, 0.5f, 0.2f), black);
+    const Measured beside = measure(scene, {-0.8f, 1, 0}, {-0.01f, 0, 0});
+    expectRadiance(beside, kFloorRadiance, 0.02);
+    for (const SppmPixel& pixel : beside.state.pixels) {
+        EXPECT_LT(pixel.covered, 0.65f * pixel.probes);
+    }
+}
+
 TEST(DiscCoverage, EdgesAndCornersAreAsBright) {
     expectRadiance(measure(litFloor(), {0.5f, 1, 0}, {0.998f, 0, 0}), radianceWith(0.51), 0.01);
     expectRadiance(measure(litFloor(), {0.5f, 1, 0.5f}, {0.998f, 0, 0.998f}), radianceWith(0.26), 0.02);

@@ -78,12 +78,16 @@ TEST(PhotonSurface, SharesByTheRule) {
     EXPECT_EQ(number(1), kOpaqueSurface);
     EXPECT_NE(ball, inner);
     EXPECT_NE(tile, next);
-    EXPECT_TRUE(sharePhotons(view, floor, number(1), 0.4f, 1.0f)) << "opaque surfaces, as before";
-    EXPECT_TRUE(sharePhotons(view, ball, ball, 0.4f, 1.0f));
-    EXPECT_FALSE(sharePhotons(view, floor, ball, 0.0f, 1.0f));
-    EXPECT_FALSE(sharePhotons(view, tile, floor, 0.0f, 1.0f));
-    EXPECT_TRUE(sharePhotons(view, tile, next, 0.01f, 1.0f)) << "tiles of one sheet";
-    EXPECT_FALSE(sharePhotons(view, ball, inner, 0.03f, 1.0f));
+    EXPECT_TRUE(sharePhotons(view, floor, number(1), false, 0.4f, 1.0f)) << "opaque surfaces, as before";
+    EXPECT_TRUE(sharePhotons(view, ball, ball, false, 0.4f, 1.0f));
+    EXPECT_FALSE(sharePhotons(view, floor, ball, false, 0.0f, 1.0f));
+    EXPECT_FALSE(sharePhotons(view, tile, floor, false, 0.0f, 1.0f));
+    EXPECT_TRUE(sharePhotons(view, tile, next, false, 0.01f, 1.0f)) << "tiles of one sheet";
+    EXPECT_FALSE(sharePhotons(view, ball, inner, false, 0.03f, 1.0f));
+    EXPECT_TRUE(sharePhotons(view, floor, number(1), true, 0.01f, 1.0f)) << "tiles wound in opposite ways";
+    EXPECT_FALSE(sharePhotons(view, floor, number(1), true, 0.02f, 1.0f)) << "a sheet over a floor";
+    EXPECT_FALSE(sharePhotons(view, tile, next, true, 0.01f, 1.0f)) << "glass has an inside";
+    EXPECT_FALSE(sharePhotons(view, ball, ball, true, 0.0f, 1.0f));
 }
 
 }  // namespace
