@@ -1,7 +1,6 @@
 #include "engine/io/mesh_file.h"
 
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <type_traits>
 #include <utility>
@@ -120,7 +119,7 @@ std::shared_ptr<MeshData> joinParts(const std::vector<MeshPart>& parts) {
     return out;
 }
 
-bool joinByMaterial(std::vector<MeshPart>* parts, bool someAreDefined) {
+bool joinByMaterial(std::vector<MeshPart>* parts, const std::function<bool(const std::string&)>& isDefined) {
     std::map<std::string, size_t, std::less<>> places;
     std::vector<MeshPart> joined;
     std::function<std::string(const MeshPart&)> keyOf = [](const MeshPart& part) {
@@ -133,8 +132,11 @@ bool joinByMaterial(std::vector<MeshPart>* parts, bool someAreDefined) {
         }
     };
     findPlaces();
-    if (!someAreDefined && places.size() > kMostSeparateParts) {
-        keyOf = [](const MeshPart& part) { return part.mesh->colors.empty() ? "" : "with colours"; };
+    if (places.size() > kMostSeparateParts) {
+        keyOf = [&](const MeshPart& part) -> std::string {
+            if (isDefined(part.materialName)) { return part.materialName; }
+            return part.mesh->colors.empty() ? "\n" : "\nc";
+        };
         findPlaces();
     }
     if (places.size() == parts->size()) { return false; }

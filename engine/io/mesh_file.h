@@ -1,6 +1,7 @@
 // What a file of triangles holds, whatever its format: parts in file order, each with one material.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -53,10 +54,10 @@ constexpr size_t kMostSeparateParts = 10'000;
 /// all at once, room for these spares doubling it.
 constexpr size_t kLateComers = 16;
 
-/// Joins parts of one material, in the order in which the materials come first. Where no material is defined,
-/// and there are more than kMostSeparateParts of them, all are one, but for parts with colours of their own.
-/// Nothing changes where that leaves as many. False: nothing changed.
-bool joinByMaterial(std::vector<MeshPart>* parts, bool someAreDefined);
+/// Joins parts of one material, in the order in which the materials come first. Where there are more than
+/// kMostSeparateParts of these, those that are not defined are one, but for parts with colours of their own;
+/// `isDefined` is asked only then. Nothing changes where that leaves as many. False: nothing changed.
+bool joinByMaterial(std::vector<MeshPart>* parts, const std::function<bool(const std::string&)>& isDefined);
 
 /// Appends all parts as objects like `prototype`, with the file's own materials and textures, which are not
 /// read. `path` is as written in the scene; the textures' paths become relative to the scene's folder.

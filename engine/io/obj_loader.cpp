@@ -1,6 +1,7 @@
 #include "engine/io/obj_loader.h"
 
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -12,6 +13,23 @@
 #include "engine/io/vertex_colors.h"
 
 namespace glint {
+namespace {
+
+/// The parts are the same whether a file's materials are read or not: it looks into the libraries by itself.
+void joinManyParts(const std::string& path, MeshFile* file) {
+    const size_t parts = file->parts.size();
+    if (parts <= kMostSeparateParts) { return; }
+    std::optional<MaterialResolver> libraries;
+    const auto isDefined = [&](const std::string& material) {
+        if (!libraries) { libraries.emplace(path, file).readLibraries(file->libraries); }
+        return libraries->defines(material);
+    };
+    if (!joinByMaterial(&file->parts, isDefined)) { return; }
+    file->notes.push_back(fmt::format("{}: {} runs of faces are joined to {} objects, by their materials",
+                                      path, parts, file->parts.size()));
+}
+
+}  // namespace
 
 Result<MeshFile> parseObj(const std::string& bytes, const std::string& path) {
     const std::optional<PlainText> plain = asPlainText(bytes);
@@ -27,11 +45,7 @@ Result<MeshFile> parseObj(const std::string& bytes, const std::string& path) {
     file.warnings = parser->cursor().remarks().lines();
     if (plain) { file.warnings.push_back(fmt::format("{}: {}", path, plain->repaired)); }
     decodeVertexColors(path, &file);
-    const size_t parts = file.parts.size();
-    if (parts > kMostSeparateParts && joinByMaterial(&file.parts, !file.libraries.empty())) {
-        file.notes.push_back(fmt::format("{}: {} runs of faces are joined to {} objects, by their materials",
-                                         path, parts, file.parts.size()));
-    }
+    joinManyParts(path, &file);
     return file;
 }
 

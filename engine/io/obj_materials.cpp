@@ -86,6 +86,10 @@ void MaterialResolver::readLibrary(const std::string& path) {
     libraries_.push_back(std::move(*library));
 }
 
+bool MaterialResolver::defines(const std::string& material) const {
+    return found_.contains(material) || looseNames_.contains(looseName(material));
+}
+
 const MaterialResolver::Found* MaterialResolver::findMaterial(const MeshPart& part) {
     if (const auto found = found_.find(part.materialName); found != found_.end()) { return &found->second; }
     if (part.materialName.empty()) { return nullptr; }

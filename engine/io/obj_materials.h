@@ -21,6 +21,8 @@ class MaterialResolver {
 
     /// `lines` are what mtllib lines name. A missing or unreadable file is a warning.
     void readLibraries(const std::vector<std::string>& lines);
+    /// Whether one of them has a material of this name, or of a like one.
+    bool defines(const std::string& material) const;
     /// For the materials of all parts, so that they are not held twice while they become more.
     void makeRoom();
     int indexOf(const MeshPart& part);

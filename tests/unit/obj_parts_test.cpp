@@ -72,22 +72,59 @@ TEST(ObjParts, OfVeryManyMaterialsThatNoLibraryDefinesAreOne) {
     EXPECT_FALSE(file->parts[1].mesh->colors.empty());
 }
 
-TEST(ObjParts, OfAMaterialEachStayApart) {
+/// An OBJ file that names a.mtl, with so many runs of a triangle, of a material each.
+std::string ofAMaterialEach(size_t runs) {
     std::string text = std::string("mtllib a.mtl\n") + kSquare;
-    for (size_t i = 0; i <= kMostSeparateParts; ++i) {
+    for (size_t i = 0; i < runs; ++i) {
         text += fmt::format("usemtl m{}\nf 1 2 3\n", i);
     }
+    return text;
+}
+
+SceneDescription opened(const std::string& path) {
+    auto scene = loadScene(path, {.noStudio = true});
+    EXPECT_TRUE(scene) << scene.error().format();
+    return scene ? std::move(*scene) : SceneDescription();
+}
+
+/// The first is another one but for its capital.
+TEST(ObjParts, OfAMaterialEachStayApart) {
     const test::TempFolder folder;
-    const auto scene = loadScene(folder.write("a.obj", text), {.noStudio = true});
-    ASSERT_TRUE(scene) << scene.error().format();
-    EXPECT_EQ(scene->objects.size(), kMostSeparateParts + 1);
-    EXPECT_EQ(scene->meshes.back().name, fmt::format("m{}", kMostSeparateParts));
-    // A thousand materials that are not defined can be told apart; the others are one.
-    EXPECT_EQ(scene->materials.size(), 1001u);
-    EXPECT_EQ(scene->materials[999].name, "m999");
-    EXPECT_EQ(scene->objects.back().material, 1000);
-    EXPECT_EQ(scene->objects[1000].material, 1000);
-    EXPECT_THAT(scene->warnings, testing::Contains(HasSubstr("\"m0\" (and 10000 more)")));
+    std::string library = "newmtl M0\n";
+    for (size_t i = 1; i <= kMostSeparateParts; ++i) {
+        library += fmt::format("newmtl m{}\n", i);
+    }
+    folder.write("a.mtl", library);
+    const SceneDescription scene = opened(folder.write("a.obj", ofAMaterialEach(kMostSeparateParts + 1)));
+    EXPECT_EQ(scene.objects.size(), kMostSeparateParts + 1);
+    EXPECT_EQ(scene.meshes.back().name, fmt::format("m{}", kMostSeparateParts));
+}
+
+TEST(ObjParts, OfVeryManyMaterialsThatTheLibraryLacksAreOne) {
+    const test::TempFolder folder;
+    folder.write("a.mtl", "newmtl m7\nKd 1 0 0\n");
+    const std::string text = ofAMaterialEach(kMostSeparateParts + 1);
+    const SceneDescription scene = opened(folder.write("a.obj", text));
+    ASSERT_EQ(scene.objects.size(), 2u);
+    EXPECT_EQ(scene.meshes[0].data->triangleCount(), kMostSeparateParts);
+    EXPECT_EQ(scene.materials[static_cast<size_t>(scene.objects[1].material)].name, "m7");
+    EXPECT_THAT(scene.notes, testing::Contains(HasSubstr("10001 runs of faces are joined to 2 objects")));
+    // Scenes of ours name parts by number, and read a file without its materials.
+    const auto alone = parseObj(text, folder.path("a.obj"));
+    ASSERT_TRUE(alone);
+    EXPECT_EQ(alone->parts.size(), 2u);
+}
+
+/// A thousand materials that are not defined can be told apart; the others are one.
+TEST(ObjParts, OfManyMaterialsWithoutALibraryStayApart) {
+    const test::TempFolder folder;
+    const SceneDescription scene = opened(folder.write("a.obj", ofAMaterialEach(2000)));
+    EXPECT_EQ(scene.objects.size(), 2000u);
+    EXPECT_EQ(scene.materials.size(), 1001u);
+    EXPECT_EQ(scene.materials[999].name, "m999");
+    EXPECT_EQ(scene.objects.back().material, 1000);
+    EXPECT_EQ(scene.objects[1000].material, 1000);
+    EXPECT_THAT(scene.warnings, testing::Contains(HasSubstr("\"m0\" (and 1999 more)")));
 }
 
 }  // namespace
