@@ -7,8 +7,11 @@
 
 #if defined(__CUDACC__)
 #define GLINT_HD __host__ __device__
+#define GLINT_ONCE_ON_HOST(...)
 #else
 #define GLINT_HD
+/// An instance of a template that one source file makes for all kernels of the host; nvcc makes its own.
+#define GLINT_ONCE_ON_HOST(...) extern __VA_ARGS__
 #endif
 
 #if defined(__CUDA_ARCH__)

@@ -20,7 +20,7 @@ Result<std::unique_ptr<Backend>> tryCuda() {
 #if GLINT_HAS_CUDA
     return makeCudaBackend();
 #else
-    return Error{"this build has no CUDA back end", {}};
+    return Error{"this build has no CUDA back end (configure it with GLINT_CUDA=AUTO)", {}};
 #endif
 }
 

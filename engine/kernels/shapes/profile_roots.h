@@ -10,6 +10,8 @@
 // the ray rises on its way.
 #pragma once
 
+#include <initializer_list>
+
 #include "engine/base/inlining.h"
 #include "engine/kernels/shapes/profile_ray.h"
 #include "engine/math/bernstein.h"

@@ -50,8 +50,15 @@ struct RevolvedSurface {
     /// A ray in object space against a profile. On a hit nearer than ray.tMax stores it: its primitive is the
     /// curve's number in the profile, barycentric.x the curve's parameter.
     template <bool kAnyHit, bool kFrontOnly, class Tests = NoTests>
-    GLINT_ONE_PIECE_APART GLINT_HD static bool intersect(const ProfileView& profile, const Ray& ray, Hit* hit,
-                                                         Tests tests = {}) {
+    GLINT_HD static bool intersect(const ProfileView& profile, const Ray& ray, Hit* hit, Tests tests = {}) {
+        return meet(profile, ray, kAnyHit, kFrontOnly, hit, tests);
+    }
+
+    /// The same. By far the largest function of those that look for hits: there is one of it, not four, since
+    /// the two conditions are looked at where a root was found only.
+    template <class Tests>
+    GLINT_ONE_PIECE_APART GLINT_HD static bool meet(const ProfileView& profile, const Ray& ray, bool anyHit,
+                                                    bool frontOnly, Hit* hit, Tests tests) {
         const ProfileRay local(ray, *profile.data);
         Nearest nearest{static_cast<double>(ray.tMin) - local.shift,
                         static_cast<double>(ray.tMax) - local.shift};
@@ -59,13 +66,13 @@ struct RevolvedSurface {
             const ClampedRoot root = searchClamped(profile, local, nearest.tMin);
             tests.countNewtonSteps(root.steps);
             if (root.curve != kNone) {
-                takeRoot<kFrontOnly>(profile, root.curve, local, root.s, root.t, &nearest);
+                takeRoot(profile, frontOnly, root.curve, local, root.s, root.t, &nearest);
             }
         } else {
             const RingRay ringRay(local);
             for (uint32_t first = 0; first < profile.data->pieceCount; first += kGroupPieces) {
-                meetGroup<kAnyHit, kFrontOnly>(profile, local, ringRay, first, &nearest, tests);
-                if (kAnyHit && nearest.curve != kNone) { break; }
+                meetGroup(profile, local, ringRay, anyHit, frontOnly, first, &nearest, tests);
+                if (anyHit && nearest.curve != kNone) { break; }
             }
         }
         if (nearest.curve == kNone) { return false; }
@@ -113,9 +120,10 @@ struct RevolvedSurface {
     };
 
     /// The pieces from number `begin` on that are in one group, nearest first.
-    template <bool kAnyHit, bool kFrontOnly, class Tests>
+    template <class Tests>
     GLINT_HD static void meetGroup(const ProfileView& profile, const ProfileRay& ray, const RingRay& ringRay,
-                                   uint32_t begin, Nearest* nearest, Tests tests) {
+                                   bool anyHit, bool frontOnly, uint32_t begin, Nearest* nearest,
+                                   Tests tests) {
         const PieceGroup& group = profile.groups[begin / kGroupPieces];
         alignas(32) float first[kGroupPieces];
         const float tMin = static_cast<float>(nearest->tMin), tMax = static_cast<float>(nearest->t);
@@ -139,18 +147,17 @@ struct RevolvedSurface {
             const ProfilePiece& piece = profile.pieces[begin + next];
             tests.countPrimitives(1);
             tests.countNewtonSteps(meetPiece(piece, ray, [&](double s, double t) {
-                takeRoot<kFrontOnly>(profile, piece.curve, ray, piece.begin + s * piece.width, t, nearest);
+                takeRoot(profile, frontOnly, piece.curve, ray, piece.begin + s * piece.width, t, nearest);
             }));
-            if (kAnyHit && nearest->curve != kNone) { return; }
+            if (anyHit && nearest->curve != kNone) { return; }
         }
     }
 
     /// Keeps the root at s of the curve and t where it is the nearest so far.
-    template <bool kFrontOnly>
-    GLINT_HD static void takeRoot(const ProfileView& profile, uint32_t curve, const ProfileRay& ray, double s,
-                                  double t, Nearest* nearest) {
+    GLINT_HD static void takeRoot(const ProfileView& profile, bool frontOnly, uint32_t curve,
+                                  const ProfileRay& ray, double s, double t, Nearest* nearest) {
         if (!(t > nearest->tMin && t < nearest->t)) { return; }
-        if (kFrontOnly) {
+        if (frontOnly) {
             const Vec3 p(ray.ox + t * ray.dx, ray.oy + t * ray.dy, ray.oz + t * ray.dz);
             const detail::TurnedProfile at(profile.curves[curve], static_cast<float>(s), p);
             const double facing = at.dy * at.cosine * ray.dx - at.dx * ray.dy - at.dy * at.sine * ray.dz;
@@ -161,5 +168,9 @@ struct RevolvedSurface {
         nearest->curve = curve;
     }
 };
+
+// In render/cpu_intersect.cpp.
+GLINT_ONCE_ON_HOST(template bool RevolvedSurface::meet(const ProfileView&, const Ray&, bool, bool, Hit*,
+                                                       NoTests));
 
 }  // namespace glint
