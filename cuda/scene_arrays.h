@@ -14,7 +14,7 @@ namespace glint {
 /// Calls visit(pointer, count) with a reference to each pointer of a mesh.
 template <class Visit>
 void forEachArray(MeshView& mesh, Visit&& visit) {
-    static_assert(sizeof(MeshView) == 128, "list a new array of MeshView below");
+    static_assert(sizeof(MeshView) == 136, "list a new array of MeshView below");
     visit(mesh.accelerator.data, mesh.accelerator.bytes);
     visit(mesh.clusters, size_t{mesh.clusterCount});
     visit(mesh.clusterPrimitives, size_t{mesh.clusterTriangles});
@@ -24,6 +24,7 @@ void forEachArray(MeshView& mesh, Visit&& visit) {
     visit(mesh.uvs, size_t{mesh.vertexCount});
     visit(mesh.colors, size_t{mesh.vertexCount});
     visit(mesh.tangents, size_t{mesh.vertexCount});
+    visit(mesh.ownTangents, size_t{mesh.vertexCount});
 }
 
 template <class Visit>

@@ -132,6 +132,7 @@ MeshView BuiltMesh::view() const {
     v.normals = data->normals.empty() ? nullptr : data->normals.data();
     v.uvs = data->uvs.empty() ? nullptr : data->uvs.data();
     v.colors = data->colors.empty() ? nullptr : data->colors.data();
+    v.ownTangents = data->tangents.empty() ? nullptr : data->tangents.data();
     v.triangleCount = data->triangleCount();
     v.vertexCount = static_cast<uint32_t>(data->positions.size());
     v.clusterCount = static_cast<uint32_t>(clusters.size());

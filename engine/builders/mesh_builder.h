@@ -32,7 +32,7 @@ struct BuiltMesh {
 std::shared_ptr<const BuiltMesh> buildMesh(std::shared_ptr<const MeshData> data, int threads,
                                            AcceleratorKind kind = AcceleratorKind::Bvh);
 
-/// `built` with other normals, uvs or colours: `data` must have the same triangles.
+/// `built` with other normals, uvs, colours or tangents: `data` must have the same triangles.
 std::shared_ptr<const BuiltMesh> withVertexData(const BuiltMesh& built, std::shared_ptr<const MeshData> data);
 
 /// The data (may be null) without a structure, for meshes that no object places: rays never meet it.

@@ -169,7 +169,7 @@ Status checkMesh(const SceneDescription& scene, size_t index, bool isPlaced) {
     const size_t vertices = data.positions.size();
     const auto fits = [&](size_t count) { return count == 0 || count == vertices; };
     if (data.indices.size() % 3 != 0 || !fits(data.normals.size()) || !fits(data.uvs.size()) ||
-        !fits(data.colors.size())) {
+        !fits(data.colors.size()) || !fits(data.tangents.size())) {
         return fault(who, "its arrays do not have one entry per vertex and three indices per triangle");
     }
     return {};

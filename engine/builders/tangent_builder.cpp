@@ -76,7 +76,7 @@ std::vector<bool> meshesWithDirection(const SceneDescription& scene) {
         }
         const auto mesh = static_cast<size_t>(object.mesh);
         const auto& data = scene.meshes[mesh].data;
-        wanted[mesh] = data && !data->normals.empty() && !data->uvs.empty();
+        wanted[mesh] = data && !data->normals.empty() && !data->uvs.empty() && data->tangents.empty();
     }
     return wanted;
 }

@@ -22,8 +22,8 @@ struct MeshTangents {
 std::vector<Vec3> smoothTangents(const MeshData& mesh);
 
 /// Those of the meshes that an object places under an anisotropic material and that have normals and texture
-/// coordinates, at the meshes' numbers; null: others. What `previous` has of a mesh is taken from there, also
-/// where it is not needed any more.
+/// coordinates, but no tangents of their own, at the meshes' numbers; null: others. What `previous` has of a
+/// mesh is taken from there, also where it is not needed any more.
 std::vector<std::shared_ptr<const MeshTangents>> buildTangents(
     const SceneDescription& scene, const std::vector<std::shared_ptr<const MeshTangents>>& previous);
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <tuple>
 
 #include "engine/io/atomic_file.h"
 #include "engine/io/exporter.h"
@@ -155,12 +156,17 @@ class GltfExporter : public SceneExport {
         const auto [known, isNew] = meshes_.try_emplace({shapeOf(object, isPlaced), object.material});
         if (!isNew) { return known->second; }
         const bool isFlipped = flipsV(scene_, object.material);
-        GltfJson& primitive = primitives_[{known->first.first, isFlipped}];
+        const bool isFromTop = tangentsCountFromTop(scene_, object.material);
+        GltfJson& primitive = primitives_[{known->first.first, isFlipped, isFromTop}];
         if (primitive.empty()) {
             MeshData mesh = trianglesOf(object);
             if (mesh.indices.empty()) { return std::nullopt; }
             if (!isPlaced) { mesh = placed(std::move(mesh), object.objectToWorld); }
-            primitive = out_.addPrimitive(withUnitNormals(std::move(mesh)), isFlipped);
+            mesh = withUnitNormals(std::move(mesh));
+            if (!makeGltfTangents(&mesh, isFromTop)) {
+                warn("approximated: tangents run as the texture coordinates do where a mesh lacks some");
+            }
+            primitive = out_.addPrimitive(mesh, isFlipped);
         }
         GltfJson part = primitive;
         part["material"] = writtenMaterial(object.material);
@@ -204,7 +210,8 @@ class GltfExporter : public SceneExport {
     GltfWriter out_;
     GltfImages images_;
     bool isLampLit_ = true;
-    std::map<std::pair<int, bool>, GltfJson> primitives_;          ///< by shape, and whether v is turned over
+    /// By shape, whether v is turned over, and tangents' sides.
+    std::map<std::tuple<int, bool, bool>, GltfJson> primitives_;
     std::map<std::pair<int, int>, std::optional<size_t>> meshes_;  ///< by shape and material
     std::map<int, size_t> materials_;
 };

@@ -41,5 +41,10 @@ MeshData shapeMesh(const Object& object);
 MeshData placed(MeshData mesh, const Affine& toWorld);
 /// glTF's normals are of unit length, and a mesh has them everywhere or nowhere.
 MeshData withUnitNormals(MeshData mesh);
+/// Tangents as glTF's, which are of unit length, and of whose sides the top of a normal map is one;
+/// `countsFromTop`: the map's flipV. False: the mesh has none any more, since they, or normals, are missing.
+bool makeGltfTangents(MeshData* mesh, bool countsFromTop);
+/// The flipV of the material's normal map, or of its other textures.
+bool tangentsCountFromTop(const SceneDescription& scene, int material);
 
 }  // namespace glint

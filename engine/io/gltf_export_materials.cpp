@@ -255,6 +255,11 @@ bool flipsV(const SceneDescription& scene, int material) {
                : !scene.textures[static_cast<size_t>(textures.front())].flipV;
 }
 
+bool tangentsCountFromTop(const SceneDescription& scene, int material) {
+    const int normals = scene.materials[static_cast<size_t>(material)].normalMap.texture;
+    return normals >= 0 ? scene.textures[static_cast<size_t>(normals)].flipV : !flipsV(scene, material);
+}
+
 size_t writeGltfMaterial(const SceneDescription& scene, int material, bool isLamp, GltfImages* images,
                          GltfWriter* out, std::vector<std::string>* warnings) {
     return out->add("materials", MaterialWriter(scene, material, images, out, warnings).write(isLamp));

@@ -90,6 +90,10 @@ MeshData placed(MeshData mesh, const Affine& toWorld) {
     for (Vec3& normal : mesh.normals) {
         normal = transformNormal(toObject, normal);
     }
+    for (Vec4& tangent : mesh.tangents) {
+        const float side = toWorld.determinant() < 0.0f ? -tangent.w : tangent.w;
+        tangent = Vec4(toWorld.vector(Vec3(tangent)), side);
+    }
     for (size_t i = 0; toWorld.determinant() < 0.0f && i < mesh.indices.size(); i += 3) {
         std::swap(mesh.indices[i], mesh.indices[i + 1]);
     }
@@ -115,6 +119,7 @@ MeshData withUnitNormals(MeshData mesh) {
         repeat(&mesh.positions, corner);
         repeat(&mesh.uvs, corner);
         repeat(&mesh.colors, corner);
+        repeat(&mesh.tangents, corner);
         mesh.normals.push_back(glm::cross(b - a, c - a));
     }
     constexpr float kRounding = 1e-3f;
@@ -125,6 +130,23 @@ MeshData withUnitNormals(MeshData mesh) {
         }
     }
     return mesh;
+}
+
+bool makeGltfTangents(MeshData* mesh, bool countsFromTop) {
+    if (mesh->tangents.empty()) { return true; }
+    const auto isMissing = [](const Vec4& t) { return t.w == 0.0f || isZero(Vec3(t)); };
+    if (mesh->normals.empty() || std::ranges::any_of(mesh->tangents, isMissing)) {
+        mesh->tangents.clear();
+        return false;
+    }
+    constexpr float kRounding = 1e-3f;
+    for (Vec4& tangent : mesh->tangents) {
+        const Vec3 along(tangent);
+        const float length = glm::length(along);
+        const bool isUnit = std::fabs(length - 1.0f) <= kRounding;
+        tangent = Vec4(isUnit ? along : along / length, (tangent.w < 0.0f) == countsFromTop ? 1.0f : -1.0f);
+    }
+    return true;
 }
 
 }  // namespace glint

@@ -266,6 +266,7 @@ Result<GltfMaterial> GltfMaterials::take(int index) {
         }
     }
     takeAlpha(from, *color, &out);
+    taken.usesTangents = out.normalMap.texture >= 0 || isAnisotropic(out);
     if (!uvSets_.empty()) { taken.uvSet = uvSets_.front(); }
     if (std::ranges::any_of(uvSets_, [&](int set) { return set != taken.uvSet; })) {
         file_.remark("all maps of a material use the texture coordinates of one of them", from.name);

@@ -15,6 +15,7 @@ struct GltfMaterial {
     int index = 0;            ///< in the scene
     int uvSet = 0;            ///< the texture coordinates that its textures use
     Vec3 vertexFactor{1.0f};  ///< what its colour's texture is multiplied by, as vertex colours
+    bool usesTangents = false;
 };
 
 class GltfMaterials {

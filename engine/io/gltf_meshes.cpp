@@ -38,8 +38,9 @@ std::string recipeOf(const tinygltf::Primitive& from, const GltfMaterial& materi
         return place < same.size() ? same[place] : accessor;
     };
     const Vec3& factor = material.vertexFactor;
-    std::string recipe = fmt::format("{} {} {} {} {} {}", firstOf(from.indices), from.mode, material.uvSet,
-                                     factor.x, factor.y, factor.z);
+    const bool hasTangents = material.usesTangents && accessorOf(from, "TANGENT") >= 0;
+    std::string recipe = fmt::format("{} {} {} {} {} {} {}", firstOf(from.indices), from.mode, material.uvSet,
+                                     factor.x, factor.y, factor.z, hasTangents);
     for (const auto& [attribute, accessor] : from.attributes) {
         recipe += fmt::format(" {} {}", attribute, firstOf(accessor));
     }
@@ -70,6 +71,7 @@ void dropUnusedVertices(MeshData* mesh) {
     keep(&mesh->normals);
     keep(&mesh->uvs);
     keep(&mesh->colors);
+    keep(&mesh->tangents);
     for (uint32_t& corner : mesh->indices) {
         corner = numbers[corner];
     }
@@ -170,6 +172,7 @@ Result<std::shared_ptr<MeshData>> GltfMeshes::read(const tinygltf::Primitive& fr
     if (Status attributes = readAttributes(from, material, what, mesh.get()); !attributes) {
         return attributes.error();
     }
+    if (material.usesTangents) { readTangents(from, what, mesh.get()); }
     // Each target is read anew for each mesh.
     const auto moves = std::ranges::count_if(pose.weights, [](double weight) { return weight != 0.0; });
     const auto targets = std::min(static_cast<size_t>(moves), from.targets.size());

@@ -46,6 +46,8 @@ class GltfMeshes {
     Status readTriangles(const tinygltf::Primitive& from, const std::string& what, MeshData* mesh);
     Status readAttributes(const tinygltf::Primitive& from, const GltfMaterial& material,
                           const std::string& what, MeshData* mesh);
+    /// What cannot be read is left out with a remark: those that the texture coordinates have take its place.
+    void readTangents(const tinygltf::Primitive& from, const std::string& what, MeshData* mesh);
     /// The scene's mesh of a primitive: the same one for primitives of the same numbers. Empty ones: -1.
     Result<int> meshOf(const tinygltf::Primitive& from, const GltfMaterial& material, const GltfPose& pose,
                        const std::string& what, const std::string& name);

@@ -11,10 +11,27 @@ namespace {
 
 void follow(const Affine& joint, size_t vertex, MeshData* mesh) {
     mesh->positions[vertex] = joint.point(mesh->positions[vertex]);
+    if (!mesh->tangents.empty()) {
+        Vec4& tangent = mesh->tangents[vertex];
+        tangent = Vec4(joint.vector(Vec3(tangent)), tangent.w);
+    }
     if (mesh->normals.empty()) { return; }
     const Mat3& m = joint.linear;  // normals go by its cofactors
     mesh->normals[vertex] =
         Mat3(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])) * mesh->normals[vertex];
+}
+
+/// Adds `weight` times the moves; those that leave what is finite are left out but where `anyhow`.
+template <class Vector>
+void displace(const GltfNumbers& moves, float weight, bool anyhow, std::vector<Vector>* out) {
+    for (size_t i = 0; i < std::min(moves.count(), out->size()); ++i) {
+        const float* by = moves.at(i);
+        Vector& to = (*out)[i];
+        const Vec3 moved = Vec3(to) + weight * Vec3(by[0], by[1], by[2]);
+        for (int c = 0; c < 3 && (anyhow || isFinite(moved)); ++c) {
+            to[c] = moved[c];
+        }
+    }
 }
 
 }  // namespace
@@ -24,17 +41,16 @@ Status GltfMeshes::morph(const tinygltf::Primitive& from, const std::vector<doub
     for (size_t target = 0; target < std::min(weights.size(), from.targets.size()); ++target) {
         const auto weight = static_cast<float>(weights[target]);
         if (weight == 0.0f || !std::isfinite(weight)) { continue; }
-        for (const auto& [attribute, out] :
-             {std::pair{"POSITION", &mesh->positions}, {"NORMAL", &mesh->normals}}) {
+        for (const char* attribute : {"POSITION", "NORMAL", "TANGENT"}) {
             const auto found = from.targets[target].find(attribute);
             if (found == from.targets[target].end()) { continue; }
+            const std::string_view name = attribute;
+            if (name == "TANGENT" && mesh->tangents.empty()) { continue; }
             const auto moves = readNumbers(file_, found->second, 3, 3, what + ", morph target");
             if (!moves) { return moves.error(); }
-            for (size_t i = 0; i < std::min(moves->count(), out->size()); ++i) {
-                const float* move = moves->at(i);
-                const Vec3 moved = (*out)[i] + weight * Vec3(move[0], move[1], move[2]);
-                if (isFinite(moved) || out == &mesh->positions) { (*out)[i] = moved; }
-            }
+            if (name == "POSITION") { displace(*moves, weight, true, &mesh->positions); }
+            if (name == "NORMAL") { displace(*moves, weight, false, &mesh->normals); }
+            if (name == "TANGENT") { displace(*moves, weight, false, &mesh->tangents); }
         }
     }
     return {};

@@ -117,7 +117,7 @@ size_t GltfWriter::addAccessor(std::string_view bytes, int target, int component
 template <class Vector>
 size_t GltfWriter::addVectors(std::span<const Vector> values) {
     return addAccessor(bytesOf(values), kVertexData, kFloat, values.size(),
-                       sizeof(Vector) == sizeof(Vec2) ? "VEC2" : "VEC3");
+                       fmt::format("VEC{}", Vector::length()).c_str());
 }
 
 GltfJson GltfWriter::addPrimitive(const MeshData& mesh, bool flipV) {
@@ -132,6 +132,7 @@ GltfJson GltfWriter::addPrimitive(const MeshData& mesh, bool flipV) {
     document_["accessors"][positions]["max"] = gltfJson(most);
     attributes["POSITION"] = positions;
     if (!mesh.normals.empty()) { attributes["NORMAL"] = addVectors<Vec3>(mesh.normals); }
+    if (!mesh.tangents.empty()) { attributes["TANGENT"] = addVectors<Vec4>(mesh.tangents); }
     if (!mesh.uvs.empty()) {
         std::vector<Vec2> uvs = mesh.uvs;
         for (Vec2& uv : uvs) {

@@ -44,7 +44,8 @@ class GltfWriter {
 
     /// A view of these bytes, which start at a multiple of four.
     size_t addView(std::string_view bytes);
-    /// A primitive of the mesh, without its material; `flipV`: v is counted from the image's top.
+    /// A primitive of the mesh, without its material; `flipV`: v is counted from the image's top. Normals and
+    /// tangents are glTF's already (gltf_export.h).
     GltfJson addPrimitive(const MeshData& mesh, bool flipV);
 
     const std::string& buffer() const { return buffer_; }

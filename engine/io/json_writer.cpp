@@ -75,6 +75,8 @@ void JsonWriter::value(const Vec2& v) { numbers(&v.x, 2); }
 
 void JsonWriter::value(const Vec3& v) { numbers(&v.x, 3); }
 
+void JsonWriter::value(const Vec4& v) { numbers(&v.x, 4); }
+
 void JsonWriter::value(int64_t x) {
     separate();
     fmt::format_to(std::back_inserter(text_), "{}", x);

@@ -23,6 +23,7 @@ class JsonWriter {
     void value(float x);
     void value(const Vec2& v);
     void value(const Vec3& v);
+    void value(const Vec4& v);
     void value(int64_t x);
     void value(bool x);
     void value(std::string_view text);

@@ -66,6 +66,7 @@ std::string SceneExport::save(std::string_view ending, std::shared_ptr<const std
 }
 
 std::string SceneExport::savePly(const MeshData& mesh) {
+    if (!mesh.tangents.empty()) { warn("approximated: tangents run as the texture coordinates do"); }
     return save(fmt::format("-{}.ply", plyCount_++), std::make_shared<const std::string>(encodePly(mesh)));
 }
 

@@ -28,7 +28,12 @@ std::span<const JsonForm> jsonForms() {
            R"(normals decide which side is the front.", )"
            R"("type": "array", "items": { "$ref": "#/definitions/vec3" })"},
           {"uvs", R"("type": "array", "items": { "$ref": "#/definitions/vec2" })"},
-          {"colors", kVec3Array}}},
+          {"colors", kVec3Array},
+          {"tangents",
+           R"("description": "One for each position, for normal maps and anisotropy: x, y, z along u, and )"
+           R"(w, 1 or -1: v runs along cross(normal, tangent) w. Zeros: as the uvs run.", )"
+           R"("type": "array", "items": { "type": "array", "minItems": 4, "maxItems": 4, )"
+           R"("items": { "type": "number" } })"}}},
         {"transformStep",
          "One of these.",
          "",

@@ -115,10 +115,12 @@ std::shared_ptr<const MeshData> SceneJsonReader::readInlineMesh(const JsonValue&
     readVectors<3>(errors_, fields.find("normals"), "normals", &mesh->normals);
     readVectors<2>(errors_, fields.find("uvs"), "uvs", &mesh->uvs);
     readVectors<3>(errors_, fields.find("colors"), "colors", &mesh->colors);
+    readVectors<4>(errors_, fields.find("tangents"), "tangents", &mesh->tangents);
     const size_t vertexCount = mesh->positions.size();
     checkCount(errors_, fields.find("normals"), "normals", mesh->normals.size(), vertexCount);
     checkCount(errors_, fields.find("uvs"), "uvs", mesh->uvs.size(), vertexCount);
     checkCount(errors_, fields.find("colors"), "colors", mesh->colors.size(), vertexCount);
+    checkCount(errors_, fields.find("tangents"), "tangents", mesh->tangents.size(), vertexCount);
     readIndices(errors_, fields.require("triangles"), vertexCount, &mesh->indices);
     if (mesh->indices.empty()) { errors_.add(value, "the mesh has no triangles"); }
     if (!errors_.failed() && turnByNormals(mesh.get()) > 0) {

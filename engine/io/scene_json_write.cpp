@@ -86,8 +86,7 @@ class SceneJsonWriter {
             }
         } else if constexpr (std::is_integral_v<Value>) {
             json_.field(key, static_cast<int64_t>(value));
-        } else if constexpr (std::is_same_v<Value, std::vector<Vec2>> ||
-                             std::is_same_v<Value, std::vector<Vec3>>) {
+        } else if constexpr (requires { value.front().x; }) {
             writeVectors(key, value);
         } else if constexpr (kIsInput<Value>) {
             writeInput(key, traits, value);
@@ -215,6 +214,7 @@ class SceneJsonWriter {
         writeVectors("normals", mesh.normals);
         writeVectors("uvs", mesh.uvs);
         writeVectors("colors", mesh.colors);
+        writeVectors("tangents", mesh.tangents);
         json_.key("triangles");
         json_.beginArray();
         for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {

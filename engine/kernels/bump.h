@@ -80,6 +80,11 @@ GLINT_HD inline Tangents imageAxes(const TextureView& texture, const Vec2& uv, c
     return axes;
 }
 
+/// The same where a mesh says itself how u and v run: the image's placement does not turn them.
+GLINT_HD inline Tangents ownImageAxes(const TextureView& texture, const Tangents& own) {
+    return {own.dpdu, texture.flipV ? -own.dpdv : own.dpdv};
+}
+
 /// `n` turned as a coded normal says, x and y of which are multiplied by `strength`.
 GLINT_HD inline Vec3 mappedNormal(const Vec3& code, float strength, const Tangents& axes, const Vec3& n) {
     const Vec3 local = 2.0f * code - Vec3(1.0f);
@@ -92,18 +97,19 @@ GLINT_HD inline Vec3 mappedNormal(const Vec3& code, float strength, const Tangen
 }  // namespace detail
 
 /// The shading normal that the material makes of `ns` at uv; ng on its side, all in world space. uvWidth:
-/// what a pixel covers of u and v, 0 where that is not known.
+/// what a pixel covers of u and v, 0 where that is not known. own: ownTangentsAt() the place, which normal
+/// maps lie by, where heights need derivatives.
 template <FeatureMask kMask>
 GLINT_HD inline Vec3 perturbedNormal(const SceneView& view, const MaterialData& material, const Vec2& uv,
-                                     float uvWidth, const Tangents& tangents, const Vec3& ng,
-                                     const Vec3& ns) {
-    const bool isCoded = material.normalTexture < view.textures.count;
+                                     float uvWidth, const Tangents& tangents, const Tangents& own,
+                                     const Vec3& ng, const Vec3& ns) {
+    const bool isCoded = material.normalTexture < view.textures.count, isOwn = !isZero(own.dpdu);
     Vec3 code = material.normalCode;
-    Tangents axes = tangents;
+    Tangents axes = isOwn ? own : tangents;
     if (isCoded) {
         const TextureView& texture = view.textures[material.normalTexture];
         code = sampleNumbers<kMask>(texture, uv, uvWidth);
-        axes = detail::imageAxes<kMask>(texture, uv, tangents);
+        axes = isOwn ? detail::ownImageAxes(texture, own) : detail::imageAxes<kMask>(texture, uv, tangents);
     }
     Vec3 n = isFinite(code) ? detail::mappedNormal(code, material.normalStrength, axes, ns) : ns;
     if (material.heightTexture < view.textures.count) {

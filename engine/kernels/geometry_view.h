@@ -63,7 +63,8 @@ struct MeshView {
     const Vec3* normals = nullptr;
     const Vec2* uvs = nullptr;
     const Vec3* colors = nullptr;
-    const Vec3* tangents = nullptr;  ///< along u, either way; where some highlight on it has a direction
+    const Vec3* tangents = nullptr;     ///< along u, either way; where some highlight on it has a direction
+    const Vec4* ownTangents = nullptr;  ///< as MeshData::tangents
     uint32_t triangleCount = 0;
     uint32_t vertexCount = 0;
     uint32_t clusterCount = 0;

@@ -43,13 +43,29 @@ GLINT_HD inline ObjectPoint objectPointAt(const SceneView& view, const Ray& ray,
         instance.shape, [&](auto shape) { return decltype(shape)::template surface<kMask>(pRough); });
 }
 
-/// The tangents by which highlights lie, of those that objectTangentsAt() says: a mesh may have smooth ones.
+/// Whether the instance is a mesh with tangents of its own.
+template <FeatureMask kMask>
+GLINT_HD inline bool hasOwnTangents(const SceneView& view, uint32_t instance) {
+    const InstanceData& data = view.geometry.instances[instance];
+    return isMesh<kMask>(data) && view.geometry.meshes[data.mesh].ownTangents != nullptr;
+}
+
+/// Along u and v as a mesh itself says, in object space; zero: nothing does.
+template <FeatureMask kMask>
+GLINT_HD inline Tangents ownTangentsAt(const SceneView& view, const Hit& hit) {
+    if (!hasOwnTangents<kMask>(view, hit.instance)) { return {Vec3(0.0f), Vec3(0.0f)}; }
+    return MeshShape::ownTangents(view.geometry.meshes[view.geometry.instances[hit.instance].mesh], hit);
+}
+
+/// The tangents by which highlights lie, of those that objectTangentsAt() says: a mesh may have smooth ones,
+/// or its own.
 template <FeatureMask kMask>
 GLINT_HD inline Tangents facetTangentsAt(const SceneView& view, const Hit& hit, const Tangents& tangents) {
     const InstanceData& instance = view.geometry.instances[hit.instance];
-    return isMesh<kMask>(instance)
-               ? MeshShape::smoothTangents(view.geometry.meshes[instance.mesh], hit, tangents)
-               : tangents;
+    if (!isMesh<kMask>(instance)) { return tangents; }
+    const Tangents own = ownTangentsAt<kMask>(view, hit);
+    return isZero(own.dpdu) ? MeshShape::smoothTangents(view.geometry.meshes[instance.mesh], hit, tangents)
+                            : own;
 }
 
 /// dp/du and dp/dv in object space at a hit; p: objectPointAt() it.

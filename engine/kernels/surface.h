@@ -23,7 +23,7 @@ struct SurfacePoint {
     Vec3 ns;  ///< unit shading normal on ng's side
     Vec2 uv;  ///< set where the mask has textures
     /// derivatives of p by uv; set where the mask has kFeatureTangents or the material needs them. Of a mesh
-    /// whose highlights have a direction they are smooth
+    /// whose highlights have a direction they are smooth, or the unit vectors of its own tangents
     Vec3 dpdu;
     Vec3 dpdv;
     float uvWidth;     ///< what a pixel covers of u and v; 0 where no texture asks for it
@@ -111,9 +111,11 @@ GLINT_HD inline void addTangents(const SceneView& view, const Ray& ray, const Hi
         (flags & (kMaterialBump | kMaterialMipmaps | kMaterialFacets)) == 0) {
         return;
     }
+    const auto toWorld = [&](const Tangents& t) {
+        return Tangents{vectorToWorld<kMask>(instance, t.dpdu), vectorToWorld<kMask>(instance, t.dpdv)};
+    };
     const Tangents object = objectTangentsAt<kMask>(view, hit, pObject);
-    const Tangents world{vectorToWorld<kMask>(instance, object.dpdu),
-                         vectorToWorld<kMask>(instance, object.dpdv)};
+    const Tangents world = toWorld(object);
     point->dpdu = world.dpdu;
     point->dpdv = world.dpdv;
     if (hasFeature<kMask>(kFeatureMipmaps) && pixelWidth > 0.0f) {
@@ -122,13 +124,14 @@ GLINT_HD inline void addTangents(const SceneView& view, const Ray& ray, const Hi
         point->uvWidth = area > 0.0f ? minf(pixelWidth / std::sqrt(area), 1e6f) : 0.0f;
     }
     if (hasFeature<kMask>(kFeatureBumps) && (flags & kMaterialBump) != 0) {
-        point->ns = perturbedNormal<kMask>(view, view.materials[instance.material], point->uv, point->uvWidth,
-                                           world, point->ng, point->ns);
+        point->ns =
+            perturbedNormal<kMask>(view, view.materials[instance.material], point->uv, point->uvWidth, world,
+                                   toWorld(ownTangentsAt<kMask>(view, hit)), point->ng, point->ns);
     }
     if (hasFeature<kMask>(kFeatureFacets) && (flags & kMaterialFacets) != 0) {
-        const Tangents smooth = facetTangentsAt<kMask>(view, hit, object);
-        point->dpdu = vectorToWorld<kMask>(instance, smooth.dpdu);
-        point->dpdv = vectorToWorld<kMask>(instance, smooth.dpdv);
+        const Tangents facets = toWorld(facetTangentsAt<kMask>(view, hit, object));
+        point->dpdu = facets.dpdu;
+        point->dpdv = facets.dpdv;
     }
 }
 

@@ -42,8 +42,9 @@ bool readsTextureCoordinates(FeatureMask features) { return (features & kFeature
 
 void addVertices(const MeshData& mesh, bool withTextureCoordinates, MemoryUse* use) {
     (*use)[MemoryPart::Vertices] += bytesOf(mesh.positions) + bytesOf(mesh.indices);
-    (*use)[MemoryPart::VertexShading] +=
-        bytesOf(mesh.normals) + bytesOf(mesh.colors) + (withTextureCoordinates ? bytesOf(mesh.uvs) : 0);
+    (*use)[MemoryPart::VertexShading] += bytesOf(mesh.normals) + bytesOf(mesh.colors) +
+                                         bytesOf(mesh.tangents) +
+                                         (withTextureCoordinates ? bytesOf(mesh.uvs) : 0);
 }
 
 }  // namespace

@@ -109,6 +109,7 @@ void add(ContentHash& hash, const MeshData& mesh, bool isTextured) {
     add(hash, mesh.normals);
     if (isTextured) { add(hash, mesh.uvs); }
     add(hash, mesh.colors);
+    if (!mesh.tangents.empty()) { add(hash, mesh.tangents); }
     add(hash, mesh.indices);
 }
 

@@ -114,7 +114,8 @@ TEST(CudaDeviceScene, TheListedLengthsAreTheBuildersOwn) {
         if (array == mesh.clusters.data()) { EXPECT_EQ(count, mesh.clusters.size()); }
         if (array == mesh.clusterPrimitives.data()) { EXPECT_EQ(count, mesh.clusterPrimitives.size()); }
         const bool isVertexData = array == view.positions || array == view.indices || array == view.normals ||
-                                  array == view.uvs || array == view.colors || array == view.tangents;
+                                  array == view.uvs || array == view.colors || array == view.tangents ||
+                                  array == view.ownTangents;
         if (!isVertexData) { acceleration += count * sizeof(*pointer); }
     });
     EXPECT_EQ(acceleration, mesh.accelerationBytes());

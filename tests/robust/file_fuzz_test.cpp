@@ -58,6 +58,7 @@ void expectSoundMesh(const MeshData& mesh) {
     EXPECT_TRUE(mesh.normals.empty() || mesh.normals.size() == mesh.positions.size());
     EXPECT_TRUE(mesh.uvs.empty() || mesh.uvs.size() == mesh.positions.size());
     EXPECT_TRUE(mesh.colors.empty() || mesh.colors.size() == mesh.positions.size());
+    EXPECT_TRUE(mesh.tangents.empty() || mesh.tangents.size() == mesh.positions.size());
     EXPECT_EQ(mesh.indices.size() % 3, 0u);
 }
 

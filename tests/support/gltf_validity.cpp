@@ -88,6 +88,14 @@ class Validator {
                 EXPECT_NEAR(glm::length(normal), 1.0f, 2e-3f);
             }
         }
+        if (const auto tangents = primitive.attributes.find("TANGENT");
+            tangents != primitive.attributes.end()) {
+            EXPECT_TRUE(primitive.attributes.contains("NORMAL"));
+            for (const Vec4& tangent : values<Vec4>(model_.accessors.at(at(tangents->second)))) {
+                EXPECT_NEAR(glm::length(Vec3(tangent)), 1.0f, 2e-3f);
+                EXPECT_EQ(std::fabs(tangent.w), 1.0f);
+            }
+        }
         const auto& indices = model_.accessors.at(at(primitive.indices));
         EXPECT_EQ(indices.count % 3, 0u);
         const std::vector<uint32_t> corners = values<uint32_t>(indices);

@@ -30,6 +30,7 @@ void expectSame(const MeshData& a, const MeshData& b) {
     EXPECT_TRUE(sameArray(a.normals, b.normals));
     EXPECT_TRUE(sameArray(a.uvs, b.uvs));
     EXPECT_TRUE(sameArray(a.colors, b.colors));
+    EXPECT_TRUE(sameArray(a.tangents, b.tangents));
     EXPECT_TRUE(sameArray(a.indices, b.indices));
 }
 
@@ -195,6 +196,7 @@ SceneDescription sceneWithEverything() {
     mesh->normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
     mesh->uvs = {{0, 0}, {1, 0}, {0.3f, 1}};
     mesh->colors = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    mesh->tangents = {{1, 0, 0, -1}, {1.0f / 3.0f, 0.9f, 0, 1}, {0, 0, 0, 0}};
     mesh->indices = {0, 1, 2};
     scene.meshes.resize(2);
     scene.meshes[0].data = mesh;

@@ -30,6 +30,11 @@ GLINT_HD Vec3 facetAxis(const Bsdf<kMask>& bsdf, const Scene& scene, const Surfa
         const uint32_t texture = bsdf.material->textures.anisotropyDirection.index;
         if (texture < scene.textures.count) {
             axes = imageAxes<kMask>(scene.textures[texture], surface.uv, tangents);
+            if constexpr (requires { hasOwnTangents<kMask>(scene, surface.instance); }) {
+                if (hasOwnTangents<kMask>(scene, surface.instance)) {
+                    axes = ownImageAxes(scene.textures[texture], tangents);
+                }
+            }
         }
         const Vec3& code = bsdf.inputs().anisotropyDirection;
         const Vec3 right = directionInPlane(axes.dpdu, n);

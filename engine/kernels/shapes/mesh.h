@@ -91,6 +91,22 @@ struct MeshShape {
                 (a.x * edges.dpdv - b.x * edges.dpdu) * inverse};
     }
 
+    /// What the mesh itself says: unit vectors along u and along v, square to each other and to the shading
+    /// normal. Zero: it says nothing there.
+    GLINT_HD static Tangents ownTangents(const MeshView& mesh, const Hit& hit) {
+        const Tangents nothing{Vec3(0.0f), Vec3(0.0f)};
+        if (mesh.ownTangents == nullptr) { return nothing; }
+        const Triangle t(mesh, hit.primitive);
+        const Vec3 weights(1.0f - hit.barycentric.x - hit.barycentric.y, hit.barycentric.x,
+                           hit.barycentric.y);
+        const Vec4 sum = interpolate(mesh.ownTangents, t.corner, weights);
+        const Vec3 smooth = mesh.normals ? interpolate(mesh.normals, t.corner, weights) : Vec3(0.0f);
+        const Vec3 n = normalizeOr(isZero(smooth) ? normal(t) : smooth, Vec3(0.0f));
+        const Vec3 across = normalizeOr(glm::cross(n, Vec3(sum)), Vec3(0.0f));
+        if (isZero(across) || sum.w == 0.0f) { return nothing; }
+        return {glm::cross(across, n), sum.w < 0.0f ? -across : across};
+    }
+
     /// The tangents of the hit's triangle turned about its normal to where the mesh's own point, if it has
     /// some: dpdu along the interpolated ones, of its own length, dpdv as far.
     GLINT_HD static Tangents smoothTangents(const MeshView& mesh, const Hit& hit, const Tangents& flat) {
