@@ -23,7 +23,7 @@ constexpr std::string_view kOwnMark = "# Written by Glint.\n";
 class PbrtExporter : public SceneExport {
   public:
     PbrtExporter(SceneDescription scene, const std::string& path, std::vector<std::string>* warnings)
-        : SceneExport(std::move(scene), path, warnings) {}
+        : SceneExport(std::move(scene), path, warnings, true) {}
 
     Status run() {
         placeTextures();

@@ -1,9 +1,12 @@
 // Materials as pbrt-v4 has them: what pbrt_materials.cpp reads as the same again.
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "engine/io/pbrt_color.h"
 #include "engine/io/pbrt_writer.h"
 #include "engine/io/scene_export.h"
+#include "engine/math/color.h"
 #include "engine/scene/glasses.h"
 #include "engine/scene/metals.h"
 
@@ -37,6 +40,7 @@ class MaterialWriter {
                        pbrtColorInput("reflectance", material_.color) +
                        pbrtColorInput("transmittance", material_.transmission);
             case MaterialKind::Coated:
+                return coatedMetal();
             case MaterialKind::Principled:
                 return principled(rough);
             case MaterialKind::Mixture:
@@ -97,8 +101,75 @@ class MaterialWriter {
             return pbrtString("type", "coateddiffuse") + color + pbrtNumber("eta", index()) + rough;
         }
         if (material_.clearcoat.value < 0.5f) { return pbrtString("type", "conductor") + color + rough; }
-        return pbrtString("type", "coatedconductor") + color + roughness("conductor.") +
-               pbrtNumberInput("interface.roughness", material_.clearcoatRoughness);
+        constexpr float kCoat = 1.5f;
+        return pbrtString("type", "coatedconductor") +
+               (material_.color.texture >= 0 ? color : reflecting(material_.color.value, kCoat)) +
+               roughness("conductor.") + pbrtNumber("interface.eta", kCoat) +
+               pbrtNumberInput("interface.roughness", material_.clearcoatRoughness) +
+               pbrtNumber("thickness", 0.0f);
+    }
+
+    std::string coatedMetal() {
+        warn("approximated: light goes back and forth under coats over metal");
+        if (material_.clearcoatRoughness != NumberInput{0.0f}) {
+            warn("approximated: rough coats over metal broaden what passes them");
+        }
+        const Vec3& absorbed = material_.coatAbsorption.value;
+        const bool isGrey = absorbed.x == absorbed.y && absorbed.y == absorbed.z;
+        if (!isGrey || material_.coatAbsorption.texture >= 0) {
+            warn("approximated: coats over metal absorb all colours alike, everywhere");
+        }
+        const float ior = index();
+        return pbrtString("type", "coatedconductor") + metalUnder(ior) + roughness("conductor.") +
+               pbrtNumber("interface.eta", ior) +
+               pbrtNumberInput("interface.roughness", material_.clearcoatRoughness) +
+               pbrtNumber("thickness", isGrey ? absorbed.x : luminance(absorbed));
+    }
+
+    /// Under a coat of that index.
+    std::string metalUnder(float coat) {
+        if (material_.color.texture >= 0 || material_.color.value != Vec3(1.0f)) {
+            warn("approximated: tinted metals under coats have the colour that they show from the front");
+        }
+        if (material_.color.texture >= 0) { return pbrtColorInput("reflectance", material_.color); }
+        if (material_.color.value != Vec3(1.0f)) {
+            return reflecting(material_.color.value * reflectanceHeadOn(material_), coat);
+        }
+        if (const auto known = findMetal(material_.metal)) { return constants(known->eta, known->k, coat); }
+        if (material_.eta.texture >= 0 || material_.k.texture >= 0) {
+            warn("approximated: constants of metals under coats are no images");
+        }
+        return constants(material_.eta.value, material_.k.value, coat);
+    }
+
+    /// What reflects so much of light from the front within a coat of that index.
+    static std::string reflecting(const Vec3& reflectance, float coat) {
+        const Vec3 r = glm::clamp(reflectance, Vec3(0.0f), Vec3(0.9999f));
+        return constants(Vec3(1.0f), 2.0f * glm::sqrt(r / (Vec3(1.0f) - r)), coat);
+    }
+
+    /// By name where they are a metal's that pbrt knows, else such that they are the same over the index.
+    static std::string constants(const Vec3& eta, const Vec3& k, float index) {
+        for (const std::string_view symbol : {"Ag", "Al", "Au", "Cu", "CuZn"}) {
+            const std::string name = fmt::format("metal-{}", symbol);
+            const auto known = findMetal(pbrtMetal(name + "-k"));
+            if (known && known->eta / index == eta && known->k / index == k) {
+                return fmt::format(" \"spectrum conductor.eta\" \"{}-eta\" \"spectrum conductor.k\" \"{}-k\"",
+                                   name, name);
+            }
+        }
+        const auto timesIndex = [index](Vec3 value) {
+            for (int c = 0; c < 3; ++c) {
+                const float product = value[c] * index, less = std::nextafter(product, 0.0f),
+                            more = std::nextafter(product, kInfinity);
+                value[c] = product / index == value[c] ? product
+                           : less / index == value[c]  ? less
+                           : more / index == value[c]  ? more
+                                                       : product;
+            }
+            return value;
+        };
+        return pbrtRgb("conductor.eta", timesIndex(eta)) + pbrtRgb("conductor.k", timesIndex(k));
     }
 
     std::string mirror() {

@@ -143,6 +143,15 @@ PbrtValue PbrtTextures::baked(const Texture& texture, const ImageF& pixels) {
     return {Vec3(0.5f), own};
 }
 
+PbrtValue PbrtTextures::changed(const PbrtParams& at, const PbrtValue& value,
+                                const std::function<float(float)>& change) {
+    const auto pixels = value.image ? pixelsOf(at, *value.image) : nullptr;
+    if (!pixels) { return value; }
+    ImageF out = *pixels;
+    std::ranges::transform(out.rgb, out.rgb.begin(), change);
+    return baked(*value.image, out);
+}
+
 Vec3 PbrtTextures::meanOf(const PbrtValue& value) {
     if (!value.image) { return value.value; }
     const auto pixels = pixelsOf(PbrtParams(&context_, {}, PbrtColorSpace::Srgb), *value.image);

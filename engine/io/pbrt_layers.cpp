@@ -12,6 +12,8 @@
 namespace glint {
 namespace {
 
+constexpr float kCoatThickness = 0.01f;  // where the file does not say
+
 /// What a half-space of scatterers of that single-scattering albedo reflects of diffuse light: van de Hulst
 /// 1980, "Multiple Light Scattering", volume 2.
 float halfSpaceAlbedo(float albedo) {
@@ -35,46 +37,82 @@ bool isPlainDiffuse(const PbrtSurface& surface) {
 
 }  // namespace
 
+float PbrtMaterials::coatIndex(const PbrtParams& params, std::string_view name) {
+    const PbrtParam* eta = params.find(name);
+    if (eta == nullptr) { return 1.5f; }
+    if (eta->type == PbrtType::Texture) { return std::clamp(meanNumber(params, name, 1.5f), 1.0f, 100.0f); }
+    const Vec3 index = pbrtColor(params, *eta, SpectrumRole::Index);
+    const bool isGrey = index.x == index.y && index.y == index.z;
+    const bool isNamedGlass = !eta->texts.empty() && !pbrtGlass(eta->texts[0]).empty();
+    if (!isGrey || isNamedGlass) { params.approximated("approximated: coats do not disperse"); }
+    return std::clamp(isGrey ? index.x : luminance(index), 1.0f, 100.0f);
+}
+
 void PbrtMaterials::readCoatedDiffuse(const PbrtParams& params, PbrtSurface* out) {
     Material& material = out->material;
     material.kind = MaterialKind::Plastic;
     material.color = reflectance(params, {"reflectance"}, 0.5f);
     readRoughness(params, "", 0.0f, &material);
-    const PbrtParam* eta = params.find("eta");
-    const Vec3 index = eta != nullptr ? pbrtColor(params, *eta, SpectrumRole::Index) : Vec3(1.5f);
-    material.ior.value = std::clamp(luminance(index), 1.0f, 100.0f);
-    params.passOver({"thickness", "maxdepth", "nsamples", "twosided", "g"});
+    material.ior.value = coatIndex(params, "eta");
+    if (meanNumber(params, "thickness", kCoatThickness) > kCoatThickness) {
+        params.approximated("approximated: coats of plastic absorb nothing");
+    }
+    params.passOver({"maxdepth", "nsamples", "twosided", "g"});
     if (const auto albedo = textures_.color(params, "albedo", SpectrumRole::Reflectance);
         albedo && (albedo->image || !isZero(albedo->value))) {
         params.approximated("approximated: nothing scatters within coats");
     }
 }
 
+void PbrtMaterials::readCoatedReflectance(const PbrtParams& params, const PbrtValue& bare, float index,
+                                          Material* material) {
+    material->metal.clear();
+    if (!bare.image) {
+        const Vec3 r = glm::min(bare.value, Vec3(0.9999f));  // at right angles, of eta 1
+        material->eta.value = Vec3(1.0f / index);
+        material->k.value = (2.0f / index) * glm::sqrt(r / (Vec3(1.0f) - r));
+        return;
+    }
+    params.approximated("approximated: metals that reflect a picture do so alike at all angles");
+    material->eta.value = Vec3(1e-3f);
+    material->k.value = Vec3(1e4f);
+    material->color = textures_.colorInput(textures_.changed(params, bare, [index](float r) {
+        const float below = square(index - 1.0f), above = square(index + 1.0f);
+        r = std::clamp(r, 0.0f, 1.0f);
+        return (below * (1.0f - r) + 4.0f * r) / (above * (1.0f - r) + 4.0f * r);
+    }));
+}
+
+/// A unit of the coat's thickness is one optical depth: what does not scatter is absorbed.
 void PbrtMaterials::readCoatedConductor(const PbrtParams& params, PbrtSurface* out) {
     Material& material = out->material;
-    params.approximated("approximated: coats over metal are clear ones of index 1.5");
+    params.approximated("approximated: light does not go back and forth under coats over metal");
+    const float index = coatIndex(params, "interface.eta");
     material.kind = MaterialKind::Conductor;
     material.color.value = Vec3(1.0f);
     readRoughness(params, "conductor.", 0.0f, &material);
     if (const auto color = textures_.color(params, "reflectance", SpectrumRole::Reflectance)) {
-        material.metal.clear();
-        material.eta.value = Vec3(1e-3f);
-        material.k.value = Vec3(1e4f);
-        material.color = textures_.colorInput(*color);
+        readCoatedReflectance(params, *color, index, &material);
     } else {
-        readMetal(params, "conductor.", &material);
+        readMetal(params, "conductor.", index, &material);
     }
-    const PbrtParam* eta = params.find("interface.eta");
-    const Vec3 index = eta != nullptr ? pbrtColor(params, *eta, SpectrumRole::Index) : Vec3(1.5f);
     Material coat;
     readRoughness(params, "interface.", 0.0f, &coat);
     if (hasCrossRoughness(coat)) {
         params.approximated("approximated: coats over metal are rough as along u");
     }
-    if (!coatMaterial(std::clamp(luminance(index), 1.0f, 100.0f), coat.roughness, &material)) {
-        params.approximated("approximated: coats over metals of textures are left out");
+    if (coat.roughness.value > 0.0f || coat.roughness.texture >= 0) {
+        params.approximated("approximated: rough coats over metal do not broaden what passes them");
     }
-    params.passOver({"thickness", "maxdepth", "nsamples", "g", "albedo"});
+    coatMetal(index, coat.roughness, &material);
+    Vec3 absorbed(std::max(meanNumber(params, "thickness", kCoatThickness), 0.0f));
+    if (const auto albedo = textures_.color(params, "albedo", SpectrumRole::Reflectance);
+        albedo && (albedo->image || !isZero(albedo->value))) {
+        absorbed *= Vec3(1.0f) - glm::clamp(textures_.meanOf(*albedo), Vec3(0.0f), Vec3(1.0f));
+        params.approximated("approximated: nothing scatters within coats");
+    }
+    material.coatAbsorption.value = absorbed;
+    params.passOver({"maxdepth", "nsamples", "g"});
 }
 
 void PbrtMaterials::readTransmission(const PbrtParams& params, PbrtSurface* out) {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "engine/math/color.h"
+#include "engine/scene/metals.h"
 
 namespace glint {
 namespace {
@@ -209,7 +210,8 @@ void PbrtMaterials::readDiffuse(const PbrtParams& params, PbrtSurface* out) {
     }
 }
 
-void PbrtMaterials::readMetal(const PbrtParams& params, const std::string& prefix, Material* material) {
+void PbrtMaterials::readMetal(const PbrtParams& params, const std::string& prefix, float index,
+                              Material* material) {
     const PbrtParam *eta = params.find(prefix + "eta"), *k = params.find(prefix + "k");
     const auto nameOf = [](const PbrtParam* param) {
         if (param == nullptr) { return std::string_view("copper"); }
@@ -217,12 +219,21 @@ void PbrtMaterials::readMetal(const PbrtParams& params, const std::string& prefi
                                                                           : std::string_view();
     };
     material->metal = nameOf(eta) == nameOf(k) ? nameOf(eta) : std::string_view();
-    if (!material->metal.empty()) { return; }
+    if (const auto known = findMetal(material->metal)) {
+        if (index == 1.0f) { return; }
+        material->eta = {known->eta / index};
+        material->k = {known->k / index};
+        material->metal.clear();
+        return;
+    }
     const auto colorOf = [&](const std::string& name) {
         const auto color = textures_.color(params, prefix + name, SpectrumRole::Index);
-        ColorInput input =
-            color ? textures_.colorInput(*color) : ColorInput{Vec3(name == "eta" ? 0.2f : 3.9f)};
-        return input;
+        PbrtValue value = color.value_or(PbrtValue{Vec3(name == "eta" ? 0.2f : 3.9f)});
+        if (index == 1.0f) { return textures_.colorInput(value); }
+        if (value.image) {
+            return textures_.colorInput(PbrtTextures::adjusted(std::move(value), 0.0f, 1.0f / index, 1.0f));
+        }
+        return ColorInput{value.value / index};
     };
     material->eta = colorOf("eta");
     material->k = colorOf("k");
@@ -235,7 +246,7 @@ void PbrtMaterials::readConductor(const PbrtParams& params, PbrtSurface* out) {
     readRoughness(params, "", 0.0f, &material);
     const auto color = textures_.color(params, "reflectance", SpectrumRole::Reflectance);
     if (!color) {
-        readMetal(params, "", &material);
+        readMetal(params, "", 1.0f, &material);
         return;
     }
     material.metal.clear();

@@ -83,8 +83,13 @@ class PbrtMaterials {
                        Material* material);
     ColorInput reflectance(const PbrtParams& params, std::initializer_list<std::string_view> names,
                            float otherwise);
-    /// eta and k of a metal.
-    void readMetal(const PbrtParams& params, const std::string& prefix, Material* material);
+    /// eta and k of a metal, over the index of what lies on it.
+    void readMetal(const PbrtParams& params, const std::string& prefix, float index, Material* material);
+    /// The same of a coated one by what it would reflect without its coat.
+    void readCoatedReflectance(const PbrtParams& params, const PbrtValue& bare, float index,
+                               Material* material);
+    /// The index of a coat.
+    float coatIndex(const PbrtParams& params, std::string_view name);
     float meanNumber(const PbrtParams& params, std::string_view name, float otherwise);
 
     PbrtContext& context_;

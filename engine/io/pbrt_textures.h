@@ -1,6 +1,7 @@
 // pbrt's textures as Glint's. Internal to the pbrt importer. engine/io/README.md says what becomes what.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -35,6 +36,9 @@ class PbrtTextures {
     /// `a` times `b`, and `a` where amount is 0 to `b` where it is 1.
     PbrtValue scaled(const PbrtParams& at, const PbrtValue& a, const PbrtValue& b);
     PbrtValue mixed(const PbrtParams& at, const PbrtValue& a, const PbrtValue& b, const PbrtValue& amount);
+    /// change(x) of each number of an image, in texels of its own; what is no image stays.
+    PbrtValue changed(const PbrtParams& at, const PbrtValue& value,
+                      const std::function<float(float)>& change);
     /// (base + gain x)^exponent; exponent: above 0.
     static PbrtValue adjusted(PbrtValue value, float base, float gain, float exponent);
     /// What a projection of that image sends to the plane at a distance of 1, for an intensity as the image

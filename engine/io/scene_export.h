@@ -19,8 +19,8 @@ constexpr float kExportedPlaneSize = 1e4f;
 void warnOnce(std::string_view warning, std::vector<std::string>* warnings);
 
 /// Puts plastic of a like highlight in the place of Phong's and Ward's models, and principled materials in
-/// that of coated metals; warns where one is used.
-void withUsualModels(SceneDescription* scene, std::vector<std::string>* warnings);
+/// that of coated metals unless the format `hasCoatedMetals`; warns where one is used.
+void withUsualModels(SceneDescription* scene, bool hasCoatedMetals, std::vector<std::string>* warnings);
 
 /// The index of refraction of a material, one for all colours and places; warns where it is not.
 float oneIor(const Material& material, std::vector<std::string>* warnings);
@@ -43,18 +43,20 @@ bool isCylinder(const Object& object, bool runsUpwards);
 /// The first error stays; what comes after it has usable values.
 class SceneExport {
   protected:
-    SceneExport(SceneDescription scene, const std::string& path, std::vector<std::string>* warnings)
+    SceneExport(SceneDescription scene, const std::string& path, std::vector<std::string>* warnings,
+                bool hasCoatedMetals = false)
         : scene_(std::move(scene)), path_(path), warnings_(*warnings) {
         if (!scene_.hiddenObjects.empty()) { warn("left out: hidden objects"); }
         const auto cast = std::erase_if(scene_.lights, [](const Light& light) { return light.onlyRayCast; });
         if (cast > 0) { warn("left out: lights of ray casting alone"); }
-        withUsualModels(&scene_, &warnings_);
+        withUsualModels(&scene_, hasCoatedMetals, &warnings_);
     }
 
     /// Writes images in memory beside the new file, and names all as seen from there.
     void placeTextures();
     /// Writes a file beside the new one, named after it; says under which name.
     std::string save(std::string_view ending, std::shared_ptr<const std::string> bytes);
+    /// The same of a mesh; warns of what PLY does not hold.
     std::string savePly(const MeshData& mesh);
     /// The same of a picture, as EXR.
     std::string savePicture(std::string_view ending, const ImageF& picture);

@@ -35,7 +35,7 @@ void makePrincipled(Material* material) {
 
 }  // namespace
 
-void withUsualModels(SceneDescription* scene, std::vector<std::string>* warnings) {
+void withUsualModels(SceneDescription* scene, bool hasCoatedMetals, std::vector<std::string>* warnings) {
     const std::vector<bool> used = usedMaterials(*scene);
     for (size_t i = 0; i < scene->materials.size(); ++i) {
         Material& material = scene->materials[i];
@@ -44,7 +44,7 @@ void withUsualModels(SceneDescription* scene, std::vector<std::string>* warnings
             if (used[i]) {
                 warnOnce("approximated: Phong's and Ward's models are plastic of a like highlight", warnings);
             }
-        } else if (material.kind == MaterialKind::Coated) {
+        } else if (material.kind == MaterialKind::Coated && !hasCoatedMetals) {
             makePrincipled(&material);
             if (used[i]) { warnOnce("approximated: coated metals are principled", warnings); }
         }

@@ -1,5 +1,6 @@
 // Scenes written as pbrt-v4: opened again they show the same picture, bit for bit where nothing is
 // approximated.
+#include "engine/scene/metals.h"
 #include "tests/support/export_test.h"
 #include "tests/support/pbrt_test.h"
 
@@ -80,6 +81,41 @@ TEST_F(PbrtExport, EnvironmentsKeepTheirLight) {
     const Estimate before = meanLuminance(renderFilm(scene, 256)),
                    after = meanLuminance(renderFilm(opened, 256));
     EXPECT_TRUE(agree(before, after, 0.02)) << before.mean << " " << after.mean;
+}
+
+/// Constants go through the coat's index and back, by name or as numbers.
+TEST_F(PbrtExport, CoatedMetalsStayCoated) {
+    for (
+        const char* metal :
+        {R"("float interface.eta" 1.7 "float conductor.roughness" 0.04)",
+         R"("spectrum conductor.eta" "metal-Au-eta" "spectrum conductor.k" "metal-Au-k" "float thickness" 0.25)",
+         R"("rgb conductor.eta" [0.2 0.37 1.1] "rgb conductor.k" [3.9 2.4 2.1] "float interface.eta" 1.37)",
+         R"("rgb reflectance" [0.9 0.6 0.3] "float conductor.uroughness" 0.01 "float conductor.vroughness" 0.09
+             "float interface.roughness" 0.02)"}) {
+        SceneDescription scene =
+            load(std::string("LightSource \"point\" \"point3 from\" [1 2 5] Material \"coatedconductor\" ") +
+                 metal + " Shape \"sphere\"");
+        scene.resolution = {16, 12};
+        const SceneDescription opened = exported(scene);
+        EXPECT_THAT(warnings, Contains("approximated: light goes back and forth under coats over metal"));
+        const Material &a = scene.materials.at(0), &b = opened.materials.at(0);
+        EXPECT_EQ(b.kind, MaterialKind::Coated);
+        EXPECT_EQ(a.eta.value, b.eta.value) << metal;
+        EXPECT_EQ(a.k.value, b.k.value) << metal;
+        EXPECT_EQ(a.coatAbsorption, b.coatAbsorption) << metal;
+        expectSameBits(renderPasses(scene, 2, 2), renderPasses(opened, 2, 2));
+    }
+    SceneDescription tinted = load("Material \"coatedconductor\" Shape \"sphere\"");
+    Material& metal = tinted.materials.at(0);
+    metal.color.value = {0.5f, 0.8f, 0.9f};
+    metal.coatAbsorption.value = {0.1f, 0.2f, 0.3f};
+    const Material opened = exported(tinted).materials.at(0);
+    expectNear(reflectanceHeadOn(opened), metal.color.value * reflectanceHeadOn(metal), 1e-4f);
+    EXPECT_NEAR(opened.coatAbsorption.value.x, 0.186f, 0.01f) << "its luminance";
+    EXPECT_THAT(warnings, Contains("approximated: coats over metal absorb all colours alike, everywhere"));
+    EXPECT_THAT(
+        warnings,
+        Contains("approximated: tinted metals under coats have the colour that they show from the front"));
 }
 
 TEST_F(PbrtExport, WhatPbrtDoesNotHaveIsSaid) {

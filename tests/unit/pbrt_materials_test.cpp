@@ -10,6 +10,7 @@ namespace glint::test {
 namespace {
 
 using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -80,7 +81,9 @@ TEST_F(PbrtMaterialsTest, Conductors) {
     metal = materialOf(
         R"(Material "coatedconductor" "spectrum conductor.eta" "metal-Al-eta" "spectrum conductor.k" "metal-Al-k"
 "float conductor.roughness" 0.04 "float interface.roughness" 0.1)");
-    EXPECT_EQ(metal.metal, "aluminium");
+    EXPECT_EQ(metal.eta.value, findMetal("aluminium")->eta / 1.5f) << "against the coat";
+    EXPECT_EQ(metal.k.value, findMetal("aluminium")->k / 1.5f);
+    EXPECT_TRUE(metal.metal.empty());
     EXPECT_NEAR(metal.roughness.value, 0.2f, 1e-6f);
     EXPECT_THAT(warnings, Contains(HasSubstr("coats over metal")));
 }
@@ -117,16 +120,68 @@ TEST_F(PbrtMaterialsTest, CoatsAreOfPlastic) {
     EXPECT_THAT(warnings, IsEmpty());
     materialOf("Material \"coateddiffuse\" \"rgb albedo\" [0.5 0.5 0.5]");
     EXPECT_THAT(warnings, Contains(HasSubstr("nothing scatters within coats")));
-    const Material coated = materialOf(
-        "Material \"coatedconductor\" \"bool remaproughness\" false \"float interface.roughness\" 0.1 "
-        "\"float "
-        "conductor.roughness\" 0.3 \"rgb reflectance\" [0.9 0.6 0.3]");
-    EXPECT_EQ(coated.kind, MaterialKind::Principled);
-    EXPECT_EQ(coated.metallic.value, 1.0f);
-    expectNear(coated.color.value, Vec3(0.9f, 0.6f, 0.3f), 1e-4f);
-    EXPECT_FLOAT_EQ(coated.clearcoat.value, 1.0f);
+    materialOf("Material \"coateddiffuse\" \"float thickness\" 0.5");
+    EXPECT_THAT(warnings, Contains(HasSubstr("coats of plastic absorb nothing")));
+    EXPECT_NEAR(materialOf("Material \"coateddiffuse\" \"spectrum eta\" \"glass-BK7\"").ior.value, 1.5168f,
+                2e-3f);
+    EXPECT_THAT(warnings, Contains(HasSubstr("coats do not disperse")));
+}
+
+/// eta and k are divided by the coat's index, and a unit of thickness is one optical depth.
+TEST_F(PbrtMaterialsTest, CoatsOverMetal) {
+    Material coated = materialOf("Material \"coatedconductor\"");
+    EXPECT_EQ(coated.kind, MaterialKind::Coated);
+    EXPECT_EQ(coated.ior.value, 1.5f);
+    EXPECT_EQ(coated.eta.value, findMetal("copper")->eta / 1.5f);
+    EXPECT_EQ(coated.roughness.value, 0.0f);
+    EXPECT_EQ(coated.clearcoatRoughness.value, 0.0f);
+    EXPECT_EQ(coated.coatAbsorption.value, Vec3(0.01f));
+    EXPECT_EQ(coated.color.value, Vec3(1.0f));
+    EXPECT_THAT(warnings, ElementsAre(HasSubstr("go back and forth under coats over metal")));
+    coated = materialOf(R"(Material "coatedconductor" "float interface.eta" 2 "float thickness" 0.3
+"rgb conductor.eta" [0.2 0.4 0.6] "rgb conductor.k" [3 2 1] "float interface.roughness" 0.04
+"float conductor.uroughness" 0.09 "float conductor.vroughness" 0.25 "float g" 0.5)");
+    EXPECT_EQ(coated.ior.value, 2.0f);
+    expectNear(coated.eta.value, Vec3(0.1f, 0.2f, 0.3f), 1e-6f);
+    expectNear(coated.k.value, Vec3(1.5f, 1.0f, 0.5f), 1e-6f);
+    EXPECT_NEAR(coated.clearcoatRoughness.value, 0.2f, 1e-6f);
+    EXPECT_NEAR(coated.roughness.value, 0.3f, 1e-6f);
+    EXPECT_NEAR(coated.crossRoughness.value, 0.5f, 1e-6f);
+    EXPECT_EQ(coated.coatAbsorption.value, Vec3(0.3f));
+    EXPECT_THAT(warnings, Contains(HasSubstr("rough coats over metal")));
+    coated =
+        materialOf(R"(Material "coatedconductor" "bool remaproughness" false "rgb reflectance" [0.9 0.6 0.3]
+"float interface.uroughness" 0.1 "float interface.vroughness" 0.2 "float conductor.roughness" 0.3
+"rgb albedo" [0.5 0.25 0] "float thickness" 0.4 "spectrum interface.eta" "glass-BK7")");
+    EXPECT_NEAR(coated.ior.value, 1.5168f, 2e-3f);
+    expectNear(coated.eta.value * coated.ior.value, Vec3(1.0f), 1e-6f);
+    const Vec3 k = coated.k.value * coated.ior.value;
+    expectNear(k * k / (Vec3(4.0f) + k * k), Vec3(0.9f, 0.6f, 0.3f), 1e-5f);
     EXPECT_FLOAT_EQ(coated.clearcoatRoughness.value, 0.1f);
     EXPECT_FLOAT_EQ(coated.roughness.value, 0.3f);
+    expectNear(coated.coatAbsorption.value, Vec3(0.2f, 0.3f, 0.4f), 1e-6f);
+    for (const char* said : {"nothing scatters within coats", "coats do not disperse", "rough as along u"}) {
+        EXPECT_THAT(warnings, Contains(HasSubstr(said)));
+    }
+}
+
+/// What a metal of eta 1 that reflects r in air reflects within a coat of index 1.5.
+TEST_F(PbrtMaterialsTest, PicturesUnderCoatsReflectAsMetalsThere) {
+    const Material coated =
+        materialOf(R"(Texture "t" "spectrum" "checkerboard" "rgb tex1" [0.5 0 1] "rgb tex2" [0 1 0.5]
+Material "coatedconductor" "texture reflectance" "t")");
+    ASSERT_GE(coated.color.texture, 0);
+    const auto& pixels = textures[static_cast<size_t>(coated.color.texture)].image.floats;
+    ASSERT_TRUE(pixels);
+    const auto within = [](float r) {
+        const float k2 = 4.0f * r / (1.0f - r);  // (eta - n)^2 + k^2 over (eta + n)^2 + k^2
+        return r < 1.0f ? (0.25f + k2) / (6.25f + k2) : 1.0f;
+    };
+    const bool isFirst = pixels->rgb[1] < 0.1f;
+    const Vec3 bare = isFirst ? Vec3(0.5f, 0.0f, 1.0f) : Vec3(0.0f, 1.0f, 0.5f);
+    expectNear(Vec3(pixels->rgb[0], pixels->rgb[1], pixels->rgb[2]),
+               Vec3(within(bare.x), within(bare.y), within(bare.z)), 1e-4f);
+    EXPECT_THAT(warnings, Contains(HasSubstr("alike at all angles")));
 }
 
 TEST_F(PbrtMaterialsTest, NamedMaterialsAndMixtures) {
