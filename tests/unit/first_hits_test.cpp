@@ -2,6 +2,7 @@
 #include "engine/render/first_hits.h"
 
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -56,6 +57,21 @@ TEST(FirstHits, DepthIsAlongTheAxis) {
         const double z = (4.0 - std::sqrt(16.0 - 15.0 * a)) / a;
         EXPECT_NEAR(firstHit(*scene, 41, 31, x, 15).depth, z, 1e-5) << x;
     }
+}
+
+TEST(FirstHits, NothingIsHitOnAWayThatFloatCannotTell) {
+    auto scene = sphereScene();
+    const auto near = built(scene);
+    constexpr float kFar = 3.4e38f;
+    constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
+    for (const Vec3& end : {Vec3(0.0f, kFar, 4.0f), Vec3(0.0f, -kFar, kFar), Vec3(kNoNumber, 0.0f, 0.0f),
+                            Vec3(kInfinity, 0.0f, 0.0f)}) {
+        EXPECT_EQ(firstHitBetween(*near, end, {0.0f, 0.0f, 0.0f}).object, 0u);
+        EXPECT_EQ(firstHitBetween(*near, -end, end).object, 0u);
+    }
+    scene.camera.position = {0.0f, kFar, 4.0f};
+    const FirstHit hit = firstHit(*built(scene), 41, 31, 20, 15);
+    EXPECT_LE(hit.object, 1u);
 }
 
 TEST(FirstHits, AllDepthsAreThoseOfThePixels) {

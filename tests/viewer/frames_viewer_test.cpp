@@ -161,5 +161,24 @@ expect "Obstacles" "the camera goes through wall after picture 5, and wall hides
     expectPlayed(run("view room.json --headless --threads 1 --script script.txt --passes 2"));
 }
 
+TEST_F(FramesViewer, ACameraBeyondAllNumbersEndsNothing) {
+    expectPlayed(play(R"(
+wait picture
+open "Turntable"
+wait frames 3
+set "Camera/Position.y" 3.4e38
+wait frames 3
+set "Camera/Target" 3e38 -3e38 3e38
+wait frames 3
+key ctrl down
+key z
+wait frames 2
+key z
+key ctrl up
+wait picture
+expect "Camera/Position.y" 1
+)"));
+}
+
 }  // namespace
 }  // namespace glint

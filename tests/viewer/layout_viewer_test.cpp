@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/io/atomic_file.h"
+#include "engine/math/vec.h"
 #include "tests/viewer/play_script.h"
 #include "viewer/model/window_layout.h"
 
@@ -34,16 +35,16 @@ TEST(WindowLayout, ReadsWhatItWrote) {
     EXPECT_EQ(later.columnUnits, 372.0f);
 }
 
-/// Top of a widget on the screen, of `print widgets`.
-float topOf(const Ran& ran, const std::string& widget) {
+/// Upper left corner of a widget on the screen, of `print widgets`.
+Vec2 cornerOf(const Ran& ran, const std::string& widget) {
     const size_t at = ran.output.find("\"" + widget + "\" ");
-    float left = -1.0f;
-    float top = -1.0f;
+    Vec2 corner(-1.0f);
     if (at != std::string::npos) {
-        std::sscanf(ran.output.c_str() + at + widget.size() + 2, "%f %f", &left, &top);
+        std::sscanf(ran.output.c_str() + at + widget.size() + 2, "%f %f", &corner.x, &corner.y);
     }
-    return top;
+    return corner;
 }
+float topOf(const Ran& ran, const std::string& widget) { return cornerOf(ran, widget).y; }
 
 TEST(LayoutViewer, TheLensIsOneClickAwayAt720Rows) {
     const Ran ran = play(R"(
@@ -58,6 +59,20 @@ screenshot layout.png
         EXPECT_GT(topOf(ran, row), 0.0f) << row;
         EXPECT_LT(topOf(ran, row), 680.0f) << row;
     }
+}
+
+TEST(LayoutViewer, LongLabelsHaveTheRoomThatTheyNeed) {
+    const Ran ran = play(R"(
+wait picture
+open "Materials"
+set "Materials/Kind" Plastic
+wait frames 3
+print widgets
+)");
+    expectPlayed(ran);
+    const float usual = cornerOf(ran, "Materials/Facets").x;
+    EXPECT_EQ(cornerOf(ran, "Materials/IOR map").x, usual);
+    EXPECT_GT(cornerOf(ran, "Materials/Anisotropy direction map").x, usual + 15.0f);
 }
 
 TEST(LayoutViewer, TheArrangementIsRemembered) {

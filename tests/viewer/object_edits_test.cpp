@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "viewer/model/copy_name.h"
 #include "viewer/model/material_presets.h"
 
 namespace glint {
@@ -43,6 +44,22 @@ TEST(ObjectEdits, SoloLeavesLampsAndUndoBringsBackWhatIsHidden) {
     showAll(&document);
     EXPECT_EQ(document.draft().objects.size(), 5u);
     EXPECT_TRUE(document.draft().hiddenObjects.empty());
+}
+
+TEST(ObjectEdits, CopiesAreCounted) {
+    EXPECT_EQ(copyName("ball", {"ball"}), "ball copy");
+    EXPECT_EQ(copyName("ball", {"ball", "ball copy", "ball copy 4", "balloon copy 9"}), "ball copy 5");
+    EXPECT_EQ(copyName("ball copy", {"ball copy"}), "ball copy 2");
+    EXPECT_EQ(copyName("ball copy 3", {}), "ball copy 4");
+    EXPECT_EQ(copyName("hard copy x", {}), "hard copy x copy");
+    EXPECT_EQ(copyName(" copy", {}), " copy copy");
+    EXPECT_EQ(copyName("球", {}), "球 copy");
+    SceneDocument document = documentOf(1);
+    document.selectedObject = 0;
+    for (int i = 0; i < 1000; ++i) {
+        duplicateSelection(&document);
+    }
+    EXPECT_EQ(document.draft().objects.back().name, "ball 0 copy 1000");
 }
 
 TEST(ObjectEdits, OneOfSeveralHiddenObjectsComesBack) {

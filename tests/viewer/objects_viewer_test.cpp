@@ -65,6 +65,19 @@ print "Object/Size.y"
     EXPECT_GT(std::stof(printed(ran, "Object/Size.y")[0]), 1.1f);
 }
 
+TEST(ObjectsViewer, AHandleThatIsLetGoBesideTheObjectKeepsTheSelection) {
+    const Ran ran = play(kSelected + R"(
+set "Object/Gizmo" Scale
+wait frames 3
+drag "Gizmo middle" -300 -200
+wait picture
+print "Object/Size"
+expect widget "Object/Delete"
+)");
+    expectPlayed(ran);
+    ASSERT_EQ(printed(ran, "Object/Size").size(), 1u) << ran.output;
+}
+
 TEST(ObjectsViewer, ThingsAreAddedCopiedHiddenAndRemoved) {
     expectPlayed(play(kSelected + R"(
 open "Outliner"
@@ -81,6 +94,15 @@ key d
 key ctrl up
 wait picture
 expect widget "Object 3: box copy"
+key ctrl down
+key d
+key ctrl up
+wait picture
+expect widget "Object 4: box copy 2"
+key delete
+wait picture
+click "Object 3: box copy"
+wait frames 3
 key delete
 wait picture
 expect no-widget "Object 3: box copy"

@@ -52,6 +52,11 @@ TEST(Quantity, WhatDoesNotFitIsRefusedWithAReason) {
         ASSERT_FALSE(number) << text << " is " << *number;
         EXPECT_EQ(number.error().message, "is no number") << text;
     }
+    for (const char* text : {"3e38 km", "-3e38 km", "1e30/1e-30"}) {
+        const Result<double> number = parseQuantity(text, "m");
+        ASSERT_FALSE(number) << text << " is " << *number;
+        EXPECT_EQ(number.error().message, "is too large") << text;
+    }
 }
 
 TEST(Quantity, FormatsTellTheirUnit) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -109,10 +110,12 @@ Result<double> parseQuantity(std::string_view text, std::string_view fieldUnit) 
     const std::string_view unit = trimmed(text.substr(number.size()));
     const std::optional<double> value = parseFraction(number);
     if (!value) { return Error{"is no number", {}}; }
-    if (unit.empty() || areAlike(unit, fieldUnit)) { return *value; }
     const Unit own = unitNamed(fieldUnit), typed = unitNamed(unit);
-    if (typed.kind == UnitKind::Own || typed.kind != own.kind) { return wrongUnit(unit, own); }
-    return *value * (typed.inBase / own.inBase);
+    const bool isOwn = unit.empty() || areAlike(unit, fieldUnit);
+    if (!isOwn && (typed.kind == UnitKind::Own || typed.kind != own.kind)) { return wrongUnit(unit, own); }
+    const double inField = isOwn ? *value : *value * (typed.inBase / own.inBase);
+    if (!std::isfinite(static_cast<float>(inField))) { return Error{"is too large", {}}; }
+    return inField;
 }
 
 }  // namespace glint

@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <iterator>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -14,6 +15,7 @@
 #include "engine/scene/scene_diff.h"
 #include "engine/scene/scene_use.h"
 #include "viewer/model/camera_controller.h"
+#include "viewer/model/copy_name.h"
 
 namespace glint {
 namespace {
@@ -104,7 +106,13 @@ void duplicateSelection(SceneDocument* document) {
     const int index = document->selectedObject;
     Object copy = objectsOf(document)[static_cast<size_t>(index)];
     document->nameEdit("Duplicate " + nameOf(copy, index));
-    copy.name = nameOf(copy, index) + " copy";
+    std::vector<std::string_view> taken;
+    for (const auto* objects : {&objectsOf(document), &document->draft().hiddenObjects}) {
+        for (const Object& object : *objects) {
+            taken.push_back(object.name);
+        }
+    }
+    copy.name = copyName(nameOf(copy, index), taken);
     // Beside the original, by its own width.
     copy.objectToWorld.translation += Vec3(2.0f * rowLengths(copy.objectToWorld.linear).x, 0.0f, 0.0f);
     objectsOf(document).push_back(std::move(copy));

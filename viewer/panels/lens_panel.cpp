@@ -18,8 +18,9 @@
 namespace glint {
 namespace {
 
-constexpr float kLargestFStop = 1000.0f;
-constexpr float kShapeUnits = 26.0f;  // radius
+constexpr float kLargestFStop = 1e9f;
+constexpr float kStopOfPinhole = 1000.0f;  // where a drag out of it begins
+constexpr float kShapeUnits = 26.0f;       // radius
 constexpr int kRoundCorners = 48;
 
 void drawFocalLength(Camera* camera, LensSettings* lens) {
@@ -61,7 +62,7 @@ void drawAperture(Camera* camera, float sensorMm) {
     }
     if (camera->kind == ProjectionKind::Orthographic) { return; }  // no focal length
     const bool isPinhole = camera->apertureDiameter <= 0.0f;
-    float stop = std::min(fStop(*camera, sensorMm), kLargestFStop);
+    float stop = isPinhole ? kStopOfPinhole : std::min(fStop(*camera, sensorMm), kLargestFStop);
     if (ui::number("f-stop", &stop,
                    {.format = isPinhole ? "–" : "f/%.2f",
                     .speed = std::max(stop * 0.01f, 1e-4f),

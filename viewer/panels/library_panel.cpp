@@ -6,6 +6,7 @@
 
 #include <imgui.h>
 
+#include "viewer/model/copy_name.h"
 #include "viewer/model/material_presets.h"
 #include "viewer/model/preset_pictures.h"
 #include "viewer/model/scene_document.h"
@@ -42,6 +43,14 @@ void drawPresets(PresetPictures* pictures, size_t shown, SceneDocument* document
     ImGui::EndChild();
 }
 
+std::vector<std::string_view> namesOf(const std::vector<Material>& materials) {
+    std::vector<std::string_view> names;
+    for (const Material& material : materials) {
+        names.push_back(material.name);
+    }
+    return names;
+}
+
 void drawCopying(MaterialLibrary* library, SceneDocument* document, Material* selected) {
     const float third = ui::buttonWidth(3);
     if (ui::button("Copy", third, "Remembers the selected material")) { library->copied = *selected; }
@@ -57,7 +66,7 @@ void drawCopying(MaterialLibrary* library, SceneDocument* document, Material* se
     if (ui::button("New", third, "A copy of the selected one, for the selected object")) {
         SceneDescription& scene = document->draft();
         Material made = *selected;
-        made.name += made.name.empty() ? "" : " copy";
+        if (!made.name.empty()) { made.name = copyName(made.name, namesOf(scene.materials)); }
         scene.materials.push_back(std::move(made));
         document->selectedMaterial = static_cast<int>(scene.materials.size()) - 1;
         const auto object = static_cast<size_t>(document->selectedObject);

@@ -3,11 +3,14 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "viewer/base/number_format.h"
 #include "viewer/base/quantity.h"
 #include "viewer/ui/typed_number.h"
 #include "viewer/ui/widget_row.h"
@@ -61,19 +64,26 @@ int clampedInteger(double value, const NumberStyle& style) {
     return static_cast<int>(std::clamp(value, low, high));
 }
 
-/// Typed numbers keep the bounds that dragged ones have.
-bool dragField(const char* id, float* value, const NumberStyle& style) {
+/// Typed numbers keep the bounds that dragged ones have. `neighbours`: the largest size of the numbers beside
+/// it.
+bool dragField(const char* id, float* value, const NumberStyle& style, float neighbours = 0.0f) {
     if (isTyped(id)) {
         const auto typed = typedNumber(id, unitOf(style));
         const float next = clamped(typed ? static_cast<float>(*typed) : *value, style);
         return std::exchange(*value, next) != next;
     }
-    const char* format = *value == 0.0f && style.zeroText != nullptr ? style.zeroText : style.format;
-    constexpr ImGuiSliderFlags kFlags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput;
+    const float room = ImGui::CalcItemWidth() - ImGui::GetStyle().ItemInnerSpacing.x;
+    const auto fits = [room](const char* text) { return ImGui::CalcTextSize(text).x <= room; };
+    const std::string format = *value == 0.0f && style.zeroText != nullptr
+                                   ? style.zeroText
+                                   : formatThatShows(style.format, *value, neighbours, fits);
+    ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput;
+    // A drag goes by the style's decimals, or is not rounded.
+    if (format != style.format) { flags |= ImGuiSliderFlags_NoRoundToFormat; }
     const float before = *value;
-    const bool changed = style.slider
-                             ? ImGui::SliderFloat(id, value, style.min, style.max, format, kFlags)
-                             : ImGui::DragFloat(id, value, style.speed, style.min, style.max, format, kFlags);
+    const bool changed =
+        style.slider ? ImGui::SliderFloat(id, value, style.min, style.max, format.c_str(), flags)
+                     : ImGui::DragFloat(id, value, style.speed, style.min, style.max, format.c_str(), flags);
     // A press that begins a text has moved a slider already.
     if (offerTyping(id, before)) {
         *value = before;
@@ -102,13 +112,14 @@ bool dragFields3(const char* label, Vec3* vector, const NumberStyle& style, cons
     const float spacing = ImGui::GetStyle().ItemInnerSpacing.x;
     const float fieldWidth = (width - 2.0f * spacing) / 3.0f;
     bool changed = assignNumbers(label, &vector->x, 3, style);
+    const float largest = std::max({std::abs(vector->x), std::abs(vector->y), std::abs(vector->z)});
     for (int i = 0; i < 3; ++i) {
         float* component = &vector->x + i;
         const std::string name = fmt::format("{}.{}", label, suffixes[i]);
         changed |= assignNumbers(name, component, 1, style);
         if (i > 0) { ImGui::SameLine(0.0f, spacing); }
         ImGui::SetNextItemWidth(fieldWidth);
-        changed |= dragField(fmt::format("##{}", i).c_str(), component, style);
+        changed |= dragField(fmt::format("##{}", i).c_str(), component, style, largest);
         record(WidgetKind::Number, name, fmt::format("{}", *component));
         tooltipForItem(style.tooltip);
     }

@@ -93,7 +93,8 @@ void beginRow(const char* label, const char* tooltip) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextColored(theme::kTextDim, "%s", label);
     if (ImGui::IsItemHovered()) { tooltipBeside(tooltip); }
-    ImGui::SameLine(start + std::max(width * kLabelShare, ImGui::GetFontSize() * 6.5f));
+    const float labelWidth = ImGui::GetItemRectSize().x + ImGui::GetStyle().ItemInnerSpacing.x;
+    ImGui::SameLine(start + std::max({width * kLabelShare, ImGui::GetFontSize() * 6.5f, labelWidth}));
     ImGui::SetNextItemWidth(-FLT_MIN);
 }
 

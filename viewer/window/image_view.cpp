@@ -78,6 +78,17 @@ void drawErrorNote(const Error& error, Vec2 min, Vec2 max) {
     ui::area("Error note", corner, corner + size, text);
 }
 
+void beginImageWindow(Vec2 min, Vec2 max, bool hasScene) {
+    ImGui::SetNextWindowPos({min.x, min.y});
+    ImGui::SetNextWindowSize({max.x - min.x, max.y - min.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::kImageBackground);
+    ImGui::Begin("##image", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse |
+                     (hasScene ? ImGuiWindowFlags_NoNav : 0));
+}
+
 }  // namespace
 
 /// The mouse's way since the last frame, once a press has become a drag by some pixels. What it went before
@@ -201,14 +212,7 @@ void ImageView::drawOverlay(const FocusOverlay& overlay, const ImageDisplay& dis
 
 bool ImageView::draw(Workspace* workspace, const ImagePanes& panes, Vec2 min, Vec2 max) {
     const bool hasScene = workspace->document.isOpen();
-    ImGui::SetNextWindowPos({min.x, min.y});
-    ImGui::SetNextWindowSize({max.x - min.x, max.y - min.y});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::kImageBackground);
-    ImGui::Begin("##image", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse |
-                     (hasScene ? ImGuiWindowFlags_NoNav : 0));
+    beginImageWindow(min, max, hasScene);
     const ImageArea area = areaOf(*workspace, min, max);
     ImageFraming& framing = workspace->display.framing;
     if (hasScene) {
@@ -225,7 +229,8 @@ bool ImageView::draw(Workspace* workspace, const ImagePanes& panes, Vec2 min, Ve
                                                                ImGuiButtonFlags_MouseButtonLeft |
                                                                    ImGuiButtonFlags_MouseButtonRight |
                                                                    ImGuiButtonFlags_MouseButtonMiddle);
-    const bool isClick = isReleased && !isDragging_ && ImGui::IsMouseReleased(ImGuiMouseButton_Left);
+    const bool isClick =
+        isReleased && !isDragging_ && !drew_ && ImGui::IsMouseReleased(ImGuiMouseButton_Left);
     const bool hovered = ImGui::IsItemHovered();
     const bool held = ImGui::IsItemActive();
     hoveredPixel_.reset();
@@ -235,6 +240,7 @@ bool ImageView::draw(Workspace* workspace, const ImagePanes& panes, Vec2 min, Ve
         if (hovered || held) { findPixel(*workspace, area); }
         const bool draws = region_.handle(workspace, placed_, hoveredPixel_, held) ||
                            gizmo_.handle(workspace, placed_, hovered, held);
+        drew_ = held && (drew_ || draws);
         moving = navigate(workspace, area, hovered, held && !draws) || gizmo_.isNudging();
         placed_ = framing.place(area);
         if (panes.own.display->texture() != 0) {

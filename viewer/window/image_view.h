@@ -37,6 +37,7 @@ class ImageView {
     GizmoView gizmo_;
     double lastWheel_ = -1.0;
     bool isDragging_ = false;
+    bool drew_ = false;        ///< what is held moves a handle or draws a region: letting it go is no click
     float wheelSteps_ = 0.0f;  ///< of the zoom, less than one
     std::optional<Vec2i> hoveredPixel_;
     bool hoversOther_ = false;
