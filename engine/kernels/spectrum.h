@@ -16,7 +16,7 @@ constexpr uint32_t kMostWavelengthBands = 15;
 
 struct Wavelength {
     float nm = 0.0f;  ///< 0: none, all of the spectrum
-    Vec3 weight{1.0f, 1.0f, 1.0f};
+    Vec3 weight{1.0f};
     uint32_t band = 0;  ///< 0: none; otherwise 1 to spectrumBands()
 };
 
