@@ -115,6 +115,33 @@ wait frames 3
     EXPECT_GT(x[1], x[0]);
 }
 
+/// Alt and an arrow move the column's edge: the arrow still means that when Alt is let go first.
+TEST(KeysInsteadOfMouse, AnArrowThatWasPressedWithAltMovesNothing) {
+    const Ran ran = play(kSelected + R"(key g
+wait frames 3
+print "Object/Position.x"
+key alt down
+key left down
+wait frames 3
+key alt up
+wait seconds 1
+wait frames 3
+key left up
+wait picture
+print "Object/Position.x"
+key left down
+wait seconds 1
+key left up
+wait picture
+print "Object/Position.x"
+)");
+    expectPlayed(ran);
+    const auto x = numbers(ran, "Object/Position.x");
+    ASSERT_EQ(x.size(), 3u) << ran.output;
+    EXPECT_EQ(x[1], x[0]);
+    EXPECT_LT(x[2], x[1]);
+}
+
 TEST(KeysInsteadOfMouse, TheDividerAndTheColumnMove) {
     const Ran ran = play(R"(
 wait picture

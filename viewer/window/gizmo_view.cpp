@@ -1,5 +1,6 @@
 #include "viewer/window/gizmo_view.h"
 
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -90,9 +91,13 @@ bool GizmoView::nudge(const KeyMap& keys, const ScreenView& view, const Target& 
     bool isMoved = false;
     Affine place = target.placed;
     const float metres = view.metresPer(kLengthUnits * ui::scale(), place.translation);
-    for (const NudgeKey& each : kNudgeKeys) {
-        isNudging_ = isNudging_ || isHeld(keys, each.action);
-        if (!isPressed(keys, each.action, true)) { continue; }
+    static_assert(std::size(kNudgeKeys) == std::tuple_size_v<decltype(isMeant_)>);
+    for (size_t i = 0; i < std::size(kNudgeKeys); ++i) {
+        const NudgeKey& each = kNudgeKeys[i];
+        // An arrow that was pressed with Alt moves no object when Alt is let go first.
+        isMeant_[i] = isPressed(keys, each.action) || (isMeant_[i] && isHeld(keys, each.action));
+        isNudging_ = isNudging_ || isMeant_[i];
+        if (!isMeant_[i] || !isPressed(keys, each.action, true)) { continue; }
         place = Gizmo::nudged(place, target.settings, {each.axis, each.direction, ImGui::GetIO().KeyShift},
                               metres);
         isMoved = true;

@@ -1,6 +1,7 @@
 // The handles of the selected object or light over the picture, and the mouse that drags them.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 
@@ -43,6 +44,7 @@ class GizmoView {
     std::optional<GizmoHandle> meant_;
     bool wasHeld_ = false;
     bool isNudging_ = false;
+    std::array<bool, 8> isMeant_{};  ///< of each key that nudges: it was pressed for that, and is held
     std::shared_ptr<const MeshData> pivotMesh_;  ///< that `meshPivot_` is of
     Vec3 meshPivot_{0.0f};
 };
