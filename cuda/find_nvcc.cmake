@@ -6,12 +6,8 @@ if(GLINT_CUDA STREQUAL "OFF")
     return()
 endif()
 
-# The second is the first one's name in WSL.
-set(has_card 0)
-if(EXISTS /dev/nvidiactl OR EXISTS /dev/dxg)
-    set(has_card 1)
-endif()
-if(GLINT_CUDA STREQUAL "CARD" AND NOT has_card)
+# WSL has no such device, but the driver's library where the host has a card.
+if(GLINT_CUDA STREQUAL "CARD" AND NOT EXISTS /dev/nvidiactl AND NOT EXISTS /usr/lib/wsl/lib/libcuda.so.1)
     message(STATUS "CUDA back end: left out, there is no card")
     return()
 endif()
@@ -32,7 +28,7 @@ endif()
 # Machine code is made for this machine's card. Where there is none, the assembler's minutes would be for nothing: PTX of
 # 7.5 (Turing), the oldest architecture of CUDA 13, is what any card compiles when it loads it.
 if(NOT DEFINED CMAKE_CUDA_ARCHITECTURES)
-    if(has_card)
+    if(EXISTS /dev/nvidiactl)
         set(CMAKE_CUDA_ARCHITECTURES native)
     else()
         set(CMAKE_CUDA_ARCHITECTURES 75-virtual)

@@ -36,6 +36,7 @@ void appendTriangles(const MeshData& mesh, MeshData* out) {
     append(out->normals, mesh.normals, Vec3(0.0f));
     append(out->uvs, mesh.uvs, Vec2(0.0f));
     append(out->colors, mesh.colors, Vec3(1.0f));
+    append(out->tangents, mesh.tangents, Vec4(0.0f));
     out->positions.insert(out->positions.end(), mesh.positions.begin(), mesh.positions.end());
     for (const uint32_t index : mesh.indices) {
         out->indices.push_back(index + static_cast<uint32_t>(before));

@@ -141,6 +141,7 @@ class NormalWriter {
         append(mesh_.normals);
         append(mesh_.uvs);
         append(mesh_.colors);
+        append(mesh_.tangents);
         return static_cast<uint32_t>(mesh_.positions.size()) - 1;
     }
 
