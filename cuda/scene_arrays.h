@@ -67,7 +67,7 @@ void forEachArray(SceneView& view, Visit&& visit) {
     visitView(view.geometry.pieces);
     visitView(view.geometry.groups);
     visit(view.geometry.topLevel.data, view.geometry.topLevel.bytes);
-    visitView(view.geometry.topInstances);
+    visitView(view.geometry.topItems);
     visitView(view.geometry.planes);
     visitView(view.materials);
     visitView(view.coats);

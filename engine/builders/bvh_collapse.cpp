@@ -95,8 +95,6 @@ class Collapser {
     std::vector<LeafRange> leaves_;
 };
 
-bool used(const WideNode& node, int slot) { return node.bounds[0][slot] <= node.bounds[1][slot]; }
-
 }  // namespace
 
 HugeVector<WideNode> collapseTree(const BinaryTree& tree, const PackLeaves& packLeaves) {
@@ -110,7 +108,7 @@ uint32_t traversalStackNeed(const HugeVector<WideNode>& nodes) {
         uint32_t children = 0;
         uint32_t deepest = 0;
         for (int i = 0; i < kNodeWidth; ++i) {
-            if (!used(nodes[n], i)) { continue; }
+            if (!hasChild(nodes[n], i)) { continue; }
             ++children;
             if (!isLeaf(nodes[n].child[i])) { deepest = std::max(deepest, need[nodes[n].child[i]]); }
         }

@@ -3,18 +3,19 @@
 
 #include <algorithm>
 
+#include "engine/builders/opened_meshes.h"
 #include "engine/kernels/shapes/shape_facts.h"
 #include "engine/scene/profile.h"
 
 namespace glint {
 namespace {
 
-/// The world-space box of an instance, widened by the rounding of its transform and of the rays into
-/// its space.
-Bounds paddedBounds(const Object& object, const Bounds& own) {
+/// An instance with its world-space box, widened by the rounding of its transform and of the rays into its
+/// space.
+TopEntry topEntry(const Object& object, const Bounds& own, uint32_t instance) {
     const Bounds b = worldBounds(object.shape, object.objectToWorld, own);
     const Vec3 pad = 0x1p-20f * (glm::max(absVec(b.lo), absVec(b.hi)) + Vec3(maxComponent(b.extent())));
-    return {b.lo - pad, b.hi + pad};
+    return {{b.lo - pad, b.hi + pad}, pad, {instance}};
 }
 
 InstanceData makeInstance(const Object& object, uint32_t firstEmitter) {
@@ -31,6 +32,27 @@ InstanceData makeInstance(const Object& object, uint32_t firstEmitter) {
     return instance;
 }
 
+void buildTopLevel(const SceneDescription& scene, std::vector<TopEntry>* entries, InstanceTable* table) {
+    const AcceleratorKind kind = scene.options.accelerator;
+    table->topLevel.view.kind = kind;
+    if (entries->empty()) {
+        table->bounds = {Vec3(0.0f), Vec3(0.0f)};
+        return;
+    }
+    if (kind == AcceleratorKind::Bvh) { openOverlappingMeshes(scene.objects, table->meshes, entries); }
+    HugeVector<BuildPrimitive> boxes;
+    boxes.reserve(entries->size());
+    for (uint32_t i = 0; i < entries->size(); ++i) {
+        boxes.push_back(makeBuildPrimitive((*entries)[i].box, i));
+    }
+    table->topLevel =
+        buildAccelerator(kind, &boxes, {}, [](const std::vector<LeafRange>& leaves) { return leaves; });
+    table->topItems.reserve(boxes.size());
+    for (const BuildPrimitive& box : boxes) {
+        table->topItems.push_back((*entries)[box.index].item);
+    }
+}
+
 }  // namespace
 
 GeometryView InstanceTable::view() const {
@@ -41,14 +63,14 @@ GeometryView InstanceTable::view() const {
             viewOf(profiles.pieces),
             viewOf(profiles.groups),
             topLevel.view,
-            viewOf(topInstances),
+            viewOf(topItems),
             viewOf(planes),
             bounds};
 }
 
 size_t InstanceTable::bytes() const {
     return instances.size() * sizeof(InstanceData) + meshes.size() * sizeof(MeshView) + profiles.bytes() +
-           topLevel.view.bytes + (topInstances.size() + planes.size()) * sizeof(uint32_t);
+           topLevel.view.bytes + topItems.size() * sizeof(TopItem) + planes.size() * sizeof(uint32_t);
 }
 
 std::shared_ptr<const InstanceTable> buildInstances(
@@ -64,8 +86,8 @@ std::shared_ptr<const InstanceTable> buildInstances(
     for (size_t i = 0; i < tangents.size(); ++i) {
         if (tangents[i]) { table->meshes[i].tangents = tangents[i]->alongU.data(); }
     }
-    HugeVector<BuildPrimitive> boxes;
-    boxes.reserve(scene.objects.size());
+    std::vector<TopEntry> entries;
+    entries.reserve(scene.objects.size());
     for (uint32_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
         table->instances.push_back(makeInstance(object, firstEmitter.empty() ? kNone : firstEmitter[i]));
@@ -80,21 +102,10 @@ std::shared_ptr<const InstanceTable> buildInstances(
         if (isMesh && table->meshes[static_cast<size_t>(object.mesh)].triangleCount == 0) { continue; }
         const Bounds own =
             isMesh ? table->meshes[static_cast<size_t>(object.mesh)].bounds : profileBounds(object.profile);
-        const Bounds box = paddedBounds(object, own);
-        boxes.push_back(makeBuildPrimitive(box, i));
-        table->bounds.grow(box);
+        entries.push_back(topEntry(object, own, i));
+        table->bounds.grow(entries.back().box);
     }
-    table->topLevel.view.kind = scene.options.accelerator;
-    if (boxes.empty()) {
-        table->bounds = {Vec3(0.0f), Vec3(0.0f)};
-        return table;
-    }
-    table->topLevel = buildAccelerator(scene.options.accelerator, &boxes, {},
-                                       [](const std::vector<LeafRange>& leaves) { return leaves; });
-    table->topInstances.reserve(boxes.size());
-    for (const BuildPrimitive& box : boxes) {
-        table->topInstances.push_back(box.index);
-    }
+    buildTopLevel(scene, &entries, table.get());
     return table;
 }
 

@@ -16,7 +16,7 @@ struct InstanceTable {
     std::vector<MeshView> meshes;         ///< same indices as SceneDescription::meshes
     ProfileTable profiles;                ///< of the surfaces of revolution
     Accelerator topLevel;                 ///< over all finite instances that are not empty
-    std::vector<uint32_t> topInstances;
+    std::vector<TopItem> topItems;
     std::vector<uint32_t> planes;
     Bounds bounds;  ///< of the finite instances; a single point at 0 when there are none
 

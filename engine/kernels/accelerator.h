@@ -37,15 +37,15 @@ GLINT_HD inline bool traverseOther(const AcceleratorView& accelerator, const Ray
 
 /// Visits the leaves that the ray may meet, roughly from near to far. `visitLeaf(first, count, &tMax)`
 /// answers whether it found a hit, and lowers tMax to it; with kAnyHit the first hit ends the walk. ray.tMin
-/// must not be negative, and the structure not empty. It is a hierarchy of boxes, or, with
-/// kFeatureAccelerators in the mask, any other.
+/// must not be negative, and the structure not empty. It is a hierarchy of boxes, of which the
+/// part from `root` on is walked, or, with kFeatureAccelerators in the mask, any other.
 template <FeatureMask kMask, bool kAnyHit, class Tests, class VisitLeaf>
 GLINT_HD inline bool traverse(const AcceleratorView& accelerator, const Ray& ray, Tests tests,
-                              VisitLeaf&& visitLeaf) {
+                              VisitLeaf&& visitLeaf, uint32_t root = 0) {
     if constexpr (hasFeature<kMask>(kFeatureAccelerators)) {
         return detail::traverseOther<kAnyHit>(accelerator, ray, tests, visitLeaf);
     } else {
-        return traverseBvh<kAnyHit>(accelerator.as<WideNode>(), ray, tests, visitLeaf);
+        return traverseBvh<kAnyHit>(accelerator.as<WideNode>(), root, ray, tests, visitLeaf);
     }
 }
 

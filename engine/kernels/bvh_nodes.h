@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "engine/base/host_device.h"
+#include "engine/math/bounds.h"
 
 namespace glint {
 
@@ -23,6 +24,17 @@ struct alignas(64) WideNode {
     uint32_t unused[kNodeWidth];
 };
 static_assert(sizeof(WideNode) == 256);
+
+inline bool hasChild(const WideNode& node, int slot) { return node.bounds[0][slot] <= node.bounds[1][slot]; }
+
+inline Bounds childBounds(const WideNode& node, int slot) {
+    Bounds b;
+    for (int axis = 0; axis < 3; ++axis) {
+        b.lo[axis] = node.bounds[lowerRow(axis)][slot];
+        b.hi[axis] = node.bounds[lowerRow(axis) + 1][slot];
+    }
+    return b;
+}
 
 // A child reference is the index of an inner node, or a leaf: `count` (1..16) items from index `first` (<
 // 2^27) on.

@@ -67,16 +67,17 @@ GLINT_HD inline StackEntry* pushSorted(const WideNode& node, uint32_t mask, cons
 #endif
 }
 
-/// traverse() (accelerator.h) of wide nodes; nodes[0] is the root.
+/// traverse() (accelerator.h) of the wide nodes, or the leaf, that the child reference `root` begins.
 template <bool kAnyHit, class Tests, class VisitLeaf>
-GLINT_HD inline bool traverseBvh(const WideNode* nodes, const Ray& ray, Tests tests, VisitLeaf&& visitLeaf) {
+GLINT_HD inline bool traverseBvh(const WideNode* nodes, uint32_t root, const Ray& ray, Tests tests,
+                                 VisitLeaf&& visitLeaf) {
     const BoxRay box = makeBoxRay(ray);
     float tMax = ray.tMax;
     bool found = false;
     StackEntry stack[kTraversalStackSize];
     StackEntry* top = stack;
     alignas(32) float distance[kNodeWidth];
-    uint32_t current = 0;
+    uint32_t current = root;
     while (true) {
         if (isLeaf(current)) {
             if (visitLeaf(leafFirst(current), leafCount(current), &tMax)) {

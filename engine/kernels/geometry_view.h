@@ -72,6 +72,13 @@ struct MeshView {
     Bounds bounds;
 };
 
+/// What a leaf of the top level holds: an instance, or the part of a mesh's that begins at a child reference
+/// (bvh_nodes.h) of its tree. 0 is all of it.
+struct TopItem {
+    uint32_t instance;
+    uint32_t root = 0;
+};
+
 struct GeometryView {
     View<InstanceData> instances;  ///< same indices as SceneDescription::objects
     View<MeshView> meshes;
@@ -79,10 +86,10 @@ struct GeometryView {
     View<ProfileCurve> curves;  ///< of all profiles, like the next two
     View<ProfilePiece> pieces;
     View<PieceGroup> groups;
-    AcceleratorView topLevel;     ///< over all finite instances; its kind is that of all meshes
-    View<uint32_t> topInstances;  ///< leaf contents of topLevel: indices into instances
-    View<uint32_t> planes;        ///< infinite instances, tested one by one
-    Bounds bounds;                ///< of the finite instances; a single point at 0 when there are none
+    AcceleratorView topLevel;  ///< over all finite instances; its kind is that of all meshes
+    View<TopItem> topItems;    ///< leaf contents of topLevel; an instance may be there in parts
+    View<uint32_t> planes;     ///< infinite instances, tested one by one
+    Bounds bounds;             ///< of the finite instances; a single point at 0 when there are none
 };
 
 }  // namespace glint

@@ -13,17 +13,18 @@ namespace detail {
 template <FeatureMask kMask>
 constexpr FeatureMask kMeshTraversal = kMask& kFeatureAccelerators;
 
-/// A world-space ray against one instance; stores a hit nearer than ray.tMax.
+/// A world-space ray against an instance, or a part of it; stores a hit nearer than ray.tMax.
 template <FeatureMask kMask, bool kAnyHit, bool kFrontOnly, class Tests>
-GLINT_HD inline bool intersectInstanceSided(const SceneView& view, uint32_t index, const Ray& ray, Hit* hit,
-                                            Tests tests) {
-    const InstanceData& instance = view.geometry.instances[index];
+GLINT_HD inline bool intersectItemSided(const SceneView& view, const TopItem& item, const Ray& ray, Hit* hit,
+                                        Tests tests) {
+    const InstanceData& instance = view.geometry.instances[item.instance];
     if (isMesh<kMask>(instance)) {
         const MeshView& mesh = view.geometry.meshes[instance.mesh];
         const bool transformed =
             hasFeature<kMask>(kFeatureTransforms) && !(instance.flags & kInstanceIdentity);
         const Ray local = transformed ? toObjectSpace(instance, ray) : ray;
-        if (!MeshShape::intersect<kMeshTraversal<kMask>, kAnyHit, kFrontOnly>(mesh, local, hit, tests)) {
+        if (!MeshShape::intersect<kMeshTraversal<kMask>, kAnyHit, kFrontOnly>(mesh, item.root, local, hit,
+                                                                              tests)) {
             return false;
         }
     } else if (isRevolved<kMask>(instance)) {
@@ -41,17 +42,18 @@ GLINT_HD inline bool intersectInstanceSided(const SceneView& view, uint32_t inde
         hit->primitive = 0;
         hit->barycentric = Vec2(0.0f);
     }
-    hit->instance = index;
+    hit->instance = item.instance;
     return true;
 }
 
 template <FeatureMask kMask, bool kAnyHit, class Tests>
-GLINT_HD inline bool intersectInstance(const SceneView& view, uint32_t index, const Ray& ray, Hit* hit,
-                                       Tests tests) {
-    if (hasFeature<kMask>(kFeatureFrontOnly) && (view.geometry.instances[index].flags & kInstanceFrontOnly)) {
-        return intersectInstanceSided<kMask, kAnyHit, true>(view, index, ray, hit, tests);
+GLINT_HD inline bool intersectItem(const SceneView& view, const TopItem& item, const Ray& ray, Hit* hit,
+                                   Tests tests) {
+    if (hasFeature<kMask>(kFeatureFrontOnly) &&
+        (view.geometry.instances[item.instance].flags & kInstanceFrontOnly)) {
+        return intersectItemSided<kMask, kAnyHit, true>(view, item, ray, hit, tests);
     }
-    return intersectInstanceSided<kMask, kAnyHit, false>(view, index, ray, hit, tests);
+    return intersectItemSided<kMask, kAnyHit, false>(view, item, ray, hit, tests);
 }
 
 /// With kFeatureAccelerators in the mask, a scene in other structures than hierarchies of boxes.
@@ -61,23 +63,22 @@ GLINT_HD inline bool intersectSceneIn(const SceneView& view, const Ray& worldRay
     bool found = false;
     if (hasFeature<kMask>(kFeaturePlane)) {
         for (uint32_t i = 0; i < view.geometry.planes.count; ++i) {
-            const uint32_t plane = view.geometry.planes[i];
-            if (!intersectInstance<kMask, kAnyHit>(view, plane, ray, hit, tests)) { continue; }
+            const TopItem plane{view.geometry.planes[i]};
+            if (!intersectItem<kMask, kAnyHit>(view, plane, ray, hit, tests)) { continue; }
             found = true;
             if (kAnyHit) { return true; }
             ray.tMax = hit->t;
         }
     }
     if (view.geometry.topLevel.empty()) { return found; }
-    if (view.geometry.topInstances.count == 1) {
-        const uint32_t only = view.geometry.topInstances[0];
-        return intersectInstance<kMask, kAnyHit>(view, only, ray, hit, tests) || found;
+    if (view.geometry.topItems.count == 1) {
+        return intersectItem<kMask, kAnyHit>(view, view.geometry.topItems[0], ray, hit, tests) || found;
     }
     const auto visit = [&](uint32_t first, uint32_t count, float* tMax) {
         bool foundHere = false;
         for (uint32_t i = first; i < first + count; ++i) {
-            const uint32_t instance = view.geometry.topInstances[i];
-            if (!intersectInstance<kMask, kAnyHit>(view, instance, ray, hit, tests)) { continue; }
+            const TopItem item = view.geometry.topItems[i];
+            if (!intersectItem<kMask, kAnyHit>(view, item, ray, hit, tests)) { continue; }
             foundHere = true;
             if (kAnyHit) { break; }
             ray.tMax = hit->t;

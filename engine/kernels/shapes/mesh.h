@@ -20,11 +20,11 @@ struct MeshShape {
     static constexpr bool kIsFinite = true;
     static constexpr bool kIsSampled = true;
 
-    /// A ray against one mesh in object space. On a hit nearer than ray.tMax stores it; its primitive is the
-    /// triangle number.
+    /// A ray against the part of one mesh that `root` begins (TopItem), in object space. On a hit nearer than
+    /// ray.tMax stores it; its primitive is the triangle number.
     template <FeatureMask kMask, bool kAnyHit, bool kFrontOnly, class Tests>
-    GLINT_ONE_PIECE GLINT_HD static bool intersect(const MeshView& mesh, const Ray& ray, Hit* hit,
-                                                   Tests tests) {
+    GLINT_ONE_PIECE GLINT_HD static bool intersect(const MeshView& mesh, uint32_t root, const Ray& ray,
+                                                   Hit* hit, Tests tests) {
         if (mesh.accelerator.empty()) { return false; }
         const ShearRay shear = makeShearRay(ray);
         TriangleHit nearest{ray.tMax, 0.0f, 0.0f, kNone};
@@ -38,7 +38,7 @@ struct MeshShape {
             *tMax = nearest.t;
             return found;
         };
-        traverse<kMask, kAnyHit>(mesh.accelerator, ray, tests, visit);
+        traverse<kMask, kAnyHit>(mesh.accelerator, ray, tests, visit, root);
         if (nearest.primitive == kNone) { return false; }
         hit->t = nearest.t;
         hit->primitive = mesh.clusterPrimitives[nearest.primitive];
