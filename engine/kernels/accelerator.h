@@ -36,16 +36,17 @@ GLINT_HD inline bool traverseOther(const AcceleratorView& accelerator, const Ray
 }  // namespace detail
 
 /// Visits the leaves that the ray may meet, roughly from near to far. `visitLeaf(first, count, &tMax)`
-/// answers whether it found a hit, and lowers tMax to it; with kAnyHit the first hit ends the walk. ray.tMin
-/// must not be negative, and the structure not empty. It is a hierarchy of boxes, of which the
-/// part from `root` on is walked, or, with kFeatureAccelerators in the mask, any other.
-template <FeatureMask kMask, bool kAnyHit, class Tests, class VisitLeaf>
-GLINT_HD inline bool traverse(const AcceleratorView& accelerator, const Ray& ray, Tests tests,
-                              VisitLeaf&& visitLeaf, uint32_t root = 0) {
+/// answers whether it found a hit, and lowers tMax to it; with kAnyHit the first hit ends the walk. What the
+/// leaf holds is leafItems[first] and on. ray.tMin must not be negative, and the structure not empty. It is a
+/// hierarchy of boxes, of which the part from `root` on is walked, or, with kFeatureAccelerators in the mask,
+/// any other.
+template <FeatureMask kMask, bool kAnyHit, class Item, class Tests, class VisitLeaf>
+GLINT_HD inline bool traverse(const AcceleratorView& accelerator, const Item* leafItems, const Ray& ray,
+                              Tests tests, VisitLeaf&& visitLeaf, uint32_t root = 0) {
     if constexpr (hasFeature<kMask>(kFeatureAccelerators)) {
         return detail::traverseOther<kAnyHit>(accelerator, ray, tests, visitLeaf);
     } else {
-        return traverseBvh<kAnyHit>(accelerator.as<WideNode>(), root, ray, tests, visitLeaf);
+        return traverseBvh<kAnyHit>(accelerator.as<WideNode>(), root, leafItems, ray, tests, visitLeaf);
     }
 }
 

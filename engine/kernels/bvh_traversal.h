@@ -7,6 +7,7 @@
 #include "engine/base/bits.h"
 #include "engine/kernels/box_test.h"
 #include "engine/kernels/bvh_nodes.h"
+#include "engine/kernels/prefetch.h"
 
 namespace glint {
 
@@ -67,10 +68,27 @@ GLINT_HD inline StackEntry* pushSorted(const WideNode& node, uint32_t mask, cons
 #endif
 }
 
+/// Most children of a node that a ray meets are visited, one after the other: what they refer to comes from
+/// memory at once.
+template <class Item>
+GLINT_HD inline void prefetchChildren(const WideNode* nodes, const Item* leafItems, const WideNode& node,
+                                      uint32_t mask) {
+#if !GLINT_ON_DEVICE
+    for (; mask != 0; mask &= mask - 1) {
+        const uint32_t child = node.child[lowestBit(mask)];
+        if (isLeaf(child)) {
+            prefetch(leafItems + leafFirst(child));
+        } else {
+            prefetch(nodes + child);
+        }
+    }
+#endif
+}
+
 /// traverse() (accelerator.h) of the wide nodes, or the leaf, that the child reference `root` begins.
-template <bool kAnyHit, class Tests, class VisitLeaf>
-GLINT_HD inline bool traverseBvh(const WideNode* nodes, uint32_t root, const Ray& ray, Tests tests,
-                                 VisitLeaf&& visitLeaf) {
+template <bool kAnyHit, class Item, class Tests, class VisitLeaf>
+GLINT_HD inline bool traverseBvh(const WideNode* nodes, uint32_t root, const Item* leafItems, const Ray& ray,
+                                 Tests tests, VisitLeaf&& visitLeaf) {
     const BoxRay box = makeBoxRay(ray);
     float tMax = ray.tMax;
     bool found = false;
@@ -92,6 +110,7 @@ GLINT_HD inline bool traverseBvh(const WideNode* nodes, uint32_t root, const Ray
                 current = node.child[lowestBit(mask)];
                 continue;
             }
+            prefetchChildren(nodes, leafItems, node, mask);
             top = pushSorted(node, mask, distance, top);
         }
         const uint64_t limit = uint64_t{floatBits(tMax)} << 32;

@@ -87,7 +87,7 @@ GLINT_HD inline bool intersectSceneIn(const SceneView& view, const Ray& worldRay
         *tMax = ray.tMax;
         return foundHere;
     };
-    traverse<kMask, kAnyHit>(view.geometry.topLevel, ray, tests, visit);
+    traverse<kMask, kAnyHit>(view.geometry.topLevel, view.geometry.topItems.data, ray, tests, visit);
     return found;
 }
 

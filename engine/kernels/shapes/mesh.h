@@ -38,7 +38,7 @@ struct MeshShape {
             *tMax = nearest.t;
             return found;
         };
-        traverse<kMask, kAnyHit>(mesh.accelerator, ray, tests, visit, root);
+        traverse<kMask, kAnyHit>(mesh.accelerator, mesh.clusters, ray, tests, visit, root);
         if (nearest.primitive == kNone) { return false; }
         hit->t = nearest.t;
         hit->primitive = mesh.clusterPrimitives[nearest.primitive];
