@@ -14,14 +14,22 @@ bool isOfOneFilm(const SceneDescription& a, const SceneDescription& b, Integrato
     return without(differences(a, b), ofOthers) == EditKind::None;
 }
 
+/// With what the scene has of its own: scenes share meshes and images.
+size_t bytesOf(const RenderedFilm& film, const SceneDescription& scene) {
+    return film.bytes() + sizeof(scene) +
+           (scene.objects.size() + scene.hiddenObjects.size()) * sizeof(Object) +
+           scene.materials.size() * sizeof(Material) + scene.lights.size() * sizeof(Light) +
+           scene.textures.size() * sizeof(Texture) + scene.meshes.size() * sizeof(Mesh);
+}
+
 }  // namespace
 
 void HeldFilms::hold(IntegratorKind kind, FilmTake take, std::shared_ptr<const SceneDescription> scene,
                      RenderedFilm film) {
-    bytes_ += film.bytes();
+    bytes_ += bytesOf(film, *scene);
     films_.push_back({kind, take, std::move(scene), std::move(film)});
     while (bytes_ > mostBytes_) {
-        bytes_ -= films_.front().film.bytes();
+        bytes_ -= bytesOf(films_.front().film, *films_.front().scene);
         films_.pop_front();
     }
 }
@@ -34,7 +42,7 @@ std::optional<RenderedFilm> HeldFilms::takeBack(IntegratorKind kind, FilmTake ta
         const bool isIt = held->scene == scene || (!byIdentity && isOfOneFilm(*held->scene, *scene, kind));
         if (!isIt) { continue; }
         RenderedFilm film = std::move(held->film);
-        bytes_ -= film.bytes();
+        bytes_ -= bytesOf(film, *held->scene);
         films_.erase(std::next(held).base());
         return film;
     }

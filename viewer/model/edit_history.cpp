@@ -7,32 +7,44 @@
 
 namespace glint {
 
+void EditHistory::keep(State state) {
+    KeptScene scene(state.version.scene, states_.empty() ? nullptr : &states_.back().scene);
+    itemsCopied_ += scene.itemsCopied();
+    shown_ = state.version.scene;
+    states_.push_back({std::move(state.name), std::move(scene), std::move(state.version.opened), state.take,
+                       state.display});
+    if (states_.size() > kMostStates) { states_.pop_front(); }
+    present_ = states_.size() - 1;
+}
+
 void EditHistory::record(State state, uint64_t gesture) {
-    if (!states_.empty()) { states_.resize(present_ + 1); }
+    while (states_.size() > present_ + 1) {
+        states_.pop_back();
+    }
     const bool joins = gesture != 0 && gesture == gesture_;
     gesture_ = gesture;
     if (!joins) {
-        states_.push_back(std::move(state));
-        if (states_.size() > kMostStates) { states_.erase(states_.begin()); }
-        present_ = states_.size() - 1;
-        return;
+        before_ = shown_;
+        return keep(std::move(state));
     }
-    const State& before = states_[present_ - 1];
-    const bool keepsScene = differences(*before.version.scene, *state.version.scene) == EditKind::None;
-    if (keepsScene && before.display == state.display) {
+    const DisplayChoices& displayBefore = states_[present_ - 1].display;
+    const bool keepsScene = differences(*before_, *state.version.scene) == EditKind::None;
+    if (keepsScene && displayBefore == state.display) {
         states_.pop_back();
         --present_;
         gesture_ = 0;
+        shown_ = before_;
         return;
     }
-    state.name = keepsScene ? editName(before.display, state.display)
-                            : editName(*before.version.scene, *state.version.scene);
-    states_.back() = std::move(state);
+    state.name =
+        keepsScene ? editName(displayBefore, state.display) : editName(*before_, *state.version.scene);
+    states_.pop_back();
+    keep(std::move(state));
 }
 
 void EditHistory::noteExposure(const SceneDocument::Opened* opened, float stops) {
-    for (State& state : states_) {
-        if (state.version.opened.get() != opened || state.display.exposureStops != 0.0f ||
+    for (Kept& state : states_) {
+        if (state.opened.get() != opened || state.display.exposureStops != 0.0f ||
             state.display.chosenExposureStops != 0.0f) {
             continue;
         }
@@ -44,10 +56,17 @@ void EditHistory::ask(size_t index) {
     if (index < states_.size() && index != present_) { asked_ = index; }
 }
 
-const EditHistory::State& EditHistory::goTo(size_t index) {
+EditHistory::State EditHistory::state(size_t index) const {
+    const Kept& kept = states_[index];
+    return {kept.name, {kept.scene.scene(), kept.opened}, kept.take, kept.display};
+}
+
+EditHistory::State EditHistory::goTo(size_t index) {
     present_ = index;
     gesture_ = 0;
-    return states_[present_];
+    State gone = state(index);
+    shown_ = gone.version.scene;
+    return gone;
 }
 
 }  // namespace glint

@@ -1,17 +1,19 @@
 // The states of the document, and of how it is shown, that undo and redo go between.
 //
-// Scenes share their meshes and images, so that a state costs little. Knows nothing of rendering.
+// Scenes share meshes, images and what their lists have in common (kept_scene.h), so that a state costs
+// little. Knows nothing of rendering.
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "engine/render/film_snapshot.h"
 #include "viewer/model/display_settings.h"
+#include "viewer/model/kept_scene.h"
 #include "viewer/model/scene_document.h"
 
 namespace glint {
@@ -33,13 +35,16 @@ class EditHistory {
     void noteExposure(const SceneDocument::Opened* opened, float stops);
 
     /// Oldest first; at least one once a scene is open.
-    const std::vector<State>& states() const { return states_; }
+    size_t size() const { return states_.size(); }
+    const std::string& name(size_t index) const { return states_[index].name; }
+    /// Costs a copy of the scene where nobody else has it any more.
+    State state(size_t index) const;
     /// Which of them is shown.
     size_t present() const { return present_; }
+    const DisplayChoices& display() const { return states_[present_].display; }
     bool canUndo() const { return present_ > 0; }
     bool canRedo() const { return present_ + 1 < states_.size(); }
-    /// `index` is one of states().
-    const State& goTo(size_t index);
+    State goTo(size_t index);
 
     /// To be gone to as the edit of this frame; nothing where there is no such state.
     void ask(size_t index);
@@ -51,11 +56,26 @@ class EditHistory {
     FilmTake nextTake() { return ++lastTake_; }
     FilmTake take() const { return states_.empty() ? 0 : states_[present_].take; }
 
-    static constexpr size_t kMostStates = 200;
+    /// How many items of lists all records so far have copied: what the history weighs.
+    uint64_t itemsCopied() const { return itemsCopied_; }
+
+    static constexpr size_t kMostStates = 2000;
 
   private:
-    std::vector<State> states_;
+    struct Kept {
+        std::string name;
+        KeptScene scene;
+        std::shared_ptr<SceneDocument::Opened> opened;
+        FilmTake take = 0;
+        DisplayChoices display;
+    };
+    void keep(State state);
+
+    std::deque<Kept> states_;
     size_t present_ = 0;
+    std::shared_ptr<const SceneDescription> shown_;   ///< of the present state
+    std::shared_ptr<const SceneDescription> before_;  ///< of the one before the step of gesture_
+    uint64_t itemsCopied_ = 0;
     FilmTake lastTake_ = 0;
     std::optional<size_t> asked_;
     uint64_t gesture_ = 0;  ///< that led to the present state; 0: none, or it was undone or redone

@@ -17,7 +17,7 @@ bool Workspace::commitDraft(bool held, bool mayBeEdited) {
     const FilmTake take = history.take();
     const bool isEdited = edits.kinds != EditKind::None || edits.isUnseen;
     if (edits.isUnseen && name.empty()) { name = "Rename"; }
-    const DisplayChoices& shown = history.states()[history.present()].display;
+    const DisplayChoices& shown = history.display();
     if (!isEdited && shown == display.choices()) { return false; }
     if (name.empty()) {
         name = isEdited ? editName(*before, *document.posted()) : editName(shown, display.choices());
@@ -33,7 +33,7 @@ bool Workspace::commitDraft(bool held, bool mayBeEdited) {
 void Workspace::goTo(size_t index) {
     const SceneDocument::Version before = document.version();
     const FilmTake take = history.take();
-    const EditHistory::State& state = history.goTo(index);
+    const EditHistory::State state = history.goTo(index);
     ocio.giveUp();
     display.choose(state.display);
     if (state.version == before && state.take == take) { return; }

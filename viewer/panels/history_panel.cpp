@@ -23,19 +23,42 @@ bool drawAction(const char* label, bool isPossible, float width, const char* too
     return isClicked && isPossible;
 }
 
-/// The newest first; what was undone is dim.
+/// So that the present state is seen, also after many steps at once.
+void scrollToPresent(size_t row, float height) {
+    ImGuiStorage* storage = ImGui::GetStateStorage();
+    const ImGuiID key = ImGui::GetID("present");
+    const int wanted = static_cast<int>(row);
+    if (storage->GetInt(key, 0) == wanted) { return; }
+    storage->SetInt(key, wanted);
+    const float top = static_cast<float>(row) * height;
+    const float last = ImGui::GetScrollY() + static_cast<float>(kRowsShown - 1) * height;
+    if (top < ImGui::GetScrollY() || top > last) {
+        ImGui::SetScrollY(top - 0.5f * static_cast<float>(kRowsShown - 1) * height);
+    }
+}
+
+void drawState(EditHistory* history, size_t index) {
+    const bool isUndone = index > history->present();
+    const ImVec4 color = isUndone ? theme::kTextDim : ImGui::GetStyleColorVec4(ImGuiCol_Text);
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    const std::string label = fmt::format("{}. {}", index + 1, history->name(index));
+    if (ui::selectable(label.c_str(), index == history->present())) { history->ask(index); }
+    ImGui::PopStyleColor();
+}
+
+/// The newest first; what was undone is dim. Only the rows that are seen are made.
 void drawStates(EditHistory* history) {
-    const auto& states = history->states();
+    const size_t count = history->size();
     const float row = ImGui::GetTextLineHeightWithSpacing();
-    const auto rows = static_cast<float>(std::min(states.size(), kRowsShown));
+    const auto rows = static_cast<float>(std::min(count, kRowsShown));
     ImGui::BeginChild("##states", {0.0f, rows * row}, false, ImGuiWindowFlags_NavFlattened);
-    for (size_t i = states.size(); i-- > 0;) {
-        const bool isUndone = i > history->present();
-        const ImVec4 color = isUndone ? theme::kTextDim : ImGui::GetStyleColorVec4(ImGuiCol_Text);
-        ImGui::PushStyleColor(ImGuiCol_Text, color);
-        const std::string label = fmt::format("{}. {}", i + 1, states[i].name);
-        if (ui::selectable(label.c_str(), i == history->present())) { history->ask(i); }
-        ImGui::PopStyleColor();
+    scrollToPresent(count - 1 - history->present(), row);
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(count), row);
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            drawState(history, count - 1 - static_cast<size_t>(i));
+        }
     }
     ImGui::EndChild();
 }
