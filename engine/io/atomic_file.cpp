@@ -114,6 +114,10 @@ Result<Target> targetOf(const std::string& path) {
     }
     // What /dev/stdout links to is no name where that is a pipe.
     if (!S_ISREG(info.st_mode)) { return Target{.path = path, .isStream = true}; }
+    // Renaming over it would ask the folder alone, and whoever took the right to write away meant the file.
+    if (::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0) {
+        return fileError(path, "cannot write", errno);
+    }
     return Target{.path = followLinks(path), .mode = info.st_mode & 07777};
 }
 

@@ -61,6 +61,42 @@ screenshot layout.png
     }
 }
 
+/// Where a row ends to the right and how high it is.
+Vec2 endOf(const Ran& ran, const std::string& widget) {
+    const size_t at = ran.output.find("\"" + widget + "\" ");
+    float left = 0.0f, top = 0.0f;
+    Vec2 size(0.0f);
+    if (at != std::string::npos) {
+        std::sscanf(ran.output.c_str() + at + widget.size() + 2, "%f %f %f %f", &left, &top, &size.x,
+                    &size.y);
+    }
+    return {left + size.x, size.y};
+}
+
+/// A name may be a sentence, or one word that no line holds.
+TEST(LayoutViewer, LongValuesTakeAsManyLinesAsTheyNeed) {
+    std::string scene = kScene;
+    std::string name = "a ball that somebody called by far too many words for a line";
+    name += std::string(90, 'x');
+    const std::string type = "\"type\": \"sphere\",";
+    scene.insert(scene.find(type) + type.size(), " \"name\": \"" + name + "\",");
+    write("named.json", scene);
+    write("named.txt", R"(
+wait picture
+open "Inspector"
+wait frames 3
+move "Image"
+wait frames 3
+print widgets
+)");
+    const Ran ran = run("view named.json --headless --threads 1 --script named.txt");
+    expectPlayed(ran);
+    ASSERT_NE(ran.output.find(name), std::string::npos) << ran.output;
+    EXPECT_GT(endOf(ran, "Inspector/Object").x, 1000.0f) << "it is there";
+    EXPECT_LE(endOf(ran, "Inspector/Object").x, 1280.0f);
+    EXPECT_GT(endOf(ran, "Inspector/Object").y, 2.5f * endOf(ran, "Inspector/Material").y);
+}
+
 TEST(LayoutViewer, LongLabelsHaveTheRoomThatTheyNeed) {
     const Ran ran = play(R"(
 wait picture

@@ -100,6 +100,7 @@ Status RunFiles::check() const {
 }
 
 Status RunFiles::checkIsNoInput(const std::string& path) const {
+    if (path.empty()) { return Error{"there is no file name to save to; expected one", {}}; }
     for (const Input& input : inputs_) {
         if (isSameFile(path, input.path)) {
             return Error{fmt::format("is {}, which is read; expected another name to write to", input.what),

@@ -36,7 +36,7 @@ class RunFiles {
     Status checkCanWrite(const NumberedFiles& pictures) const;
     /// The first error of all outputs: again, after further inputs came to light.
     Status check() const;
-    /// Error: `path` is a file that is read.
+    /// Error: `path` is a file that is read, or empty.
     Status checkIsNoInput(const std::string& path) const;
     /// Error: `folder`, or a folder in it, has a file that is read.
     Status checkHoldsNoInput(const std::string& folder) const;

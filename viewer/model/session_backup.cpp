@@ -152,13 +152,23 @@ void SessionBackup::save() {
             std::optional<SessionCapture> capture = future->get();
             const double began = secondsNow();
             const Status saved = capture ? saveWithFiles(file, std::move(*capture)) : Status();
-            if (!saved) { logWarning("The session cannot be kept for a crash: {}", saved.error().format()); }
-            return [this, took = secondsNow() - began] {
+            return [this, saved, took = secondsNow() - began] {
                 isSaving_ = false;
+                noteSaved(saved);
                 lastSaved_ = secondsNow() - interval_ + std::max(interval_, took / kMostOfTime);
             };
         },
         true);
+}
+
+void SessionBackup::noteSaved(const Status& saved) {
+    if (isFailing_ == !saved.ok()) { return; }
+    isFailing_ = !saved.ok();
+    if (!isFailing_) { return logInfo("The session is kept for a crash again"); }
+    const std::string text =
+        fmt::format("The session cannot be kept for a crash: {}", saved.error().format());
+    logWarning("{}", text);
+    notice_->show(text, true);
 }
 
 }  // namespace glint

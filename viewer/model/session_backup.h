@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "viewer/base/job_queue.h"
+#include "viewer/model/notice.h"
 #include "viewer/model/render_control.h"
 #include "viewer/model/scene_document.h"
 
@@ -22,8 +23,8 @@ void restoreBeside(const std::string& file, SceneDescription* scene);
 
 class SessionBackup {
   public:
-    SessionBackup(const SceneDocument* document, RenderControl* render)
-        : document_(document), render_(render) {}
+    SessionBackup(const SceneDocument* document, RenderControl* render, Notice* notice)
+        : document_(document), render_(render), notice_(notice) {}
     /// The session has come to its end: its file is removed, but for keep().
     ~SessionBackup();
     SessionBackup(const SessionBackup&) = delete;
@@ -55,15 +56,19 @@ class SessionBackup {
     };
     void findLeftovers(const std::string& folder);
     void save();
+    /// Says it when saving begins to fail, and not again until it has worked.
+    void noteSaved(const Status& saved);
 
     const SceneDocument* document_;
     RenderControl* render_;
+    Notice* notice_;
     std::unique_ptr<JobQueue> jobs_ = std::make_unique<JobQueue>();
     std::string file_;
     int lock_ = -1;
     double interval_ = 0.0;
     double lastSaved_ = 0.0;
     bool isSaving_ = false;
+    bool isFailing_ = false;
     bool isKept_ = false;
     std::shared_ptr<const SceneDescription> savedScene_;
     uint32_t savedPasses_ = 0;

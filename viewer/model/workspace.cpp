@@ -30,7 +30,7 @@ bool isImage(const std::string& path) {
 }  // namespace
 
 Workspace::Workspace(std::unique_ptr<Backend> backend)
-    : backup(&document, &render),
+    : backup(&document, &render, &notice),
       render(std::move(backend)),
       ocio(&jobs, &display, &notice),
       sceneFiles(

@@ -19,6 +19,7 @@ namespace {
 constexpr float kLabelShare = 0.35f;  // of a row's width
 constexpr float kTooltipDelaySeconds = 0.5f;
 constexpr float kTooltipWidthInLines = 22.0f;  // of the font's size
+constexpr float kNarrowestValueInLines = 4.0f;
 
 WidgetRegistry* registry = nullptr;
 const Fonts* frameFonts = nullptr;
@@ -239,7 +240,11 @@ void value(const char* label, const std::string& shown, const char* tooltip) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
                         ImVec2(ImGui::GetStyle().ItemSpacing.x, 3.0f * frameScale));
     beginRow(label, tooltip);
+    // Where a label leaves hardly any room, lines of one letter would be no better than a cut.
+    const bool wraps = ImGui::GetContentRegionAvail().x > kNarrowestValueInLines * ImGui::GetFontSize();
+    ImGui::PushTextWrapPos(wraps ? 0.0f : -1.0f);
     ImGui::TextUnformatted(shown.c_str());
+    ImGui::PopTextWrapPos();
     record(WidgetKind::Value, label, shown);
     if (ImGui::IsItemHovered()) { tooltipBeside(tooltip); }
     endRow();
