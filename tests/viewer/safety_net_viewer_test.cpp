@@ -36,26 +36,6 @@ TEST(SafetyNet, AFileThatIsThereIsNotReplacedUnasked) {
     EXPECT_NE(*readFile("old.png"), "not from here");
 }
 
-TEST(SafetyNet, WithoutANameNothingIsSavedAndThatIsSaid) {
-    expectPlayed(play(R"(
-wait picture
-open "Checkpoint"
-wait frames 3
-set "Scene file" ""
-click "Save scene"
-wait frames 3
-expect message "no file name"
-set "PNG file" ""
-click "Save PNG"
-wait frames 3
-expect message "no file name"
-set "Scene file" nameless.json
-click "Save scene"
-wait jobs
-expect message "Saved "
-)"));
-}
-
 TEST(SafetyNet, ACheckpointIsNotReplacedByOneOfAnotherSceneUnasked) {
     write("other.json", kScene);
     std::filesystem::remove("own.glintfilm");
@@ -191,37 +171,6 @@ TEST(SafetyNet, AKilledSessionIsOfferedAgain) {
              "expect no-widget \"Restore\"\n",
              recovery));
     EXPECT_TRUE(fs::is_empty(folder));
-}
-
-size_t countOf(const std::string& text, const std::string& part) {
-    size_t count = 0;
-    for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
-        ++count;
-    }
-    return count;
-}
-
-/// A limit on the size of files stands for a full disk.
-TEST(SafetyNet, ASessionThatCannotBeKeptIsSaidOnce) {
-    setenv("XDG_STATE_HOME", fs::absolute("state").c_str(), 1);
-    fs::remove_all("state");
-    write("scene.json", kScene);
-    write("full.txt", R"(
-wait finished
-wait seconds 1
-expect message "cannot be kept for a crash"
-set "Aperture" 20
-wait finished
-wait seconds 1
-)");
-    const int code =
-        std::system((std::string("ulimit -f 16; trap '' XFSZ; exec ") + GLINT_PROGRAM +
-                     " view scene.json --headless --threads 1 --passes 4 --recovery 0.1 --script full.txt "
-                     "> full.log 2>&1 < /dev/null")
-                        .c_str());
-    const std::string log = *readFile("full.log");
-    EXPECT_EQ(code, 0) << log;
-    EXPECT_EQ(countOf(log, "cannot be kept for a crash"), 1u) << log;
 }
 
 TEST(SafetyNet, ImagesInMemoryAreKeptToo) {

@@ -24,6 +24,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kExtension = ".glintfilm";
 constexpr const char* kFolderExtension = ".files";
+constexpr const char* kUnreadableExtension = ".unreadable";
 constexpr double kMostOfTime = 0.05;  // that saving may take
 
 double secondsNow() {
@@ -105,12 +106,28 @@ void SessionBackup::findLeftovers(const std::string& folder) {
         const int lock = lockOf(file);
         if (lock < 0) { continue; }
         const Result<CheckpointInfo> info = readCheckpointInfo(file);
-        if (info && !info->scenePath.empty()) {
+        if (!info) {
+            setAside(file, lock, info.error());
+        } else if (!info->scenePath.empty()) {
             leftovers_.push_back({{file, info->scenePath, info->passes}, lock});
         } else {
             removeFile(file, lock);
         }
     }
+}
+
+void SessionBackup::setAside(const std::string& file, int lock, const Error& why) {
+    const std::string aside = file + kUnreadableExtension;
+    std::error_code problem;
+    fs::rename(folderOf(file), folderOf(aside), problem);  // often there is none
+    problem.clear();
+    fs::rename(file, aside, problem);
+    const std::string text = fmt::format("What a session left cannot be read; it is kept as {}. {}",
+                                         problem ? file : aside, why.format());
+    logWarning("{}", text);
+    notice_->show(text, true);
+    fs::remove(lockName(file), problem);
+    ::close(lock);
 }
 
 SessionBackup::~SessionBackup() {

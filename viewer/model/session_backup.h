@@ -55,6 +55,8 @@ class SessionBackup {
         int lock = -1;
     };
     void findLeftovers(const std::string& folder);
+    /// It may be of another version of the program, which can read it.
+    void setAside(const std::string& file, int lock, const Error& why);
     void save();
     /// Says it when saving begins to fail, and not again until it has worked.
     void noteSaved(const Status& saved);
