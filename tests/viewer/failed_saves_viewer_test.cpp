@@ -30,7 +30,7 @@ set "Scene file" ""
 click "Save scene"
 wait frames 3
 expect message "no file name"
-set "PNG file" ""
+set "PNG file" "   "
 click "Save PNG"
 wait frames 3
 expect message "no file name"
@@ -39,6 +39,22 @@ click "Save scene"
 wait jobs
 expect message "Saved "
 )"));
+}
+
+TEST(FailedSaves, ATildeIsTheHomeFolder) {
+    const fs::path home = fs::absolute("home");
+    fs::create_directories(home);
+    setenv("HOME", home.c_str(), 1);
+    expectPlayed(play(R"(
+wait picture
+open "Checkpoint"
+wait frames 3
+set "Scene file" ~/at-home.json
+click "Save scene"
+wait jobs
+expect message "home/at-home.json"
+)"));
+    EXPECT_TRUE(fs::exists(home / "at-home.json"));
 }
 
 /// A limit on the size of files stands for a full disk.

@@ -1,29 +1,19 @@
 #include "viewer/model/file_browser.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <system_error>
 #include <tuple>
 
+#include "viewer/base/typed_path.h"
+
 namespace glint {
-namespace {
 
 namespace fs = std::filesystem;
 
-fs::path withHome(const std::string& name) {
-    const char* home = std::getenv("HOME");
-    const bool isOfHome = name == "~" || name.starts_with("~/");
-    return isOfHome && home != nullptr
-               ? fs::path(home) / fs::path(name.substr(std::min<size_t>(2, name.size())))
-               : fs::path(name);
-}
-
-}  // namespace
-
 void FileBrowser::open(const std::string& path) {
     std::error_code problem;
-    const fs::path given = fs::absolute(withHome(path), problem).lexically_normal();
+    const fs::path given = fs::absolute(typedPath(path), problem).lexically_normal();
     isOpen_ = true;
     typed.clear();
     list(fs::is_directory(given, problem) ? given.string() : given.parent_path().string());
@@ -47,7 +37,7 @@ void FileBrowser::list(const std::string& folder) {
 
 std::string FileBrowser::choose(const std::string& name) {
     std::error_code problem;
-    fs::path path = (fs::path(folder_) / withHome(name)).lexically_normal();
+    fs::path path = (fs::path(folder_) / typedPath(name)).lexically_normal();
     if (!path.has_filename()) { path = path.parent_path(); }
     if (fs::is_directory(path, problem)) {
         typed.clear();

@@ -16,7 +16,7 @@ namespace glint {
 namespace {
 
 void drawImages(FilmFiles* files, FileDialog* dialog, const DisplaySettings& display, const KeyMap& keys) {
-    ui::text("PNG file", &files->png, "render.png", "As shown: with exposure and tone map");
+    ui::file("PNG file", &files->png, "render.png", "As shown: with exposure and tone map");
     const float half = ui::buttonWidth(2);
     if (ui::button("Save PNG", half, keys.tip("As it is shown", KeyAction::SavePng).c_str())) {
         files->savePng(display);
@@ -30,7 +30,7 @@ void drawImages(FilmFiles* files, FileDialog* dialog, const DisplaySettings& dis
     }
 
     ui::gap();
-    ui::text("EXR file", &files->exr, "render.exr", "Linear radiance");
+    ui::file("EXR file", &files->exr, "render.exr", "Linear radiance");
     ui::toggle("32-bit float", &files->exrFloat, "Otherwise 16-bit half");
     ui::toggle("Layers", &files->exrLayers, "Albedo, normals, depth, ids, bias and the bound at 90 % too");
     if (ui::button("Save EXR", ui::buttonWidth(1), "Without exposure and tone map")) {
@@ -40,7 +40,7 @@ void drawImages(FilmFiles* files, FileDialog* dialog, const DisplaySettings& dis
 
 void drawCheckpoint(FilmFiles* files) {
     ui::gap();
-    ui::text("Checkpoint file", &files->checkpoint, "render.glintfilm",
+    ui::file("Checkpoint file", &files->checkpoint, "render.glintfilm",
              "A render that can be gone on with, to the last bit");
     const float half = ui::buttonWidth(2);
     if (ui::button("Save", half, "After the pass that is running")) { files->saveCheckpointFile(); }
@@ -70,7 +70,7 @@ void draw(FilmFiles* files, SceneFiles* scenes, const SceneDocument* document, c
     drawImages(files, &scenes->dialog, *display, *keys);
     drawCheckpoint(files);
     ui::gap();
-    ui::text("Scene file", &scenes->saved, "scene.json", "The scene as edited, as Glint JSON");
+    ui::file("Scene file", &scenes->saved, "scene.json", "The scene as edited, as Glint JSON");
     const float half = ui::buttonWidth(2);
     if (ui::button("Save scene", half, "With every edit that was made here")) {
         scenes->save(document->posted());

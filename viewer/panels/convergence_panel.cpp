@@ -198,7 +198,7 @@ void drawReference(ConvergenceWatch* convergence, const SceneDescription& scene)
                                                               "MAPE"};
     ui::heading("Reference");
     const bool entered =
-        ui::text("Reference file", &convergence->referencePath, "reference.exr, .hdr, .png",
+        ui::file("Reference file", &convergence->referencePath, "reference.exr, .hdr, .png",
                  "A picture of the same scene and size, as exact as possible. Enter loads it");
     const float half = ui::buttonWidth(2);
     const bool loading = convergence->reference.loading();
@@ -225,7 +225,7 @@ void drawReference(ConvergenceWatch* convergence, const SceneDescription& scene)
 
 void drawExport(CurveExport* curves, const ConvergenceWatch& convergence) {
     ui::gap();
-    ui::text("CSV file", &curves->path, "convergence.csv", "Every point of the curves, as a table");
+    ui::file("CSV file", &curves->path, "convergence.csv", "Every point of the curves, as a table");
     if (ui::button("Export CSV", ui::buttonWidth(1))) { curves->save(convergence); }
     const Notice& result = curves->result();
     if (result.text().empty()) { return; }

@@ -109,7 +109,7 @@ void drawCurve(DisplaySettings* display, OcioChooser* ocio) {
         }
     }
     if (!display->view && !ocio->isWanted) { return; }
-    if (ui::text("OCIO config", &ocio->config, "config.ocio",
+    if (ui::file("OCIO config", &ocio->config, "config.ocio",
                  "An OpenColorIO configuration. Enter reads it") &&
         !ocio->config.empty()) {
         ocio->load({ocio->config, "", ""});

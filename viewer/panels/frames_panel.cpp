@@ -33,7 +33,7 @@ void drawWishes(FrameSeries* frames) {
                 .zeroText = "none",
                 .tooltip = "What ends a picture, with the passes: the first that is reached. 0: no limit",
                 .unit = "s"});
-    ui::text("Folder", &frames->folder, "turntable",
+    ui::file("Folder", &frames->folder, "turntable",
              "For frame-000001.png and so on, as the picture is shown");
 }
 

@@ -10,6 +10,7 @@
 
 #include "engine/base/nearest_name.h"
 #include "engine/math/color.h"
+#include "viewer/base/typed_path.h"
 #include "viewer/ui/theme.h"
 #include "viewer/ui/widget_row.h"
 
@@ -222,6 +223,12 @@ bool text(const char* label, std::string* value, const char* hintText, const cha
     record(WidgetKind::Text, label, *value);
     tooltipForItem(tooltip);
     endRow();
+    return entered;
+}
+
+bool file(const char* label, std::string* value, const char* hintText, const char* tooltip) {
+    const bool entered = text(label, value, hintText, tooltip);
+    if (entered || !ImGui::IsItemActive()) { *value = typedPath(*value); }
     return entered;
 }
 

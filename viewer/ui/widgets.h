@@ -71,6 +71,8 @@ bool kindChoice(const char* label, Kind* kind, const KindLabel<Kind> (&labels)[k
 bool toggle(const char* label, bool* value, const char* tooltip = nullptr);
 /// True when Enter was pressed.
 bool text(const char* label, std::string* value, const char* hint, const char* tooltip = nullptr);
+/// A text that names a file: a typedPath() once it is typed.
+bool file(const char* label, std::string* value, const char* hint, const char* tooltip = nullptr);
 /// `width` in ImGui units; 0: its text's. `emphasis`: the group's main action.
 bool button(const char* label, float width = 0.0f, const char* tooltip = nullptr, bool emphasis = false);
 /// A row that only shows. Scripts can read it.
