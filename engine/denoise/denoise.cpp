@@ -82,7 +82,9 @@ class Denoiser {
         std::vector<float> difference(scale_.size()), independent(scale_.size());
         for (size_t i = 0; i < scale_.size(); ++i) {
             difference[i] = square(luminance(candidate.radiance[i] - input_.radiance[i])) * scale_[i];
-            independent[i] = (1.0f - candidate.leverage[i]) * relative_[i];
+            // A spark's own value was not looked at.
+            const float leverage = planes_.isSpark[i] != 0 ? 0.0f : candidate.leverage[i];
+            independent[i] = (1.0f - leverage) * relative_[i];
         }
         const std::vector<float> gains = means(independent, kChoiceHalf),
                                  differences = surroundingMeans(difference, input_.width, input_.height,

@@ -1,6 +1,9 @@
 #include "engine/denoise/planes.h"
 
 #include <cmath>
+#include <utility>
+
+#include "engine/denoise/sparks.h"
 
 namespace glint {
 namespace {
@@ -54,9 +57,16 @@ std::vector<float> varianceOf(const DenoiseInput& input, int threads) {
 
 Planes makePlanes(const DenoiseInput& input, int threads) {
     constexpr float kDarkestAlbedo = 0.02f;  // below, noise hides the texture
-    Planes planes{
-        .input = input, .nearness = nearnessOf(input.depth), .slope = {}, .albedo = {}, .variance = {}};
-    planes.variance = varianceOf(input, threads);
+    Planes planes{.input = input,
+                  .nearness = nearnessOf(input.depth),
+                  .slope = {},
+                  .albedo = {},
+                  .radiance = {},
+                  .isSpark = {},
+                  .variance = varianceOf(input, threads)};
+    CalmPicture calm = withoutSparks(input, planes.variance, threads);
+    planes.radiance = std::move(calm.radiance);
+    planes.isSpark = std::move(calm.isSpark);
     const size_t pixels = input.radiance.size();
     planes.slope.resize(pixels);
     planes.albedo.resize(pixels);

@@ -15,6 +15,8 @@ struct Planes {
     std::vector<float> nearness;  ///< 1 / depth over its mean: linear across a plane; 0: nothing hit
     std::vector<Vec2> slope;   ///< how nearness changes from pixel to pixel, on the flatter side of each axis
     std::vector<Vec3> albedo;  ///< what radiance is divided by: never near 0, 1 where nothing was hit
+    std::vector<Vec3> radiance;  ///< the input's without sparks (sparks.h): what candidates are made of
+    std::vector<char> isSpark;
     std::vector<float> variance;  ///< the input's where it is known, else of the luminances of 5 x 5 pixels
 };
 

@@ -152,7 +152,7 @@ class Regression {
                 if (!(weight > 0.0f)) { continue; }
                 Row values = featuresOf(c, q, u - x, v - y);
                 const Vec3 color =
-                    settings_.isDemodulated ? input_.radiance[q] / planes_.albedo[q] : input_.radiance[q];
+                    settings_.isDemodulated ? planes_.radiance[q] / planes_.albedo[q] : planes_.radiance[q];
                 values[kColors] = color.x;
                 values[kColors + 1] = color.y;
                 values[kColors + 2] = color.z;

@@ -75,7 +75,7 @@ class Wavelets {
             channel.resize(slope_.size(), 1.0f);
         }
         for (size_t i = 0; i < slope_.size(); ++i) {
-            const Vec3 color = planes_.input.radiance[i] / planes_.albedo[i];
+            const Vec3 color = planes_.radiance[i] / planes_.albedo[i];
             for (int c = 0; c < 3; ++c) {
                 level.channels[static_cast<size_t>(c)][i] = color[c];
             }

@@ -221,6 +221,32 @@ TEST(Denoise, SparksGoAway) {
     EXPECT_LT(luminance(out[spark] - known.truth[spark]), 2.0f) << "40 without";
 }
 
+/// One bright sample of a colour that luminance hardly knows: spread over its neighbourhood, it would be a
+/// patch of that colour.
+TEST(Denoise, SparksLeaveNoPatchOfTheirColor) {
+    KnownPicture known = knownPicture(64, 9);
+    const size_t spark = at(70, 80);
+    const Vec3 blue(0.0f, 0.0f, 60.0f);
+    known.input.radiance[spark] += blue;
+    known.input.variance[spark] += square(luminance(blue));
+    for (const DenoisedImage& out : {denoise(known.input), denoiseQuickly(known.input)}) {
+        for (int y = 74; y <= 86; ++y) {
+            for (int x = 64; x <= 76; ++x) {
+                EXPECT_NEAR(out.radiance[at(x, y)].z, known.truth[at(x, y)].z, 0.5f) << x << ' ' << y;
+            }
+        }
+    }
+}
+
+/// What is bright and certain is no spark, however small it is.
+TEST(Denoise, SmallLightsStay) {
+    KnownPicture known = knownPicture(64, 9);
+    const size_t light = at(70, 80);
+    known.input.radiance[light] = Vec3(40.0f);
+    known.input.variance[light] = square(0.5f);
+    EXPECT_NEAR(luminance(denoise(known.input).radiance[light]), 40.0f, 1.0f);
+}
+
 TEST(Denoise, IsTheSameForEveryNumberOfThreadsAndStopsWhenAsked) {
     const DenoiseInput input = knownPicture(8, 10).input;
     const DenoisedImage one = denoise(input, 1), quick = denoiseQuickly(input, 1);
