@@ -126,7 +126,9 @@ class Denoiser {
     std::vector<float> statedErrors() const {
         std::vector<float> each(scale_.size()), squares(scale_.size());
         for (size_t i = 0; i < each.size(); ++i) {
-            each[i] = relative_[i] - 2.0f * gain_[i] + change_[i];
+            // That a spark is none of the picture is a guess: for all that is known, its error stays.
+            each[i] = relative_[i];
+            if (planes_.isSpark[i] == 0) { each[i] += change_[i] - 2.0f * gain_[i]; }
             squares[i] = square(each[i]);
         }
         each = means(each, kDenoiseErrorHalf);
