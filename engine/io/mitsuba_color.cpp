@@ -73,6 +73,20 @@ double kelvinOf(MitsubaContext* context, const MitsubaElement& at, std::string_v
     return std::clamp(mitsubaNumber(context, at, temperature), 1.0, 1e6);
 }
 
+/// "nm value nm value …" of values whose wavelengths lie evenly between two.
+std::string evenlySpaced(MitsubaObject* object) {
+    const double first = object->number("wavelength_min", object->number("lambda_min", 360.0f));
+    const double last = object->number("wavelength_max", object->number("lambda_max", 830.0f));
+    const std::vector<std::string_view> values = mitsubaWords(object->text("values"));
+    std::string list;
+    for (size_t i = 0; i < values.size(); ++i) {
+        const double share =
+            values.size() < 2 ? 0.0 : static_cast<double>(i) / static_cast<double>(values.size() - 1);
+        list += fmt::format("{} {} ", first + share * (last - first), values[i]);
+    }
+    return list;
+}
+
 /// <spectrum type="…"> with properties of its own.
 Vec3 pluginSpectrum(MitsubaContext* context, const MitsubaElement& at, SpectrumRole role) {
     MitsubaObject object(context, at);
@@ -98,6 +112,8 @@ Vec3 pluginSpectrum(MitsubaContext* context, const MitsubaElement& at, SpectrumR
             list += fmt::format("{} {} ", nm[i], values[i]);
         }
         color = listedSpectrum(context, at, std::move(list), role);
+    } else if (type == "regular") {
+        color = listedSpectrum(context, at, evenlySpaced(&object), role);
     } else {
         context->refuse(at, fmt::format("Glint does not read spectra of type \"{}\"", type));
     }

@@ -100,6 +100,13 @@ TEST_F(MitsubaMaterialsTest, ColoursAreLinear) {
     expectNear(reflectance("<spectrum name='reflectance' value='350:0.3, 800:0.3'/>"), Vec3(0.3f), 1e-3f);
     folder.write("flat.spd", "# a comment 1 2\n350 0.3\n800 0.3\n");
     expectNear(reflectance("<spectrum name='reflectance' filename='flat.spd'/>"), Vec3(0.3f), 1e-3f);
+    const Vec3 evenly = reflectance(R"(<spectrum name='reflectance' type='regular'>
+        <float name='wavelength_min' value='400'/><float name='wavelength_max' value='700'/>
+        <string name='values' value='0.1, 0.5, 0.2, 0.9'/></spectrum>)");
+    expectNear(evenly,
+               reflectance("<spectrum name='reflectance' value='400:0.1, 500:0.5, 600:0.2, 700:0.9'/>"),
+               1e-5f);
+    EXPECT_GT(maxComponent(evenly), 0.2f);
     expectNear(radiance("<blackbody name='radiance' temperature='2855.5K' scale='2'/>"),
                2.0f * rgbOfBlackbody(2855.5), 1.0f);
 }
