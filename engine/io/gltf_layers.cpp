@@ -93,6 +93,27 @@ Status GltfMaterials::takeLayers(const tinygltf::Material& from, Material* out) 
     return status;
 }
 
+Status GltfMaterials::takeSheetImages(const tinygltf::Value& sheet, Material* out) {
+    const float share = gltfNumber(numberOf(&sheet, "diffuseTransmissionFactor", 0.0), 0.0, 1.0);
+    if (out->color.texture >= 0) {
+        Texture reflected = scene_.textures[static_cast<size_t>(out->color.texture)];
+        reflected.gain *= 1.0f - share;
+        out->color.texture = static_cast<int>(scene_.textures.size());
+        scene_.textures.push_back(std::move(reflected));
+    }
+    ColorInput passing;
+    const LayerKeys keys{"diffuseTransmissionColorFactor", "diffuseTransmissionColorTexture", 1.0f};
+    if (const Status status = takeColor(&sheet, keys, &passing); !status) { return status; }
+    if (passing.texture >= 0) {
+        scene_.textures[static_cast<size_t>(passing.texture)].gain *= share;
+        out->transmission.texture = passing.texture;
+    }
+    if (sheet.Has("diffuseTransmissionTexture")) {
+        file_.remark("images of how much light a sheet lets pass are left out");
+    }
+    return {};
+}
+
 /// Along the direction alpha is mix(alpha, 1, strength^2), across it stays (the extension's text).
 Status GltfMaterials::takeAnisotropy(const tinygltf::Material& from, Material* out) {
     const auto* extension = extensionOf(from, "KHR_materials_anisotropy");

@@ -189,6 +189,7 @@ Status GltfMaterials::takeSurface(const tinygltf::Material& from, Material* out)
     } else if (const auto* sheet = extensionOf(from, "KHR_materials_diffuse_transmission");
                out->metallic.value < 0.5f && numberOf(sheet, "diffuseTransmissionFactor", 0.0) > 0.0) {
         takeSheet(*sheet, out);
+        if (const Status status = takeSheetImages(*sheet, out); !status) { return status; }
         file_.remark("sheets that light passes diffusely have no highlights", from.name);
     } else {
         out->kind = MaterialKind::Principled;

@@ -61,6 +61,8 @@ class GltfMaterials {
     Status takeSurfaceImage(const tinygltf::TextureInfo& info, bool isMetallic, Material* out);
     /// KHR_materials_specular, _clearcoat and _sheen. In gltf_layers.cpp, as are those below.
     Status takeLayers(const tinygltf::Material& from, Material* out);
+    /// The images of a sheet that takeSheet() has made; `out` has that of the colour.
+    Status takeSheetImages(const tinygltf::Value& sheet, Material* out);
     /// KHR_materials_anisotropy; the roughness is set.
     Status takeAnisotropy(const tinygltf::Material& from, Material* out);
     /// A factor of an extension and its image; both of them to the power of `reading.exponent`.

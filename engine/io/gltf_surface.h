@@ -32,8 +32,8 @@ bool isOnlyGlass(const tinygltf::Material& material);
 /// KHR_materials_volume of what light passes: without a thickness a sheet; otherwise what it absorbs inside.
 /// Null: none.
 void takeVolume(const tinygltf::Value* volume, Material* out);
-/// KHR_materials_diffuse_transmission: the share that passes is taken from what is reflected; an image of the
-/// colour keeps all of it.
+/// KHR_materials_diffuse_transmission: the share that passes is taken from what is reflected. Images are left
+/// to the caller.
 void takeSheet(const tinygltf::Value& sheet, Material* out);
 
 }  // namespace glint

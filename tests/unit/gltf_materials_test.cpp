@@ -148,6 +148,23 @@ TEST_F(Gltf, VolumesAbsorbAndSheetsLetThrough) {
     EXPECT_LT(glm::length(sheet.transmission.value - Vec3(0.25f, 0.125f, 0.0f)), 1e-6f);
 }
 
+TEST_F(Gltf, SheetsHaveImagesOfWhatTheyReflectAndPass) {
+    ASSERT_TRUE(savePng(folder.path("t.png"), {1, 1, {255, 0, 0}}));
+    const SceneDescription scene = load(gltf(R"("images": [{"uri": "t.png"}], "textures": [{"source": 0}],
+        "materials": [{"pbrMetallicRoughness": {"metallicFactor": 0, "baseColorTexture": {"index": 0}},
+        "extensions": {"KHR_materials_diffuse_transmission": {"diffuseTransmissionFactor": 0.25,
+        "diffuseTransmissionColorFactor": [0.5, 0.5, 0.5], "diffuseTransmissionTexture": {"index": 0},
+        "diffuseTransmissionColorTexture": {"index": 0}}}}])"));
+    ASSERT_EQ(scene.materials.size(), 1u);
+    const Material& sheet = scene.materials[0];
+    EXPECT_EQ(sheet.kind, MaterialKind::Translucent);
+    ASSERT_GE(sheet.color.texture, 0);
+    ASSERT_GE(sheet.transmission.texture, 0);
+    EXPECT_EQ(scene.textures[static_cast<size_t>(sheet.color.texture)].gain, 0.75f);
+    EXPECT_EQ(scene.textures[static_cast<size_t>(sheet.transmission.texture)].gain, 0.125f);
+    EXPECT_THAT(scene.warnings, Contains(HasSubstr("how much light a sheet lets pass are left out")));
+}
+
 TEST_F(Gltf, TexturesArePlacedAndMultiplied) {
     // The top half of the image is red.
     std::vector<uint8_t> rgb(3 * 4 * 4, 0);
