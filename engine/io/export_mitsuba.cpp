@@ -191,10 +191,9 @@ class MitsubaExporter : public SceneExport {
                            object.objectToWorld * scale(Vec3(kExportedPlaneSize, kExportedPlaneSize, 1.0f)));
                 return;
             case ShapeKind::Rectangle:
-                writeShape("rectangle", object, object.objectToWorld);
-                return;
             case ShapeKind::Disc:
-                writeShape("disk", object, object.objectToWorld);
+                writeShape(object.shape == ShapeKind::Disc ? "disk" : "rectangle", object,
+                           object.objectToWorld);
                 return;
             case ShapeKind::Revolved:
                 writeRevolved(object);
@@ -202,11 +201,11 @@ class MitsubaExporter : public SceneExport {
         }
     }
 
-    /// Glint's north is +y, Mitsuba's +z; it matters to textures alone.
+    /// Glint's north is +y, Mitsuba's +z; it matters to textures and directions of roughness alone.
     void writeSphere(const Object& object) {
-        const bool isTextured = !usedTextures(materialOf(object)).empty();
+        const bool looksAtUv = isAnisotropic(materialOf(object)) || !usedTextures(materialOf(object)).empty();
         const Affine toGlint{Mat3(0, 0, -1, -1, 0, 0, 0, 1, 0), Vec3(0.0f)};
-        writeShape("sphere", object, isTextured ? object.objectToWorld * toGlint : object.objectToWorld);
+        writeShape("sphere", object, looksAtUv ? object.objectToWorld * toGlint : object.objectToWorld);
     }
 
     void writeRevolved(const Object& object) {
@@ -235,17 +234,19 @@ class MitsubaExporter : public SceneExport {
             std::ranges::for_each(shown.colors, [&](Vec3& color) { color *= factor; });
             name = savePly(shown);
         }
-        const bool isSmooth = !mesh->normals.empty();
-        if (isSmooth && std::ranges::any_of(mesh->normals, isZero)) {
-            warn("approximated: meshes are smooth everywhere or nowhere");
-        }
-        writeShape("ply", object, object.objectToWorld, [&] { writePlyFile(name, isSmooth); });
+        const bool isSmooth = !mesh->normals.empty(),
+                   isFacetedToo = std::ranges::any_of(mesh->normals, isZero);
+        if (isFacetedToo) { warn("approximated: meshes are smooth everywhere or nowhere"); }
+        // A mirror turns the normals that Mitsuba computes, but not the front of Glint's meshes.
+        const bool isTurned = !isSmooth && object.objectToWorld.determinant() < 0.0f;
+        writeShape("ply", object, object.objectToWorld, [&] { writePlyFile(name, isSmooth, isTurned); });
     }
 
-    void writePlyFile(const std::string& name, bool isSmooth) {
+    void writePlyFile(const std::string& name, bool isSmooth, bool isTurned = false) {
         out_.string("filename", name);
         out_.flag("flip_tex_coords", true);
         if (!isSmooth) { out_.flag("face_normals", true); }
+        if (isTurned) { out_.flag("flip_normals", true); }
     }
 
     template <class More = void (*)()>

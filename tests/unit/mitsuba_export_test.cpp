@@ -45,6 +45,23 @@ value="0.2"/><bsdf type="dielectric"/></shape>
 <emitter type="constant"><rgb name="radiance" value="0.2 0.3 0.4"/></emitter>)"));
 }
 
+/// Facets whose front is lit and shines, and brushed spheres, which have a direction to keep.
+TEST_F(MitsubaExport, MirroredShapesKeepTheirBits) {
+    folder.write("square.obj", kSquareObj);
+    SceneDescription scene =
+        load(R"(<sensor type="perspective"><float name="fov" value="50"/><transform name="to_world">
+<lookat origin="0,0,6" target="0,0,0" up="0,1,0"/></transform></sensor>
+<shape type="sphere"><bsdf type="roughconductor"><float name="alpha_u" value="0.1"/><float name="alpha_v" value="0.4"/>
+</bsdf></shape>
+<shape type="obj"><string name="filename" value="square.obj"/><boolean name="face_normals" value="true"/>
+<transform name="to_world"><translate x="-2"/></transform><emitter type="area"/></shape>
+<emitter type="point"><point name="position" x="2" y="3" z="4"/><rgb name="intensity" value="30"/></emitter>)");
+    for (Object& object : scene.objects) {
+        object.objectToWorld = scale(Vec3(1.0f, 1.0f, -1.0f)) * object.objectToWorld;
+    }
+    expectSamePicture(std::move(scene));
+}
+
 TEST_F(MitsubaExport, CamerasKeepTheirProjection) {
     SceneDescription scene = repositoryScene("cornell.json");
     scene.resolution = {40, 30};
