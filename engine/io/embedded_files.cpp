@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -116,6 +117,31 @@ Status writeEmbeddedFiles(SceneDescription* scene, const std::string& scenePath)
     EmbeddedWriter writer(scenePath, scene->path);
     forEachSource(scene, [&writer](auto* source) { writer.write(source); });
     return writer.status;
+}
+
+EmbeddedByPath nameEmbeddedFiles(SceneDescription* scene) {
+    std::set<std::string> taken;
+    forEachSource(scene, [&taken](auto* source) { taken.insert(pathOf(*source)); });
+    EmbeddedByPath files;
+    std::map<EmbeddedFile, std::string> paths;
+    forEachSource(scene, [&](auto* source) {
+        const auto* embedded = std::get_if<EmbeddedFile>(source);
+        if (embedded == nullptr) { return; }
+        std::string& path = paths[*embedded];
+        for (size_t number = files.size(); path.empty() || taken.contains(path); ++number) {
+            path = fmt::format("embedded/{}-{}", number, harmlessName(embedded->name));
+        }
+        files.emplace(path, *embedded);
+        *source = FileSource{path};
+    });
+    return files;
+}
+
+void restoreEmbeddedFiles(const EmbeddedByPath& files, SceneDescription* scene) {
+    forEachSource(scene, [&files](auto* source) {
+        const auto found = files.find(pathOf(*source));
+        if (found != files.end()) { *source = found->second; }
+    });
 }
 
 void embedFilesOf(const std::string& folder, SceneDescription* scene) {

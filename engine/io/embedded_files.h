@@ -2,6 +2,7 @@
 // names its images and mesh files, so that a saved scene loses none.
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "engine/base/result.h"
@@ -16,6 +17,15 @@ Result<std::string> writeBeside(const EmbeddedFile& file, const std::string& sce
 
 /// The scene's files in `folder` become embedded ones again; those that cannot be read stay as they are.
 void embedFilesOf(const std::string& folder, SceneDescription* scene);
+
+/// Files in memory by the paths that stand for them in a scene's text.
+using EmbeddedByPath = std::map<std::string, EmbeddedFile>;
+
+/// Each embedded file of `scene` becomes a FileSource, of a path that no file of the scene has.
+EmbeddedByPath nameEmbeddedFiles(SceneDescription* scene);
+
+/// The sources of these paths become the files again.
+void restoreEmbeddedFiles(const EmbeddedByPath& files, SceneDescription* scene);
 
 /// Each embedded file of `scene` is written so, and becomes a FileSource. Error: a file cannot be written.
 Status writeEmbeddedFiles(SceneDescription* scene, const std::string& scenePath);

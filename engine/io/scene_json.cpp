@@ -18,11 +18,13 @@ SceneJsonReader::SceneJsonReader(std::shared_ptr<const JsonDocument> document, c
     scene_.path = document_->source.path;
 }
 
-Result<SceneDescription> SceneJsonReader::read() {
+Result<SceneDescription> SceneJsonReader::read(const EmbeddedByPath& embedded) {
     const JsonValue root(document_.get());
     std::vector<std::string_view> keys = fieldKeys<SceneDescription>();
     keys.insert(keys.begin(), {"$schema", "glint"});
     readRoot(fieldsOf(root, "the scene", std::move(keys)));
+    restoreEmbeddedFiles(embedded, &scene_);
+    readAssets();
     if (errors_.failed()) { return errors_.error(); }
     return std::move(scene_);
 }
@@ -43,7 +45,6 @@ void SceneJsonReader::readRoot(const JsonFields& root) {
     readObjects(root.find("objects"));
     readLights(root.find("lights"));
     readEnvironment(root.find("environment"));
-    readAssets();
 }
 
 void SceneJsonReader::readResolution(const JsonValue& value) {
@@ -132,10 +133,11 @@ int SceneJsonReader::findName(const std::map<std::string, int>& names, const Jso
     return -1;
 }
 
-Result<SceneDescription> readSceneJson(TextSource source, const LoadOptions& options) {
+Result<SceneDescription> readSceneJson(TextSource source, const LoadOptions& options,
+                                       const EmbeddedByPath& embedded) {
     auto document = parseJson(std::move(source));
     if (!document) { return document.error(); }
-    return SceneJsonReader(std::move(*document), options).read();
+    return SceneJsonReader(std::move(*document), options).read(embedded);
 }
 
 }  // namespace glint

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "engine/base/result.h"
+#include "engine/io/embedded_files.h"
 #include "engine/io/load_options.h"
 #include "engine/io/text_source.h"
 #include "engine/scene/scene.h"
@@ -14,8 +15,9 @@
 namespace glint {
 
 /// Error: anything that is not a valid scene, with its place. Relative paths count from the folder
-/// of source.path.
-Result<SceneDescription> readSceneJson(TextSource source, const LoadOptions& options);
+/// of source.path; those of `embedded` stand for files in memory.
+Result<SceneDescription> readSceneJson(TextSource source, const LoadOptions& options,
+                                       const EmbeddedByPath& embedded = {});
 
 /// The scene as JSON text, for a file at `path`: relative paths are rewritten to count from its folder.
 /// Error: an image that is neither from a file nor generated, or a number that is not finite.

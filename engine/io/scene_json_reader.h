@@ -10,6 +10,7 @@
 #include <string>
 
 #include "engine/io/asset_cache.h"
+#include "engine/io/embedded_files.h"
 #include "engine/io/json_fields.h"
 #include "engine/io/load_options.h"
 #include "engine/io/used_assets.h"
@@ -23,7 +24,7 @@ class SceneJsonReader {
   public:
     SceneJsonReader(std::shared_ptr<const JsonDocument> document, const LoadOptions& options);
 
-    Result<SceneDescription> read();
+    Result<SceneDescription> read(const EmbeddedByPath& embedded);
 
   private:
     // scene_json.cpp: the root and what has no parts.

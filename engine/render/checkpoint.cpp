@@ -170,7 +170,7 @@ size_t checkpointBytes(int width, int height, IntegratorKind integrator) {
 Status saveCheckpoint(const std::string& path, const SessionCapture& capture) {
     const Film& film = capture.film;
     CheckpointWriter file(checkpointBytes(film.width(), film.height(), capture.scene->options.integrator) +
-                          65536);
+                          embeddedBytes(*capture.scene) + 65536);
     writeInfo(capture, &file);
     file.section("FILM", [&](ByteWriter* out) { FilmCheckpoint::write(film, out); });
     file.section("PERR", [&](ByteWriter* out) { writeCurve(capture.curve, out); });

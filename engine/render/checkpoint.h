@@ -45,7 +45,7 @@ Result<ResumePoint> loadCheckpoint(const std::string& path, const SceneDescripti
 Result<SceneDescription> loadCheckpointScene(const std::string& path);
 
 /// Whether its film is of `scene`, which may be edited: both came from one file, nothing that the picture
-/// shows differs, or the checkpoint holds no scene (images in memory) and the geometry is the same.
+/// shows differs, or the checkpoint holds no scene (pixels made in code) and the geometry is the same.
 bool isOfScene(const CheckpointInfo& info, const SceneDescription& scene);
 
 /// Error: the file at `path`, where there is one, is no checkpoint, holds a film of more than `passes`, or is

@@ -1,8 +1,10 @@
 #include "engine/render/checkpoint_scene.h"
 
 #include <filesystem>
+#include <memory>
 #include <utility>
 
+#include "engine/io/embedded_files.h"
 #include "engine/io/scene_json.h"
 #include "engine/io/scene_loader.h"
 #include "engine/io/scene_names.h"
@@ -12,7 +14,25 @@ namespace {
 
 constexpr const char* kTag = "SCNE";
 constexpr const char* kReadTag = "READ";
+constexpr const char* kEmbeddedTag = "EMBD";
 constexpr uint32_t kMaxParameters = 10'000;
+
+/// Error: the section is cut off.
+Result<EmbeddedByPath> readEmbedded(const CheckpointSections& sections, const std::string& path) {
+    EmbeddedByPath files;
+    const auto section = sections.find(kEmbeddedTag);
+    if (section == sections.end()) { return files; }
+    ByteReader in(section->second);
+    const auto count = in.read<uint32_t>();
+    for (uint32_t i = 0; i < count && !in.failed(); ++i) {
+        const std::string at = in.readText();
+        EmbeddedFile& file = files[at];
+        file.name = in.readText();
+        file.bytes = std::make_shared<const std::string>(in.readText());
+    }
+    if (in.failed()) { return checkpointError(path, "is damaged: the files of its scene are cut off"); }
+    return files;
+}
 
 }  // namespace
 
@@ -20,6 +40,15 @@ std::string absolutePath(const std::string& path) {
     std::error_code problem;
     const std::filesystem::path absolute = std::filesystem::absolute(path, problem);
     return problem ? path : absolute.lexically_normal().string();
+}
+
+size_t embeddedBytes(const SceneDescription& scene) {
+    SceneDescription named = scene;
+    size_t bytes = 0;
+    for (const auto& [path, file] : nameEmbeddedFiles(&named)) {
+        bytes += file.bytes->size();
+    }
+    return bytes;
 }
 
 void writeCheckpointScene(const SceneDescription& scene, CheckpointWriter* file) {
@@ -35,8 +64,20 @@ void writeCheckpointScene(const SceneDescription& scene, CheckpointWriter* file)
             }
         });
     }
-    const Result<std::string> json = writeSceneJson(scene, scene.path);
+    SceneDescription named = scene;
+    const EmbeddedByPath files = nameEmbeddedFiles(&named);
+    const Result<std::string> json = writeSceneJson(named, scene.path);
     if (!json) { return; }
+    if (!files.empty()) {
+        file->section(kEmbeddedTag, [&](ByteWriter* out) {
+            out->write(static_cast<uint32_t>(files.size()));
+            for (const auto& [path, embedded] : files) {
+                out->writeText(path);
+                out->writeText(embedded.name);
+                out->writeText(*embedded.bytes);
+            }
+        });
+    }
     file->section(kTag, [&](ByteWriter* out) {
         out->writeText(absolutePath(scene.path));
         out->writeText(*json);
@@ -80,7 +121,9 @@ Result<SceneDescription> readCheckpointScene(const CheckpointSections& sections,
     source.path = in.readText();
     source.text = in.readText();
     if (in.failed()) { return checkpointError(path, "is damaged: its scene is cut off"); }
-    Result<SceneDescription> scene = readSceneJson(std::move(source), {});
+    const Result<EmbeddedByPath> files = readEmbedded(sections, path);
+    if (!files) { return files.error(); }
+    Result<SceneDescription> scene = readSceneJson(std::move(source), {}, *files);
     if (scene) {
         makeNamesText(&*scene);
         scene->readWith = checkpointReadingOptions(sections);

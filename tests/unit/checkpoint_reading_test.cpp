@@ -1,12 +1,16 @@
-// Checkpoints keep how their scene's file was read: the same scene is opened again, also where it holds
-// images in memory, which no checkpoint has.
+// Checkpoints keep how their scene's file was read, and its edits: the same scene is opened again, also where
+// it holds files in memory.
+#include <filesystem>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "engine/io/scene_loader.h"
 #include "engine/render/checkpoint.h"
+#include "engine/scene/scene_hash.h"
 #include "tests/support/capture.h"
 #include "tests/support/temp_folder.h"
+#include "tests/support/used_assets.h"
 
 namespace glint::test {
 namespace {
@@ -52,19 +56,55 @@ TEST(CheckpointReading, TheSameSceneIsOpenedAgain) {
     }
 }
 
-/// Its own file says what was edited; of one with images in memory, that is said.
-TEST(CheckpointReading, EditsOfScenesWithImagesInMemoryAreMissed) {
+/// The picture that was made while the file was read stands in the checkpoint, so that its file is not asked.
+TEST(CheckpointReading, EditsOfScenesWithImagesInMemoryAreKept) {
     const TempFolder folder;
     const std::string path = folder.write("a.xml", mitsubaScene(true)), film = folder.path("a.glintfilm");
     auto scene = loadScene(path);
     ASSERT_TRUE(scene) << scene.error().format();
     scene->materials[0].color.value = Vec3(0.5f);
     ASSERT_TRUE(saveCheckpoint(film, captured(*scene)));
+    folder.write("a.xml", "<scene/>");
     const auto opened = loadCheckpointScene(film);
     ASSERT_TRUE(opened) << opened.error().format();
+    EXPECT_EQ(greyOf(*opened), 0.5f);
+    ASSERT_EQ(opened->environmentImages.size(), 1u);
+    EXPECT_TRUE(std::holds_alternative<EmbeddedFile>(opened->environmentImages[0].source));
+    EXPECT_EQ(sceneHash(*opened), sceneHash(*scene));
     const auto point = loadCheckpoint(film, *opened);
-    ASSERT_FALSE(point);
-    EXPECT_THAT(point.error().format(), HasSubstr("the materials differ"));
+    EXPECT_TRUE(point) << point.error().format();
+    ASSERT_TRUE(saveCheckpoint(film, captured(*opened)));
+    const auto again = loadCheckpointScene(film);
+    ASSERT_TRUE(again) << again.error().format();
+    EXPECT_EQ(sceneHash(*again), sceneHash(*scene));
+}
+
+/// Meshes and textures, one of which has the name that another file on the disk has.
+TEST(CheckpointReading, FilesInMemoryAreNotThoseOnTheDisk) {
+    const TempFolder folder;
+    SceneDescription scene;
+    scene.resolution = {4, 4};
+    scene.path = folder.path("scene.json");
+    const auto bytes = std::make_shared<const std::string>(kLeafPly);
+    for (int i = 0; i < 2; ++i) {
+        scene.meshes.push_back({.name = "leaf", .source = EmbeddedFile{"leaf.ply", bytes}, .data = nullptr});
+    }
+    scene.meshes.push_back({.name = "other", .source = FileSource{"embedded/0-leaf.ply"}, .data = nullptr});
+    std::filesystem::create_directory(folder.path("embedded"));
+    folder.write("embedded/0-leaf.ply", kLeafPly + std::string("\n"));
+    const std::string film = folder.path("a.glintfilm");
+    ASSERT_TRUE(saveCheckpoint(film, captured(scene)));
+    const auto opened = loadCheckpointScene(film);
+    ASSERT_TRUE(opened) << opened.error().format();
+    ASSERT_EQ(opened->meshes.size(), 3u);
+    for (size_t i = 0; i < 2; ++i) {
+        const auto* file = std::get_if<EmbeddedFile>(&opened->meshes[i].source);
+        ASSERT_NE(file, nullptr);
+        EXPECT_EQ(file->name, "leaf.ply");
+        EXPECT_EQ(*file->bytes, kLeafPly);
+    }
+    EXPECT_EQ(opened->meshes[0].source, opened->meshes[1].source) << "they share their bytes";
+    EXPECT_EQ(pathOf(opened->meshes[2].source), "embedded/0-leaf.ply");
 }
 
 TEST(CheckpointReading, ScenesOfNoFileHaveNone) {
