@@ -138,7 +138,7 @@ Vec3 MitsubaShapes::absorptionOf(const MitsubaElement& element) {
     const bool isApart = medium.property("sigma_a") != nullptr || medium.property("sigma_s") != nullptr;
     const Vec3 first = color(isApart ? "sigma_a" : "sigma_t", isApart ? 0.0f : 1.0f);
     const Vec3 second = color(isApart ? "sigma_s" : "albedo", isApart ? 0.0f : 0.75f);
-    if (!isZero(second)) { medium.approximated("approximated: media absorb and scatter nothing"); }
+    if (!isZero(second)) { medium.approximated("approximated: media absorb, but scatter nothing"); }
     medium.passOver({"sample_emitters", "has_spectral_extinction"});
     const float scale = medium.number("scale", 1.0f, 0.0f);
     medium.finish();

@@ -17,7 +17,7 @@ void PbrtMaterials::defineMedium(const std::string& name, const PbrtParams& para
     absorption = params.number("scale", 1.0f, 0.0f) * coefficient("sigma_a", Vec3(0.0011f, 0.0024f, 0.014f));
     constexpr float kNone = 1e-3f;
     if (maxComponent(coefficient("sigma_s", Vec3(2.55f, 3.21f, 3.77f))) > kNone) {
-        params.approximated("approximated: media absorb and scatter nothing");
+        params.approximated("approximated: media absorb, but scatter nothing");
     }
     params.passOver({"g", "Le", "Lescale"});
     params.finish();

@@ -151,7 +151,7 @@ TEST_F(MitsubaMaterialsTest, MediaInGlassAbsorb) {
     EXPECT_THAT(warnings, IsEmpty());
     expectNear(glassWith("<float name='sigma_t' value='2'/><float name='albedo' value='0.5'/>"), Vec3(1),
                1e-6f);
-    EXPECT_THAT(warnings, Contains(HasSubstr("approximated: media absorb and scatter nothing")));
+    EXPECT_THAT(warnings, Contains(HasSubstr("approximated: media absorb, but scatter nothing")));
     const SceneDescription fog = load(
         "<shape type='sphere'><bsdf type='diffuse'/><medium name='interior' type='homogeneous'/></shape>");
     EXPECT_THAT(fog.warnings, Contains(HasSubstr("media are left out")));

@@ -45,7 +45,7 @@ TEST_F(PbrtMedia, OtherMediaAreSaid) {
     materialOf(
         "MakeNamedMedium \"milk\" \"string type\" \"homogeneous\" MediumInterface \"milk\" \"\" Material "
         "\"dielectric\"");
-    EXPECT_THAT(warnings, Contains(HasSubstr("absorb and scatter nothing")));
+    EXPECT_THAT(warnings, Contains(HasSubstr("absorb, but scatter nothing")));
     EXPECT_THAT(errorOf("MediumInterface \"none\" \"\" Shape \"sphere\""),
                 HasSubstr("there is no medium \"none\""));
 }
