@@ -11,6 +11,15 @@
 namespace glint {
 namespace {
 
+/// Whether a mesh under that material has tangents of its own.
+bool hasTangents(const SceneDescription& scene, int material) {
+    return std::ranges::any_of(scene.objects, [&](const Object& object) {
+        if (object.material != material || object.shape != ShapeKind::Mesh) { return false; }
+        const MeshData* mesh = scene.meshes[static_cast<size_t>(object.mesh)].data.get();
+        return mesh != nullptr && !mesh->tangents.empty();
+    });
+}
+
 class MaterialWriter {
   public:
     MaterialWriter(const SceneDescription& scene, int material, GltfImages* images, GltfWriter* out,
@@ -18,6 +27,7 @@ class MaterialWriter {
         : scene_(scene),
           from_(scene.materials[static_cast<size_t>(material)]),
           isFlipped_(flipsV(scene, material)),
+          isTurned_(hasTangents(scene, material) ? !tangentsCountFromTop(scene, material) : isFlipped_),
           images_(*images),
           out_(*out),
           warnings_(*warnings) {}
@@ -90,7 +100,7 @@ class MaterialWriter {
             warn("approximated: images of anisotropy are left out");
         }
         if (!isEvenlyAnisotropic(from_)) { return; }
-        out_.extend(&to_, "KHR_materials_anisotropy", gltfAnisotropy(from_, isFlipped_));
+        out_.extend(&to_, "KHR_materials_anisotropy", gltfAnisotropy(from_, isTurned_));
     }
 
     void ior() {
@@ -237,7 +247,7 @@ class MaterialWriter {
 
     const SceneDescription& scene_;
     const Material& from_;
-    bool isFlipped_;
+    bool isFlipped_, isTurned_;  ///< glTF's v, and the side of tangents, run against the material's
     GltfImages& images_;
     GltfWriter& out_;
     std::vector<std::string>& warnings_;

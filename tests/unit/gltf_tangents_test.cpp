@@ -262,6 +262,27 @@ TEST_F(GltfTangents, SavedScenesAndFilesKeepThem) {
     }
 }
 
+/// A normal map that counts v the other way than the colour's image turns the tangents' side.
+TEST_F(GltfTangents, ImagesThatDisagreeKeepTheDirectionOfHighlights) {
+    for (const bool normalsFromTop : {false, true}) {
+        for (const bool colorFromTop : {false, true}) {
+            SceneDescription scene = load(text(same({0.6f, 0.8f, 0, 1})));
+            Material& brushed = scene.materials.at(0);
+            brushed.roughness.value = 0.6f, brushed.crossRoughness.value = 0.2f;
+            brushed.anisotropyRotationDeg = 30.0f;
+            scene.textures.at(0).flipV = normalsFromTop;
+            scene.textures.push_back(scene.textures[0]);
+            scene.textures[1].flipV = colorFromTop;
+            brushed.color.texture = 1;
+            const SceneDescription written = exported(scene, "out.gltf");
+            const auto turn = [](const SceneDescription& of) {
+                return of.materials.at(0).anisotropyRotationDeg * of.meshes.at(0).data->tangents.at(0).w;
+            };
+            EXPECT_NEAR(turn(written), turn(scene), 1e-3f) << normalsFromTop << colorFromTop;
+        }
+    }
+}
+
 TEST_F(GltfTangents, WhatLosesThemSaysSo) {
     const SceneDescription scene = load(text(same({0, 1, 0, 1})));
     for (const char* name : {"out.pbrt", "out.xml"}) {
