@@ -10,12 +10,12 @@
 namespace glint {
 namespace {
 
-constexpr int kHalf = 2;
+constexpr int kSparkHalf = 2;
 /// Two sparks close by do not hide each other.
-constexpr size_t kLargest = 3;
-constexpr float kFarRatio = 3.0f;
+constexpr size_t kSparkRank = 3;
+constexpr float kSparkRatio = 3.0f;
 /// A single bright sample among many lies one standard error off.
-constexpr float kOwnErrors = 1.2f;
+constexpr float kSparkOwnErrors = 1.2f;
 
 size_t pixelAt(const DenoiseInput& input, int x, int y) {
     return static_cast<size_t>(y) * static_cast<size_t>(input.width) + static_cast<size_t>(x);
@@ -23,9 +23,9 @@ size_t pixelAt(const DenoiseInput& input, int x, int y) {
 
 /// The third largest value of each channel around a pixel; 0 where there are fewer pixels.
 Vec3 thirdAround(const DenoiseInput& input, int x, int y) {
-    std::array<Vec3, kLargest> largest{};
-    for (int v = std::max(0, y - kHalf); v <= std::min(input.height - 1, y + kHalf); ++v) {
-        for (int u = std::max(0, x - kHalf); u <= std::min(input.width - 1, x + kHalf); ++u) {
+    std::array<Vec3, kSparkRank> largest{};
+    for (int v = std::max(0, y - kSparkHalf); v <= std::min(input.height - 1, y + kSparkHalf); ++v) {
+        for (int u = std::max(0, x - kSparkHalf); u <= std::min(input.width - 1, x + kSparkHalf); ++u) {
             if (u == x && v == y) { continue; }
             Vec3 value = input.radiance[pixelAt(input, u, v)];
             for (Vec3& each : largest) {
@@ -46,9 +46,9 @@ CalmPicture withoutSparks(const DenoiseInput& input, const std::vector<float>& v
             const size_t i = pixelAt(input, x, y);
             const Vec3& own = input.radiance[i];
             const Vec3 third = thirdAround(input, x, y);
-            if (!(maxComponent(own - kFarRatio * third) > 0.0f)) { continue; }
+            if (!(maxComponent(own - kSparkRatio * third) > 0.0f)) { continue; }
             const Vec3 less = glm::min(own, third);
-            if (!(square(luminance(own - less)) < square(kOwnErrors) * variance[i])) { continue; }
+            if (!(square(luminance(own - less)) < square(kSparkOwnErrors) * variance[i])) { continue; }
             calm.radiance[i] = less;
             calm.isSpark[i] = 1;
         }
