@@ -99,7 +99,7 @@ TEST(HotReload, TheSceneIsReadAgainAndTheCameraStays) {
              [&] { return workspace.document.draft().objects[0].objectToWorld.linear[0].x == 2.0f; });
     EXPECT_EQ(workspace.document.draft().camera.position, Vec3(0, 1, 9));
     EXPECT_FALSE(workspace.sceneFiles.error().has_value());
-    EXPECT_EQ(workspace.history.states().back().name, "Reload reloaded.json");
+    EXPECT_EQ(workspace.history.name(workspace.history.size() - 1), "Reload reloaded.json");
     workspace.document.resetCamera();
     EXPECT_EQ(workspace.document.draft().camera.position, Vec3(0, 1, 4)) << "the file's";
     workspace.history.askUndo();
