@@ -151,7 +151,15 @@ void addEnvironment(const SceneDescription& scene, const LightTable* previous, i
     table->emitters.push_back(e);
 }
 
-void addSelection(LightTable* table) {
+/// What lights are chosen by: that of `previous`, which may be null, where it has the same ones.
+void addSelection(const LightTable* previous, LightTable* table) {
+    if (previous != nullptr && previous->finiteCount == table->finiteCount &&
+        previous->emitters == table->emitters) {
+        table->nodes = previous->nodes;
+        table->emitterNodes = previous->emitterNodes;
+        table->usesTree = previous->usesTree;
+        return;
+    }
     table->nodes.resize(table->finiteCount);
     for (uint32_t i = 0; i < table->finiteCount; ++i) {
         table->nodes[i] = leafNode(table->emitters[i]);
@@ -221,7 +229,7 @@ std::shared_ptr<const LightTable> buildLightTable(const SceneDescription& scene,
                                                   int threads) {
     std::shared_ptr<LightTable> table = TableBuilder(scene, textures, threads).build();
     addEnvironment(scene, previous.get(), threads, table.get());
-    addSelection(table.get());
+    addSelection(previous.get(), table.get());
     if (previous && *previous == *table) { return previous; }
     return table;
 }

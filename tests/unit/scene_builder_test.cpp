@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/builders/light_table.h"
 #include "tests/support/test_scenes.h"
 
 namespace glint {
@@ -124,6 +125,26 @@ TEST_F(SceneBuilder, AnEmissionRebuildsTheLightTableToo) {
     description.materials[0].emission.value = Vec3(1.0f);
     const Edited more = edit(EditKind::MaterialParameters, brighter.scene);
     EXPECT_TRUE(more.report.topLevelBuilt) << "instances hold the numbers of their emitters";
+}
+
+/// What lights are chosen by is taken over from the scene before, and only from one with the same lights.
+TEST_F(SceneBuilder, AmongManyLampsEachMoveGivesTheTablesOfANewScene) {
+    const Object lamp = description.objects.back();
+    for (uint32_t i = 0; i < 3 * kFewLights; ++i) {
+        description.objects.push_back(lamp);
+        description.objects.back().objectToWorld.translation.x = 3.0f * static_cast<float>(i + 1);
+    }
+    Built scene = edit(EditKind::Everything, nullptr).scene;
+    for (const size_t moved : {size_t{0}, description.objects.size() - 1}) {
+        description.objects[moved].objectToWorld.translation.z += 1.0f;
+        const Edited after = edit(EditKind::ObjectTransform, scene);
+        EXPECT_EQ(after.report.lightsBuilt, moved != 0);
+        const Built fresh = edit(EditKind::Everything, nullptr).scene;
+        EXPECT_TRUE(after.scene->lights->usesTree);
+        EXPECT_TRUE(after.scene->lights->nodes == fresh->lights->nodes);
+        EXPECT_TRUE(after.scene->lights->emitterNodes == fresh->lights->emitterNodes);
+        scene = after.scene;
+    }
 }
 
 TEST_F(SceneBuilder, ALightRebuildsTheLightTableOnly) {

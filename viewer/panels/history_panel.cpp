@@ -46,20 +46,22 @@ void drawState(EditHistory* history, size_t index) {
     ImGui::PopStyleColor();
 }
 
-/// The newest first; what was undone is dim. Only the rows that are seen are made.
+/// The newest first; what was undone is dim. Only the rows in view are made, and one on each side, for the
+/// keyboard to go on to.
 void drawStates(EditHistory* history) {
     const size_t count = history->size();
     const float row = ImGui::GetTextLineHeightWithSpacing();
     const auto rows = static_cast<float>(std::min(count, kRowsShown));
     ImGui::BeginChild("##states", {0.0f, rows * row}, false, ImGuiWindowFlags_NavFlattened);
     scrollToPresent(count - 1 - history->present(), row);
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(count), row);
-    while (clipper.Step()) {
-        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            drawState(history, count - 1 - static_cast<size_t>(i));
-        }
+    const auto top = static_cast<size_t>(ImGui::GetScrollY() / row);
+    const size_t first = top > 0 ? top - 1 : 0;
+    const size_t last = std::min(count, top + kRowsShown + 2);
+    ImGui::SetCursorPosY(static_cast<float>(first) * row);
+    for (size_t i = first; i < last; ++i) {
+        drawState(history, count - 1 - i);
     }
+    if (last < count) { ImGui::Dummy({1.0f, static_cast<float>(count - last) * row}); }
     ImGui::EndChild();
 }
 
