@@ -19,10 +19,10 @@ struct TopEntry {
     TopItem item;
 };
 
-/// Replaces whole meshes in `entries`, one entry an object, by the children of their nodes as long as a
-/// larger one's box overlaps that of another object. At most kOpenedEntries more become of them; scenes of
-/// more than kOpenedObjects objects stay as they are. Hierarchies of boxes only. The same for any number of
-/// threads.
+/// Replaces meshes in `entries`, at first one entry an object, by the children of their nodes as long as they
+/// overlap an entry of another object that is no larger. At most kOpenedEntries more become of them; scenes
+/// of more than kOpenedObjects objects stay as they are. Hierarchies of boxes only. The same for any number
+/// of threads.
 void openOverlappingMeshes(const std::vector<Object>& objects, const std::vector<MeshView>& meshes,
                            std::vector<TopEntry>* entries);
 

@@ -84,6 +84,7 @@ double boxesInParts(const Affine& place) {
     return static_cast<double>(ofParts.boxes) / static_cast<double>(ofOne.boxes);
 }
 
+/// They are 2.5 and 6.0 times as many; 5.7 and 10.4 where no mesh is opened.
 TEST(OpenedMeshes, RaysTestFewMoreBoxesThanInOneMesh) {
     EXPECT_LT(boxesInParts({}), 3.0);
     // The world's boxes around turned ones are larger.
