@@ -18,9 +18,13 @@ constexpr FeatureMask kMaskDiffuseShapes =
     kAnalyticShapes | kFeatureFrontOnly | kFeatureDiffuse | kFewLightKinds;
 /// The same with glass and mirrors, and a lens.
 constexpr FeatureMask kMaskSmoothShapes = kMaskDiffuseShapes | kSmoothMaterials | kFeatureCameraArea;
+/// The same with surfaces of revolution, which on a GPU cost stack even where there are none.
+constexpr FeatureMask kMaskSmoothRevolvedShapes = kMaskSmoothShapes | kFeatureRevolved;
 /// A scan, a model from a file, architecture: diffuse meshes beside analytic shapes.
 constexpr FeatureMask kMaskDiffuseMeshes = kMaskDiffuseShapes | kMeshes | kFeatureTransforms |
                                            kFeatureTextures | kFeatureManyLights | kFeatureCameraArea;
+/// The same with glass, mirrors, mixtures and bumps: textured rooms.
+constexpr FeatureMask kMaskSmoothMeshes = kMaskDiffuseMeshes | kSmoothMaterials | kFeatureBumps;
 /// Everything with one sampler, but for what few scenes have: textures on inputs other than the colour,
 /// placed and mip-mapped ones, surfaces of revolution, bumps, cut-outs, dispersion, glass that absorbs,
 /// translucent sheets, principled materials that let light pass, facets other than GGX with one alpha,

@@ -2,7 +2,8 @@
 //
 // Mip maps are isotropic (Williams 1983, "Pyramidal Parametrics"), with linear values and each level the
 // exact mean of the one before, whatever its size. Left out: anisotropic filters, since many samples a pixel
-// average a texture, too; mip maps of alpha.
+// average a texture, too; mip maps of alpha, since a ray passes a cut-out or does not (cutout.h): with the
+// mean in place of the texels as many would, and the noise would stay.
 #pragma once
 
 #include "engine/kernels/features.h"

@@ -32,13 +32,14 @@ GLINT_FLATTEN void fillPinhole(const CameraData& sceneCamera, PassParams params,
     }
 }
 
-/// Rays from all over a lens, or parallel ones: one by one.
-void fillArea(const CameraData& camera, const PassParams& params, int x0, int y0, CameraTile* tile) {
+/// Of any camera with any sampler.
+void fillOneByOne(const CameraData& camera, const PassParams& params, int x0, int y0, CameraTile* tile) {
     for (int i = 0; i < kCameraTilePixels; ++i) {
         const int x = x0 + i % kCameraTileSize;
         const int y = y0 + i / kCameraTileSize;
         const Sampler sampler = makeSampler(params, x, y);
-        const Ray ray = pixelRay<kFeatureCameraArea>(camera, params, sampler, x, y);
+        const Ray ray =
+            pixelRay<kFeatureCameraArea | kFeatureIndependentSampler>(camera, params, sampler, x, y);
         store(i, sampler, ray.origin, ray.direction, tile);
     }
 }
@@ -46,7 +47,10 @@ void fillArea(const CameraData& camera, const PassParams& params, int x0, int y0
 }  // namespace
 
 void fillCameraTile(const CameraData& camera, const PassParams& params, int x0, int y0, CameraTile* tile) {
-    if (camera.hasArea()) { return fillArea(camera, params, x0, y0, tile); }
+    // A choice of samplers within the loop over pinholes would keep it from becoming vector code.
+    if (camera.hasArea() || params.sampler != SamplerKind::Sobol) {
+        return fillOneByOne(camera, params, x0, y0, tile);
+    }
     switch (params.filter) {
         case FilterKind::Box:
             return fillPinhole<FilterKind::Box>(camera, params, x0, y0, tile);

@@ -1,8 +1,7 @@
-// The camera rays of a whole tile at once, in vector code.
+// The camera rays of a whole tile at once; of a pinhole with the Sobol sampler in vector code.
 //
-// Called by the tile loops of the CPU variants. Only for kernels that know one sampler: the choice of another
-// would keep the loop from becoming vector code. Bit for bit what makeSampler() and pixelRay() answer pixel
-// by pixel.
+// Called by the tile loops of the CPU variants. Bit for bit what makeSampler() and pixelRay() answer pixel by
+// pixel.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +31,7 @@ struct alignas(64) CameraTile {
 };
 
 /// Fills the tile for pixels [x0, x0 + kCameraTileSize) x [y0, y0 + kCameraTileSize), also beyond the
-/// picture's edge. params.sampler must be Sobol.
+/// picture's edge.
 void fillCameraTile(const CameraData& camera, const PassParams& params, int x0, int y0, CameraTile* tile);
 
 /// Calls body(x, y, sampler, cameraRay) for every pixel of `rect`.

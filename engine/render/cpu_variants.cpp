@@ -16,11 +16,9 @@ constexpr KernelVariant variant(const char* name) {
 
 std::span<const KernelVariant> kernelVariants() {
     static constexpr std::array kVariants = {
-        variant<kMaskDiffuseShapes>("diffuse shapes"),
-        variant<kMaskSmoothShapes>("smooth shapes"),
-        variant<kMaskDiffuseMeshes>("diffuse meshes"),
-        variant<kMaskOneSampler>("one sampler"),
-        variant<kAllFeatures>("full"),
+        variant<kMaskDiffuseShapes>("diffuse shapes"), variant<kMaskSmoothRevolvedShapes>("smooth shapes"),
+        variant<kMaskDiffuseMeshes>("diffuse meshes"), variant<kMaskSmoothMeshes>("smooth meshes"),
+        variant<kMaskOneSampler>("one sampler"),       variant<kAllFeatures>("full"),
     };
     return kVariants;
 }

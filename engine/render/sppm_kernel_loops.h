@@ -18,15 +18,7 @@ void traceVisiblePoints(const SceneView& view, const SppmParams& params, const P
             static_cast<size_t>(y) * static_cast<size_t>(params.pass.width) + static_cast<size_t>(x);
         image[pixel] = traceVisiblePoint<kMask>(view, params, sampler, ray, &pixels[pixel].visiblePoint);
     };
-    if constexpr (!hasFeature<kMask>(kFeatureIndependentSampler)) {
-        return forEachCameraRay(view.camera, params.pass, tile, visiblePointOf);
-    }
-    for (int y = tile.y0; y < tile.y1; ++y) {
-        for (int x = tile.x0; x < tile.x1; ++x) {
-            const Sampler sampler = makeSampler(params.pass, x, y);
-            visiblePointOf(x, y, sampler, pixelRay<kMask>(view.camera, params.pass, sampler, x, y));
-        }
-    }
+    forEachCameraRay(view.camera, params.pass, tile, visiblePointOf);
 }
 
 template <FeatureMask kMask>

@@ -2,4 +2,4 @@
 #include "engine/render/cpu_kernel.h"
 #include "engine/render/sppm_kernel_loops.h"
 
-GLINT_COMPILE_SPPM(glint::kMaskSmoothShapes);
+GLINT_COMPILE_SPPM(glint::kMaskSmoothRevolvedShapes);

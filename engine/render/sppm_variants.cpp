@@ -6,13 +6,13 @@
 
 namespace glint {
 
-extern template SppmVariant sppmVariant<kMaskSmoothShapes>(const char* name);
+extern template SppmVariant sppmVariant<kMaskSmoothRevolvedShapes>(const char* name);
 extern template SppmVariant sppmVariant<kMaskOneSampler>(const char* name);
 extern template SppmVariant sppmVariant<kAllFeatures>(const char* name);
 
 std::span<const SppmVariant> sppmVariants() {
     static const std::array kVariants = {
-        sppmVariant<kMaskSmoothShapes>("smooth shapes"),
+        sppmVariant<kMaskSmoothRevolvedShapes>("smooth shapes"),
         sppmVariant<kMaskOneSampler>("one sampler"),
         sppmVariant<kAllFeatures>("full"),
     };
