@@ -10,7 +10,7 @@
 namespace glint {
 namespace {
 
-constexpr const char* kFamily = "albedo";
+constexpr const char* kAlbedoFamily = "albedo";
 
 /// From inside a closed room that emits 1 and reflects `albedo`, everything looks alike.
 SceneDescription furnace(float albedo, int maxDepth, bool box) {
@@ -32,7 +32,7 @@ SceneDescription furnace(float albedo, int maxDepth, bool box) {
 /// Paths that are never ended by chance all have the same sum: what rounding does to it shows in few of them.
 StressCase furnaceCase(float albedo, int maxDepth, bool box, bool roulette) {
     StressCase c =
-        namedCase(kFamily,
+        namedCase(kAlbedoFamily,
                   std::string(box ? "box" : "sphere") + " " + gradeNumber(albedo) + " depth " +
                       std::to_string(maxDepth) + (roulette ? "" : ", no roulette"),
                   "walls reflect " + gradeNumber(albedo) + " up to " + std::to_string(maxDepth) + " times",
@@ -56,7 +56,7 @@ StressCase furnaceCase(float albedo, int maxDepth, bool box, bool roulette) {
 /// absorbs the share r^2, so that the wall's radiance is a Le r^2 / (1 - a (1 - r^2)) (integrating sphere).
 StressCase integratingSphereCase(float albedo, float emitterRadius) {
     StressCase c = namedCase(
-        kFamily, "integrating sphere " + gradeNumber(albedo) + " lamp " + gradeNumber(emitterRadius),
+        kAlbedoFamily, "integrating sphere " + gradeNumber(albedo) + " lamp " + gradeNumber(emitterRadius),
         "a lamp of radius " + gradeNumber(emitterRadius) + " in a sphere that reflects " +
             gradeNumber(albedo),
         "integrating sphere in closed form");

@@ -12,7 +12,7 @@
 namespace glint {
 namespace {
 
-constexpr const char* kFamily = "lamp";
+constexpr const char* kEmitterFamily = "lamp";
 
 double reflected(double irradiance) { return irradiance * static_cast<double>(kFloorAlbedo) / kPiD; }
 
@@ -64,7 +64,7 @@ void addEmitter(SceneDescription* scene, EmitterForm shape, float radius, float 
 /// The lamp's radius relative to its height 1; its radiance keeps the irradiance near 1.
 StressCase smallEmitterCase(EmitterForm shape, float radius) {
     StressCase c =
-        namedCase(kFamily, std::string(shapeName(shape)) + " of size " + gradeNumber(radius),
+        namedCase(kEmitterFamily, std::string(shapeName(shape)) + " of size " + gradeNumber(radius),
                   "a lamp of " + gradeNumber(radius) + " times its distance", "irradiance in closed form");
     c.quick = shape != EmitterForm::Rectangle;
     c.run = [=](const StressEffort& effort) {
@@ -83,7 +83,7 @@ StressCase smallEmitterCase(EmitterForm shape, float radius) {
 }
 
 StressCase brightEmitterCase(float radiance) {
-    StressCase c = namedCase(kFamily, "radiance " + gradeNumber(radiance),
+    StressCase c = namedCase(kEmitterFamily, "radiance " + gradeNumber(radiance),
                              "radiance " + gradeNumber(radiance), "irradiance in closed form");
     c.run = [=](const StressEffort& effort) {
         SceneDescription scene = closeUpOfFloor({0.1f, 0.6f, 0.4f}, {0, 0, 0}, 1e-3f);
@@ -97,9 +97,9 @@ StressCase brightEmitterCase(float radiance) {
 
 /// A disc or square of half size 1 that hovers closely over the plane.
 StressCase hoveringCase(EmitterForm shape, float height) {
-    StressCase c = namedCase(kFamily, std::string(shapeName(shape)) + " at height " + gradeNumber(height),
-                             "a lamp " + gradeNumber(height) + " times its size over a surface",
-                             "irradiance in closed form");
+    StressCase c = namedCase(
+        kEmitterFamily, std::string(shapeName(shape)) + " at height " + gradeNumber(height),
+        "a lamp " + gradeNumber(height) + " times its size over a surface", "irradiance in closed form");
     c.run = [=](const StressEffort& effort) {
         SceneDescription scene = closeUpOfFloor({0.1f, 2.0f, 0.4f}, {0, 0, 0}, 1e-3f);
         addEmitter(&scene, shape, 1.0f, height, 1.0f);
@@ -114,11 +114,11 @@ StressCase hoveringCase(EmitterForm shape, float height) {
 /// they touch, E = pi L R^2 h / d^3 with h = R and d^2 = R^2 + x^2. `elsewhere`: the same away from the
 /// origin, where the point of contact is rounded.
 StressCase restingSphereCase(float distance, bool elsewhere) {
-    StressCase c =
-        namedCase(kFamily, "ball touches at " + gradeNumber(distance) + (elsewhere ? ", elsewhere" : ""),
-                  "a ball lamp rests on the surface, " + gradeNumber(distance) +
-                      " radii from the point that is looked at",
-                  "irradiance in closed form");
+    StressCase c = namedCase(kEmitterFamily,
+                             "ball touches at " + gradeNumber(distance) + (elsewhere ? ", elsewhere" : ""),
+                             "a ball lamp rests on the surface, " + gradeNumber(distance) +
+                                 " radii from the point that is looked at",
+                             "irradiance in closed form");
     if (elsewhere && distance < 3e-3f) {
         c.documented = StressVerdict::Broken;
         c.limit =
@@ -138,7 +138,7 @@ StressCase restingSphereCase(float distance, bool elsewhere) {
 /// from below that touch it form a cone of tan^2 = across^2 / (1 - along^2): E = pi L sin^2.
 StressCase ellipsoidCase(float along, float across) {
     StressCase c =
-        namedCase(kFamily, "ellipsoid " + gradeNumber(along) + " by " + gradeNumber(across),
+        namedCase(kEmitterFamily, "ellipsoid " + gradeNumber(along) + " by " + gradeNumber(across),
                   "an ellipsoid " + gradeNumber(along) + " times its distance along the way to it, " +
                       gradeNumber(across) + " times across",
                   "irradiance in closed form");
@@ -161,7 +161,7 @@ StressCase ellipsoidCase(float along, float across) {
 /// A lamp that stands on the plane like a wall, 2 wide and 1 high, at x = 0: the irradiance at a distance x
 /// in front of its middle is L (atan(a/x) - x/R atan(a/R)), a = 1, R^2 = x^2 + height^2.
 StressCase standingWallCase(float distance) {
-    StressCase c = namedCase(kFamily, "wall touches at " + gradeNumber(distance),
+    StressCase c = namedCase(kEmitterFamily, "wall touches at " + gradeNumber(distance),
                              "a lamp stands on the surface, " + gradeNumber(distance) +
                                  " of its height from the point that is looked at",
                              "irradiance in closed form");

@@ -18,15 +18,15 @@ constexpr int kHeight = 32;
 /// The integral of row y's hat function times cos sin over the polar angle's upper half; the outermost row
 /// reaches to the pole.
 double rowWeight(int y) {
-    constexpr int kSteps = 20000;
+    constexpr int kStepsAcross = 20000;
     double sum = 0.0;
-    for (int i = 0; i < kSteps; ++i) {
-        const double theta = (i + 0.5) * 0.5 * kPiD / kSteps;
+    for (int i = 0; i < kStepsAcross; ++i) {
+        const double theta = (i + 0.5) * 0.5 * kPiD / kStepsAcross;
         const double row = std::max(0.0, theta / kPiD * kHeight - 0.5);
         const double weight = std::max(0.0, 1.0 - std::abs(row - y));
         sum += weight * std::cos(theta) * std::sin(theta);
     }
-    return sum * 0.5 * kPiD / kSteps;
+    return sum * 0.5 * kPiD / kStepsAcross;
 }
 
 double irradiance(const ImageF& image) {

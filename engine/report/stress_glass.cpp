@@ -13,7 +13,7 @@
 namespace glint {
 namespace {
 
-constexpr const char* kFamily = "glass";
+constexpr const char* kGlassFamily = "glass";
 
 /// Unpolarised reflectance; n: index beyond over index before; 1 under total reflection. (Born and Wolf 1999,
 /// section 1.5.2.)
@@ -68,7 +68,7 @@ Result<StressOutcome> measureStack(const std::vector<Interface>& stack, double a
 
 StressCase slabCase(double ior, double angleDeg) {
     StressCase c =
-        namedCase(kFamily, "slab n " + gradeNumber(ior) + " at " + gradeNumber(angleDeg),
+        namedCase(kGlassFamily, "slab n " + gradeNumber(ior) + " at " + gradeNumber(angleDeg),
                   "index " + gradeNumber(ior) + ", " + gradeNumber(angleDeg) + " degrees off the normal",
                   "Fresnel's equations");
     c.quick = angleDeg <= 89.0 || ior == 1.0;
@@ -80,7 +80,7 @@ StressCase slabCase(double ior, double angleDeg) {
 
 StressCase nestedCase(double outer, double inner, double angleDeg) {
     StressCase c = namedCase(
-        kFamily,
+        kGlassFamily,
         "slab n " + gradeNumber(inner) + " in " + gradeNumber(outer) + " at " + gradeNumber(angleDeg),
         "a slab of index " + gradeNumber(inner) + " within one of " + gradeNumber(outer),
         "Fresnel's equations");
@@ -94,7 +94,7 @@ StressCase nestedCase(double outer, double inner, double angleDeg) {
 
 StressCase gapCase(float gap) {
     StressCase c =
-        namedCase(kFamily, "slabs " + gradeNumber(gap) + " apart",
+        namedCase(kGlassFamily, "slabs " + gradeNumber(gap) + " apart",
                   "two slabs with " + gradeNumber(gap) + " of air between them", "Fresnel's equations");
     if (gap < 1e-7f) {
         c.documented = StressVerdict::Broken;
@@ -113,7 +113,8 @@ StressCase gapCase(float gap) {
 /// around: R reflected and (1 - R) n^2 from outside.
 StressCase criticalCase(double offset) {
     StressCase c = namedCase(
-        kFamily, "critical angle " + std::string(offset < 0 ? "- " : "+ ") + gradeNumber(std::abs(offset)),
+        kGlassFamily,
+        "critical angle " + std::string(offset < 0 ? "- " : "+ ") + gradeNumber(std::abs(offset)),
         gradeNumber(std::abs(offset)) + (offset < 0 ? " below" : " above") + " the critical angle, relative",
         "Fresnel's equations inside an even glow");
     c.run = [=](const StressEffort& effort) {
@@ -134,7 +135,7 @@ StressCase criticalCase(double offset) {
 /// A white body of glass vanishes in an even glow, however its light is trapped and split.
 StressCase furnaceCase(double ior, ShapeKind shape) {
     const bool sphere = shape == ShapeKind::Sphere;
-    StressCase c = namedCase(kFamily, std::string(sphere ? "ball" : "cube") + " n " + gradeNumber(ior),
+    StressCase c = namedCase(kGlassFamily, std::string(sphere ? "ball" : "cube") + " n " + gradeNumber(ior),
                              std::string("a ") + (sphere ? "ball" : "turned cube") + " of index " +
                                  gradeNumber(ior) + " in an even glow",
                              "it vanishes");

@@ -122,12 +122,12 @@ StressCase sheetCase(float gap) {
             "both sheets have the same vertices in float: which of two faces in one place is met is open";
     }
     c.run = [=](const StressEffort& effort) {
-        constexpr float kHeight = 0.75f;
-        SceneDescription scene = emptyStressScene({0.2f, 1.8f, 0.3f}, {0, kHeight, 0}, 20.0f);
+        constexpr float kFloorHeight = 0.75f;
+        SceneDescription scene = emptyStressScene({0.2f, 1.8f, 0.3f}, {0, kFloorHeight, 0}, 20.0f);
         scene.environment.color = Vec3(1.0f);
         scene.options.maxDepth = 8;
-        addMeshObject(&scene, plainFloor(1.0f, kHeight, 0.25f), {}, diffuseMaterial(0.0f));
-        addMeshObject(&scene, plainFloor(1.0f, kHeight + gap, 0.25f), {}, diffuseMaterial(kAlbedo));
+        addMeshObject(&scene, plainFloor(1.0f, kFloorHeight, 0.25f), {}, diffuseMaterial(0.0f));
+        addMeshObject(&scene, plainFloor(1.0f, kFloorHeight + gap, 0.25f), {}, diffuseMaterial(kAlbedo));
         return measurePaths(scene, effort.passes(64), kGrey, effort, 4);
     };
     return c;

@@ -15,7 +15,7 @@
 namespace glint {
 namespace {
 
-constexpr double kGrey = static_cast<double>(kFloorAlbedo);
+constexpr double kFloorGrey = static_cast<double>(kFloorAlbedo);
 
 /// Strips of the width `step` around x = 0 between two wide ones: the square [-1, 1]^2 of the xz plane at y =
 /// 0, facing up.
@@ -40,8 +40,8 @@ StressCase needleFloorCase(float aspect, bool tilted) {
                   "triangles " + gradeNumber(aspect) + " times as long as wide", "albedo under an even sky");
     c.run = [=](const StressEffort& effort) {
         const float step = 2.0f / aspect;
-        return measurePaths(skyOverMesh(needleFloor(step), 32.0f * step, tilted), effort.passes(64), kGrey,
-                            effort, 4);
+        return measurePaths(skyOverMesh(needleFloor(step), 32.0f * step, tilted), effort.passes(64),
+                            kFloorGrey, effort, 4);
     };
     return c;
 }
@@ -70,7 +70,7 @@ StressCase needleEmitterCase(float aspect) {
         const double rootB = std::hypot(b, 1.0);
         const double irradiance =
             2.0 / b * (1.0 / rootA * std::atan(b / rootA) + b / rootB * std::atan(1.0 / rootB));
-        return measurePaths(scene, effort.passes(256), kGrey * irradiance / std::numbers::pi, effort);
+        return measurePaths(scene, effort.passes(256), kFloorGrey * irradiance / std::numbers::pi, effort);
     };
     return c;
 }
@@ -99,7 +99,7 @@ StressCase litNeedleCase(float aspect) {
         scene.lights.push_back(directionalLight(direction));
         const double cosine = -glm::dot(normal, glm::normalize(glm::dvec3(direction)));
         addMeshObject(&scene, std::move(mesh), {}, diffuseMaterial(kFloorAlbedo));
-        return measurePaths(scene, effort.passes(16), kGrey / std::numbers::pi * cosine, effort);
+        return measurePaths(scene, effort.passes(16), kFloorGrey / std::numbers::pi * cosine, effort);
     };
     return c;
 }

@@ -12,7 +12,7 @@
 namespace glint {
 namespace {
 
-constexpr const char* kFamily = "photons";
+constexpr const char* kPhotonFamily = "photons";
 constexpr double kFloorRadiance = 0.5 / kPiD;  // albedo 0.5, irradiance 1
 
 /// The middle of a floor, lit by photons of the light alone.
@@ -49,7 +49,7 @@ SceneDescription litFloor(float radius, uint32_t photons) {
 /// true density. The one point of the disc that a pass looks at misses the floor with 1 - s, which doubles
 /// them.
 StressCase largeRadiusCase(float radius) {
-    StressCase c = namedCase(kFamily, "radius " + gradeNumber(radius),
+    StressCase c = namedCase(kPhotonFamily, "radius " + gradeNumber(radius),
                              "a radius " + gradeNumber(radius) + " times half the floor's size",
                              "irradiance in closed form, with the bias of the first pass");
     c.run = [=](const StressEffort& effort) {
@@ -63,7 +63,7 @@ StressCase largeRadiusCase(float radius) {
 
 /// A narrow spot light over a floor that is 1 / relative times as large as the radius.
 StressCase smallRadiusCase(float relative) {
-    StressCase c = namedCase(kFamily, "radius " + gradeNumber(relative),
+    StressCase c = namedCase(kPhotonFamily, "radius " + gradeNumber(relative),
                              "a radius " + gradeNumber(relative) + " times half the floor's size",
                              "irradiance in closed form");
     c.run = [=](const StressEffort& effort) {
@@ -79,7 +79,7 @@ StressCase smallRadiusCase(float relative) {
 /// The same floor lit by a spot whose cone is as narrow as grades go: all its photons go where it shines.
 StressCase narrowSpotCase(float halfAngleDeg) {
     StressCase c =
-        namedCase(kFamily, "spot of " + gradeNumber(halfAngleDeg) + " degrees",
+        namedCase(kPhotonFamily, "spot of " + gradeNumber(halfAngleDeg) + " degrees",
                   "photons of a spot light with a cone of " + gradeNumber(halfAngleDeg) + " degrees",
                   "intensity over distance squared");
     c.run = [=](const StressEffort& effort) {
@@ -93,7 +93,7 @@ StressCase narrowSpotCase(float halfAngleDeg) {
 }
 
 StressCase photonCountCase(uint32_t photons, uint32_t passes, uint32_t runs) {
-    StressCase c = namedCase(kFamily, gradeNumber(photons) + " photons a pass",
+    StressCase c = namedCase(kPhotonFamily, gradeNumber(photons) + " photons a pass",
                              std::to_string(passes) + " passes of " + gradeNumber(photons) + " photons",
                              "irradiance in closed form");
     c.quick = photons == 1000;
@@ -107,7 +107,7 @@ StressCase photonCountCase(uint32_t photons, uint32_t passes, uint32_t runs) {
 /// No photon reaches the floor: it must stay black and finite.
 StressCase darkCase() {
     StressCase c =
-        namedCase(kFamily, "no photon for 10000 passes", "a floor that no photon reaches", "black");
+        namedCase(kPhotonFamily, "no photon for 10000 passes", "a floor that no photon reaches", "black");
     c.run = [](const StressEffort& effort) {
         SceneDescription scene = litFloor(0.3f, 100);
         addObject(&scene, ShapeKind::Rectangle, placeFlatShape({0, 3, 0}, {0, 1, 0}, 5, 5),
@@ -120,7 +120,7 @@ StressCase darkCase() {
 StressCase roomCase(const char* what, float amount) {
     const bool scaled = std::string(what) == "room x";
     StressCase c = namedCase(
-        kFamily, std::string(what) + " " + gradeNumber(amount),
+        kPhotonFamily, std::string(what) + " " + gradeNumber(amount),
         scaled ? "a room whose unit of length is " + gradeNumber(1.0 / static_cast<double>(amount)) + " units"
                : "a room " + gradeNumber(amount) + " times its size from the origin",
         "the same room in metres at the origin");

@@ -14,7 +14,7 @@
 namespace glint {
 namespace {
 
-Error stoppedError() { return {"the stability suite was stopped", {}}; }
+Error stoppedSums() { return {"the stability suite was stopped", {}}; }
 
 /// n - 1 samples of 0.1 and one of `outlier`, after `share` of the others: mean and standard error.
 StressCase outlierCase(float outlier, double share, const char* where) {
@@ -27,7 +27,7 @@ StressCase outlierCase(float outlier, double share, const char* where) {
         Film film(1, 1);
         std::vector<PixelSample> samples(1);
         for (uint32_t pass = 0; pass < count; ++pass) {
-            if (pass % 65536 == 0 && effort.stopped()) { return stoppedError(); }
+            if (pass % 65536 == 0 && effort.stopped()) { return stoppedSums(); }
             samples[0].radiance = Vec3(pass == place ? outlier : 0.1f);
             film.commit(samples, pass, 1);
         }
@@ -66,7 +66,7 @@ StressCase steadyCase(uint32_t photons, double alpha) {
         gathered.flux = Vec3(static_cast<float>(photons) * 0.25f);
         long double fluxOverArea = 0.0L;
         for (uint32_t pass = 0; pass < passes; ++pass) {
-            if (pass % 65536 == 0 && effort.stopped()) { return stoppedError(); }
+            if (pass % 65536 == 0 && effort.stopped()) { return stoppedSums(); }
             fluxOverArea += 0.25L * photons /
                             (0.04L * std::exp(static_cast<long double>(logGammaRatio(pass, 1.0 / alpha))));
             updatePixel(gathered, alpha, pass, 1.0, &pixel);
@@ -133,7 +133,7 @@ StressCase densityCase(double photonsAtFirst, double alpha) {
             pixel.radiusSquared = 1.0;
             double earlyRadius2 = 1.0;
             for (uint32_t pass = 0; pass < passes; ++pass) {
-                if (pass % 65536 == 0 && effort.stopped()) { return stoppedError(); }
+                if (pass % 65536 == 0 && effort.stopped()) { return stoppedSums(); }
                 Gathered gathered;
                 gathered.count = static_cast<uint32_t>(
                     std::poisson_distribution<int>(photonsAtFirst * pixel.radiusSquared)(random));
