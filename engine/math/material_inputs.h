@@ -1,8 +1,12 @@
 // What a material's models compute with beside its colour, listed once: descriptions hold constants or
 // textures of these, tables of kernels texture indices, and models plain numbers.
 //
-// A new one is a member, a line below, and its use in a model (kernels/bsdf/).
+// A new one is a member, a line below, and its use in a model (kernels/bsdf/). Of one that is described here,
+// the field in scene files, the command line's and the window's row follow; others have a line in
+// scene/scene_fields.h.
 #pragma once
+
+#include <type_traits>
 
 #include "engine/base/host_device.h"
 #include "engine/base/kinds.h"
@@ -57,23 +61,57 @@ struct InputInfo {
     bool isReplacedByMetal = false;  ///< a conductor's metal says what it is
     bool isReplacedByGlass = false;  ///< a dielectric's glass does
     bool canBeMissing = false;       ///< a negative constant says so
+    const char* help = nullptr;      ///< of one that is described here: in lower case without a full stop
 };
 
 constexpr uint32_t kindBit(MaterialKind kind) { return 1u << static_cast<uint32_t>(kind); }
 
-/// One input: of(set) is that of a set, which has a member for each.
-template <class Of>
+/// A type as a value.
+template <class SomeType>
+struct TypeTag {
+    using Type = SomeType;
+};
+
+/// One input: memberIn(TypeTag<Set>()) points to that of a set, which has a member for each.
+template <class MemberIn>
 struct ModelInput {
     InputInfo info;
-    Of of;
+    MemberIn memberIn;
 
     template <class Visit, class... Sets>
     GLINT_HD constexpr void visitIn(const Visit& visit, Sets&... sets) const {
-        visit(info, of(sets)...);
+        visit(info, sets.*memberIn(TypeTag<std::remove_const_t<Sets>>())...);
     }
 };
-template <class Of>
-ModelInput(InputInfo, Of) -> ModelInput<Of>;
+template <class MemberIn>
+ModelInput(InputInfo, MemberIn) -> ModelInput<MemberIn>;
+
+/// combine(input...) with every ModelInput that is described here; their numbers are from 0 to 1.
+template <class Combine>
+GLINT_HD constexpr auto withDescribedInputs(const Combine& combine) {
+    constexpr uint32_t kPrincipled = kindBit(MaterialKind::Principled);
+    constexpr uint32_t kCoated = kindBit(MaterialKind::Coated);
+    const auto described = [](const char* key, uint32_t kinds, const char* help) {
+        return InputInfo{.key = key, .least = 0.0f, .most = 1.0f, .kinds = kinds, .help = help};
+    };
+    return combine(
+        ModelInput{described("specular", kPrincipled, "factor on what plastic reflects at its boundary"),
+                   [](auto set) { return &decltype(set)::Type::specular; }},
+        ModelInput{described("specularTint", kPrincipled,
+                             "likewise, but for grazing incidence, where reflection stays white"),
+                   [](auto set) { return &decltype(set)::Type::specularTint; }},
+        ModelInput{
+            described("clearcoat", kPrincipled, "share of the surface that has a clear coat of index 1.5"),
+            [](auto set) { return &decltype(set)::Type::clearcoat; }},
+        ModelInput{described("clearcoatRoughness", kPrincipled | kCoated, "GGX alpha of the coat; 0: smooth"),
+                   [](auto set) { return &decltype(set)::Type::clearcoatRoughness; }},
+        ModelInput{described("sheenColor", kPrincipled,
+                             "of light that fibres scatter at grazing incidence; 0: none"),
+                   [](auto set) { return &decltype(set)::Type::sheenColor; }},
+        ModelInput{
+            described("sheenRoughness", kPrincipled, "0.05 and less: at the edges alone; 1: everywhere"),
+            [](auto set) { return &decltype(set)::Type::sheenRoughness; }});
+}
 
 /// combine(input...) with every ModelInput.
 template <class Combine>
@@ -91,44 +129,35 @@ GLINT_HD constexpr auto withModelInputs(const Combine& combine) {
     constexpr uint32_t kRough = kMetal | kDielectric | kPlastic | kPrincipled | kWard;
     constexpr uint32_t kRefractive = kDielectric | kPlastic | kMixture | kPrincipled | kCoated;
     constexpr float kMost = 1e18f;
-    return combine(ModelInput{InputInfo{"eta", 0.0f, kMost, kMetal, true},
-                              [](auto& set) -> decltype(auto) { return (set.eta); }},
-                   ModelInput{InputInfo{"k", 0.0f, kMost, kMetal, true},
-                              [](auto& set) -> decltype(auto) { return (set.k); }},
-                   ModelInput{InputInfo{"ior", 1e-3f, 1e3f, kRefractive, false, true},
-                              [](auto& set) -> decltype(auto) { return (set.ior); }},
-                   ModelInput{InputInfo{"roughness", 0.0f, 1.0f, kRough},
-                              [](auto& set) -> decltype(auto) { return (set.roughness); }},
-                   ModelInput{InputInfo{"crossRoughness", 0.0f, 1.0f, kRough, false, false, true},
-                              [](auto& set) -> decltype(auto) { return (set.crossRoughness); }},
-                   ModelInput{InputInfo{"anisotropyDirection", 0.0f, 1.0f, kRough},
-                              [](auto& set) -> decltype(auto) { return (set.anisotropyDirection); }},
-                   ModelInput{InputInfo{"weights", 0.0f, kMost, kMixture},
-                              [](auto& set) -> decltype(auto) { return (set.mixtureWeights); }},
-                   ModelInput{InputInfo{"transmission", 0.0f, 1.0f, kTranslucent},
-                              [](auto& set) -> decltype(auto) { return (set.transmission); }},
-                   ModelInput{InputInfo{"specularReflectance", 0.0f, 1.0f, kPhong | kWard},
-                              [](auto& set) -> decltype(auto) { return (set.specularReflectance); }},
-                   ModelInput{InputInfo{"exponent", 0.0f, 1e8f, kPhong},
-                              [](auto& set) -> decltype(auto) { return (set.exponent); }},
-                   ModelInput{InputInfo{"coatAbsorption", 0.0f, kMost, kCoated},
-                              [](auto& set) -> decltype(auto) { return (set.coatAbsorption); }},
-                   ModelInput{InputInfo{"metallic", 0.0f, 1.0f, kPrincipled},
-                              [](auto& set) -> decltype(auto) { return (set.metallic); }},
-                   ModelInput{InputInfo{"specularTransmission", 0.0f, 1.0f, kPrincipled},
-                              [](auto& set) -> decltype(auto) { return (set.specularTransmission); }},
-                   ModelInput{InputInfo{"specular", 0.0f, 1.0f, kPrincipled},
-                              [](auto& set) -> decltype(auto) { return (set.specular); }},
-                   ModelInput{InputInfo{"specularTint", 0.0f, 1.0f, kPrincipled},
-                              [](auto& set) -> decltype(auto) { return (set.specularTint); }},
-                   ModelInput{InputInfo{"clearcoat", 0.0f, 1.0f, kPrincipled},
-                              [](auto& set) -> decltype(auto) { return (set.clearcoat); }},
-                   ModelInput{InputInfo{"clearcoatRoughness", 0.0f, 1.0f, kPrincipled | kCoated},
-                              [](auto& set) -> decltype(auto) { return (set.clearcoatRoughness); }},
-                   ModelInput{InputInfo{"sheenColor", 0.0f, 1.0f, kPrincipled},
-                              [](auto& set) -> decltype(auto) { return (set.sheenColor); }},
-                   ModelInput{InputInfo{"sheenRoughness", 0.0f, 1.0f, kPrincipled},
-                              [](auto& set) -> decltype(auto) { return (set.sheenRoughness); }});
+    return withDescribedInputs([&](const auto&... described) {
+        return combine(ModelInput{InputInfo{"eta", 0.0f, kMost, kMetal, true},
+                                  [](auto set) { return &decltype(set)::Type::eta; }},
+                       ModelInput{InputInfo{"k", 0.0f, kMost, kMetal, true},
+                                  [](auto set) { return &decltype(set)::Type::k; }},
+                       ModelInput{InputInfo{"ior", 1e-3f, 1e3f, kRefractive, false, true},
+                                  [](auto set) { return &decltype(set)::Type::ior; }},
+                       ModelInput{InputInfo{"roughness", 0.0f, 1.0f, kRough},
+                                  [](auto set) { return &decltype(set)::Type::roughness; }},
+                       ModelInput{InputInfo{"crossRoughness", 0.0f, 1.0f, kRough, false, false, true},
+                                  [](auto set) { return &decltype(set)::Type::crossRoughness; }},
+                       ModelInput{InputInfo{"anisotropyDirection", 0.0f, 1.0f, kRough},
+                                  [](auto set) { return &decltype(set)::Type::anisotropyDirection; }},
+                       ModelInput{InputInfo{"weights", 0.0f, kMost, kMixture},
+                                  [](auto set) { return &decltype(set)::Type::mixtureWeights; }},
+                       ModelInput{InputInfo{"transmission", 0.0f, 1.0f, kTranslucent},
+                                  [](auto set) { return &decltype(set)::Type::transmission; }},
+                       ModelInput{InputInfo{"specularReflectance", 0.0f, 1.0f, kPhong | kWard},
+                                  [](auto set) { return &decltype(set)::Type::specularReflectance; }},
+                       ModelInput{InputInfo{"exponent", 0.0f, 1e8f, kPhong},
+                                  [](auto set) { return &decltype(set)::Type::exponent; }},
+                       ModelInput{InputInfo{"coatAbsorption", 0.0f, kMost, kCoated},
+                                  [](auto set) { return &decltype(set)::Type::coatAbsorption; }},
+                       ModelInput{InputInfo{"metallic", 0.0f, 1.0f, kPrincipled},
+                                  [](auto set) { return &decltype(set)::Type::metallic; }},
+                       ModelInput{InputInfo{"specularTransmission", 0.0f, 1.0f, kPrincipled},
+                                  [](auto set) { return &decltype(set)::Type::specularTransmission; }},
+                       described...);
+    });
 }
 
 /// Calls visit(info, input...) for each input, with that of each of the `sets`.

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
-#include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "engine/base/number_range.h"
@@ -88,8 +88,50 @@ constexpr uint32_t only(Kind... kinds) {
     return ((1u << static_cast<uint32_t>(kinds)) | ...);
 }
 
-/// The list of a type: kEdit, what an edit of its fields invalidates where they do not say; kList, a tuple of
-/// Field, in the order of files and fingerprints.
+namespace detail {
+
+template <size_t kIndex, class OneField>
+struct FieldAt {
+    OneField field;
+};
+
+template <size_t kIndex, class OneField>
+constexpr const OneField& fieldAt(const FieldAt<kIndex, OneField>& at) {
+    return at.field;
+}
+
+template <class Indices, class... Fields>
+struct IndexedFields;
+
+template <size_t... kIndices, class... Fields>
+struct IndexedFields<std::index_sequence<kIndices...>, Fields...> : FieldAt<kIndices, Fields>... {
+    constexpr explicit IndexedFields(const Fields&... fields) : FieldAt<kIndices, Fields>{fields}... {}
+
+    template <class Visit>
+    constexpr void forEach(const Visit& visit) const {
+        (visit(this->FieldAt<kIndices, Fields>::field), ...);
+    }
+};
+
+}  // namespace detail
+
+/// Fields of different types, in order. A std::tuple of so many takes a compiler a second wherever it is
+/// seen.
+template <class... Fields>
+struct FieldList : detail::IndexedFields<std::index_sequence_for<Fields...>, Fields...> {
+    constexpr explicit FieldList(const Fields&... fields)
+        : detail::IndexedFields<std::index_sequence_for<Fields...>, Fields...>(fields...) {}
+
+    static constexpr size_t kSize = sizeof...(Fields);
+
+    template <size_t kIndex>
+    constexpr const auto& get() const {
+        return detail::fieldAt<kIndex>(*this);
+    }
+};
+
+/// The list of a type: kEdit, what an edit of its fields invalidates where they do not say; kList, a
+/// FieldList in the order of files and fingerprints.
 template <class Owner>
 struct FieldsOf;
 
@@ -101,7 +143,7 @@ concept HasFields = requires {
 /// Calls visit(field) for each field of the list, in order.
 template <class Owner, class Visit>
 constexpr void forEachField(const Visit& visit) {
-    std::apply([&](const auto&... fields) { (visit(fields), ...); }, FieldsOf<Owner>::kList);
+    FieldsOf<Owner>::kList.forEach(visit);
 }
 
 /// What an edit of the field invalidates.

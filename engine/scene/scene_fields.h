@@ -38,7 +38,7 @@ constexpr NumberRange kSunRadius{
 template <>
 struct FieldsOf<Camera> {
     static constexpr EditKind kEdit = EditKind::Camera;
-    static constexpr std::tuple kList{
+    static constexpr FieldList kList{
         field("position", &Camera::position,
               {.unit = "m", .help = "where the camera stands", .option = "--camera-position"}),
         field("target", &Camera::target,
@@ -91,7 +91,7 @@ struct FieldsOf<Camera> {
 template <>
 struct FieldsOf<Resolution> {
     static constexpr EditKind kEdit = EditKind::Resolution;
-    static constexpr std::tuple kList{
+    static constexpr FieldList kList{
         field("width", &Resolution::width, {.range = {.lo = 1, .hi = 32768}, .unit = "pixels"}),
         field("height", &Resolution::height, {.range = {.lo = 1, .hi = 32768}, .unit = "pixels"})};
 };
@@ -99,7 +99,7 @@ struct FieldsOf<Resolution> {
 template <>
 struct FieldsOf<RenderOptions> {
     static constexpr EditKind kEdit = EditKind::Options;
-    static constexpr std::tuple kList{
+    static constexpr FieldList kList{
         field(
             "integrator", &RenderOptions::integrator,
             {.help = "path tracing, progressive photon mapping (sppm), ambient occlusion (ao), Phong's model "
@@ -146,7 +146,7 @@ struct FieldsOf<RenderOptions> {
 template <>
 struct FieldsOf<SppmOptions> {
     static constexpr EditKind kEdit = EditKind::SppmParameters;
-    static constexpr std::tuple kList{
+    static constexpr FieldList kList{
         field("photonsPerPass", &SppmOptions::photonsPerPass,
               {.range = {.lo = 1, .hi = 1 << 30},
                .help = "photons in a pass",
@@ -188,7 +188,7 @@ struct FieldsOf<SppmOptions> {
 template <>
 struct FieldsOf<RayCastOptions> {
     static constexpr EditKind kEdit = EditKind::RayCastParameters;
-    static constexpr std::tuple kList{
+    static constexpr FieldList kList{
         field("shadows", &RayCastOptions::shadows,
               {.help = "whether lights cast shadows",
                .option = "--phong-shadows",
@@ -212,7 +212,7 @@ template <>
 struct FieldsOf<Texture> {
     static constexpr EditKind kEdit = EditKind::MaterialKind;
     static constexpr uint32_t kInFile = 1u << 0, kGenerated = 1u << 1;  ///< kinds
-    static constexpr std::tuple kList{
+    static constexpr FieldList kList{
         label("", &Texture::name),
         field("file", &Texture::image,
               {.help = "PNG, JPEG, BMP, TGA, TIFF, WebP, DDS, HDR or EXR; relative to the scene's folder",
@@ -241,14 +241,26 @@ struct FieldsOf<Checkerboard> {
     static constexpr EditKind kEdit = EditKind::MaterialKind;
     static constexpr FieldTraits kSquare{
         .range = kNotNegative, .form = VectorForm::Color, .inPicture = false};
-    static constexpr std::tuple kList{field("even", &Checkerboard::even, kSquare),
-                                      field("odd", &Checkerboard::odd, kSquare)};
+    static constexpr FieldList kList{field("even", &Checkerboard::even, kSquare),
+                                     field("odd", &Checkerboard::odd, kSquare)};
 };
 
 /// Whether `color` is a factor on a reflectance that is there without it.
 constexpr bool isTinted(MaterialKind kind) {
     return kind == MaterialKind::Mirror || kind == MaterialKind::Conductor ||
            kind == MaterialKind::Dielectric || kind == MaterialKind::Coated;
+}
+
+/// The field of an input that material_inputs.h describes.
+template <class MemberIn>
+constexpr auto inputField(const ModelInput<MemberIn>& described) {
+    const auto member = described.memberIn(TypeTag<Material>());
+    using Input = std::remove_cvref_t<decltype(std::declval<Material>().*member)>;
+    return field<Material, Input>(described.info.key, member,
+                                  {.range = std::is_same_v<Input, ColorInput> ? kReflectance : kUnitInterval,
+                                   .help = described.info.help,
+                                   .kinds = described.info.kinds,
+                                   .onlyOwnKinds = true});
 }
 
 template <>
@@ -265,224 +277,202 @@ struct FieldsOf<Material> {
     static constexpr uint32_t kFacets =
         only(MaterialKind::Conductor, MaterialKind::Dielectric, MaterialKind::Plastic, MaterialKind::Coated);
     static constexpr uint32_t kPrincipled = only(MaterialKind::Principled);
-    static constexpr std::tuple kList{
-        field("type", &Material::kind, {.edit = EditKind::MaterialKind, .required = true}),
-        label("", &Material::name),
-        field("color", &Material::color,
-              {.range = kReflectance, .help = "reflectance; conductor: a factor on it"},
-              {.setDefault =
-                   [](Material* material) {
-                       material->color.value = Vec3(isTinted(material->kind) ? 1.0f : 0.5f);
-                   }}),
-        field("metal", &Material::metal, {.help = "measured constants", .kinds = kMetal, .words = metalNames},
-              {.isSaved = [](const Material& material) { return !material.metal.empty(); }}),
-        field<Material, ColorInput>(
-            "eta", &Material::eta,
-            {.range = kPositive, .help = "index of refraction, grey or [r, g, b]", .kinds = kMetal},
-            {.isSaved = [](const Material& material) { return material.metal.empty(); }}),
-        field<Material, ColorInput>(
-            "k", &Material::k,
-            {.range = kNotNegative, .help = "extinction, grey or [r, g, b]", .kinds = kMetal},
-            {.isSaved = [](const Material& material) { return material.metal.empty(); }}),
-        field("glass", &Material::glass,
-              {.help = "measured indices by wavelength",
-               .kinds = kGlass,
-               .onlyOwnKinds = true,
-               .words = glassNames},
-              {.isSaved = [](const Material& material) { return !material.glass.empty(); }}),
-        field("iorRgb", &Material::iorRgb,
-              {.range = kNotNegative,
-               .form = VectorForm::Color,
-               .help = "indices at red, green and blue; the picture then has three wavelengths; 0: ior",
-               .kinds = kGlass,
-               .onlyOwnKinds = true},
-              {.isSaved =
-                   [](const Material& material) {
-                       return material.glass.empty() && !isZero(material.iorRgb);
-                   }}),
-        field<Material, NumberInput>(
-            "ior", &Material::ior,
-            {.range = kIor, .help = "index of refraction inside over outside", .kinds = kRefractive},
-            {.isSaved = [](const Material& material) { return !replacesIor(material); }}),
-        field("abbeNumber", &Material::abbeNumber,
-              {.range = kAbbeNumber,
-               .help = "dispersion of ior: 20 bends colours far apart, 80 hardly; 0: none",
-               .kinds = kGlass,
-               .onlyOwnKinds = true},
-              {.isSaved = [](const Material& material) { return !replacesIor(material); }}),
-        field<Material, NumberInput>(
-            "roughness", &Material::roughness,
-            {.range = kUnitInterval,
-             .help = "alpha of the facets; 0: smooth. Along u where crossRoughness is given",
-             .kinds = kRough},
-            {.setDefault =
-                 [](Material* material) {
-                     if (material->kind == MaterialKind::Ward) { material->roughness.value = 0.1f; }
-                 }}),
-        field<Material, NumberInput>("crossRoughness", &Material::crossRoughness,
-                                     {.range = kUnitInterval,
-                                      .help = "alpha across u, of brushed surfaces; left out: as roughness",
-                                      .kinds = kRough,
-                                      .onlyIfSet = true},
-                                     {.isSaved = hasCrossRoughness}),
-        field("anisotropyRotationDeg", &Material::anisotropyRotationDeg,
-              {.unit = "degrees",
-               .help = "turns the direction of roughness from u towards v",
-               .kinds = kRough,
-               .onlyIfSet = true},
-              {.isSaved = [](const Material& material) { return material.anisotropyRotationDeg != 0.0f; }}),
-        field<Material, ColorInput>(
-            "anisotropyDirection", &Material::anisotropyDirection,
-            {.range = kUnitInterval,
-             .help = "a texture of that direction: x to the image's right, y to its top, 0.5 is 0",
-             .kinds = kRough,
-             .onlyIfSet = true},
-            {.isSaved =
-                 [](const Material& material) {
-                     return material.anisotropyDirection != Material{}.anisotropyDirection;
-                 }}),
-        field("distribution", &Material::distribution,
-              {.help = "of the facets: ggx has long tails, beckmann none",
-               .kinds = kFacets,
-               .onlyIfSet = true}),
-        field("thin", &Material::thin,
-              {.help = "a sheet of no thickness: light passes straight",
-               .kinds = only(MaterialKind::Dielectric, MaterialKind::Principled)}),
-        field("attenuationColor", &Material::attenuationColor,
-              {.range = kReflectance,
-               .form = VectorForm::Color,
-               .help = "what is left of light after attenuationDistance inside glass that is not thin",
-               .kinds = only(MaterialKind::Dielectric, MaterialKind::Principled),
-               .onlyIfSet = true}),
-        field("attenuationDistance", &Material::attenuationDistance,
-              {.range = kPositive,
-               .unit = "m",
-               .help = "way inside the glass that leaves attenuationColor",
-               .kinds = only(MaterialKind::Dielectric, MaterialKind::Principled),
-               .onlyIfSet = true}),
-        field<Material, ColorInput>("transmission", &Material::transmission,
-                                    {.range = kReflectance,
-                                     .help = "what passes, diffusely; with the colour at most 1",
-                                     .kinds = only(MaterialKind::Translucent),
-                                     .onlyOwnKinds = true}),
-        field<Material, ColorInput>(
-            "specularReflectance", &Material::specularReflectance,
-            {.range = kReflectance,
-             .help = "of the highlight; with the colour at most 1, or both are scaled",
-             .kinds = only(MaterialKind::Phong, MaterialKind::Ward),
-             .onlyOwnKinds = true}),
-        field<Material, NumberInput>("exponent", &Material::exponent,
-                                     {.range = kPhongExponent,
-                                      .help = "of the highlight: larger is narrower",
-                                      .kinds = only(MaterialKind::Phong),
-                                      .onlyOwnKinds = true}),
-        field("variant", &Material::wardForm,
-              {.help = "ward: as of 1992; ward-duer: of 2006; balanced: of 2010, bounded by itself",
-               .kinds = only(MaterialKind::Ward),
-               .onlyOwnKinds = true}),
-        field<Material, ColorInput>(
-            "coatAbsorption", &Material::coatAbsorption,
-            {.range = kNotNegative,
-             .help = "optical depth straight through the coat: absorption per metre times thickness",
-             .kinds = only(MaterialKind::Coated),
-             .onlyOwnKinds = true}),
-        field<Material, NumberInput>(
-            "metallic", &Material::metallic,
-            {.range = kUnitInterval,
-             .help = "0: plastic over the colour; 1: a metal that reflects the colour",
-             .kinds = kPrincipled,
-             .onlyOwnKinds = true}),
-        field<Material, NumberInput>("specularTransmission", &Material::specularTransmission,
-                                     {.range = kUnitInterval,
-                                      .help = "share of what enters plastic that passes it instead of being "
-                                              "scattered; thin: straight, else with refraction",
-                                      .kinds = kPrincipled,
-                                      .onlyOwnKinds = true,
-                                      .onlyIfSet = true}),
-        field("rootTint", &Material::rootTint,
-              {.help = "what passes is tinted by the root of the colour: in and out by the colour",
-               .kinds = kPrincipled,
-               .onlyOwnKinds = true,
-               .onlyIfSet = true}),
-        field<Material, NumberInput>("specular", &Material::specular,
-                                     {.range = kUnitInterval,
-                                      .help = "factor on what plastic reflects at its boundary",
-                                      .kinds = kPrincipled,
-                                      .onlyOwnKinds = true}),
-        field<Material, ColorInput>(
-            "specularTint", &Material::specularTint,
-            {.range = kReflectance,
-             .help = "likewise, but for grazing incidence, where reflection stays white",
-             .kinds = kPrincipled,
-             .onlyOwnKinds = true}),
-        field<Material, NumberInput>("clearcoat", &Material::clearcoat,
-                                     {.range = kUnitInterval,
-                                      .help = "share of the surface that has a clear coat of index 1.5",
-                                      .kinds = kPrincipled,
-                                      .onlyOwnKinds = true}),
-        field<Material, NumberInput>("clearcoatRoughness", &Material::clearcoatRoughness,
-                                     {.range = kUnitInterval,
-                                      .help = "GGX alpha of the coat; 0: smooth",
-                                      .kinds = kPrincipled | only(MaterialKind::Coated),
-                                      .onlyOwnKinds = true}),
-        field<Material, ColorInput>("sheenColor", &Material::sheenColor,
-                                    {.range = kReflectance,
-                                     .help = "of light that fibres scatter at grazing incidence; 0: none",
-                                     .kinds = kPrincipled,
-                                     .onlyOwnKinds = true}),
-        field<Material, NumberInput>("sheenRoughness", &Material::sheenRoughness,
-                                     {.range = kUnitInterval,
-                                      .help = "0.05 and less: at the edges alone; 1: everywhere",
-                                      .kinds = kPrincipled,
-                                      .onlyOwnKinds = true}),
-        field<Material, ColorInput>(
-            "weights", &Material::mixtureWeights,
-            {.range = kNotNegative,
-             .help = "[diffuse, mirror, refractive], in any unit",
-             .kinds = only(MaterialKind::Mixture)},
-            {.holds = [](const Material& material) { return !isZero(material.mixtureWeights.value); },
-             .message = "\"weights\" are all 0; expected [diffuse, mirror, refractive]"}),
-        field("bump", &Material::bump,
-              {.help = "a texture of heights, over which shading normals lean", .onlyIfSet = true}),
-        field("bumpHeight", &Material::bumpHeight,
-              {.unit = "m", .help = "what a height of 1 stands for", .onlyIfSet = true}),
-        field("normalMap", &Material::normalMap,
-              {.range = kUnitInterval,
-               .help = "a texture of tangent-space normals: x to the image's right, y to its top, 0.5 is 0",
-               .onlyIfSet = true}),
-        field("normalStrength", &Material::normalStrength,
-              {.help = "factor on x and y of the normal map", .onlyIfSet = true}),
-        field("opacity", &Material::opacity,
-              {.range = kUnitInterval,
-               .help = "share of the surface that is there; of a texture its alpha, or else its channel",
-               .onlyIfSet = true}),
-        field("alphaCutsOut", &Material::alphaCutsOut,
-              {.help = "the alpha of the colour's image is a factor on the opacity", .onlyIfSet = true}),
-        field("emission", &Material::emission,
-              {.range = kNotNegative, .unit = "W/(sr m^2)", .help = "radiance"}),
-        field("emissionStrength", &Material::emissionStrength,
-              {.range = kNotNegative, .help = "factor on emission"}),
-        field("emitsBothSides", &Material::emitsBothSides, {.help = "otherwise only the front side shines"}),
-        field("specularColor", &Material::phongSpecular,
-              {.range = kNotNegative,
-               .form = VectorForm::Color,
-               .help = "of Phong's highlights, in ray casting alone",
-               .edit = EditKind::RayCastParameters,
-               .inPictureIfSaved = true},
-              {.isSaved = [](const Material& material) { return !isZero(material.phongSpecular); }}),
-        field("shininess", &Material::phongExponent,
-              {.range = kShininess,
-               .help = "exponent of Phong's highlights, in ray casting alone: larger is smaller",
-               .edit = EditKind::RayCastParameters,
-               .inPictureIfSaved = true},
-              {.isSaved = [](const Material& material) { return !isZero(material.phongSpecular); }})};
+    static constexpr auto kList = withDescribedInputs([](const auto&... described) {
+        return FieldList{
+            field("type", &Material::kind, {.edit = EditKind::MaterialKind, .required = true}),
+            label("", &Material::name),
+            field("color", &Material::color,
+                  {.range = kReflectance, .help = "reflectance; conductor: a factor on it"},
+                  {.setDefault =
+                       [](Material* material) {
+                           material->color.value = Vec3(isTinted(material->kind) ? 1.0f : 0.5f);
+                       }}),
+            field("metal", &Material::metal,
+                  {.help = "measured constants", .kinds = kMetal, .words = metalNames},
+                  {.isSaved = [](const Material& material) { return !material.metal.empty(); }}),
+            field<Material, ColorInput>(
+                "eta", &Material::eta,
+                {.range = kPositive, .help = "index of refraction, grey or [r, g, b]", .kinds = kMetal},
+                {.isSaved = [](const Material& material) { return material.metal.empty(); }}),
+            field<Material, ColorInput>(
+                "k", &Material::k,
+                {.range = kNotNegative, .help = "extinction, grey or [r, g, b]", .kinds = kMetal},
+                {.isSaved = [](const Material& material) { return material.metal.empty(); }}),
+            field("glass", &Material::glass,
+                  {.help = "measured indices by wavelength",
+                   .kinds = kGlass,
+                   .onlyOwnKinds = true,
+                   .words = glassNames},
+                  {.isSaved = [](const Material& material) { return !material.glass.empty(); }}),
+            field("iorRgb", &Material::iorRgb,
+                  {.range = kNotNegative,
+                   .form = VectorForm::Color,
+                   .help = "indices at red, green and blue; the picture then has three wavelengths; 0: ior",
+                   .kinds = kGlass,
+                   .onlyOwnKinds = true},
+                  {.isSaved =
+                       [](const Material& material) {
+                           return material.glass.empty() && !isZero(material.iorRgb);
+                       }}),
+            field<Material, NumberInput>(
+                "ior", &Material::ior,
+                {.range = kIor, .help = "index of refraction inside over outside", .kinds = kRefractive},
+                {.isSaved = [](const Material& material) { return !replacesIor(material); }}),
+            field("abbeNumber", &Material::abbeNumber,
+                  {.range = kAbbeNumber,
+                   .help = "dispersion of ior: 20 bends colours far apart, 80 hardly; 0: none",
+                   .kinds = kGlass,
+                   .onlyOwnKinds = true},
+                  {.isSaved = [](const Material& material) { return !replacesIor(material); }}),
+            field<Material, NumberInput>(
+                "roughness", &Material::roughness,
+                {.range = kUnitInterval,
+                 .help = "alpha of the facets; 0: smooth. Along u where crossRoughness is given",
+                 .kinds = kRough},
+                {.setDefault =
+                     [](Material* material) {
+                         if (material->kind == MaterialKind::Ward) { material->roughness.value = 0.1f; }
+                     }}),
+            field<Material, NumberInput>(
+                "crossRoughness", &Material::crossRoughness,
+                {.range = kUnitInterval,
+                 .help = "alpha across u, of brushed surfaces; left out: as roughness",
+                 .kinds = kRough,
+                 .onlyIfSet = true},
+                {.isSaved = hasCrossRoughness}),
+            field(
+                "anisotropyRotationDeg", &Material::anisotropyRotationDeg,
+                {.unit = "degrees",
+                 .help = "turns the direction of roughness from u towards v",
+                 .kinds = kRough,
+                 .onlyIfSet = true},
+                {.isSaved = [](const Material& material) { return material.anisotropyRotationDeg != 0.0f; }}),
+            field<Material, ColorInput>(
+                "anisotropyDirection", &Material::anisotropyDirection,
+                {.range = kUnitInterval,
+                 .help = "a texture of that direction: x to the image's right, y to its top, 0.5 is 0",
+                 .kinds = kRough,
+                 .onlyIfSet = true},
+                {.isSaved =
+                     [](const Material& material) {
+                         return material.anisotropyDirection != Material{}.anisotropyDirection;
+                     }}),
+            field("distribution", &Material::distribution,
+                  {.help = "of the facets: ggx has long tails, beckmann none",
+                   .kinds = kFacets,
+                   .onlyIfSet = true}),
+            field("thin", &Material::thin,
+                  {.help = "a sheet of no thickness: light passes straight",
+                   .kinds = only(MaterialKind::Dielectric, MaterialKind::Principled)}),
+            field("attenuationColor", &Material::attenuationColor,
+                  {.range = kReflectance,
+                   .form = VectorForm::Color,
+                   .help = "what is left of light after attenuationDistance inside glass that is not thin",
+                   .kinds = only(MaterialKind::Dielectric, MaterialKind::Principled),
+                   .onlyIfSet = true}),
+            field("attenuationDistance", &Material::attenuationDistance,
+                  {.range = kPositive,
+                   .unit = "m",
+                   .help = "way inside the glass that leaves attenuationColor",
+                   .kinds = only(MaterialKind::Dielectric, MaterialKind::Principled),
+                   .onlyIfSet = true}),
+            field<Material, ColorInput>("transmission", &Material::transmission,
+                                        {.range = kReflectance,
+                                         .help = "what passes, diffusely; with the colour at most 1",
+                                         .kinds = only(MaterialKind::Translucent),
+                                         .onlyOwnKinds = true}),
+            field<Material, ColorInput>(
+                "specularReflectance", &Material::specularReflectance,
+                {.range = kReflectance,
+                 .help = "of the highlight; with the colour at most 1, or both are scaled",
+                 .kinds = only(MaterialKind::Phong, MaterialKind::Ward),
+                 .onlyOwnKinds = true}),
+            field<Material, NumberInput>("exponent", &Material::exponent,
+                                         {.range = kPhongExponent,
+                                          .help = "of the highlight: larger is narrower",
+                                          .kinds = only(MaterialKind::Phong),
+                                          .onlyOwnKinds = true}),
+            field("variant", &Material::wardForm,
+                  {.help = "ward: as of 1992; ward-duer: of 2006; balanced: of 2010, bounded by itself",
+                   .kinds = only(MaterialKind::Ward),
+                   .onlyOwnKinds = true}),
+            field<Material, ColorInput>(
+                "coatAbsorption", &Material::coatAbsorption,
+                {.range = kNotNegative,
+                 .help = "optical depth straight through the coat: absorption per metre times thickness",
+                 .kinds = only(MaterialKind::Coated),
+                 .onlyOwnKinds = true}),
+            field<Material, NumberInput>(
+                "metallic", &Material::metallic,
+                {.range = kUnitInterval,
+                 .help = "0: plastic over the colour; 1: a metal that reflects the colour",
+                 .kinds = kPrincipled,
+                 .onlyOwnKinds = true}),
+            field<Material, NumberInput>(
+                "specularTransmission", &Material::specularTransmission,
+                {.range = kUnitInterval,
+                 .help = "share of what enters plastic that passes it instead of being "
+                         "scattered; thin: straight, else with refraction",
+                 .kinds = kPrincipled,
+                 .onlyOwnKinds = true,
+                 .onlyIfSet = true}),
+            field("rootTint", &Material::rootTint,
+                  {.help = "what passes is tinted by the root of the colour: in and out by the colour",
+                   .kinds = kPrincipled,
+                   .onlyOwnKinds = true,
+                   .onlyIfSet = true}),
+            inputField(described)...,
+            field<Material, ColorInput>(
+                "weights", &Material::mixtureWeights,
+                {.range = kNotNegative,
+                 .help = "[diffuse, mirror, refractive], in any unit",
+                 .kinds = only(MaterialKind::Mixture)},
+                {.holds = [](const Material& material) { return !isZero(material.mixtureWeights.value); },
+                 .message = "\"weights\" are all 0; expected [diffuse, mirror, refractive]"}),
+            field("bump", &Material::bump,
+                  {.help = "a texture of heights, over which shading normals lean", .onlyIfSet = true}),
+            field("bumpHeight", &Material::bumpHeight,
+                  {.unit = "m", .help = "what a height of 1 stands for", .onlyIfSet = true}),
+            field(
+                "normalMap", &Material::normalMap,
+                {.range = kUnitInterval,
+                 .help = "a texture of tangent-space normals: x to the image's right, y to its top, 0.5 is 0",
+                 .onlyIfSet = true}),
+            field("normalStrength", &Material::normalStrength,
+                  {.help = "factor on x and y of the normal map", .onlyIfSet = true}),
+            field("opacity", &Material::opacity,
+                  {.range = kUnitInterval,
+                   .help = "share of the surface that is there; of a texture its alpha, or else its channel",
+                   .onlyIfSet = true}),
+            field("alphaCutsOut", &Material::alphaCutsOut,
+                  {.help = "the alpha of the colour's image is a factor on the opacity", .onlyIfSet = true}),
+            field("emission", &Material::emission,
+                  {.range = kNotNegative, .unit = "W/(sr m^2)", .help = "radiance"}),
+            field("emissionStrength", &Material::emissionStrength,
+                  {.range = kNotNegative, .help = "factor on emission"}),
+            field("emitsBothSides", &Material::emitsBothSides,
+                  {.help = "otherwise only the front side shines"}),
+            field("specularColor", &Material::phongSpecular,
+                  {.range = kNotNegative,
+                   .form = VectorForm::Color,
+                   .help = "of Phong's highlights, in ray casting alone",
+                   .edit = EditKind::RayCastParameters,
+                   .inPictureIfSaved = true},
+                  {.isSaved = [](const Material& material) { return !isZero(material.phongSpecular); }}),
+            field("shininess", &Material::phongExponent,
+                  {.range = kShininess,
+                   .help = "exponent of Phong's highlights, in ray casting alone: larger is smaller",
+                   .edit = EditKind::RayCastParameters,
+                   .inPictureIfSaved = true},
+                  {.isSaved = [](const Material& material) { return !isZero(material.phongSpecular); }})};
+    });
 };
 
 /// Of a mesh. What the picture depends on are the triangles.
 template <>
 struct FieldsOf<FileSource> {
     static constexpr EditKind kEdit = EditKind::None;
-    static constexpr std::tuple kList{
+    static constexpr FieldList kList{
         field("file", &FileSource::path,
               {.help = "OBJ, PLY or STL; relative to the scene's folder",
                .inPicture = false,
@@ -499,7 +489,7 @@ struct FieldsOf<FileSource> {
 template <>
 struct FieldsOf<MeshGenerator> {
     static constexpr EditKind kEdit = EditKind::None;
-    static constexpr std::tuple kList{
+    static constexpr FieldList kList{
         field("generator", &MeshGenerator::name,
               {.inPicture = false, .required = true, .words = meshGeneratorNames}),
         field("triangleCount", &MeshGenerator::triangles,
@@ -513,15 +503,15 @@ struct FieldsOf<MeshGenerator> {
 template <>
 struct FieldsOf<Mesh> {
     static constexpr EditKind kEdit = EditKind::Everything;
-    static constexpr std::tuple kList{label("", &Mesh::name), label("", &Mesh::source),
-                                      field("", &Mesh::data)};
+    static constexpr FieldList kList{label("", &Mesh::name), label("", &Mesh::source),
+                                     field("", &Mesh::data)};
 };
 
 /// Beside these keys stand those of shape_forms.h.
 template <>
 struct FieldsOf<Object> {
     static constexpr EditKind kEdit = EditKind::Everything;
-    static constexpr std::tuple kList{
+    static constexpr FieldList kList{
         field("type", &Object::shape, {.required = true}),
         label("name", &Object::name),
         field("", &Object::mesh),
@@ -563,7 +553,7 @@ struct FieldsOf<Light> {
     static constexpr uint32_t kProjector = only(LightKind::Projector);
     static constexpr uint32_t kPlaced = only(LightKind::Point, LightKind::Spot, LightKind::Goniometric);
     static constexpr uint32_t kPictured = only(LightKind::Projector, LightKind::Goniometric);
-    static constexpr std::tuple kList{
+    static constexpr FieldList kList{
         field("type", &Light::kind, {.required = true}),
         label("name", &Light::name),
         field("position", &Light::position, {.unit = "m", .kinds = kPlaced | kProjector, .required = true}),
@@ -627,7 +617,7 @@ struct FieldsOf<Light> {
 template <>
 struct FieldsOf<Environment> {
     static constexpr EditKind kEdit = EditKind::Lights;
-    static constexpr std::tuple kList{
+    static constexpr FieldList kList{
         field("color", &Environment::color,
               {.range = kNotNegative,
                .form = VectorForm::Color,
@@ -656,7 +646,7 @@ struct FieldsOf<SkySource> {
     static constexpr EditKind kEdit = EditKind::Everything;
     static constexpr FieldTraits kRadiance{
         .range = kNotNegative, .form = VectorForm::Color, .inPicture = false};
-    static constexpr std::tuple kList{
+    static constexpr FieldList kList{
         field("zenith", &SkySource::zenith, kRadiance),
         field("horizon", &SkySource::horizon, kRadiance),
         field("ground", &SkySource::ground, kRadiance),
@@ -680,7 +670,7 @@ struct FieldsOf<SkySource> {
 template <>
 struct FieldsOf<SceneDescription> {
     static constexpr EditKind kEdit = EditKind::Everything;
-    static constexpr std::tuple kList{
+    static constexpr FieldList kList{
         field("", &SceneDescription::path, {.inPicture = false}),
         label("", &SceneDescription::readWith),
         label("title", &SceneDescription::title, "what the scene shows, in one line"),

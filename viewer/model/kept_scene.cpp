@@ -38,10 +38,10 @@ bool isSame(const Value& a, const Value& b) {
 template <size_t kField = 0, size_t kLists = 0, class Visit>
 constexpr size_t forEachMember(const Visit& visit) {
     constexpr const auto& kFields = FieldsOf<SceneDescription>::kList;
-    if constexpr (kField == std::tuple_size_v<std::remove_cvref_t<decltype(kFields)>>) {
+    if constexpr (kField == kFields.kSize) {
         return kLists;
     } else {
-        constexpr auto kMember = std::get<kField>(kFields).member;
+        constexpr auto kMember = kFields.template get<kField>().member;
         using Value = std::remove_cvref_t<decltype(std::declval<SceneDescription>().*kMember)>;
         visit(kMember, std::integral_constant<size_t, kLists>());
         return forEachMember<kField + 1, kLists + (kIsList<Value> ? 1 : 0)>(visit);

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/scene/glasses.h"
 #include "engine/scene/metals.h"
+#include "viewer/panels/input_words.h"
 #include "viewer/ui/widgets.h"
 
 namespace glint {
@@ -140,11 +142,33 @@ void drawPassing(Material* material) {
     if (!material->thin) { drawAttenuation(material); }
 }
 
-void drawPrincipled(Material* material) {
-    drawShare("Metallic", &material->metallic, "0: plastic over the colour; 1: metal that reflects it");
-    drawPassing(material);
-    drawShare("Specular", &material->specular, "Factor on what plastic reflects at its boundary");
-    ui::color("Specular tint", &material->specularTint.value, 1.0f, "Likewise, but for grazing incidence");
+void drawInput(const char* label, NumberInput* input, const char* tooltip) {
+    drawShare(label, input, tooltip);
+}
+
+void drawInput(const char* label, ColorInput* input, const char* tooltip) {
+    ui::color(label, &input->value, 1.0f, tooltip);
+}
+
+/// A row of its own is drawn where the others would be of no use, or say too little.
+bool hasOwnRow(std::string_view key) {
+    static constexpr std::string_view kKeys[]{"clearcoat", "clearcoatRoughness", "sheenColor",
+                                              "sheenRoughness"};
+    return std::ranges::find(kKeys, key) != std::end(kKeys);
+}
+
+/// What needs no more than its description.
+void drawDescribed(Material* material) {
+    const auto draw = [&](const auto& described) {
+        const InputInfo& info = described.info;
+        if (!looksAt(*material, info) || hasOwnRow(info.key)) { return; }
+        drawInput(inputLabel(info.key).c_str(), &(material->*described.memberIn(TypeTag<Material>())),
+                  inputTooltip(info.help).c_str());
+    };
+    withDescribedInputs([&](const auto&... described) { (draw(described), ...); });
+}
+
+void drawCoatAndSheen(Material* material) {
     drawShare("Clear coat", &material->clearcoat, "Share of the surface that is coated");
     if (material->clearcoat.value > 0.0f || material->clearcoat.texture >= 0) {
         drawShare("Coat roughness", &material->clearcoatRoughness, "GGX alpha", "smooth");
@@ -197,7 +221,12 @@ void drawModelInputs(Material* material) {
         ui::toggle("Thin", &material->thin, "A sheet without thickness: light passes straight");
         if (!material->thin) { drawAttenuation(material); }
     }
-    if (principled) { drawPrincipled(material); }
+    if (principled) {
+        drawShare("Metallic", &material->metallic, "0: plastic over the colour; 1: metal that reflects it");
+        drawPassing(material);
+    }
+    drawDescribed(material);
+    if (principled) { drawCoatAndSheen(material); }
     if (kind == MaterialKind::Phong) { drawPhong(material); }
     if (kind == MaterialKind::Ward) { drawWard(material); }
     if (kind == MaterialKind::Translucent) {

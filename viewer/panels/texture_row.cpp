@@ -1,7 +1,6 @@
 #include "viewer/panels/texture_row.h"
 
 #include <algorithm>
-#include <cctype>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,22 +9,11 @@
 
 #include "engine/scene/scene_use.h"
 #include "viewer/model/image_choice.h"
+#include "viewer/panels/input_words.h"
 #include "viewer/ui/widgets.h"
 
 namespace glint {
 namespace {
-
-/// "clearcoatRoughness": "Clearcoat roughness map".
-std::string labelOf(std::string_view key) {
-    std::string label;
-    for (const char c : key) {
-        const auto letter = static_cast<unsigned char>(c);
-        const bool isWord = std::isupper(letter) != 0;
-        if (isWord) { label += ' '; }
-        label += static_cast<char>(label.empty() ? std::toupper(letter) : std::tolower(letter));
-    }
-    return (key == "ior" ? "IOR" : label) + " map";
-}
 
 void askForFile(const TextureRows& rows, const int* chosen) {
     const std::vector<int*> inputs = inputTextures(rows.of());
@@ -73,7 +61,7 @@ void drawModelTextures(const TextureRows& rows) {
     forEachModelInput(
         [&](const InputInfo& info, auto& input) {
             if (!looksAt(*material, info)) { return; }
-            drawTextureRow(rows, labelOf(info.key).c_str(), "An image that replaces the number",
+            drawTextureRow(rows, (inputLabel(info.key) + " map").c_str(), "An image that replaces the number",
                            &input.texture);
         },
         *material);

@@ -1,0 +1,15 @@
+// What panels call a material's inputs, made from what engine/math/material_inputs.h says of them.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace glint {
+
+/// Of a key in scene files: "clearcoatRoughness" gives "Clearcoat roughness".
+std::string inputLabel(std::string_view key);
+
+/// A field's help as a tooltip begins: with a capital.
+std::string inputTooltip(std::string_view help);
+
+}  // namespace glint
