@@ -15,6 +15,7 @@
 #include "engine/io/projected_picture.h"
 #include "engine/io/scene_export.h"
 #include "engine/scene/scene_use.h"
+#include "engine/scene/shape_meshes.h"
 
 namespace glint {
 namespace {
@@ -188,7 +189,7 @@ class MitsubaExporter : public SceneExport {
             case ShapeKind::Plane:
                 warn("approximated: endless planes end");
                 writeShape("rectangle", object,
-                           object.objectToWorld * scale(Vec3(kExportedPlaneSize, kExportedPlaneSize, 1.0f)));
+                           object.objectToWorld * scale(Vec3(kEndOfPlaneMesh, kEndOfPlaneMesh, 1.0f)));
                 return;
             case ShapeKind::Rectangle:
             case ShapeKind::Disc:
@@ -196,8 +197,12 @@ class MitsubaExporter : public SceneExport {
                            object.objectToWorld);
                 return;
             case ShapeKind::Revolved:
-                writeRevolved(object);
-                return;
+                if (isCylinder(object, true)) { return writeCylinder(object); }
+                [[fallthrough]];
+            default: {
+                const std::string name = saveTriangles(object);
+                writeShape("ply", object, object.objectToWorld, [&] { writePlyFile(name, true); });
+            }
         }
     }
 
@@ -208,15 +213,9 @@ class MitsubaExporter : public SceneExport {
         writeShape("sphere", object, looksAtUv ? object.objectToWorld * toGlint : object.objectToWorld);
     }
 
-    void writeRevolved(const Object& object) {
+    /// Mitsuba's axis is z, Glint's y.
+    void writeCylinder(const Object& object) {
         const std::vector<Vec2>& p = object.profile;
-        if (!isCylinder(object, true)) {
-            warn("approximated: profiles that are turned are triangles");
-            const std::string name = savePly(turnedMesh(object));
-            writeShape("ply", object, object.objectToWorld, [&] { writePlyFile(name, true); });
-            return;
-        }
-        // Mitsuba's axis is z, Glint's y.
         const Affine fromZ{Mat3(1, 0, 0, 0, 0, -1, 0, 1, 0), Vec3(0.0f, p[0].y, 0.0f)};
         writeShape("cylinder", object, object.objectToWorld * fromZ, [&] {
             out_.number("radius", p[0].x);

@@ -13,6 +13,7 @@
 #include "engine/io/projected_picture.h"
 #include "engine/io/scene_export.h"
 #include "engine/scene/scene_use.h"
+#include "engine/scene/shape_meshes.h"
 
 namespace glint {
 namespace {
@@ -143,7 +144,7 @@ class PbrtExporter : public SceneExport {
             case ShapeKind::Plane:
                 warn("approximated: endless planes end");
                 writeShape(kSquare, object,
-                           object.objectToWorld * scale(Vec3(kExportedPlaneSize, kExportedPlaneSize, 1.0f)));
+                           object.objectToWorld * scale(Vec3(kEndOfPlaneMesh, kEndOfPlaneMesh, 1.0f)));
                 return;
             case ShapeKind::Rectangle:
                 writeShape(kSquare, object, object.objectToWorld);
@@ -155,22 +156,19 @@ class PbrtExporter : public SceneExport {
                 writeShape("\"disk\"", object, object.objectToWorld);
                 return;
             case ShapeKind::Revolved:
-                writeRevolved(object);
-                return;
+                if (isCylinder(object, false)) { return writeCylinder(object); }
+                [[fallthrough]];
+            default:
+                writePly(saveTriangles(object), object);
         }
     }
 
-    void writeRevolved(const Object& object) {
+    /// pbrt's axis is z, Glint's y.
+    void writeCylinder(const Object& object) {
         const std::vector<Vec2>& p = object.profile;
-        if (isCylinder(object, false)) {
-            // pbrt's axis is z, Glint's y.
-            writeShape("\"cylinder\"" + pbrtNumber("radius", p[0].x) + pbrtNumber("zmin", p[1].y) +
-                           pbrtNumber("zmax", p[0].y),
-                       object, object.objectToWorld * Affine{Mat3(1, 0, 0, 0, 0, -1, 0, 1, 0), Vec3(0.0f)});
-            return;
-        }
-        warn("approximated: profiles that are turned are triangles");
-        writePly(savePly(turnedMesh(object)), object);
+        writeShape("\"cylinder\"" + pbrtNumber("radius", p[0].x) + pbrtNumber("zmin", p[1].y) +
+                       pbrtNumber("zmax", p[0].y),
+                   object, object.objectToWorld * Affine{Mat3(1, 0, 0, 0, 0, -1, 0, 1, 0), Vec3(0.0f)});
     }
 
     void writeMesh(const Object& object) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/io/gltf_export.h"
+#include "engine/io/scene_export.h"
 #include "engine/scene/scene_use.h"
 
 namespace glint {

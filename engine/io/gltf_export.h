@@ -35,8 +35,6 @@ bool isPlacement(const Affine& toWorld);
 /// The place whose -z has this direction and length.
 Affine lookingAlong(const Vec3& position, const Vec3& direction);
 
-/// The triangles of a shape that is no mesh, with normals where it is round, in object space.
-MeshData shapeMesh(const Object& object);
 /// The mesh in the world's space.
 MeshData placed(MeshData mesh, const Affine& toWorld);
 /// glTF's normals are of unit length, and a mesh has them everywhere or nowhere.

@@ -12,11 +12,18 @@
 #include "engine/io/image_io.h"
 #include "engine/io/ply_writer.h"
 #include "engine/scene/glasses.h"
+#include "engine/scene/shape_forms.h"
 
 namespace glint {
 
 void warnOnce(std::string_view warning, std::vector<std::string>* warnings) {
     if (std::ranges::find(*warnings, warning) == warnings->end()) { warnings->emplace_back(warning); }
+}
+
+MeshData shapeMesh(const Object& object) {
+    if (object.shape == ShapeKind::Revolved) { return turnedMesh(object); }
+    const auto triangles = shapeForm(object.shape).triangles;
+    return triangles != nullptr ? triangles() : MeshData{};
 }
 
 bool isCylinder(const Object& object, bool runsUpwards) {
@@ -68,6 +75,11 @@ std::string SceneExport::save(std::string_view ending, std::shared_ptr<const std
 std::string SceneExport::savePly(const MeshData& mesh) {
     if (!mesh.tangents.empty()) { warn("approximated: tangents run as the texture coordinates do"); }
     return save(fmt::format("-{}.ply", plyCount_++), std::make_shared<const std::string>(encodePly(mesh)));
+}
+
+std::string SceneExport::saveTriangles(const Object& object) {
+    warn(fmt::format("approximated: {} shapes are triangles", shapeForm(object.shape).name));
+    return savePly(shapeMesh(object));
 }
 
 std::string SceneExport::savePicture(std::string_view ending, const ImageF& picture) {

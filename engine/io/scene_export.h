@@ -12,9 +12,6 @@
 
 namespace glint {
 
-/// Half the side of what stands for an endless plane.
-constexpr float kExportedPlaneSize = 1e4f;
-
 /// Appends a warning unless it is there.
 void warnOnce(std::string_view warning, std::vector<std::string>* warnings);
 
@@ -37,6 +34,8 @@ bool absorbsInside(const Material& material);
 
 /// A revolved object's surface as triangles, in object space, with normals and texture coordinates.
 MeshData turnedMesh(const Object& object);
+/// The triangles of a shape that is no mesh, with normals where it is round, in object space.
+MeshData shapeMesh(const Object& object);
 /// Whether it is an open cylinder, and its profile runs upwards or downwards: the front lies outside.
 bool isCylinder(const Object& object, bool runsUpwards);
 
@@ -58,6 +57,8 @@ class SceneExport {
     std::string save(std::string_view ending, std::shared_ptr<const std::string> bytes);
     /// The same of a mesh; warns of what PLY does not hold.
     std::string savePly(const MeshData& mesh);
+    /// The same of a shape that the format lacks; warns of it.
+    std::string saveTriangles(const Object& object);
     /// The same of a picture, as EXR.
     std::string savePicture(std::string_view ending, const ImageF& picture);
     /// Writes the environment's map, times `factor`, and says under which name.

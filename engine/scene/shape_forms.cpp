@@ -4,6 +4,7 @@
 
 #include "engine/base/check.h"
 #include "engine/math/frame.h"
+#include "engine/scene/shape_meshes.h"
 
 namespace glint {
 namespace {
@@ -48,12 +49,14 @@ const ShapeForm kForms[] = {
      .name = "sphere",
      .keyList = {{{"center"}, {"radius", PlacementForm::Length, Vec3(1.0f)}}},
      .transform = sphere,
-     .valuesOf = sphereValues},
+     .valuesOf = sphereValues,
+     .triangles = sphereMesh},
     {.kind = ShapeKind::Plane,
      .name = "plane",
      .help = "Infinite.",
      .keyList = {{{"point"}, {"normal", PlacementForm::Direction, kUp}}},
-     .transform = plane},
+     .transform = plane,
+     .triangles = planeMesh},
     {.kind = ShapeKind::Rectangle,
      .name = "rectangle",
      .help = "Its front is the side edgeU x edgeV points to.",
@@ -61,13 +64,15 @@ const ShapeForm kForms[] = {
                   {"edgeU", PlacementForm::Direction, {2.0f, 0.0f, 0.0f}, "One whole edge (m)."},
                   {"edgeV", PlacementForm::Direction, {0.0f, 2.0f, 0.0f}, "The other whole edge (m)."}}},
      .transform = rectangle,
-     .refusal = "\"edgeU\" and \"edgeV\" are parallel; expected two edges of a rectangle"},
+     .refusal = "\"edgeU\" and \"edgeV\" are parallel; expected two edges of a rectangle",
+     .triangles = [] { return squareMesh(); }},
     {.kind = ShapeKind::Disc,
      .name = "disc",
      .keyList = {{{"center"},
                   {"normal", PlacementForm::Direction, kUp},
                   {"radius", PlacementForm::Length, Vec3(1.0f)}}},
-     .transform = disc},
+     .transform = disc,
+     .triangles = discMesh},
     {.kind = ShapeKind::Mesh,
      .name = "mesh",
      .help = "Without a material, a whole OBJ or PLY file brings its own."},

@@ -9,6 +9,7 @@
 
 #include "engine/base/kinds.h"
 #include "engine/math/transform.h"
+#include "engine/scene/mesh_data.h"
 
 namespace glint {
 
@@ -39,6 +40,8 @@ struct ShapeForm {
     std::string_view refusal = {};  ///< the message for that
     /// The values that transform() makes exactly `placed` of; nothing where only a matrix does.
     std::optional<Placement> (*valuesOf)(const Affine& placed) = nullptr;
+    /// The canonical shape for programs that lack it; meshes and profiles have triangles of their own.
+    MeshData (*triangles)() = nullptr;
 
     std::span<const PlacementKey> keys() const;
 };

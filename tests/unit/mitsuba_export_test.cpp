@@ -148,7 +148,7 @@ TEST_F(MitsubaExport, TurnedProfilesBecomeTriangles) {
         object.curve = curve;
         object.profile = {{1.0f, -2.0f}, {1.0f, -1.0f}, {1.0f, 1.0f}, {1.0f, 2.0f}};
         const SceneDescription opened = exported(scene);
-        EXPECT_THAT(warnings, Contains("approximated: profiles that are turned are triangles"));
+        EXPECT_THAT(warnings, Contains("approximated: revolved shapes are triangles"));
         ASSERT_EQ(opened.meshes.size(), 1u);
         const MeshData& mesh = *opened.meshes[0].data;
         EXPECT_GT(mesh.triangleCount(), 8000u);

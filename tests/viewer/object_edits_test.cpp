@@ -46,6 +46,30 @@ TEST(ObjectEdits, SoloLeavesLampsAndUndoBringsBackWhatIsHidden) {
     EXPECT_TRUE(document.draft().hiddenObjects.empty());
 }
 
+TEST(ObjectEdits, ShapesAreAddedAtTheTargetAndFlatOnesFaceUp) {
+    SceneDocument document = documentOf(1);
+    document.draft().camera.target = {1, 2, 3};
+    document.selectedMaterial = 1;
+    EXPECT_THAT(addableShapes(), testing::UnorderedElementsAre(ShapeKind::Sphere, ShapeKind::Plane,
+                                                               ShapeKind::Rectangle, ShapeKind::Disc));
+    for (const ShapeKind kind : addableShapes()) {
+        addShape(&document, kind);
+        const Object& object = document.draft().objects.back();
+        SCOPED_TRACE(object.name);
+        EXPECT_EQ(object.shape, kind);
+        EXPECT_EQ(object.material, 1);
+        EXPECT_EQ(document.selectedObject, static_cast<int>(document.draft().objects.size()) - 1);
+        EXPECT_EQ(object.objectToWorld.translation, Vec3(1, 2, 3));
+        const Vec3 front = glm::normalize(object.objectToWorld.linear[2]);
+        if (kind != ShapeKind::Sphere) { EXPECT_NEAR(front.y, 1.0f, 1e-6f); }
+    }
+    addBox(&document);
+    EXPECT_EQ(document.draft().objects.back().name, "box");
+    EXPECT_EQ(document.draft().objects.back().mesh, 0);
+    addBox(&document);
+    EXPECT_EQ(document.draft().meshes.size(), 1u);
+}
+
 TEST(ObjectEdits, CopiesAreCounted) {
     EXPECT_EQ(copyName("ball", {"ball"}), "ball copy");
     EXPECT_EQ(copyName("ball", {"ball", "ball copy", "ball copy 4", "balloon copy 9"}), "ball copy 5");

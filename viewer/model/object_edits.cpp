@@ -1,7 +1,6 @@
 #include "viewer/model/object_edits.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <iterator>
 #include <string_view>
@@ -14,6 +13,7 @@
 #include "engine/scene/scene_building.h"
 #include "engine/scene/scene_diff.h"
 #include "engine/scene/scene_use.h"
+#include "engine/scene/shape_forms.h"
 #include "viewer/model/camera_controller.h"
 #include "viewer/model/copy_name.h"
 
@@ -44,32 +44,18 @@ int boxMesh(SceneDescription* scene) {
     return static_cast<int>(scene->meshes.size()) - 1;
 }
 
-void addLight(SceneDocument* document, const Vec3& at, float size) {
-    Light light;
-    light.position = at + Vec3(0.0f, 2.0f * size, 0.0f);
-    light.color = Vec3(16.0f * size * size);
-    document->draft().lights.push_back(light);
-    document->selectedLight = static_cast<int>(document->draft().lights.size()) - 1;
-    document->selectedObject = -1;  // the handles are the light's
-    document->nameEdit("Light added");
+float sizeOfNew(const SceneDocument& document) {
+    return kSizeShare * targetDistance(document.draft().camera);
 }
 
-void addObject(SceneDocument* document, NewThing kind, const Vec3& at, float size) {
-    static constexpr std::array kShapes{ShapeKind::Sphere, ShapeKind::Plane, ShapeKind::Disc,
-                                        ShapeKind::Rectangle, ShapeKind::Mesh};
-    static constexpr std::array kNames{"sphere", "plane", "disc", "rectangle", "box"};
+void addObject(SceneDocument* document, Object object, std::string_view name) {
     SceneDescription& scene = document->draft();
     if (scene.materials.empty()) { scene.materials.push_back(diffuseMaterial(0.5f)); }
-    Object object;
-    object.name = kNames[static_cast<size_t>(kind)];
-    object.shape = kShapes[static_cast<size_t>(kind)];
-    if (object.shape == ShapeKind::Mesh) { object.mesh = boxMesh(&scene); }
+    object.name = name;
     const int last = static_cast<int>(scene.materials.size()) - 1;
     object.material = std::clamp(document->selectedMaterial, 0, last);
-    object.objectToWorld = translate(at) * scale(Vec3(size));
-    // What is flat lies on the ground.
-    const bool isFlat = kind == NewThing::Plane || kind == NewThing::Disc || kind == NewThing::Rectangle;
-    if (isFlat) { object.objectToWorld = object.objectToWorld * rotate({1, 0, 0}, -0.5f * kPi); }
+    object.objectToWorld =
+        translate(scene.camera.target) * scale(Vec3(sizeOfNew(*document))) * object.objectToWorld;
     scene.objects.push_back(object);
     document->selectedObject = static_cast<int>(scene.objects.size()) - 1;
     document->nameEdit("Add " + object.name);
@@ -91,14 +77,41 @@ bool shines(const SceneDescription& scene, const Object& object) {
 
 }  // namespace
 
-void addThing(SceneDocument* document, NewThing kind) {
-    const Camera& camera = document->draft().camera;
-    const float size = kSizeShare * targetDistance(camera);
-    if (kind == NewThing::Light) {
-        addLight(document, camera.target, size);
-    } else {
-        addObject(document, kind, camera.target, size);
+std::vector<ShapeKind> addableShapes() {
+    std::vector<ShapeKind> shapes;
+    for (const ShapeForm& form : shapeForms()) {
+        if (form.transform != nullptr) { shapes.push_back(form.kind); }
     }
+    return shapes;
+}
+
+void addShape(SceneDocument* document, ShapeKind kind) {
+    const ShapeForm& form = shapeForm(kind);
+    Object object;
+    object.shape = kind;
+    // What has a direction lies on the ground.
+    const bool isDirected = std::ranges::any_of(
+        form.keys(), [](const PlacementKey& key) { return key.form == PlacementForm::Direction; });
+    if (isDirected) { object.objectToWorld = rotate({1, 0, 0}, -0.5f * kPi); }
+    addObject(document, std::move(object), form.name);
+}
+
+void addBox(SceneDocument* document) {
+    Object object;
+    object.shape = ShapeKind::Mesh;
+    object.mesh = boxMesh(&document->draft());
+    addObject(document, std::move(object), "box");
+}
+
+void addLight(SceneDocument* document) {
+    const float size = sizeOfNew(*document);
+    Light light;
+    light.position = document->draft().camera.target + Vec3(0.0f, 2.0f * size, 0.0f);
+    light.color = Vec3(16.0f * size * size);
+    document->draft().lights.push_back(light);
+    document->selectedLight = static_cast<int>(document->draft().lights.size()) - 1;
+    document->selectedObject = -1;  // the handles are the light's
+    document->nameEdit("Light added");
 }
 
 void duplicateSelection(SceneDocument* document) {

@@ -2,20 +2,24 @@
 // draft.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "engine/base/kinds.h"
 #include "viewer/model/material_presets.h"
 #include "viewer/model/scene_document.h"
 
 namespace glint {
 
-enum class NewThing : uint8_t { Sphere, Plane, Disc, Rectangle, Box, Light };
+/// The shapes that need no more than a place.
+std::vector<ShapeKind> addableShapes();
 
-/// At the camera's target, so large that it takes a fifth of the picture's height, of the material that is
-/// selected; it is selected then.
-void addThing(SceneDocument* document, NewThing kind);
+/// What is added stands at the camera's target, is so large that it takes a fifth of the picture's height,
+/// has the material that is selected, and is selected then.
+void addShape(SceneDocument* document, ShapeKind kind);
+void addBox(SceneDocument* document);
+/// Above the camera's target.
+void addLight(SceneDocument* document);
 
 /// All of these need a selected object, and do nothing without one.
 void duplicateSelection(SceneDocument* document);

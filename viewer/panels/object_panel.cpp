@@ -1,6 +1,7 @@
 // The selected object: its place in numbers, its material, the gizmo; and objects that are added, copied,
 // hidden and removed.
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,12 +9,14 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "engine/scene/shape_forms.h"
 #include "viewer/model/camera_controller.h"
 #include "viewer/model/key_map.h"
 #include "viewer/model/object_edits.h"
 #include "viewer/model/placement.h"
 #include "viewer/model/scene_files.h"
 #include "viewer/panels/gizmo_rows.h"
+#include "viewer/panels/input_words.h"
 #include "viewer/panels/panel.h"
 #include "viewer/ui/widgets.h"
 
@@ -23,13 +26,27 @@ namespace {
 constexpr float kLeastScale = 1e-6f;
 
 void drawAdding(SceneDocument* document, SceneFiles* files) {
-    static constexpr std::string_view kNames[]{"Add…",      "Sphere", "Plane", "Disc",
-                                               "Rectangle", "Box",    "Light", "Mesh file…"};
+    struct Addition {
+        std::string name;
+        std::function<void()> add;
+    };
+    std::vector<Addition> additions{{"Add…", [] {}}};
+    for (const ShapeKind kind : addableShapes()) {
+        additions.push_back({inputLabel(shapeForm(kind).name), [=] { addShape(document, kind); }});
+    }
+    additions.push_back({"Box", [=] { addBox(document); }});
+    additions.push_back({"Light", [=] { addLight(document); }});
+    additions.push_back({"Mesh file…", [=] {
+                             files->dialog.ask({"Add objects of a file", files->opened, false,
+                                                [files](const std::string& path) { files->add(path); }});
+                         }});
+    std::vector<std::string_view> names;
+    for (const Addition& addition : additions) {
+        names.push_back(addition.name);
+    }
     int chosen = 0;
-    if (!ui::choice("New", &chosen, kNames, "At the camera's target") || chosen == 0) { return; }
-    if (chosen < 7) { return addThing(document, static_cast<NewThing>(chosen - 1)); }
-    files->dialog.ask({"Add objects of a file", files->opened, false,
-                       [files](const std::string& path) { files->add(path); }});
+    if (!ui::choice("New", &chosen, names, "At the camera's target")) { return; }
+    additions[static_cast<size_t>(chosen)].add();
 }
 
 void drawMaterial(const SceneDescription& scene, Object* object) {
