@@ -62,14 +62,14 @@ class MeshOpener {
     void markLarger(const BinaryTree& tree, const HugeVector<BuildPrimitive>& boxes, const TopEntry& entry,
                     std::vector<char>* isMarked) const {
         const float area = entry.box.halfArea();
-        std::vector<uint32_t> stack{0};
-        for (int visited = 0; !stack.empty() && visited < kMostNodesVisited; ++visited) {
-            const BinaryNode& node = tree.nodes[stack.back()];
-            stack.pop_back();
+        uint32_t stack[kMostNodesVisited + 1] = {0};  // each visit takes one and leaves two at most
+        int depth = 1;
+        for (int visited = 0; depth > 0 && visited < kMostNodesVisited; ++visited) {
+            const BinaryNode& node = tree.nodes[stack[--depth]];
             if (!(sharedPart(entry, node.bounds()) > kOverlap)) { continue; }
             if (!node.leaf()) {
-                stack.push_back(node.children);
-                stack.push_back(node.children + 1);
+                stack[depth++] = node.children;
+                stack[depth++] = node.children + 1;
                 continue;
             }
             const uint32_t other = boxes[node.begin].index;
