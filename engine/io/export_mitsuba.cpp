@@ -155,8 +155,7 @@ class MitsubaExporter : public SceneExport {
         return data && !data->colors.empty();
     }
     MitsubaUse useOf(const Object& object) const {
-        const bool isFlat = object.shape == ShapeKind::Rectangle || object.shape == ShapeKind::Disc ||
-                            object.shape == ShapeKind::Plane;
+        const bool isFlat = object.shape == ShapeKind::Rectangle || object.shape == ShapeKind::Disc;
         return {object.material, isFlat ? UvOrigin::Top : UvOrigin::Bottom, object.frontOnly,
                 hasColors(object)};
     }
@@ -188,6 +187,7 @@ class MitsubaExporter : public SceneExport {
                 return;
             case ShapeKind::Plane:
                 warn("approximated: endless planes end");
+                if (isTextured(object)) { return writeTriangles(savePly(shapeMesh(object)), object); }
                 writeShape("rectangle", object,
                            object.objectToWorld * scale(Vec3(kEndOfPlaneMesh, kEndOfPlaneMesh, 1.0f)));
                 return;
@@ -199,16 +199,18 @@ class MitsubaExporter : public SceneExport {
             case ShapeKind::Revolved:
                 if (isCylinder(object, true)) { return writeCylinder(object); }
                 [[fallthrough]];
-            default: {
-                const std::string name = saveTriangles(object);
-                writeShape("ply", object, object.objectToWorld, [&] { writePlyFile(name, true); });
-            }
+            default:
+                writeTriangles(saveTriangles(object), object);
         }
+    }
+
+    void writeTriangles(const std::string& name, const Object& object) {
+        writeShape("ply", object, object.objectToWorld, [&] { writePlyFile(name, true); });
     }
 
     /// Glint's north is +y, Mitsuba's +z; it matters to textures and directions of roughness alone.
     void writeSphere(const Object& object) {
-        const bool looksAtUv = isAnisotropic(materialOf(object)) || !usedTextures(materialOf(object)).empty();
+        const bool looksAtUv = isAnisotropic(materialOf(object)) || isTextured(object);
         const Affine toGlint{Mat3(0, 0, -1, -1, 0, 0, 0, 1, 0), Vec3(0.0f)};
         writeShape("sphere", object, looksAtUv ? object.objectToWorld * toGlint : object.objectToWorld);
     }

@@ -143,6 +143,7 @@ class PbrtExporter : public SceneExport {
                 return;
             case ShapeKind::Plane:
                 warn("approximated: endless planes end");
+                if (isTextured(object)) { return writePly(savePly(shapeMesh(object)), object); }
                 writeShape(kSquare, object,
                            object.objectToWorld * scale(Vec3(kEndOfPlaneMesh, kEndOfPlaneMesh, 1.0f)));
                 return;
@@ -150,9 +151,7 @@ class PbrtExporter : public SceneExport {
                 writeShape(kSquare, object, object.objectToWorld);
                 return;
             case ShapeKind::Disc:
-                if (!usedTextures(materialOf(object)).empty()) {
-                    warn("approximated: textures lie around the middles of disks");
-                }
+                if (isTextured(object)) { warn("approximated: textures lie around the middles of disks"); }
                 writeShape("\"disk\"", object, object.objectToWorld);
                 return;
             case ShapeKind::Revolved:

@@ -9,6 +9,7 @@
 
 #include "engine/base/result.h"
 #include "engine/scene/scene.h"
+#include "engine/scene/scene_use.h"
 
 namespace glint {
 
@@ -70,6 +71,7 @@ class SceneExport {
     const Material& materialOf(const Object& object) const {
         return scene_.materials[static_cast<size_t>(object.material)];
     }
+    bool isTextured(const Object& object) const { return !usedTextures(materialOf(object)).empty(); }
     void warn(std::string_view sentence) { warnOnce(sentence, &warnings_); }
 
     SceneDescription scene_;

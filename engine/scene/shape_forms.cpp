@@ -65,7 +65,7 @@ const ShapeForm kForms[] = {
                   {"edgeV", PlacementForm::Direction, {0.0f, 2.0f, 0.0f}, "The other whole edge (m)."}}},
      .transform = rectangle,
      .refusal = "\"edgeU\" and \"edgeV\" are parallel; expected two edges of a rectangle",
-     .triangles = [] { return squareMesh(); }},
+     .triangles = squareMesh},
     {.kind = ShapeKind::Disc,
      .name = "disc",
      .keyList = {{{"center"},

@@ -21,11 +21,11 @@ MeshData sphereMesh() {
     return mesh;
 }
 
-MeshData squareMesh(float half) {
+MeshData squareMesh() {
     MeshData mesh;
     for (const Vec2 corner : {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)}) {
-        mesh.positions.emplace_back(half * corner, 0.0f);
-        mesh.uvs.push_back(0.5f * half * corner + Vec2(0.5f));
+        mesh.positions.emplace_back(corner, 0.0f);
+        mesh.uvs.push_back(0.5f * corner + Vec2(0.5f));
     }
     mesh.indices = {0, 1, 2, 0, 2, 3};
     return mesh;
@@ -45,6 +45,14 @@ MeshData discMesh() {
     return mesh;
 }
 
-MeshData planeMesh() { return squareMesh(kEndOfPlaneMesh); }
+MeshData planeMesh() {
+    MeshData mesh = squareMesh();
+    for (size_t i = 0; i < mesh.positions.size(); ++i) {
+        mesh.positions[i] *= kEndOfPlaneMesh;
+        mesh.uvs[i] = Vec2(mesh.positions[i]);
+        mesh.normals.emplace_back(0.0f, 0.0f, 1.0f);
+    }
+    return mesh;
+}
 
 }  // namespace glint

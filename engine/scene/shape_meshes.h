@@ -11,8 +11,7 @@ constexpr float kEndOfPlaneMesh = 1e4f;
 /// Smooth; 256 steps around, 128 from pole to pole.
 MeshData sphereMesh();
 MeshData discMesh();
-/// z = 0; `half`: half the side. u and v are 0 and 1 a unit from the middle.
-MeshData squareMesh(float half = 1.0f);
+MeshData squareMesh();
 MeshData planeMesh();
 
 }  // namespace glint

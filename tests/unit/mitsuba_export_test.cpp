@@ -186,6 +186,8 @@ TEST(Exporters, AreToldByTheirEndings) {
 
 TEST_F(MitsubaExport, CapsOfTurnedProfilesAreKept) { expectCapsAreKept(load("<shape type='sphere'/>")); }
 
+TEST_F(MitsubaExport, TexturedPlanesAreKept) { expectTexturedPlanesAreKept(); }
+
 TEST_F(MitsubaExport, LightsOfRayCastingAreLeftOut) {
     expectCastLightsAreLeftOut(load("<shape type='sphere'/>"));
 }

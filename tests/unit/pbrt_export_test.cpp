@@ -135,6 +135,8 @@ TEST_F(PbrtExport, WhatPbrtDoesNotHaveIsSaid) {
 
 TEST_F(PbrtExport, CapsOfTurnedProfilesAreKept) { expectCapsAreKept(load("Shape \"sphere\"")); }
 
+TEST_F(PbrtExport, TexturedPlanesAreKept) { expectTexturedPlanesAreKept(); }
+
 TEST_F(PbrtExport, LightsOfRayCastingAreLeftOut) { expectCastLightsAreLeftOut(load("Shape \"sphere\"")); }
 
 }  // namespace
