@@ -60,9 +60,10 @@ target_link_options(glint_codegen INTERFACE ${sanitizer_flags})
 
 # Left out: -Wconversion and -Wsign-conversion, which reject every int that becomes a float or an index. Their two
 # useful parts stay: a float that is cut to an int, and a double that slips into float arithmetic.
-set(warning_flags -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wfloat-conversion
-    -Wdouble-promotion -Wundef -Werror)
+set(warning_flags -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wfloat-conversion -Wundef -Werror)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # Clang's takes double{x} for a slip, too.
+    list(APPEND warning_flags -Wdouble-promotion)
     # GCC 12 sees overlapping and endless copies in "text" + std::string (GCC bugs 105329 and 105651).
     list(APPEND warning_flags -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds)
     if(GLINT_SANITIZE)
