@@ -16,8 +16,8 @@ constexpr bool isControl(char c) { return (static_cast<unsigned char>(c) < ' ' &
 /// Of unprintable characters in a row one is left.
 std::string oneLine(std::string text) {
     const auto repeats =
-        std::ranges::unique(text, [](char a, char b) { return isControl(a) && isControl(b); });
-    text.erase(repeats.begin(), repeats.end());
+        std::unique(text.begin(), text.end(), [](char a, char b) { return isControl(a) && isControl(b); });
+    text.erase(repeats, text.end());
     return printable(std::move(text), '?');
 }
 

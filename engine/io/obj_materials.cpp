@@ -131,8 +131,8 @@ void MaterialResolver::makeRoom() {
         names.emplace_back(part.materialName);
     }
     std::ranges::sort(names);
-    const auto rest = std::ranges::unique(names);
-    file_.materials.reserve(std::min(names.size() - rest.size(), found_.size() + kMostUnknown) + kLateComers);
+    const auto different = static_cast<size_t>(std::unique(names.begin(), names.end()) - names.begin());
+    file_.materials.reserve(std::min(different, found_.size() + kMostUnknown) + kLateComers);
 }
 
 Material MaterialResolver::take(const Found& found) {

@@ -204,7 +204,8 @@ int PlyElement::find(std::initializer_list<std::string_view> names) const {
 
 size_t sizeOfPlyHeader(const std::string& bytes) {
     constexpr std::string_view kEnd = "end_header";
-    const auto found = std::ranges::search(bytes, kEnd, {}, lower).begin();
+    const auto found = std::search(bytes.begin(), bytes.end(), kEnd.begin(), kEnd.end(),
+                                   [](char a, char b) { return lower(a) == b; });
     size_t end = static_cast<size_t>(found - bytes.begin());
     const bool hasFeeds = bytes.find('\n') < end;
     end = std::min(bytes.find_first_of("\r\n", end), bytes.size());

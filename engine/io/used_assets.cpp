@@ -228,9 +228,10 @@ void hideUnread(std::span<const Mesh> meshes, SceneDescription* scene) {
     const auto isRead = [meshes](const Object& object) {
         return object.shape != ShapeKind::Mesh || meshes[static_cast<size_t>(object.mesh)].data;
     };
-    const auto unread = std::ranges::stable_partition(scene->objects, isRead);
-    std::ranges::move(unread, std::back_inserter(scene->hiddenObjects));
-    scene->objects.erase(unread.begin(), unread.end());
+    auto& objects = scene->objects;
+    const auto unread = std::stable_partition(objects.begin(), objects.end(), isRead);
+    std::move(unread, objects.end(), std::back_inserter(scene->hiddenObjects));
+    objects.erase(unread, objects.end());
 }
 
 SceneDescription withoutLacking(const SceneDescription& draft, const SceneDescription& before) {
