@@ -2,7 +2,7 @@
 // textures of these, tables of kernels texture indices, and models plain numbers.
 //
 // A new one is a member, a line below, and its use in a model (kernels/bsdf/). Of one that is described here,
-// the field in scene files, the command line's and the window's row follow; others have a line in
+// the field in scene files, their schema and the window's row follow; others have a line in
 // scene/scene_fields.h.
 #pragma once
 

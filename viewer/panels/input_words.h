@@ -1,4 +1,4 @@
-// What panels call a material's inputs, made from what engine/math/material_inputs.h says of them.
+// What panels call what scene files have keys and words for.
 #pragma once
 
 #include <string>
