@@ -222,6 +222,19 @@ expect no-error
             "-D time=0.5"));
 }
 
+/// Long enough that frames are drawn meanwhile: what it brings must be on screen when the wait ends.
+TEST(HotReload, WaitingForJobsEndsWithWhatTheyBroughtOnScreen) {
+    std::string slow = choosyGltf(0.5f);
+    slow.insert(slow.rfind('}'), 50'000'000, ' ');
+    write("slow.gltf", slow);
+    expectPlayed(play(R"(set "Scene/File" slow.gltf
+click "Scene/Open"
+wait jobs
+expect "Scene/Variant" –
+expect no-error
+)"));
+}
+
 /// Also where the checkpoint opens it: on the disk's next change it is read as it was then.
 TEST(HotReload, ACheckpointKnowsWhatWasChosen) {
     write("choosy.gltf", choosyGltf(0.5f));

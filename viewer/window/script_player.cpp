@@ -15,6 +15,7 @@ namespace glint {
 namespace {
 
 constexpr int kScrollFrames = 6;
+constexpr int kFramesToShow = 2;             // until what a job brought is on screen
 constexpr double kSettlingSeconds = 5.0;     // by then what was asked for before has had its effect
 constexpr double kHangGuardSeconds = 900.0;  // of one wait; only so that a broken script ends
 
@@ -226,7 +227,11 @@ Result<ScriptPlayer::Progress> ScriptPlayer::runWait(const ScriptStatement& stat
         met = attempts_ > 1 && !workspace_->awaitsEdit() && workspace_->render.imageIsCurrent() &&
               workspace_->carriesShownImage() && !workspace_->displayIsBehind;
     }
-    if (what == "jobs") { met = attempts_ > 1 && !workspace_->busy() && !workspace_->sceneFiles.opening(); }
+    if (what == "jobs") {
+        const bool isIdle = !workspace_->busy() && !workspace_->sceneFiles.opening();
+        idleFrames_ = isIdle ? (attempts_ == 0 ? 0 : idleFrames_) + 1 : 0;
+        met = idleFrames_ > kFramesToShow;
+    }
     if (what == "finished") { met = !workspace_->awaitsEdit() && status.state == SessionState::Finished; }
     if (what == "paused") { met = status.state == SessionState::Paused; }
     if (met) { return Progress::Done; }

@@ -62,6 +62,7 @@ class ScriptPlayer {
     Screenshot screenshot_;
     size_t next_ = 0;
     int attempts_ = 0;    // frames that the current statement has taken
+    int idleFrames_ = 0;  // without a job, up to the current one, while it waits for jobs
     double began_ = 0.0;  // when it began, seconds
     bool hasActed_ = false;
     bool finishing_ = false;  // the last action's frame has not been drawn
