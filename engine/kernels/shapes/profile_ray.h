@@ -21,7 +21,7 @@ struct ProfileRay {
     double flat2;     ///< |d.xz|^2
     double middle;    ///< t where it is nearest to the axis
     double nearest2;  ///< its distance there, squared
-    double inverseDy;
+    double inverseDy, inverseFlat2;
     /// Of a piece: a step of Newton's method that leaves an error of its square. Smaller the closer together
     /// the ray's slope brings the places where it comes in and goes out.
     double closeStep;
@@ -41,7 +41,7 @@ struct ProfileRay {
         oz += shift * dz;
         inverseDy = 1.0 / dy;
         isHorizontal = dy * dy <= kHorizontalSlope * kHorizontalSlope * flat2;
-        const double inverseFlat2 = 1.0 / flat2;
+        inverseFlat2 = 1.0 / flat2;
         const double across = ox * dz - oz * dx;
         middle = -(ox * dx + oz * dz) * inverseFlat2;
         nearest2 = across * across * inverseFlat2;
@@ -54,7 +54,7 @@ struct ProfileRay {
 /// counts as quite horizontal, which moves them by less than the rings are wider than what is in them.
 struct RingRay {
     float oy, inverseDy;
-    float middle, nearest2, flat2, inverseFlat2;
+    float middle, nearest2, inverseFlat2;
 
     GLINT_HD explicit RingRay(const ProfileRay& ray) {
         const double length2 = ray.flat2 + ray.dy * ray.dy;
@@ -65,33 +65,37 @@ struct RingRay {
         inverseDy = static_cast<float>(isLevel ? 1e9 / std::sqrt(length2) : ray.inverseDy);
         middle = isVertical ? 0.0f : static_cast<float>(ray.middle);
         nearest2 = static_cast<float>(isVertical ? ray.ox * ray.ox + ray.oz * ray.oz : ray.nearest2);
-        flat2 = static_cast<float>(slope2);
-        inverseFlat2 = static_cast<float>(1.0 / slope2);
+        inverseFlat2 = static_cast<float>(isVertical ? 1.0 / slope2 : ray.inverseFlat2);
     }
 };
 
-/// Bit i: the ray may meet piece i between tMin and tMax, which count from its origin, and not before
-/// first[i]. A plain loop, which compilers turn into vector code.
+/// Bit i: the ray may meet piece i between tMin and tMax, which count from its origin; not before first[i],
+/// where that is asked for. A plain loop, which compilers turn into vector code. The answer compares squares:
+/// it need not wait for the roots.
+template <bool kAsksFirst>
 GLINT_HD inline uint32_t ringHits(const PieceRings& rings, const RingRay& ray, float tMin, float tMax,
                                   float* first) {
     alignas(32) int32_t meets[kPieceLanes];
     for (uint32_t i = 0; i < kPieceLanes; ++i) {
         const float t0 = (rings.lowest[i] - ray.oy) * ray.inverseDy;
         const float t1 = (rings.highest[i] - ray.oy) * ray.inverseDy;
-        // Within the outer radius and the heights, but for the way within the inner radius.
+        float begin = t0 < t1 ? t0 : t1, end = t0 < t1 ? t1 : t0;
+        begin = (begin > tMin ? begin : tMin) - ray.middle;
+        end = (end < tMax ? end : tMax) - ray.middle;
+        // Somewhere within the outer radius, and not everywhere within the inner one.
         const float outer2 = (rings.most2[i] - ray.nearest2) * ray.inverseFlat2;
         const float inner2 = (rings.least2[i] - ray.nearest2) * ray.inverseFlat2;
-        const float outer = std::sqrt(outer2 > 0.0f ? outer2 : 0.0f);
-        const float inner = std::sqrt(inner2 > 0.0f ? inner2 : 0.0f);
-        float begin = t0 < t1 ? t0 : t1, end = t0 < t1 ? t1 : t0;
-        begin = begin > ray.middle - outer ? begin : ray.middle - outer;
-        end = end < ray.middle + outer ? end : ray.middle + outer;
-        begin = begin > tMin ? begin : tMin;
-        end = end < tMax ? end : tMax;
-        const float after = begin > ray.middle + inner ? begin : ray.middle + inner;
-        begin = begin > ray.middle - inner ? after : begin;
-        first[i] = begin;
-        meets[i] = outer2 >= 0.0f && begin <= end ? -1 : 0;
+        float least = begin > -end ? begin : -end;
+        least = least > 0.0f ? least : 0.0f;
+        const float most = end > -begin ? end : -begin;
+        meets[i] = begin <= end && least * least <= outer2 && most * most >= inner2 ? -1 : 0;
+        if constexpr (kAsksFirst) {
+            const float outer = std::sqrt(outer2 > 0.0f ? outer2 : 0.0f);
+            const float inner = std::sqrt(inner2 > 0.0f ? inner2 : 0.0f);
+            begin = begin > -outer ? begin : -outer;
+            const float after = begin > inner ? begin : inner;
+            first[i] = (begin > -inner ? after : begin) + ray.middle;
+        }
     }
 #if GLINT_HAS_AVX2
     const __m256 signs = _mm256_castsi256_ps(_mm256_load_si256(reinterpret_cast<const __m256i*>(meets)));

@@ -128,11 +128,12 @@ struct RevolvedSurface {
         alignas(32) float first[kGroupPieces];
         const float tMin = static_cast<float>(nearest->tMin), tMax = static_cast<float>(nearest->t);
         uint64_t pieces = 0;
-        uint32_t eights = ringHits(group.around, ringRay, tMin, tMax, first);
+        uint32_t eights = ringHits<false>(group.around, ringRay, tMin, tMax, nullptr);
         tests.countBoxes(kPieceLanes);
         for (; eights != 0; eights &= eights - 1) {
             const uint32_t i = lowestBit(eights);
-            const uint32_t hits = ringHits(group.rings[i], ringRay, tMin, tMax, first + kPieceLanes * i);
+            const uint32_t hits =
+                ringHits<true>(group.rings[i], ringRay, tMin, tMax, first + kPieceLanes * i);
             pieces |= uint64_t{hits} << (kPieceLanes * i);
             tests.countBoxes(kPieceLanes);
         }
