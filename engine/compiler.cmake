@@ -88,6 +88,12 @@ function(glint_precompile_headers target)
         CONTENT "${CMAKE_CXX_COMPILER_VERSION} ${ARGN} ${ours}\n")
 endfunction()
 
+# glint_compile_soon(TARGET): less optimisation, for code in which nobody waits: a third of the time. It needs a compiled
+# header of its own: GCC takes up the level that a header was compiled with.
+function(glint_compile_soon target)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 # glint_unite(TARGET SIZE EXCLUDE REGEX): compiles the target's sources together, SIZE at a time of one folder in
 # alphabetical order, but for those whose path matches REGEX. Most of a small file's time goes to the templates that
 # its neighbours use too. Sources with definitions of their own stay apart (CMake sees to it).
@@ -96,6 +102,7 @@ function(glint_unite target size exclude regex)
         return()
     endif()
     get_target_property(sources ${target} SOURCES)
+    list(FILTER sources INCLUDE REGEX "\\.cpp$")
     list(FILTER sources EXCLUDE REGEX "${regex}")
     list(SORT sources)
     set(folder "")

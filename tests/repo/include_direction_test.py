@@ -26,7 +26,8 @@ VIEWER_SEES = {
     "viewer/ui": "base",
     "viewer/panels": "base model ui",
     "viewer/window": "base model ui panels",
-    "viewer/commands": "base window",
+    "viewer/bench": "base window",
+    "viewer/commands": "base window bench",
     "viewer": "base commands",
 }
 ENGINE = set(SEES)

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "viewer/commands/bench_rays.h"
+#include "viewer/bench/bench_rays.h"
 
 namespace glint {
 namespace {

@@ -1,5 +1,5 @@
 // The statistics of measurements taken by turns: known intervals, and what happens with few turns.
-#include "viewer/commands/bench_pairs.h"
+#include "viewer/bench/bench_pairs.h"
 
 #include <gtest/gtest.h>
 

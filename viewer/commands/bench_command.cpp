@@ -4,8 +4,9 @@
 #include "engine/base/console.h"
 #include "engine/base/parallel.h"
 #include "engine/builders/scene_builder.h"
-#include "viewer/commands/bench.h"
+#include "viewer/bench/bench.h"
 #include "viewer/commands/command_line.h"
+#include "viewer/commands/commands.h"
 #include "viewer/commands/json_output.h"
 
 namespace glint {

@@ -6,19 +6,11 @@
 #pragma once
 
 #include "engine/base/result.h"
-#include "viewer/base/interrupt.h"
+#include "viewer/base/exit_code.h"
 
 namespace glint {
 
 class Command;
-
-enum ExitCode : int {
-    kExitDone = 0,
-    kExitBadInput = 1,     ///< the input or the options are wrong
-    kExitFailed = 2,       ///< the run failed: disk full, no context, device lost
-    kExitBeyondLimit = 3,  ///< done, and what was measured is beyond a limit that was asked for
-    kExitInterrupted = kInterruptedExitCode,  ///< by Ctrl-C or another signal, after saving
-};
 
 /// Prints the command's one error message to standard error and gives back the exit code.
 int reportError(const Error& error, int exitCode);

@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 
 #include "engine/render/render_session.h"
-#include "viewer/commands/bench.h"
-#include "viewer/commands/bench_scenes.h"
-#include "viewer/commands/bench_statistics.h"
-#include "viewer/commands/bench_window.h"
+#include "viewer/bench/bench.h"
+#include "viewer/bench/bench_scenes.h"
+#include "viewer/bench/bench_statistics.h"
+#include "viewer/bench/bench_window.h"
 
 namespace glint {
 namespace {

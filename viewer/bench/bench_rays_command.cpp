@@ -1,6 +1,6 @@
 // `glint bench rays` on the command line.
-#include "viewer/commands/bench.h"
-#include "viewer/commands/bench_rays.h"
+#include "viewer/bench/bench.h"
+#include "viewer/bench/bench_rays.h"
 
 namespace glint {
 namespace {

@@ -13,10 +13,10 @@
 #include "engine/render/path_pass.h"
 #include "engine/render/sppm_integrator.h"
 #include "engine/render/sppm_kernel.h"
-#include "viewer/commands/bench.h"
-#include "viewer/commands/bench_pairs.h"
-#include "viewer/commands/bench_scenes.h"
-#include "viewer/commands/bench_statistics.h"
+#include "viewer/bench/bench.h"
+#include "viewer/bench/bench_pairs.h"
+#include "viewer/bench/bench_scenes.h"
+#include "viewer/bench/bench_statistics.h"
 
 namespace glint {
 namespace {

@@ -1,5 +1,5 @@
 // The triangles in question, evaluated again in double precision.
-#include "viewer/commands/ray_comparison.h"
+#include "viewer/bench/ray_comparison.h"
 
 #include <algorithm>
 

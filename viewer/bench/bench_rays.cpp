@@ -1,5 +1,5 @@
 // Making the rays, timing both programs in turns, and comparing what they answered.
-#include "viewer/commands/bench_rays.h"
+#include "viewer/bench/bench_rays.h"
 
 #include <algorithm>
 #include <optional>
@@ -8,9 +8,9 @@
 #include "engine/builders/instance_builder.h"
 #include "engine/kernels/surface.h"
 #include "engine/scene/generated_mesh.h"
-#include "viewer/commands/bench_statistics.h"
-#include "viewer/commands/embree_oracle.h"
-#include "viewer/commands/ray_comparison.h"
+#include "viewer/bench/bench_statistics.h"
+#include "viewer/bench/embree_oracle.h"
+#include "viewer/bench/ray_comparison.h"
 
 namespace glint {
 namespace {

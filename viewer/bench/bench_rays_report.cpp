@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "viewer/commands/bench_rays.h"
+#include "viewer/bench/bench_rays.h"
 
 namespace glint {
 namespace {

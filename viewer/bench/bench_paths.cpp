@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 
 #include "engine/render/cpu_variants.h"
-#include "viewer/commands/bench.h"
-#include "viewer/commands/bench_path_passes.h"
-#include "viewer/commands/bench_scenes.h"
-#include "viewer/commands/bench_statistics.h"
+#include "viewer/bench/bench.h"
+#include "viewer/bench/bench_path_passes.h"
+#include "viewer/bench/bench_scenes.h"
+#include "viewer/bench/bench_statistics.h"
 
 namespace glint {
 namespace {

@@ -1,9 +1,9 @@
-#include "viewer/commands/bench_path_passes.h"
+#include "viewer/bench/bench_path_passes.h"
 
 #include <atomic>
 
 #include "engine/render/path_pass.h"
-#include "viewer/commands/bench_statistics.h"
+#include "viewer/bench/bench_statistics.h"
 
 namespace glint {
 

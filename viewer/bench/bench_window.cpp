@@ -1,4 +1,4 @@
-#include "viewer/commands/bench_window.h"
+#include "viewer/bench/bench_window.h"
 
 #include <cmath>
 #include <optional>

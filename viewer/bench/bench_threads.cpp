@@ -2,11 +2,11 @@
 // machine that slows down slows both. Medians over the turns.
 #include <fmt/format.h>
 
-#include "viewer/commands/bench.h"
-#include "viewer/commands/bench_pairs.h"
-#include "viewer/commands/bench_path_passes.h"
-#include "viewer/commands/bench_scenes.h"
-#include "viewer/commands/bench_statistics.h"
+#include "viewer/bench/bench.h"
+#include "viewer/bench/bench_pairs.h"
+#include "viewer/bench/bench_path_passes.h"
+#include "viewer/bench/bench_scenes.h"
+#include "viewer/bench/bench_statistics.h"
 
 namespace glint {
 namespace {

@@ -13,9 +13,9 @@
 #include "engine/math/rng.h"
 #include "engine/scene/profile.h"
 #include "engine/scene/scene_building.h"
-#include "viewer/commands/bench.h"
-#include "viewer/commands/bench_pairs.h"
-#include "viewer/commands/bench_statistics.h"
+#include "viewer/bench/bench.h"
+#include "viewer/bench/bench_pairs.h"
+#include "viewer/bench/bench_statistics.h"
 
 namespace glint {
 namespace {

@@ -7,7 +7,7 @@
 #include "engine/render/backend.h"
 #include "engine/render/film.h"
 #include "engine/render/pass_params.h"
-#include "viewer/commands/bench.h"
+#include "viewer/bench/bench.h"
 
 namespace glint {
 

@@ -1,5 +1,5 @@
 // The only file that knows Embree's interface.
-#include "viewer/commands/embree_oracle.h"
+#include "viewer/bench/embree_oracle.h"
 
 #if GLINT_HAS_EMBREE
 

@@ -8,9 +8,9 @@
 #include "engine/render/cpu_sppm.h"
 #include "engine/render/film.h"
 #include "engine/render/pass_params.h"
-#include "viewer/commands/bench.h"
-#include "viewer/commands/bench_scenes.h"
-#include "viewer/commands/bench_statistics.h"
+#include "viewer/bench/bench.h"
+#include "viewer/bench/bench_scenes.h"
+#include "viewer/bench/bench_statistics.h"
 
 namespace glint {
 namespace {

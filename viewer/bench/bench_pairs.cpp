@@ -1,6 +1,6 @@
 // The interval: Conover 1999, "Practical Nonparametric Statistics", section 3.2 (quantiles by
 // order statistics).
-#include "viewer/commands/bench_pairs.h"
+#include "viewer/bench/bench_pairs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "viewer/commands/bench_statistics.h"
+#include "viewer/bench/bench_statistics.h"
 
 namespace glint {
 namespace {

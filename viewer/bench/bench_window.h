@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/base/result.h"
-#include "viewer/commands/bench_statistics.h"
+#include "viewer/bench/bench_statistics.h"
 
 namespace glint {
 

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "engine/kernels/scene_view.h"
-#include "viewer/commands/bench_rays.h"
-#include "viewer/commands/embree_oracle.h"
+#include "viewer/bench/bench_rays.h"
+#include "viewer/bench/embree_oracle.h"
 
 namespace glint {
 

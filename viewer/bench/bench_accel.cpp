@@ -14,10 +14,10 @@
 #include "engine/render/pass_params.h"
 #include "engine/render/path_pass.h"
 #include "engine/scene/kind_names.h"
-#include "viewer/commands/bench.h"
-#include "viewer/commands/bench_pairs.h"
-#include "viewer/commands/bench_scenes.h"
-#include "viewer/commands/bench_statistics.h"
+#include "viewer/bench/bench.h"
+#include "viewer/bench/bench_pairs.h"
+#include "viewer/bench/bench_scenes.h"
+#include "viewer/bench/bench_statistics.h"
 
 namespace glint {
 namespace {

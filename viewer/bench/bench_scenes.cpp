@@ -1,5 +1,5 @@
 // Boxes of rectangles: the canonical rectangle faces +z, so each wall is turned to face inwards.
-#include "viewer/commands/bench_scenes.h"
+#include "viewer/bench/bench_scenes.h"
 
 #include "engine/io/scene_loader.h"
 #include "engine/scene/generated_mesh.h"

@@ -1,5 +1,5 @@
 // Nearest rank: a percentile is always one of the measurements.
-#include "viewer/commands/bench_statistics.h"
+#include "viewer/bench/bench_statistics.h"
 
 #include <algorithm>
 #include <cmath>
