@@ -44,8 +44,11 @@ using SceneBuildFunction = std::function<Result<std::shared_ptr<const BuiltScene
     const SceneEdit&, const BuiltScene* previous, int threads, const std::atomic<bool>* stop, BuildReport*)>;
 
 struct SessionOptions {
-    bool previews = true;      ///< low-resolution passes after edits; off for batch renders
-    bool snapshots = true;     ///< off: snapshot() stays null
+    bool previews = true;   ///< low-resolution passes after edits; off for batch renders
+    bool snapshots = true;  ///< off: snapshot() stays null
+    /// With as many triangles to build, there is a first frame meanwhile (where previews and snapshots are
+    /// asked for).
+    size_t heavyTriangles = 200'000;
     bool lowPriority = true;   ///< render threads give way to the UI
     int threads = 0;           ///< for building, committing and snapshots; 0: all
     size_t heldFilmBytes = 0;  ///< of films that edits made wrong, for the way back; 0: none are kept
@@ -73,7 +76,7 @@ class RenderSession {
     void request(const RenderRequest& request);
 
     /// The newest picture by the scene's own integrator, of the newest edit or of the one before while there
-    /// is none; null before the first.
+    /// is none; while a heavy scene is built, its first frame (first_frame.h); null before the first.
     std::shared_ptr<const FilmSnapshot> snapshot() const;
     /// The newest picture by this integrator: of the scene's own as above, of one that is compared with it
     /// null before the first of the newest edit, of any other null.

@@ -9,6 +9,7 @@
 
 #include "engine/base/log.h"
 #include "engine/base/thread_priority.h"
+#include "engine/render/first_frame.h"
 
 namespace glint {
 
@@ -93,6 +94,7 @@ void SessionWorker::takeEdit(Commands commands) {
     SceneEdit& edit = *commands.edit;
     status_.state = SessionState::Building;
     published_->set(status_, messages_);
+    showFirstFrame(*edit.scene);
     const SceneKeeper::Outcome outcome = keeper_.take(&edit, &status_);
     if (outcome == SceneKeeper::Outcome::Abandoned) { return; }
     images_.takeTicket(status_.ticket);
@@ -106,6 +108,16 @@ void SessionWorker::takeEdit(Commands commands) {
     if (commands.restart) { edit.kinds |= EditKind::Camera; }  // empties the films of all integrators
     publishCurves(images_.takeScene(std::move(edit.scene), edit.kinds, commands.take, request_));
     if (commands.resume) { goOnFrom(std::move(*commands.resume)); }
+}
+
+/// Of what takes long to build.
+void SessionWorker::showFirstFrame(const SceneDescription& scene) {
+    const bool isSeen = options_.previews && options_.snapshots;
+    if (!isSeen || trianglesToBuild(scene, keeper_.built().get()) < options_.heavyTriangles) { return; }
+    auto frame = drawFirstFrame(scene, options_.threads);
+    if (!frame) { return; }
+    frame->ticket = status_.ticket;
+    published_->show(std::move(frame));
 }
 
 void SessionWorker::goOnFrom(ResumePoint resume) {
