@@ -42,11 +42,11 @@ struct FilmSnapshot {
 
     /// Empty when the snapshot carries no map of that name.
     const std::vector<float>& map(std::string_view name) const {
-        static const std::vector<float> noValues;
+        static const std::vector<float> kNoValues;
         for (const IntegratorMap& each : maps) {
             if (each.name == name) { return each.values; }
         }
-        return noValues;
+        return kNoValues;
     }
 };
 

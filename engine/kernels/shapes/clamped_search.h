@@ -33,7 +33,8 @@ GLINT_HD inline double boxEntry(const ProfileData& profile, const ProfileRay& ra
 
 }  // namespace detail
 
-GLINT_HD inline ClampedRoot searchClamped(const ProfileView& profile, const ProfileRay& ray, double tMin) {
+GLINT_ONE_PIECE_APART GLINT_HD inline ClampedRoot searchClamped(const ProfileView& profile,
+                                                                const ProfileRay& ray, double tMin) {
     constexpr uint32_t kMostSteps = 20;
     constexpr double kClose = 1e-6;  // of the profile's size
     const ProfileData& data = *profile.data;

@@ -22,9 +22,6 @@ struct ProfileRay {
     double middle;    ///< t where it is nearest to the axis
     double nearest2;  ///< its distance there, squared
     double inverseDy, inverseFlat2;
-    /// Of a piece: a step of Newton's method that leaves an error of its square. Smaller the closer together
-    /// the ray's slope brings the places where it comes in and goes out.
-    double closeStep;
     bool isHorizontal;
 
     GLINT_HD ProfileRay(const Ray& ray, const ProfileData& profile)
@@ -45,8 +42,13 @@ struct ProfileRay {
         const double across = ox * dz - oz * dx;
         middle = -(ox * dx + oz * dz) * inverseFlat2;
         nearest2 = across * across * inverseFlat2;
+    }
+
+    /// Of a piece: a step of Newton's method that leaves an error of its square. Smaller the closer together
+    /// the ray's slope brings the places where it comes in and goes out.
+    GLINT_HD double closeStep() const {
         const double slope = std::sqrt(dy * dy * inverseFlat2);
-        closeStep = slope < 0.1 ? 1e-4 * slope : 1e-5;
+        return slope < 0.1 ? 1e-4 * slope : 1e-5;
     }
 };
 

@@ -70,8 +70,8 @@ GLINT_HD inline bool polishBoth(const ProfilePiece& piece, const ProfileRay& ray
 }
 
 template <class Found>
-GLINT_HD inline uint32_t meetHorizontally(const ProfilePiece& piece, const ProfileRay& ray,
-                                          const Found& found) {
+GLINT_ONE_PIECE_APART GLINT_HD uint32_t meetHorizontally(const ProfilePiece& piece, const ProfileRay& ray,
+                                                         const Found& found) {
     const double level = ray.oy + ray.middle * ray.dy;
     double f[2 * kMaxProfileDegree + 1];
     for (int i = 0; i <= 2 * piece.degree; ++i) {
@@ -246,7 +246,7 @@ GLINT_ONE_PIECE_APART GLINT_HD uint32_t meetThoroughly(const PieceMiss& miss, co
         exact(s);
         found(s < 0.0 ? 0.0 : s > 1.0 ? 1.0 : s, exact.rayT(s));
     };
-    const double close = miss.ray.closeStep;
+    const double close = miss.ray.closeStep();
     forEachBernsteinBracket<2 * kMaxProfileDegree>(
         f, degree, [&](double begin, double end, bool startsNegative, double guess) {
             if (begin == end) { return take(guess); }
@@ -273,7 +273,7 @@ GLINT_HD inline uint32_t meetSteeply(const PieceMiss& miss, const Found& found) 
         const double mirrored = 2.0 * brackets.turn - brackets.guess;
         const double guess = !isSecond ? brackets.guess : mirrored < 1.0 ? mirrored : 0.5 * (begin + end);
         const double s = bracketedRoot(exact, begin, end, brackets.startsNegative != isSecond, guess, &steps,
-                                       miss.ray.closeStep);
+                                       miss.ray.closeStep());
         found(s, exact.rayT(s));
     }
     return steps;
