@@ -14,6 +14,11 @@
 
 #include "viewer/base/interrupt.h"
 #include "viewer/commands/program.h"
+#if GLINT_MEASURES
+#include "viewer/bench/measuring.h"
+#else
+#include "viewer/commands/measuring_program.h"
+#endif
 
 namespace {
 
@@ -39,4 +44,11 @@ void restartWithSleepingThreads(int, char** argv, char** environment) {
 
 }  // namespace
 
-int main(int argc, char** argv) { return glint::runProgram({argv + 1, argv + argc}); }
+int main(int argc, char** argv) {
+#if GLINT_MEASURES
+    return glint::runProgram({argv + 1, argv + argc}, glint::addMeasuringCommands);
+#else
+    if (const auto exitCode = glint::runMeasuringCommand(argv)) { return *exitCode; }
+    return glint::runProgram({argv + 1, argv + argc}, glint::addProgramCommands);
+#endif
+}

@@ -19,6 +19,7 @@ SEES = {
     "engine/denoise": "base math",
     "engine/render": "base math scene io kernels builders denoise",
     "engine/report": "base math scene io kernels builders render",
+    "engine/stress": "base math scene io kernels builders render report",
 }
 VIEWER_SEES = {
     "viewer/base": "",
@@ -26,9 +27,9 @@ VIEWER_SEES = {
     "viewer/ui": "base",
     "viewer/panels": "base model ui",
     "viewer/window": "base model ui panels",
-    "viewer/bench": "base window",
-    "viewer/commands": "base window bench",
-    "viewer": "base commands",
+    "viewer/commands": "base window",
+    "viewer/bench": "base window commands",
+    "viewer": "base commands bench",
 }
 ENGINE = set(SEES)
 VIEWER = set(VIEWER_SEES)

@@ -5,7 +5,7 @@
 
 #include "engine/base/parallel.h"
 #include "engine/math/rng.h"
-#include "engine/report/revolved_truth.h"
+#include "engine/stress/revolved_truth.h"
 
 namespace glint::test {
 namespace {

@@ -1,4 +1,4 @@
-// Surfaces of revolution against a slow solver in long double (engine/report/revolved_truth.h): all hits of
+// Surfaces of revolution against a slow solver in long double (engine/stress/revolved_truth.h): all hits of
 // random rays, the stiff cases, caps, and the search that is known to lose hits.
 #include "engine/kernels/shapes/revolved.h"
 
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/report/revolved_truth.h"
+#include "engine/stress/revolved_truth.h"
 #include "tests/support/uniform_numbers.h"
 
 namespace glint::test {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "engine/report/stress_suite.h"
+#include "engine/stress/stress_suite.h"
 #include "tests/support/program_test.h"
 
 namespace glint {

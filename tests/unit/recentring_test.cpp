@@ -11,7 +11,7 @@
 #include "engine/builders/mesh_builder.h"
 #include "engine/builders/scene_builder.h"
 #include "engine/io/scene_loader.h"
-#include "engine/report/stress_scene.h"
+#include "engine/stress/stress_scene.h"
 #include "tests/support/render_scene.h"
 
 namespace glint {

@@ -6,7 +6,7 @@
 
 #include "engine/builders/repeated_triangles.h"
 #include "engine/io/scene_loader.h"
-#include "engine/report/stress_scene.h"
+#include "engine/stress/stress_scene.h"
 #include "tests/support/temp_folder.h"
 
 namespace glint {

@@ -7,11 +7,11 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/report/stress_html.h"
-#include "engine/report/stress_render.h"
-#include "engine/report/stress_scene.h"
-#include "engine/report/stress_suite.h"
-#include "engine/report/stress_summary.h"
+#include "engine/stress/stress_html.h"
+#include "engine/stress/stress_render.h"
+#include "engine/stress/stress_scene.h"
+#include "engine/stress/stress_suite.h"
+#include "engine/stress/stress_summary.h"
 
 namespace glint {
 namespace {

@@ -1,6 +1,6 @@
 // What all of `glint bench` have in common: options, the scene that is measured on, the report.
 //
-// A benchmark is a file that says what it measures, and a line in commands/bench_command.cpp.
+// A benchmark is a file that says what it measures, and a line in bench_command.cpp.
 #pragma once
 
 #include <cstdint>

@@ -24,8 +24,6 @@ void addConvertCommand(const Command& program);
 void addSchemaCommand(const Command& program);
 void addDiffCommand(const Command& program);
 void addBesideCommand(const Command& program);
-void addStressCommand(const Command& program);
-void addBenchCommand(const Command& program);
 void addExampleCommand(const Command& program);
 
 }  // namespace glint

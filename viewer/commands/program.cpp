@@ -19,6 +19,7 @@
 #include "viewer/base/interrupt.h"
 #include "viewer/commands/command_line.h"
 #include "viewer/commands/commands.h"
+#include "viewer/commands/measuring_program.h"
 
 namespace glint {
 namespace {
@@ -30,20 +31,6 @@ Without a command, `glint [SCENE]` opens the window, as `glint view` does.
 Exit codes: 0 done, 1 the input or the options are wrong, 2 the run failed, 3 a limit that was asked for is exceeded,
 130 interrupted after saving.
 `glint COMMAND --help` explains a command.)";
-
-void addCommands(const Command& program) {
-    addViewCommand(program);
-    addRenderCommand(program);
-    addInfoCommand(program);
-    addConvergeCommand(program);
-    addConvertCommand(program);
-    addSchemaCommand(program);
-    addExampleCommand(program);
-    addDiffCommand(program);
-    addBesideCommand(program);
-    addStressCommand(program);
-    addBenchCommand(program);
-}
 
 /// Long and short names of the options of `app`, with their dashes.
 std::vector<std::string> optionNames(const CLI::App& app) {
@@ -128,7 +115,7 @@ int flushOutput(int exitCode) {
     return exitCode == kExitDone ? kExitFailed : exitCode;
 }
 
-int parseAndRun(std::vector<std::string> arguments) {
+int parseAndRun(std::vector<std::string> arguments, void (*addCommands)(const Command& program)) {
     int exitCode = kExitDone;
     CLI::App app("Glint: a path tracer that shows a scene converging.", "glint");
     app.set_version_flag("--version", std::string("glint ") + GLINT_VERSION);
@@ -165,12 +152,27 @@ int parseAndRun(std::vector<std::string> arguments) {
 
 }  // namespace
 
-int runProgram(std::vector<std::string> arguments) {
+void addProgramCommands(const Command& program) {
+    addViewCommand(program);
+    addRenderCommand(program);
+    addInfoCommand(program);
+    addConvergeCommand(program);
+    addConvertCommand(program);
+    addSchemaCommand(program);
+    addExampleCommand(program);
+    addDiffCommand(program);
+    addBesideCommand(program);
+    for (const MeasuringCommand& command : kMeasuringCommands) {
+        program.subcommand(command.name, command.about);
+    }
+}
+
+int runProgram(std::vector<std::string> arguments, void (*addCommands)(const Command& program)) {
     prepareStandardStreams();
     takeSignals();
     std::set_terminate(endWithReason);
     try {
-        return flushOutput(parseAndRun(std::move(arguments)));
+        return flushOutput(parseAndRun(std::move(arguments), addCommands));
     } catch (const std::bad_alloc&) {
         say("error: not enough memory\n");
         return kExitFailed;

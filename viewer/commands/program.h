@@ -6,7 +6,13 @@
 
 namespace glint {
 
-/// `arguments` without the program's name. Returns the exit code (commands.h) and never throws.
-int runProgram(std::vector<std::string> arguments);
+class Command;
+
+/// `arguments` without the program's name, of a program with these commands. Returns the exit code
+/// (commands.h) and never throws.
+int runProgram(std::vector<std::string> arguments, void (*addCommands)(const Command& program));
+
+/// All commands of `glint`; those that measure only by name (measuring_program.h).
+void addProgramCommands(const Command& program);
 
 }  // namespace glint
