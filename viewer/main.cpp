@@ -1,4 +1,4 @@
-// The program's entry. Everything else is in commands/ and window/.
+// The entry of both programs, glint and glint-measure. Everything else is in the folders beside.
 //
 // OpenMP's idle threads would spin for milliseconds after every pass, on the cores that the window needs to
 // draw. Whether they do is read from the environment when the OpenMP library is loaded, before main() begins:

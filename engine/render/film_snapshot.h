@@ -22,8 +22,9 @@ struct FilmSnapshot {
     EditTicket ticket = 0;  ///< of the newest edit that it answers
     int width = 0;          ///< smaller than the film's while something moves
     int height = 0;
-    int previewScale = 1;     ///< film pixels per snapshot pixel in each direction; 1: full resolution
-    bool isDenoised = false;  ///< `radiance` and `standardError` are denoised_snapshot.h's
+    int previewScale = 1;       ///< film pixels per snapshot pixel in each direction; 1: full resolution
+    bool isFirstFrame = false;  ///< of a scene that is being built (first_frame.h), not by the integrator
+    bool isDenoised = false;    ///< `radiance` and `standardError` are denoised_snapshot.h's
     IntegratorKind integrator = IntegratorKind::PathTracing;
     uint32_t passes = 0;
     double renderSeconds = 0.0;     ///< time spent in passes since the last restart, resumed time included

@@ -1,9 +1,10 @@
 // What there is to be seen of a heavy scene while it is built: its triangles in the colours of their
-// materials, lit from the camera as ray casting lights scenes without lamps. They are drawn one by one into a
-// buffer of depths, since rays would have to wait for a structure: one that halves boxes takes half to four
-// fifths of the whole build.
+// materials, lit from the camera as ray casting lights scenes without lamps. They are drawn one by one, since
+// rays would have to wait for a structure: one that halves boxes takes half to four fifths of the time of the
+// real one.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <memory>
 
@@ -13,13 +14,15 @@
 
 namespace glint {
 
-/// A preview of some ten thousand pixels; the ticket is the caller's. Seen from a pinhole where the camera
-/// has a lens. Left out: textures, cut-outs, shadows, and objects that refer to nothing. The same for any
-/// number of threads (0: all). Null: the scene cannot be built, or instances make it too much to draw one by
-/// one.
-std::shared_ptr<FilmSnapshot> drawFirstFrame(const SceneDescription& scene, int threads);
+/// A preview of at most 250,000 pixels, as far as its scale goes; the ticket is the caller's. Left out:
+/// textures, cut-outs, shadows, lamps, blur of the lens, and pictures of the environment. The same for any
+/// number of threads (0: all). Null: the scene is not valid, it is too much to draw one by one (instances,
+/// turned profiles, triangles that lie over each other), or `stop` was raised meanwhile.
+std::shared_ptr<FilmSnapshot> drawFirstFrame(const SceneDescription& scene, int threads,
+                                             const std::atomic<bool>& stop);
 
-/// Triangles of the meshes that objects place and that `previous` (null: nothing) has no structure for.
+/// Triangles of the meshes that objects place and that buildScene() would build anew after `previous` (null:
+/// all).
 size_t trianglesToBuild(const SceneDescription& scene, const BuiltScene* previous);
 
 }  // namespace glint

@@ -46,8 +46,8 @@ using SceneBuildFunction = std::function<Result<std::shared_ptr<const BuiltScene
 struct SessionOptions {
     bool previews = true;   ///< low-resolution passes after edits; off for batch renders
     bool snapshots = true;  ///< off: snapshot() stays null
-    /// With as many triangles to build, there is a first frame meanwhile (where previews and snapshots are
-    /// asked for).
+    /// Where another scene has as many triangles to build, there is a first frame meanwhile (where previews
+    /// and snapshots are asked for).
     size_t heavyTriangles = 200'000;
     bool lowPriority = true;   ///< render threads give way to the UI
     int threads = 0;           ///< for building, committing and snapshots; 0: all

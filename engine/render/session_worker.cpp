@@ -94,7 +94,7 @@ void SessionWorker::takeEdit(Commands commands) {
     SceneEdit& edit = *commands.edit;
     status_.state = SessionState::Building;
     published_->set(status_, messages_);
-    showFirstFrame(*edit.scene);
+    showFirstFrame(edit);
     const SceneKeeper::Outcome outcome = keeper_.take(&edit, &status_);
     if (outcome == SceneKeeper::Outcome::Abandoned) { return; }
     images_.takeTicket(status_.ticket);
@@ -110,14 +110,23 @@ void SessionWorker::takeEdit(Commands commands) {
     if (commands.resume) { goOnFrom(std::move(*commands.resume)); }
 }
 
-/// Of what takes long to build.
-void SessionWorker::showFirstFrame(const SceneDescription& scene) {
+/// Of another scene that takes long to build. While one is edited, its last picture says more.
+void SessionWorker::showFirstFrame(const SceneEdit& edit) {
     const bool isSeen = options_.previews && options_.snapshots;
-    if (!isSeen || trianglesToBuild(scene, keeper_.built().get()) < options_.heavyTriangles) { return; }
-    auto frame = drawFirstFrame(scene, options_.threads);
-    if (!frame) { return; }
-    frame->ticket = status_.ticket;
-    published_->show(std::move(frame));
+    const bool isAnother = !keeper_.hasScene() || has(edit.kinds, EditKind::Everything);
+    if (!isSeen || !isAnother ||
+        trianglesToBuild(*edit.scene, keeper_.built().get()) < options_.heavyTriangles) {
+        return;
+    }
+    try {
+        auto frame = drawFirstFrame(*edit.scene, options_.threads, queue_->abandonBuild());
+        if (!frame) { return; }
+        frame->ticket = status_.ticket;
+        status_.previewScale = frame->previewScale;
+        published_->show(std::move(frame));
+    } catch (const std::bad_alloc&) {
+        // The scene itself may have enough.
+    }
 }
 
 void SessionWorker::goOnFrom(ResumePoint resume) {

@@ -26,7 +26,7 @@ class SessionWorker {
     void fail(std::string_view why) noexcept;
 
     void takeEdit(Commands commands);
-    void showFirstFrame(const SceneDescription& scene);
+    void showFirstFrame(const SceneEdit& edit);
     void goOnFrom(ResumePoint resume);
     void publishCurves(const std::vector<IntegratorKind>& kinds);
 

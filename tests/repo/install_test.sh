@@ -18,6 +18,9 @@ test -s $scenes/glint.schema.json
 for page in README.md scenes/README.md; do test -s "share/doc/Glint/$page"; done
 for scene in "$1"/scenes/*.json; do cmp "$scene" "$scenes/$(basename "$scene")"; done
 
+bin/glint bench paths --help >measure.txt
+bin/glint stress --list >>measure.txt
+test -s measure.txt
 bin/glint render $scenes/environment_mesh.json -o picture.png --size 32x32 --passes 1
 test -s picture.png
 if grep -q '^GLINT_VIEWER:BOOL=ON' "$build/CMakeCache.txt"; then

@@ -1,6 +1,8 @@
 #include "viewer/commands/measuring_program.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <string_view>
 
@@ -11,6 +13,8 @@
 
 namespace glint {
 namespace {
+
+namespace fs = std::filesystem;
 
 bool isMeasuring(char** argv) {
     for (char** word = argv + 1; *word != nullptr; ++word) {
@@ -23,15 +27,26 @@ bool isMeasuring(char** argv) {
     return false;
 }
 
+/// False where one of them is not there.
+bool isOlder(const fs::path& a, const fs::path& b) {
+    std::error_code problemA, problemB;
+    const auto ofA = fs::last_write_time(a, problemA), ofB = fs::last_write_time(b, problemB);
+    return !problemA && !problemB && ofA < ofB;
+}
+
 }  // namespace
 
 std::optional<int> runMeasuringCommand(char** argv) {
     if (!isMeasuring(argv)) { return std::nullopt; }
     std::error_code problem;
-    const auto here = std::filesystem::read_symlink("/proc/self/exe", problem).parent_path();
-    const std::string program = (here / "glint-measure").string();
-    execv(program.c_str(), argv);
-    say("error: {}: the program that measures is not there; build or install all of Glint\n", program);
+    const fs::path self = fs::read_symlink("/proc/self/exe", problem);
+    const fs::path program = self.parent_path() / "glint-measure";
+    if (!problem && isOlder(program, self)) {
+        say("warning: {} is older than this program; build all of Glint\n", program.string());
+    }
+    if (!problem) { execv(program.c_str(), argv); }
+    say("error: {}, the program that measures, does not start: {}; build or install all of Glint\n",
+        program.string(), problem ? problem.message() : std::strerror(errno));
     return kExitFailed;
 }
 

@@ -17,7 +17,8 @@ constexpr MeasuringCommand kBench{"bench",
 constexpr MeasuringCommand kMeasuringCommands[] = {kStress, kBench};
 
 /// Becomes glint-measure with the same arguments where the first that is no option names one of its commands.
-/// Nothing: it does not. The exit code where that program is not there, which is said.
+/// Nothing: it does not. The exit code where that program does not start, which is said; so it is where that
+/// is older than this one.
 std::optional<int> runMeasuringCommand(char** argv);
 
 }  // namespace glint

@@ -119,7 +119,6 @@ int parseAndRun(std::vector<std::string> arguments, void (*addCommands)(const Co
     int exitCode = kExitDone;
     CLI::App app("Glint: a path tracer that shows a scene converging.", "glint");
     app.set_version_flag("--version", std::string("glint ") + GLINT_VERSION);
-    app.footer(kProgramFooter);
     app.require_subcommand(1);
     app.fallthrough();
     app.add_flag_callback(
@@ -153,6 +152,7 @@ int parseAndRun(std::vector<std::string> arguments, void (*addCommands)(const Co
 }  // namespace
 
 void addProgramCommands(const Command& program) {
+    program.footer(kProgramFooter);
     addViewCommand(program);
     addRenderCommand(program);
     addInfoCommand(program);

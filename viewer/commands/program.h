@@ -9,7 +9,7 @@ namespace glint {
 class Command;
 
 /// `arguments` without the program's name, of a program with these commands. Returns the exit code
-/// (commands.h) and never throws.
+/// (base/exit_code.h) and never throws.
 int runProgram(std::vector<std::string> arguments, void (*addCommands)(const Command& program));
 
 /// All commands of `glint`; those that measure only by name (measuring_program.h).

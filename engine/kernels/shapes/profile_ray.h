@@ -81,22 +81,22 @@ GLINT_HD inline uint32_t ringHits(const PieceRings& rings, const RingRay& ray, f
     for (uint32_t i = 0; i < kPieceLanes; ++i) {
         const float t0 = (rings.lowest[i] - ray.oy) * ray.inverseDy;
         const float t1 = (rings.highest[i] - ray.oy) * ray.inverseDy;
-        float begin = t0 < t1 ? t0 : t1, end = t0 < t1 ? t1 : t0;
-        begin = (begin > tMin ? begin : tMin) - ray.middle;
-        end = (end < tMax ? end : tMax) - ray.middle;
+        const float low = t0 < t1 ? t0 : t1, high = t0 < t1 ? t1 : t0;
+        const float begin = low > tMin ? low : tMin, end = high < tMax ? high : tMax;
         // Somewhere within the outer radius, and not everywhere within the inner one.
         const float outer2 = (rings.most2[i] - ray.nearest2) * ray.inverseFlat2;
         const float inner2 = (rings.least2[i] - ray.nearest2) * ray.inverseFlat2;
-        float least = begin > -end ? begin : -end;
+        const float after = begin - ray.middle, before = ray.middle - end;
+        float least = after > before ? after : before;
         least = least > 0.0f ? least : 0.0f;
-        const float most = end > -begin ? end : -begin;
+        const float most = -before > -after ? -before : -after;
         meets[i] = begin <= end && least * least <= outer2 && most * most >= inner2 ? -1 : 0;
         if constexpr (kAsksFirst) {
             const float outer = std::sqrt(outer2 > 0.0f ? outer2 : 0.0f);
             const float inner = std::sqrt(inner2 > 0.0f ? inner2 : 0.0f);
-            begin = begin > -outer ? begin : -outer;
-            const float after = begin > inner ? begin : inner;
-            first[i] = (begin > -inner ? after : begin) + ray.middle;
+            const float entry = begin > ray.middle - outer ? begin : ray.middle - outer;
+            const float exit = entry > ray.middle + inner ? entry : ray.middle + inner;
+            first[i] = entry > ray.middle - inner ? exit : entry;
         }
     }
 #if GLINT_HAS_AVX2
