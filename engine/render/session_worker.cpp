@@ -96,6 +96,7 @@ void SessionWorker::takeEdit(Commands commands) {
     published_->set(status_, messages_);
     showFirstFrame(edit);
     const SceneKeeper::Outcome outcome = keeper_.take(&edit, &status_);
+    published_->setBuiltScene(keeper_.built());
     if (outcome == SceneKeeper::Outcome::Abandoned) { return; }
     images_.takeTicket(status_.ticket);
     if (outcome == SceneKeeper::Outcome::Refused) {
@@ -104,7 +105,6 @@ void SessionWorker::takeEdit(Commands commands) {
         return;
     }
     failed_ = false;
-    published_->setBuiltScene(keeper_.built());
     if (commands.restart) { edit.kinds |= EditKind::Camera; }  // empties the films of all integrators
     publishCurves(images_.takeScene(std::move(edit.scene), edit.kinds, commands.take, request_));
     if (commands.resume) { goOnFrom(std::move(*commands.resume)); }
@@ -124,6 +124,7 @@ void SessionWorker::showFirstFrame(const SceneEdit& edit) {
         frame->ticket = status_.ticket;
         status_.previewScale = frame->previewScale;
         published_->show(std::move(frame));
+        published_->setBuiltScene(nullptr);  // what is seen is not the one before
     } catch (const std::bad_alloc&) {
         // The scene itself may have enough.
     }

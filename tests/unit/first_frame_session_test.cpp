@@ -109,6 +109,7 @@ TEST(FirstFrame, AnEditLeavesThePictureThatThereIs) {
     held.session->post({std::make_shared<SceneDescription>(scene), EditKind::Accelerator});
     ASSERT_TRUE(waitFor([&] { return held.builds > 1; }));
     EXPECT_FALSE(held.session->snapshot()->isFirstFrame);
+    EXPECT_TRUE(held.session->builtScene());
     held.mayBuild = true;
     EXPECT_EQ(held.session->wait(kPatience), SessionState::Finished);
 }
@@ -124,6 +125,7 @@ TEST(FirstFrame, IsGivenUpForAnotherScene) {
     EXPECT_EQ(held.givenUp, 1);
     EXPECT_EQ(held.session->snapshot()->ticket, ticket);
     EXPECT_EQ(held.session->snapshot()->width, 24);
+    EXPECT_FALSE(held.session->builtScene()) << "which is not what is seen";
     held.mayBuild = true;
     ASSERT_EQ(held.session->wait(kPatience), SessionState::Finished);
     EXPECT_EQ(held.session->snapshot()->width, 48);
