@@ -93,7 +93,7 @@ class ShortMemory : public test::ProgramTest {
             ::dup2(::open("/dev/null", O_WRONLY), STDOUT_FILENO);
             std::vector<std::string> arguments = words;
             untilFailure = failing;
-            const int code = runProgram(std::move(arguments));
+            const int code = runProgram(std::move(arguments), addProgramCommands);
             const long after = untilFailure.exchange(-1);
             std::ofstream(left) << after;
             std::_Exit(code);
