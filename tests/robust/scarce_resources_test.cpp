@@ -77,7 +77,7 @@ std::string packedSky(int width, int height) {
     return out;
 }
 
-/// 1 GB of numbers in 4 MB of bytes; there is no room for them here.
+/// 1027 MiB of numbers in 4 MB of bytes, where there is room for 1024.
 TEST_F(ScarceResources, ALargeEnvironmentIsSaidBeforeItIsMade) {
     folder.write("sky.hdr", packedSky(11600, 5800));
     const std::string scene = folder.write("sky.json", R"({ "glint": 1, "resolution": [8, 8],
@@ -85,7 +85,7 @@ TEST_F(ScarceResources, ALargeEnvironmentIsSaidBeforeItIsMade) {
         "environment": { "image": { "file": "sky.hdr" } } })");
     const ProgramRun run =
         runProgram({"render", scene, "-o", folder.path("a.png"), "--passes", "1"}, {.before = [] {
-                       const rlimit limit{rlim_t{1200} << 20, rlim_t{1200} << 20};
+                       const rlimit limit{rlim_t{1} << 30, rlim_t{1} << 30};
                        setrlimit(RLIMIT_AS, &limit);
                    }});
     EXPECT_EQ(run.exitCode, 2) << run.err;
