@@ -72,8 +72,8 @@ struct RingRay {
 };
 
 /// Bit i: the ray may meet piece i between tMin and tMax, which count from its origin; not before first[i],
-/// where that is asked for. A plain loop, which compilers turn into vector code. The answer compares squares:
-/// it need not wait for the roots.
+/// where that is asked for. A plain loop, which compilers turn into vector code. Without first, the answer
+/// compares squares and needs no roots.
 template <bool kAsksFirst>
 GLINT_HD inline uint32_t ringHits(const PieceRings& rings, const RingRay& ray, float tMin, float tMax,
                                   float* first) {
@@ -81,22 +81,28 @@ GLINT_HD inline uint32_t ringHits(const PieceRings& rings, const RingRay& ray, f
     for (uint32_t i = 0; i < kPieceLanes; ++i) {
         const float t0 = (rings.lowest[i] - ray.oy) * ray.inverseDy;
         const float t1 = (rings.highest[i] - ray.oy) * ray.inverseDy;
-        const float low = t0 < t1 ? t0 : t1, high = t0 < t1 ? t1 : t0;
-        const float begin = low > tMin ? low : tMin, end = high < tMax ? high : tMax;
-        // Somewhere within the outer radius, and not everywhere within the inner one.
+        // Within the outer radius and the heights, but for the way within the inner radius.
         const float outer2 = (rings.most2[i] - ray.nearest2) * ray.inverseFlat2;
         const float inner2 = (rings.least2[i] - ray.nearest2) * ray.inverseFlat2;
-        const float after = begin - ray.middle, before = ray.middle - end;
-        float least = after > before ? after : before;
-        least = least > 0.0f ? least : 0.0f;
-        const float most = -before > -after ? -before : -after;
-        meets[i] = begin <= end && least * least <= outer2 && most * most >= inner2 ? -1 : 0;
+        float begin = t0 < t1 ? t0 : t1, end = t0 < t1 ? t1 : t0;
         if constexpr (kAsksFirst) {
             const float outer = std::sqrt(outer2 > 0.0f ? outer2 : 0.0f);
             const float inner = std::sqrt(inner2 > 0.0f ? inner2 : 0.0f);
-            const float entry = begin > ray.middle - outer ? begin : ray.middle - outer;
-            const float exit = entry > ray.middle + inner ? entry : ray.middle + inner;
-            first[i] = entry > ray.middle - inner ? exit : entry;
+            begin = begin > ray.middle - outer ? begin : ray.middle - outer;
+            end = end < ray.middle + outer ? end : ray.middle + outer;
+            begin = begin > tMin ? begin : tMin;
+            end = end < tMax ? end : tMax;
+            const float after = begin > ray.middle + inner ? begin : ray.middle + inner;
+            begin = begin > ray.middle - inner ? after : begin;
+            first[i] = begin;
+            meets[i] = outer2 >= 0.0f && begin <= end ? -1 : 0;
+        } else {
+            begin = (begin > tMin ? begin : tMin) - ray.middle;
+            end = (end < tMax ? end : tMax) - ray.middle;
+            float least = begin > -end ? begin : -end;
+            least = least > 0.0f ? least : 0.0f;
+            const float most = end > -begin ? end : -begin;
+            meets[i] = begin <= end && least * least <= outer2 && most * most >= inner2 ? -1 : 0;
         }
     }
 #if GLINT_HAS_AVX2
