@@ -1,4 +1,4 @@
-# What `cmake --install` copies: the programs, its scenes with their schema, and what a user reads. Shaders are in the
+# What `cmake --install` copies: the programs, scenes with their schema, and what a user reads. Shaders are in the
 # program, fonts are the distribution's, and scenes name their files relative to themselves, so nothing has to be found.
 
 include(GNUInstallDirs)

@@ -88,7 +88,7 @@ function(glint_precompile_headers target)
         CONTENT "${CMAKE_CXX_COMPILER_VERSION} ${ARGN} ${ours}\n")
 endfunction()
 
-# glint_compile_soon(TARGET): less optimisation, for code in which nobody waits: a third of the time. It needs a compiled
+# glint_compile_soon(TARGET): less optimisation, for code in which nobody waits; saves about a third of its time. It needs a compiled
 # header of its own: GCC takes up the level that a header was compiled with.
 function(glint_compile_soon target)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)

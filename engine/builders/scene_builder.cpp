@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "engine/builders/camera_builder.h"
 #include "engine/builders/feature_scan.h"
@@ -34,6 +35,12 @@ bool placesUnbuiltMesh(const SceneDescription& scene, const BuiltScene& previous
         if (used[i] && !previous.meshes[i]->isReady) { return true; }
     }
     return false;
+}
+
+/// Whether the mesh at this place differs only in what does not concern its structure.
+bool hasTrianglesAt(const BuiltScene& scene, size_t index, const MeshData& data) {
+    return index < scene.meshes.size() && scene.meshes[index]->isReady &&
+           sameTriangles(*scene.meshes[index]->data, data);
 }
 
 /// What `edit` really concerns: everything, when parts appeared or vanished without its saying so.
@@ -106,7 +113,7 @@ class SceneBuild {
             const Mesh& mesh = scene_->meshes[i];
             if (stop_ != nullptr && *stop_) { return Error{"the build was given up", {}}; }
             std::shared_ptr<const BuiltMesh>& built = known[mesh.data.get()];
-            if (!built && used[i] && hasTrianglesOf(i, *mesh.data)) {
+            if (!built && used[i] && hasTrianglesAt(*built_, i, *mesh.data)) {
                 built = withVertexData(*built_->meshes[i], mesh.data);
             }
             const bool isReady = built && built->isReady && built->accelerator.view.kind == kind;
@@ -120,12 +127,6 @@ class SceneBuild {
         }
         built_->meshes = std::move(meshes);
         return {};
-    }
-
-    /// Whether the mesh at this place differs only in what does not concern its structure.
-    bool hasTrianglesOf(size_t index, const MeshData& data) const {
-        return index < built_->meshes.size() && built_->meshes[index]->isReady &&
-               sameTriangles(*built_->meshes[index]->data, data);
     }
 
     Status textures() {
@@ -262,6 +263,25 @@ Result<std::shared_ptr<const BuiltScene>> buildScene(const SceneEdit& edit, cons
     auto built = SceneBuild(edit, previous, threads, stop, &parts).run();
     parts.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     return built;
+}
+
+size_t trianglesToBuild(const SceneDescription& scene, const BuiltScene* previous) {
+    std::unordered_set<const MeshData*> known;
+    if (previous != nullptr) {
+        for (const auto& mesh : previous->meshes) {
+            if (mesh->isReady) { known.insert(mesh->data.get()); }
+        }
+    }
+    const std::vector<bool> used = usedMeshes(scene);
+    size_t triangles = 0;
+    for (size_t i = 0; i < used.size(); ++i) {
+        const MeshData* data = scene.meshes[i].data.get();
+        const bool isNew = used[i] && data != nullptr && known.insert(data).second;
+        if (isNew && !(previous != nullptr && hasTrianglesAt(*previous, i, *data))) {
+            triangles += data->triangleCount();
+        }
+    }
+    return triangles;
 }
 
 }  // namespace glint

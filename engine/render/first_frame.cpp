@@ -5,7 +5,6 @@
 #include <deque>
 #include <limits>
 #include <map>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -13,12 +12,10 @@
 
 #include "engine/base/parallel.h"
 #include "engine/builders/camera_builder.h"
-#include "engine/builders/mesh_builder.h"
 #include "engine/builders/scene_validation.h"
 #include "engine/io/scene_export.h"
 #include "engine/render/depth_buffer.h"
 #include "engine/render/preview_scale.h"
-#include "engine/scene/scene_use.h"
 
 namespace glint {
 namespace {
@@ -214,12 +211,6 @@ class FirstFrame {
     std::vector<PlacedTriangles> placed_;
 };
 
-/// Whether the scene before has a structure over the same triangles at the same place.
-bool isBuilt(const SceneDescription& scene, size_t index, const BuiltScene* previous) {
-    return previous != nullptr && index < previous->meshes.size() && previous->meshes[index]->isReady &&
-           sameTriangles(*previous->meshes[index]->data, *scene.meshes[index].data);
-}
-
 }  // namespace
 
 std::shared_ptr<FilmSnapshot> drawFirstFrame(const SceneDescription& scene, int threads,
@@ -229,23 +220,6 @@ std::shared_ptr<FilmSnapshot> drawFirstFrame(const SceneDescription& scene, int 
         static_cast<float>(scene.resolution.width) / static_cast<float>(scene.resolution.height);
     const Result<CameraData> camera = buildCamera(scene.camera, aspect);
     return camera ? FirstFrame(scene, *camera, threads, stop).draw() : nullptr;
-}
-
-size_t trianglesToBuild(const SceneDescription& scene, const BuiltScene* previous) {
-    std::unordered_set<const MeshData*> known;
-    if (previous != nullptr) {
-        for (const auto& mesh : previous->meshes) {
-            if (mesh->isReady) { known.insert(mesh->data.get()); }
-        }
-    }
-    const std::vector<bool> used = usedMeshes(scene);
-    size_t triangles = 0;
-    for (size_t i = 0; i < used.size(); ++i) {
-        const MeshData* data = scene.meshes[i].data.get();
-        const bool isNew = used[i] && data != nullptr && known.insert(data).second;
-        if (isNew && !isBuilt(scene, i, previous)) { triangles += data->triangleCount(); }
-    }
-    return triangles;
 }
 
 }  // namespace glint

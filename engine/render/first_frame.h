@@ -1,14 +1,12 @@
 // What there is to be seen of a heavy scene while it is built: its triangles in the colours of their
 // materials, lit from the camera as ray casting lights scenes without lamps. They are drawn one by one, since
-// rays would have to wait for a structure: one that halves boxes takes half to four fifths of the time of the
-// real one.
+// rays would have to wait for a structure: one that halves boxes, and a frame by it, take three quarters of
+// the time of the real one.
 #pragma once
 
 #include <atomic>
-#include <cstddef>
 #include <memory>
 
-#include "engine/builders/built_scene.h"
 #include "engine/render/film_snapshot.h"
 #include "engine/scene/scene.h"
 
@@ -20,9 +18,5 @@ namespace glint {
 /// turned profiles, triangles that lie over each other), or `stop` was raised meanwhile.
 std::shared_ptr<FilmSnapshot> drawFirstFrame(const SceneDescription& scene, int threads,
                                              const std::atomic<bool>& stop);
-
-/// Triangles of the meshes that objects place and that buildScene() would build anew after `previous` (null:
-/// all).
-size_t trianglesToBuild(const SceneDescription& scene, const BuiltScene* previous);
 
 }  // namespace glint

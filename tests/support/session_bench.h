@@ -31,7 +31,7 @@ struct SessionBench {
     }
     void limit(const StopLimits& limits) { ask(&RenderRequest::limits, limits); }
     void open(int width, int height) { session->post({fakeScene(width, height), EditKind::Everything}); }
-    bool waitFor(const std::function<bool()>& condition) const {
+    static bool waitFor(const std::function<bool()>& condition) {
         const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(kPatience);
         while (!condition()) {
             if (std::chrono::steady_clock::now() > end) { return false; }

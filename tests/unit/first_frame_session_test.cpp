@@ -1,18 +1,18 @@
 // When a session shows a first frame, and that the picture after it is as without.
 #include <atomic>
-#include <functional>
 #include <thread>
 
 #include <gtest/gtest.h>
 
-#include "engine/render/render_session.h"
+#include "engine/builders/scene_builder.h"
+#include "tests/support/session_bench.h"
 #include "tests/support/test_scenes.h"
 #include "tests/support/torus_mesh.h"
 
 namespace glint {
 namespace {
 
-constexpr double kPatience = 60.0;
+using namespace test;
 
 SceneEdit openingOf(const SceneDescription& scene) {
     return {std::make_shared<SceneDescription>(scene), EditKind::Everything};
@@ -42,20 +42,12 @@ struct HeldSession {
     }
 };
 
-bool waitFor(const std::function<bool()>& condition) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(kPatience);
-    while (!condition() && std::chrono::steady_clock::now() < end) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return condition();
-}
-
 TEST(FirstFrame, IsShownWhileTheSceneIsBuilt) {
     HeldSession held(true);
-    SceneDescription scene = test::meshInstances();
+    SceneDescription scene = meshInstances();
     scene.resolution = {160, 96};
     const EditTicket ticket = held.session->post(openingOf(scene));
-    ASSERT_TRUE(waitFor([&] { return held.builds > 0; }));
+    ASSERT_TRUE(SessionBench::waitFor([&] { return held.builds > 0; }));
     const auto frame = held.session->snapshot();
     ASSERT_TRUE(frame);
     EXPECT_TRUE(frame->isFirstFrame);
@@ -76,7 +68,7 @@ TEST(FirstFrame, IsShownWhileTheSceneIsBuilt) {
 }
 
 TEST(FirstFrame, ChangesNoBitOfThePicture) {
-    SceneDescription scene = test::meshInstances();
+    SceneDescription scene = meshInstances();
     HeldSession held(true);
     held.mayBuild = true;
     held.session->post(openingOf(scene));
@@ -91,8 +83,8 @@ TEST(FirstFrame, ChangesNoBitOfThePicture) {
 
 TEST(FirstFrame, BatchesDoWithoutIt) {
     HeldSession held(false);
-    held.session->post(openingOf(test::meshInstances()));
-    ASSERT_TRUE(waitFor([&] { return held.builds > 0; }));
+    held.session->post(openingOf(meshInstances()));
+    ASSERT_TRUE(SessionBench::waitFor([&] { return held.builds > 0; }));
     EXPECT_FALSE(held.session->snapshot());
     held.mayBuild = true;
     EXPECT_EQ(held.session->wait(kPatience), SessionState::Finished);
@@ -101,13 +93,13 @@ TEST(FirstFrame, BatchesDoWithoutIt) {
 TEST(FirstFrame, AnEditLeavesThePictureThatThereIs) {
     HeldSession held(true);
     held.mayBuild = true;
-    SceneDescription scene = test::meshInstances();
+    SceneDescription scene = meshInstances();
     held.session->post(openingOf(scene));
     ASSERT_EQ(held.session->wait(kPatience), SessionState::Finished);
     held.mayBuild = false;
-    scene.meshes[0].data = std::make_shared<const MeshData>(test::torus());
+    scene.meshes[0].data = std::make_shared<const MeshData>(torus());
     held.session->post({std::make_shared<SceneDescription>(scene), EditKind::Accelerator});
-    ASSERT_TRUE(waitFor([&] { return held.builds > 1; }));
+    ASSERT_TRUE(SessionBench::waitFor([&] { return held.builds > 1; }));
     EXPECT_FALSE(held.session->snapshot()->isFirstFrame);
     EXPECT_TRUE(held.session->builtScene());
     held.mayBuild = true;
@@ -116,12 +108,12 @@ TEST(FirstFrame, AnEditLeavesThePictureThatThereIs) {
 
 TEST(FirstFrame, IsGivenUpForAnotherScene) {
     HeldSession held(true);
-    held.session->post(openingOf(test::meshInstances()));
-    ASSERT_TRUE(waitFor([&] { return held.builds > 0; }));
-    SceneDescription second = test::meshInstances();
+    held.session->post(openingOf(meshInstances()));
+    ASSERT_TRUE(SessionBench::waitFor([&] { return held.builds > 0; }));
+    SceneDescription second = meshInstances();
     second.resolution = {48, 32};
     const EditTicket ticket = held.session->post(openingOf(second));
-    ASSERT_TRUE(waitFor([&] { return held.builds > 1; }));
+    ASSERT_TRUE(SessionBench::waitFor([&] { return held.builds > 1; }));
     EXPECT_EQ(held.givenUp, 1);
     EXPECT_EQ(held.session->snapshot()->ticket, ticket);
     EXPECT_EQ(held.session->snapshot()->width, 24);

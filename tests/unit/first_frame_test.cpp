@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/builders/scene_builder.h"
 #include "engine/render/render_session.h"
 #include "tests/support/test_scenes.h"
 #include "tests/support/torus_mesh.h"
