@@ -11,11 +11,13 @@ namespace {
 
 /// Pieces of less than this part of a curve have nothing left to tell apart.
 constexpr double kLeastWidth = 1e-6;
-/// Halving goes on until the curve leaves its chord by less than this part of the chord's length,
-constexpr double kFlatness = 0.03;
-/// or by less than this part of the profile's size,
+/// A part is flat where the curve leaves its chord by less than this part of the chord's length,
+constexpr double kFlatness = 0.015;
+/// or by less than this part of the profile's size.
 constexpr double kFlatAnyway = 1e-3;
-/// or so often.
+/// Parts that bend by so many times more will do where they fill whole groups, since one more group costs a
+/// ray more than flatter parts save.
+constexpr double kMostBend = 4.0;
 constexpr int kMostHalvings = 5;
 /// Of the profile's size: more than a ray is off that is known in float.
 constexpr double kRingMargin = 1e-5;
@@ -45,11 +47,11 @@ void multiply(const double* f, const double* g, int degree, double* product) {
     product[2 * degree] = f[degree] * g[degree];
 }
 
-/// Coefficients of powers from those of Bernstein polynomials, by forward differences.
-void toPowers(const double* bernstein, int degree, double* powers) {
+/// Coefficients of powers from those of Bernstein polynomials, by forward differences, of x (axis 0) or y.
+void toPowers(const double* bernstein, int degree, int axis, double (*powers)[2]) {
     std::vector<double> differences(bernstein, bernstein + degree + 1);
     for (int i = 0; i <= degree; ++i) {
-        powers[i] = binomial(degree, i) * differences[0];
+        powers[i][axis] = binomial(degree, i) * differences[0];
         for (size_t k = 0; k + 1 < differences.size(); ++k) {
             differences[k] = differences[k + 1] - differences[k];
         }
@@ -107,16 +109,42 @@ QuadraticFit fitQuadratic(const double* f, int degree) {
     return fit;
 }
 
+/// What one piece is made of.
+struct Part {
+    uint32_t curve;
+    double begin, end;
+    int halvings;
+    double bend;  ///< above 1: not flat
+};
+
 class PieceBuilder {
   public:
-    PieceBuilder(const ProfileData& profile, std::vector<ProfilePiece>* pieces,
-                 std::vector<PieceGroup>* groups)
-        : profile_(profile), pieces_(pieces), groups_(groups) {}
-
-    void addCurve(ProfileCurve curve, uint32_t index) {
-        for (int i = 0; i <= curve.degree; ++i) {
-            curve.y[i] -= profile_.middle;
+    PieceBuilder(const std::vector<ProfileCurve>& curves, const ProfileData& profile,
+                 std::vector<ProfilePiece>* pieces, std::vector<PieceGroup>* groups)
+        : curves_(curves), profile_(profile), pieces_(pieces), groups_(groups) {
+        for (ProfileCurve& curve : curves_) {
+            for (int i = 0; i <= curve.degree; ++i) {
+                curve.y[i] -= profile_.middle;
+            }
         }
+    }
+
+    void build() {
+        for (uint32_t i = 0; i < curves_.size(); ++i) {
+            addMonotoneParts(i);
+        }
+        halve();
+        std::ranges::sort(parts_, {}, [](const Part& part) { return std::pair(part.curve, part.begin); });
+        for (const Part& part : parts_) {
+            addPiece(part);
+        }
+    }
+
+  private:
+    static constexpr size_t kGroupPieces = size_t{kPieceLanes} * kPieceLanes;
+
+    void addMonotoneParts(uint32_t index) {
+        const ProfileCurve& curve = curves_[index];
         std::vector<double> places{0.0, 1.0};
         addTurns(curve.x, curve.degree, &places);
         addTurns(curve.y, curve.degree, &places);
@@ -125,26 +153,43 @@ class PieceBuilder {
         for (const double end : places) {
             const bool isLast = end == 1.0;
             if (end - begin < kLeastWidth || (!isLast && 1.0 - end < kLeastWidth)) { continue; }
-            addPart(curve, index, begin, end, 0);
+            parts_.push_back(partFrom(index, begin, end, 0));
             begin = end;
         }
     }
 
-  private:
-    void addPart(const ProfileCurve& curve, uint32_t index, double begin, double end, int halvings) {
-        const Coefficients x = partOf(curve.x, curve.degree, begin, end);
-        const Coefficients y = partOf(curve.y, curve.degree, begin, end);
-        if (halvings < kMostHalvings && !isFlat(x, y, static_cast<size_t>(curve.degree))) {
-            const double middle = 0.5 * (begin + end);
-            addPart(curve, index, begin, middle, halvings + 1);
-            addPart(curve, index, middle, end, halvings + 1);
-            return;
+    Part partFrom(uint32_t index, double begin, double end, int halvings) const {
+        Part part{index, begin, end, halvings, 0.0};
+        if (halvings < kMostHalvings) { part.bend = bendOf(part); }
+        return part;
+    }
+
+    /// The part that bends most, again and again.
+    void halve() {
+        const auto bendsLess = [](const Part& a, const Part& b) { return a.bend < b.bend; };
+        std::ranges::make_heap(parts_, bendsLess);
+        while (!parts_.empty()) {
+            const Part most = parts_.front();
+            const bool fillsGroups = parts_.size() % kGroupPieces == 0;
+            if (most.bend <= (fillsGroups ? kMostBend : 1.0)) { break; }
+            std::ranges::pop_heap(parts_, bendsLess);
+            const double middle = 0.5 * (most.begin + most.end);
+            parts_.back() = partFrom(most.curve, most.begin, middle, most.halvings + 1);
+            std::ranges::push_heap(parts_, bendsLess);
+            parts_.push_back(partFrom(most.curve, middle, most.end, most.halvings + 1));
+            std::ranges::push_heap(parts_, bendsLess);
         }
+    }
+
+    void addPiece(const Part& part) {
+        const ProfileCurve& curve = curves_[part.curve];
+        const Coefficients x = partOf(curve.x, curve.degree, part.begin, part.end);
+        const Coefficients y = partOf(curve.y, curve.degree, part.begin, part.end);
         ProfilePiece piece{};
-        piece.begin = begin;
-        piece.width = end - begin;
+        piece.begin = part.begin;
+        piece.width = part.end - part.begin;
         piece.degree = curve.degree;
-        piece.curve = index;
+        piece.curve = part.curve;
         Coefficients one{};
         one.fill(1.0);
         multiply(x.data(), x.data(), curve.degree, piece.xSquared);
@@ -161,21 +206,24 @@ class PieceBuilder {
         piece.ySquaredFit = fitQuadratic(localSquared, 2 * curve.degree);
         std::ranges::copy(fitQuadratic(piece.ySquared, 2 * curve.degree).value, piece.ySquaredFit.value);
         piece.yFit = fitQuadratic(piece.yRaised, 2 * curve.degree);
-        toPowers(x.data(), curve.degree, piece.xPowers);
-        toPowers(y.data(), curve.degree, piece.yPowers);
+        toPowers(x.data(), curve.degree, 0, piece.powers);
+        toPowers(y.data(), curve.degree, 1, piece.powers);
         addRing(x, y, static_cast<size_t>(curve.degree));
         pieces_->push_back(piece);
     }
 
-    bool isFlat(const Coefficients& x, const Coefficients& y, size_t degree) const {
+    double bendOf(const Part& part) const {
+        const ProfileCurve& curve = curves_[part.curve];
+        const auto degree = static_cast<size_t>(curve.degree);
+        const Coefficients x = partOf(curve.x, curve.degree, part.begin, part.end);
+        const Coefficients y = partOf(curve.y, curve.degree, part.begin, part.end);
         const double alongX = x[degree] - x[0], alongY = y[degree] - y[0];
-        const double chord = std::hypot(alongX, alongY);
         double most = 0.0;
         for (size_t i = 1; i < degree; ++i) {
             const double share = static_cast<double>(i) / static_cast<double>(degree);
             most = std::max(most, std::hypot(x[i] - x[0] - share * alongX, y[i] - y[0] - share * alongY));
         }
-        return most <= std::max(kFlatness * chord, kFlatAnyway * profile_.size());
+        return most / std::max(kFlatness * std::hypot(alongX, alongY), kFlatAnyway * profile_.size());
     }
 
     void addRing(const Coefficients& x, const Coefficients& y, size_t degree) {
@@ -209,7 +257,9 @@ class PieceBuilder {
     }
     static std::ptrdiff_t offset(size_t index) { return static_cast<std::ptrdiff_t>(index); }
 
+    std::vector<ProfileCurve> curves_;  ///< heights from the profile's middle
     const ProfileData& profile_;
+    std::vector<Part> parts_;
     std::vector<ProfilePiece>* pieces_;
     std::vector<PieceGroup>* groups_;
 };
@@ -218,10 +268,7 @@ class PieceBuilder {
 
 void addPieces(const std::vector<ProfileCurve>& curves, const ProfileData& profile,
                std::vector<ProfilePiece>* pieces, std::vector<PieceGroup>* groups) {
-    PieceBuilder builder(profile, pieces, groups);
-    for (size_t i = 0; i < curves.size(); ++i) {
-        builder.addCurve(curves[i], static_cast<uint32_t>(i));
-    }
+    PieceBuilder(curves, profile, pieces, groups).build();
 }
 
 }  // namespace glint

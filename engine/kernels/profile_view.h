@@ -36,8 +36,7 @@ struct QuadraticFit {
 /// is made of.
 struct ProfilePiece {
     QuadraticFit xSquaredFit, ySquaredFit, yFit;
-    double xPowers[kMaxProfileDegree + 1];  ///< coefficients of powers
-    double yPowers[kMaxProfileDegree + 1];
+    alignas(16) double powers[kMaxProfileDegree + 1][2];  ///< coefficients of the powers of x and y
     double middle;        ///< height that the errors of ySquaredFit, not its values, are of (y - middle)^2
     double begin, width;  ///< the curve's parameter where it begins, and from there to its end
     int degree;

@@ -54,10 +54,10 @@ GLINT_ONE_PIECE_APART GLINT_HD inline ClampedRoot searchClamped(const ProfileVie
         const auto index = static_cast<uint32_t>(whole);
         const ProfileCurve& curve = profile.curves[index];
         root.s = along - whole;
-        const PolynomialValue x = evaluateBernstein<kMaxProfileDegree>(curve.x, curve.degree, root.s);
-        PolynomialValue y = evaluateBernstein<kMaxProfileDegree>(curve.y, curve.degree, root.s);
-        y.value -= data.middle;
-        const detail::RingMiss miss(x, y, ray, root.t);
+        detail::ProfilePoint at{evaluateBernstein<kMaxProfileDegree>(curve.x, curve.degree, root.s),
+                                evaluateBernstein<kMaxProfileDegree>(curve.y, curve.degree, root.s)};
+        at.y.value -= data.middle;
+        const detail::RingMiss miss(at, ray, root.t);
         const double size = data.size();
         if (std::fabs(miss.height) < kClose * size && std::fabs(miss.ring) < kClose * size * size) {
             root.curve = index;

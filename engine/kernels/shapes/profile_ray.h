@@ -44,6 +44,12 @@ struct ProfileRay {
         nearest2 = across * across * inverseFlat2;
     }
 
+    /// Of a piece: how far off roots may be, which moves t the more the flatter the ray is.
+    GLINT_HD double closeRoot() const {
+        const double slope2 = dy * dy * inverseFlat2;
+        return slope2 < 0.01 ? 1e-7 * std::sqrt(slope2) : 1e-8;
+    }
+
     /// Of a piece: a step of Newton's method that leaves an error of its square. Smaller the closer together
     /// the ray's slope brings the places where it comes in and goes out.
     GLINT_HD double closeStep() const {

@@ -19,16 +19,35 @@
 namespace glint {
 namespace detail {
 
-/// A polynomial from the coefficients of its powers. kDegree: `degree`, or 0 for any.
+/// The distance from the axis and the height.
+struct ProfilePoint {
+    PolynomialValue x, y;
+};
+
+/// The profile at a piece's parameter. kDegree: the piece's, or 0 for any.
 template <int kDegree = 0>
-GLINT_HD inline PolynomialValue evaluatePowers(const double* powers, int degree, double s) {
-    const int n = kDegree > 0 ? kDegree : degree;
-    PolynomialValue at{powers[n], 0.0};
+GLINT_HD inline ProfilePoint pointOf(const ProfilePiece& piece, double s) {
+    const int n = kDegree > 0 ? kDegree : piece.degree;
+#if GLINT_HAS_AVX2
+    const __m128d at = _mm_set1_pd(s);
+    __m128d value = _mm_load_pd(piece.powers[n]), derivative = _mm_setzero_pd();
     for (int i = n - 1; i >= 0; --i) {
-        at.derivative = at.derivative * s + at.value;
-        at.value = at.value * s + powers[i];
+        derivative = _mm_fmadd_pd(derivative, at, value);
+        value = _mm_fmadd_pd(value, at, _mm_load_pd(piece.powers[i]));
     }
-    return at;
+    return {{_mm_cvtsd_f64(value), _mm_cvtsd_f64(derivative)},
+            {_mm_cvtsd_f64(_mm_unpackhi_pd(value, value)),
+             _mm_cvtsd_f64(_mm_unpackhi_pd(derivative, derivative))}};
+#else
+    ProfilePoint point{{piece.powers[n][0], 0.0}, {piece.powers[n][1], 0.0}};
+    for (int i = n - 1; i >= 0; --i) {
+        point.x.derivative = std::fma(point.x.derivative, s, point.x.value);
+        point.y.derivative = std::fma(point.y.derivative, s, point.y.value);
+        point.x.value = std::fma(point.x.value, s, piece.powers[i][0]);
+        point.y.value = std::fma(point.y.value, s, piece.powers[i][1]);
+    }
+    return point;
+#endif
 }
 
 /// How far the profile at one parameter, turned about the axis, misses the ray at t; and Newton's step for
@@ -37,12 +56,12 @@ struct RingMiss {
     double height, ring;
     double yByS, ringByS, ringByT, dy;
 
-    GLINT_HD RingMiss(const PolynomialValue& x, const PolynomialValue& y, const ProfileRay& ray, double t)
-        : yByS(y.derivative), dy(ray.dy) {
+    GLINT_HD RingMiss(const ProfilePoint& at, const ProfileRay& ray, double t)
+        : yByS(at.y.derivative), dy(ray.dy) {
         const double px = ray.ox + t * ray.dx, pz = ray.oz + t * ray.dz;
-        height = y.value - ray.oy - t * ray.dy;
-        ring = x.value * x.value - px * px - pz * pz;
-        ringByS = 2.0 * x.value * x.derivative;
+        height = at.y.value - ray.oy - t * ray.dy;
+        ring = at.x.value * at.x.value - px * px - pz * pz;
+        ringByS = 2.0 * at.x.value * at.x.derivative;
         ringByT = -2.0 * (px * ray.dx + pz * ray.dz);
     }
     GLINT_HD double determinant() const { return yByS * ringByT + dy * ringByS; }
@@ -54,8 +73,7 @@ struct RingMiss {
 GLINT_HD inline bool polishBoth(const ProfilePiece& piece, const ProfileRay& ray, double* s, double* t) {
     double ds = 1.0;
     for (int step = 0; step < 6 && std::fabs(ds) > 1e-9; ++step) {
-        const RingMiss miss(evaluatePowers(piece.xPowers, piece.degree, *s),
-                            evaluatePowers(piece.yPowers, piece.degree, *s), ray, *t);
+        const RingMiss miss(pointOf(piece, *s), ray, *t);
         ds = miss.stepS();
         const double dt = miss.stepT();
         // Where the ray grazes the surface, the root is as good as it gets.
@@ -78,7 +96,7 @@ GLINT_ONE_PIECE_APART GLINT_HD uint32_t meetHorizontally(const ProfilePiece& pie
         f[i] = piece.yRaised[i] - level;
     }
     return forEachBernsteinRoot<2 * kMaxProfileDegree>(f, 2 * piece.degree, [&](double s) {
-        const double x = evaluatePowers(piece.xPowers, piece.degree, s).value;
+        const double x = pointOf(piece, s).x.value;
         if (x * x < ray.nearest2) { return; }
         const double half = std::sqrt((x * x - ray.nearest2) / ray.flat2);
         for (const double side : {-half, half}) {
@@ -103,6 +121,10 @@ struct PieceMiss {
           constant(a * a + b * b),
           dy2(by.dy * by.dy) {}
 
+    /// The ray meets its end first.
+    GLINT_HD bool isMetBackwards() const {
+        return (piece.yFit.value[2] < piece.yFit.value[0]) != (ray.dy < 0.0);
+    }
     GLINT_HD double coefficient(double xSquared, double ySquared, double y) const {
         return dy2 * xSquared - ray.flat2 * ySquared - linear * y - constant;
     }
@@ -123,8 +145,8 @@ struct ExactMiss {
 
     GLINT_HD PolynomialValue operator()(double s) {
         const ProfileRay& ray = miss.ray;
-        const PolynomialValue x = evaluatePowers<kDegree>(miss.piece.xPowers, miss.piece.degree, s);
-        y = evaluatePowers<kDegree>(miss.piece.yPowers, miss.piece.degree, s);
+        const auto [x, height] = pointOf<kDegree>(miss.piece, s);
+        y = height;
         at = s;
         const double px = miss.a + y.value * ray.dx, pz = miss.b + y.value * ray.dz;
         const double ring = ray.dy * x.value;
@@ -214,6 +236,30 @@ GLINT_HD inline void askTurn(Exact&& exact, RootBrackets* brackets, uint32_t* st
     }
 }
 
+/// The root between two parameters, whose values differ in sign, from a guess: Newton's method with the fit's
+/// second derivative (Chebyshev's method), for one evaluation less. Ends when a bound of what is left of the
+/// error, to third order in the step, is at most `close`.
+template <class Exact>
+GLINT_HD inline double rootByFit(Exact&& exact, const RootBrackets& fit, double lo, double hi,
+                                 bool startsNegative, double guess, double close, uint32_t* steps) {
+    constexpr double kLeastStep = 1e-9;
+    double x = guess;
+    for (int i = 0; i < 64; ++i) {
+        ++*steps;
+        const PolynomialValue at = exact(x);
+        ((at.value < 0.0) == startsNegative ? lo : hi) = x;
+        const double inverse = 1.0 / at.derivative;
+        const double step = at.value * inverse, bent = fit.bend * inverse * step;
+        // Far from the root, Newton's own step is the one that comes to it wherever it starts.
+        const double next = x - step * (std::fabs(bent) < 0.5 ? 1.0 + bent : 1.0);
+        const double left = std::fabs(step) * (fit.bendError * std::fabs(inverse * step) + 2.0 * bent * bent);
+        if (left <= close || std::fabs(step) <= kLeastStep) { return next < lo ? lo : next > hi ? hi : next; }
+        x = next > lo && next < hi ? next : 0.5 * (lo + hi);
+        if (hi - lo <= kLeastStep) { break; }
+    }
+    return x;
+}
+
 /// A root at an end of its bracket. Brackets come from rounded coefficients, so that it may lie a little
 /// beyond its end, which moves the hit of a nearly horizontal ray a million times as far: Newton's method
 /// goes on there.
@@ -266,15 +312,17 @@ GLINT_HD inline uint32_t meetSteeply(const PieceMiss& miss, const Found& found) 
     ExactMiss<kDegree> exact{miss};
     if (brackets.count == RootBrackets::kAskTurn) { askTurn(exact, &brackets, &steps); }
     if (brackets.count == RootBrackets::kUnclear) { return steps + meetThoroughly(miss, found); }
+    // Heights rise or fall all along a piece, and the ray's t with them.
+    const bool comesLast = brackets.count == 2 && miss.isMetBackwards();
     for (int i = 0; i < brackets.count; ++i) {
-        const bool isSecond = i == 1;
+        const bool isSecond = (i == 1) != comesLast;
         const double begin = isSecond ? brackets.turn : 0.0;
         const double end = isSecond || brackets.count == 1 ? 1.0 : brackets.turn;
         const double mirrored = 2.0 * brackets.turn - brackets.guess;
         const double guess = !isSecond ? brackets.guess : mirrored < 1.0 ? mirrored : 0.5 * (begin + end);
-        const double s = bracketedRoot(exact, begin, end, brackets.startsNegative != isSecond, guess, &steps,
-                                       miss.ray.closeStep());
-        found(s, exact.rayT(s));
+        const double s = rootByFit(exact, brackets, begin, end, brackets.startsNegative != isSecond, guess,
+                                   miss.ray.closeRoot(), &steps);
+        if (found(s, exact.rayT(s))) { break; }
     }
     return steps;
 }

@@ -148,25 +148,27 @@ struct RevolvedSurface {
             const ProfilePiece& piece = profile.pieces[begin + next];
             tests.countPrimitives(1);
             tests.countNewtonSteps(meetPiece(piece, ray, [&](double s, double t) {
-                takeRoot(profile, frontOnly, piece.curve, ray, piece.begin + s * piece.width, t, nearest);
+                return takeRoot(profile, frontOnly, piece.curve, ray, piece.begin + s * piece.width, t,
+                                nearest);
             }));
             if (anyHit && nearest->curve != kNone) { return; }
         }
     }
 
-    /// Keeps the root at s of the curve and t where it is the nearest so far.
-    GLINT_HD static void takeRoot(const ProfileView& profile, bool frontOnly, uint32_t curve,
+    /// Keeps the root at s of the curve and t where it is the nearest so far, and says whether.
+    GLINT_HD static bool takeRoot(const ProfileView& profile, bool frontOnly, uint32_t curve,
                                   const ProfileRay& ray, double s, double t, Nearest* nearest) {
-        if (!(t > nearest->tMin && t < nearest->t)) { return; }
+        if (!(t > nearest->tMin && t < nearest->t)) { return false; }
         if (frontOnly) {
             const Vec3 p(ray.ox + t * ray.dx, ray.oy + t * ray.dy, ray.oz + t * ray.dz);
             const detail::TurnedProfile at(profile.curves[curve], static_cast<float>(s), p);
             const double facing = at.dy * at.cosine * ray.dx - at.dx * ray.dy - at.dy * at.sine * ray.dz;
-            if (static_cast<double>(profile.data->front) * facing >= 0.0) { return; }
+            if (static_cast<double>(profile.data->front) * facing >= 0.0) { return false; }
         }
         nearest->t = t;
         nearest->s = s;
         nearest->curve = curve;
+        return true;
     }
 };
 
