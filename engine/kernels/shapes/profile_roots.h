@@ -5,9 +5,8 @@
 // degree 2n in s:
 //   d.y^2 x(s)^2 = |o.xz d.y + (y(s) - o.y) d.xz|^2,   t = (y(s) - o.y) / d.y.
 // All its roots are found: a quadratic close to it tells of most pieces that there is one or none, and where
-// Newton's method starts; otherwise by bernstein.h. A ray that is nearly horizontal leaves y(s) = y alone, of
-// degree n; there t follows from the distance to the axis, and Newton's method for both unknowns removes what
-// the ray rises on its way.
+// Newton's method starts; otherwise by bernstein.h. A ray that is nearly horizontal leaves y(s) alone, in
+// which t has no digits; there t follows from the distance to the axis, and s from the height at it.
 #pragma once
 
 #include <initializer_list>
@@ -69,41 +68,82 @@ struct RingMiss {
     GLINT_HD double stepT() const { return (yByS * ring - ringByS * height) / determinant(); }
 };
 
-/// Newton's method for s and t. False: the root leaves the piece, so that its neighbour has it.
-GLINT_HD inline bool polishBoth(const ProfilePiece& piece, const ProfileRay& ray, double* s, double* t) {
+/// Newton's method for s and t, close to a root of the piece, in which it stays.
+GLINT_HD inline void polishBoth(const ProfilePiece& piece, const ProfileRay& ray, double* s, double* t) {
+    constexpr double kFarthest = 1e-6;
+    const double start = *s;
     double ds = 1.0;
     for (int step = 0; step < 6 && std::fabs(ds) > 1e-9; ++step) {
         const RingMiss miss(pointOf(piece, *s), ray, *t);
         ds = miss.stepS();
         const double dt = miss.stepT();
         // Where the ray grazes the surface, the root is as good as it gets.
-        if (!(std::fabs(ds) < 0.1) || !std::isfinite(dt)) { break; }
+        if (!(std::fabs(*s - ds - start) < kFarthest) || !std::isfinite(dt)) { break; }
         *s -= ds;
         *t -= dt;
     }
-    constexpr double kSlack = 1e-8;  // neighbours share their ends: better twice than never
-    const bool isInside = *s >= -kSlack && *s <= 1.0 + kSlack;
     *s = *s < 0.0 ? 0.0 : *s > 1.0 ? 1.0 : *s;
-    return isInside;
 }
 
+/// How far the profile lies above a nearly horizontal ray, where that is as far from the axis: before the ray
+/// is nearest to the axis (side -1) or after (1).
+struct HeightMiss {
+    const ProfilePiece& piece;
+    const ProfileRay& ray;
+    double side;
+
+    GLINT_HD double rayT(double xSquared) const {
+        const double beyond = (xSquared - ray.nearest2) * ray.inverseFlat2;
+        return ray.middle + side * std::sqrt(beyond > 0.0 ? beyond : 0.0);
+    }
+    GLINT_HD double above(double xSquared, double y) const { return y - ray.oy - ray.dy * rayT(xSquared); }
+
+    GLINT_HD PolynomialValue operator()(double s) const {
+        const auto [x, y] = pointOf(piece, s);
+        const double square = x.value * x.value;
+        const double tByS = x.value * x.derivative * ray.inverseFlat2 / (rayT(square) - ray.middle);
+        return {above(square, y.value), y.derivative - ray.dy * tByS};
+    }
+};
+
+/// On both sides of the ray's middle, a root lies where the profile changes from above the ray to below. Ends
+/// of pieces are asked with the bits that neighbours have, too, so that none gets lost between them.
 template <class Found>
 GLINT_ONE_PIECE_APART GLINT_HD uint32_t meetHorizontally(const ProfilePiece& piece, const ProfileRay& ray,
                                                          const Found& found) {
-    const double level = ray.oy + ray.middle * ray.dy;
-    double f[2 * kMaxProfileDegree + 1];
-    for (int i = 0; i <= 2 * piece.degree; ++i) {
-        f[i] = piece.yRaised[i] - level;
-    }
-    return forEachBernsteinRoot<2 * kMaxProfileDegree>(f, 2 * piece.degree, [&](double s) {
-        const double x = pointOf(piece, s).x.value;
-        if (x * x < ray.nearest2) { return; }
-        const double half = std::sqrt((x * x - ray.nearest2) / ray.flat2);
-        for (const double side : {-half, half}) {
-            double root = s, t = ray.middle + side;
-            if (polishBoth(piece, ray, &root, &t)) { found(root, t); }
+    const int last = 2 * piece.degree;
+    const double nearest = std::sqrt(ray.nearest2);
+    const double firstX = piece.powers[0][0], lastX = pointOf(piece, 1.0).x.value;
+    uint32_t steps = 0;
+    // The part of the piece that is not nearer to the axis than the ray; one on each side where it crosses.
+    for (const double lobe : {1.0, -1.0}) {
+        const bool begins = lobe * firstX >= 0.0 && piece.xSquared[0] >= ray.nearest2;
+        const bool ends = lobe * lastX >= 0.0 && piece.xSquared[last] >= ray.nearest2;
+        if (!begins && !ends) { continue; }
+        double edge = begins ? 1.0 : 0.0;
+        if (begins != ends) {
+            const auto beyond = [&](double s) {
+                const PolynomialValue x = pointOf(piece, s).x;
+                return PolynomialValue{lobe * x.value - nearest, lobe * x.derivative};
+            };
+            edge = bracketedRoot(beyond, 0.0, 1.0, ends, 0.5, &steps);
         }
-    });
+        const double edgeAbove = pointOf(piece, edge).y.value - ray.oy - ray.middle * ray.dy;
+        for (const double side : {-1.0, 1.0}) {
+            const HeightMiss miss{piece, ray, side};
+            const double first = begins ? miss.above(piece.xSquared[0], piece.yRaised[0]) : edgeAbove;
+            const double second = ends ? miss.above(piece.xSquared[last], piece.yRaised[last]) : edgeAbove;
+            if ((first < 0.0) == (second < 0.0)) { continue; }
+            const double begin = begins ? 0.0 : edge, end = ends ? 1.0 : edge;
+            const double share = first / (first - second);
+            double s = bracketedRoot(miss, begin, end, first < 0.0, begin + share * (end - begin), &steps);
+            const double x = pointOf(piece, s).x.value;
+            double t = miss.rayT(x * x);
+            polishBoth(piece, ray, &s, &t);
+            found(s, t);
+        }
+    }
+    return steps;
 }
 
 /// The polynomial of a piece, for one ray.
@@ -253,8 +293,12 @@ GLINT_HD inline double rootByFit(Exact&& exact, const RootBrackets& fit, double 
         // Far from the root, Newton's own step is the one that comes to it wherever it starts.
         const double next = x - step * (std::fabs(bent) < 0.5 ? 1.0 + bent : 1.0);
         const double left = std::fabs(step) * (fit.bendError * std::fabs(inverse * step) + 2.0 * bent * bent);
-        if (left <= close || std::fabs(step) <= kLeastStep) { return next < lo ? lo : next > hi ? hi : next; }
-        x = next > lo && next < hi ? next : 0.5 * (lo + hi);
+        // With another root just beyond the bracket's end, the guess may be closer to that one.
+        const bool crosses = (at.derivative > 0.0) == startsNegative;
+        if (crosses && (left <= close || std::fabs(step) <= kLeastStep)) {
+            return next < lo ? lo : next > hi ? hi : next;
+        }
+        x = crosses && next > lo && next < hi ? next : 0.5 * (lo + hi);
         if (hi - lo <= kLeastStep) { break; }
     }
     return x;

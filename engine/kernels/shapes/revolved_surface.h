@@ -25,6 +25,7 @@ namespace detail {
 struct TurnedProfile {
     double x, y, dx, dy;  ///< and derivatives by s
     double cosine = 1.0, sine = 0.0;
+    double side;  ///< -1 where x is negative: outwards is where (dx, -dy) points to there
 
     GLINT_HD TurnedProfile(const ProfileCurve& curve, float s, const Vec3& p) {
         const PolynomialValue vx =
@@ -35,10 +36,10 @@ struct TurnedProfile {
         dx = vx.derivative;
         y = vy.value;
         dy = vy.derivative;
+        side = x < 0.0 ? -1.0 : 1.0;
         const double px = static_cast<double>(p.x), pz = static_cast<double>(p.z);
         const double ring = std::sqrt(px * px + pz * pz);
         if (!(ring > 0.0)) { return; }
-        const double side = x < 0.0 ? -1.0 : 1.0;
         cosine = side * px / ring;
         sine = -side * pz / ring;
     }
@@ -90,7 +91,8 @@ struct RevolvedSurface {
         ObjectPoint point;
         point.p = Vec3(at.x * at.cosine, at.y, -at.x * at.sine);
         point.error = errorGamma(4) * absVec(point.p);
-        point.ng = profile.data->front * Vec3(at.dy * at.cosine, -at.dx, -at.dy * at.sine);
+        point.ng = profile.data->front * static_cast<float>(at.side) *
+                   Vec3(at.dy * at.cosine, -at.dx, -at.dy * at.sine);
         if (isZero(point.ng)) { point.ng = Vec3(0.0f, at.y < 0.0 ? -1.0f : 1.0f, 0.0f); }
         if constexpr (hasFeature<kMask>(kFeatureTextures)) {
             const float turn =
@@ -162,7 +164,8 @@ struct RevolvedSurface {
         if (frontOnly) {
             const Vec3 p(ray.ox + t * ray.dx, ray.oy + t * ray.dy, ray.oz + t * ray.dz);
             const detail::TurnedProfile at(profile.curves[curve], static_cast<float>(s), p);
-            const double facing = at.dy * at.cosine * ray.dx - at.dx * ray.dy - at.dy * at.sine * ray.dz;
+            const double facing =
+                at.side * (at.dy * at.cosine * ray.dx - at.dx * ray.dy - at.dy * at.sine * ray.dz);
             if (static_cast<double>(profile.data->front) * facing >= 0.0) { return false; }
         }
         nearest->t = t;
