@@ -17,9 +17,6 @@ namespace {
 /// Of the angle between view and up: less says nothing about which way is up (camera_builder.cpp).
 constexpr float kLeastSine = 1e-6f;
 
-/// The original's rooms of mirrors lose a tenth of their light at 16 events; roulette ends most paths before.
-constexpr int kDepth = 64;
-
 }  // namespace
 
 SceneTextReader::SceneTextReader(TextSource source, const LoadOptions& options)
@@ -27,7 +24,6 @@ SceneTextReader::SceneTextReader(TextSource source, const LoadOptions& options)
     scene_.path = tokens_.source().path;
     scene_.title = scene_.path.substr(scene_.path.find_last_of('/') + 1);
     scene_.environment.color = Vec3(0.5f);
-    scene_.options.maxDepth = kDepth;
 }
 
 Result<SceneDescription> SceneTextReader::read() {

@@ -182,7 +182,7 @@ TEST(Checkpoint, NamesWhatDiffers) {
         s.resolution.width = 38;
         s.options.filter = FilterKind::Box;
     });
-    EXPECT_THAT(several, HasSubstr("maxDepth is 16 in the checkpoint and 8 now"));
+    EXPECT_THAT(several, HasSubstr("maxDepth is 64 in the checkpoint and 8 now"));
     EXPECT_THAT(several, HasSubstr("width is 37 in the checkpoint and 38 now"));
     EXPECT_THAT(several, HasSubstr("filter is blackman-harris in the checkpoint and box now"));
 }

@@ -77,7 +77,7 @@ TEST(ImageFile, ExrKeepsRadianceLayersAndMetadata) {
     EXPECT_EQ(loaded->attributes.at("renderSeconds"), "1.25");
     EXPECT_EQ(loaded->attributes.at("relativeError"), "0.015625");
     EXPECT_EQ(loaded->attributes.at("glintVersion"), GLINT_VERSION);
-    EXPECT_EQ(loaded->attributes.at("setting.maxDepth"), "16");
+    EXPECT_EQ(loaded->attributes.at("setting.maxDepth"), "64");
 }
 
 TEST(ImageFile, PngAndHdrAndRefusals) {
