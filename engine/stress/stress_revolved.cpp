@@ -63,6 +63,20 @@ Ray levelRay(const TestedProfile& profile, uint64_t index, float slope) {
     return ray;
 }
 
+/// Rising by `slope`, at the height of two curves' common end somewhere within twice the radius from its
+/// middle.
+Ray jointRay(const TestedProfile& profile, uint64_t index, float slope) {
+    const std::array<float, 6> u = numbersOf(index);
+    const auto& curves = profile.table.curves;
+    const ProfileCurve& curve = curves[static_cast<size_t>(u[0] * static_cast<float>(curves.size()))];
+    const auto radius = static_cast<float>(profile.table.profiles[0].radius);
+    const float angle = kTwoPi * u[1];
+    const Vec3 direction(std::cos(angle), slope, -std::sin(angle));
+    const float beside = radius * u[2] * u[2];
+    const Vec3 middle(-beside * direction.z, curve.y[curve.degree], beside * direction.x);
+    return {middle + 4.0f * radius * (u[3] - 1.5f) * direction, direction};
+}
+
 /// Downwards but for a millionth, past the axis at a distance that shrinks to `least` of the radius.
 Ray uprightRay(const TestedProfile& profile, uint64_t index, float least) {
     const std::array<float, 6> u = numbersOf(index);
@@ -104,6 +118,11 @@ void addRevolvedCases(StressCases* cases) {
     for (const float slope : {0.0f, 1e-9f, 1e-6f, 1e-5f, 1e-4f, 1e-2f}) {
         cases->push_back(raysCase("slope " + gradeNumber(slope), "rays that rise by " + gradeNumber(slope),
                                   glass, 1.0f, levelRay, slope));
+    }
+    for (const float slope : {1e-8f, 1e-7f, 2e-6f}) {
+        cases->push_back(raysCase("slope " + gradeNumber(slope) + " at a joint",
+                                  "rays that rise by " + gradeNumber(slope) + " through a joint", glass, 1.0f,
+                                  jointRay, slope));
     }
     for (const float least : {1e-2f, 1e-6f, 1e-12f}) {
         cases->push_back(raysCase("upright, " + gradeNumber(least) + " from the axis",

@@ -252,7 +252,7 @@ TEST(RevolvedShape, NearlyHorizontalRaysLeaveNoClosedSurface) {
     for (const NamedProfile& profile : {round, straight}) {
         const ProfileTable table = builtProfile(profile.object());
         const float radius = profile.points[3].x;
-        for (const float slope : {0.0f, 1e-9f, -1e-8f, 1e-7f, 5e-7f, -9e-7f, 1.5e-6f}) {
+        for (const float slope : {0.0f, 1e-9f, -1e-8f, 1e-7f, 5e-7f, -9e-7f, 1.5e-6f, 9e-6f, 1.5e-5f}) {
             for (int i = -40; i <= 40; ++i) {
                 // The joint's height is the ray's at up to twice the radius from its middle.
                 const float height = 0.05f * static_cast<float>(i) * slope * radius;

@@ -14,7 +14,7 @@ namespace glint {
 struct ProfileRay {
     /// A ray as good as horizontal leaves the curve's height alone: roots of its polynomial would be lost in
     /// rounding.
-    static constexpr double kHorizontalSlope = 1e-6;
+    static constexpr double kHorizontalSlope = 1e-5;
 
     double ox, oy, oz, dx, dy, dz;
     double shift;     ///< t of the origin
