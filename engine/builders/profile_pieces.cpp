@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "engine/math/bernstein.h"
 
@@ -141,8 +142,6 @@ class PieceBuilder {
     }
 
   private:
-    static constexpr size_t kGroupPieces = size_t{kPieceLanes} * kPieceLanes;
-
     void addMonotoneParts(uint32_t index) {
         const ProfileCurve& curve = curves_[index];
         std::vector<double> places{0.0, 1.0};

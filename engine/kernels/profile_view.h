@@ -56,7 +56,9 @@ struct alignas(32) PieceRings {
     float least2[kPieceLanes], most2[kPieceLanes];    ///< distance from the axis, squared
 };
 
-/// Up to 64 pieces in a row: a ring around each eight of them, and the eights.
+constexpr uint32_t kGroupPieces = kPieceLanes * kPieceLanes;
+
+/// Up to kGroupPieces pieces in a row: a ring around each eight of them, and the eights.
 struct PieceGroup {
     PieceRings around;
     PieceRings rings[kPieceLanes];
@@ -70,7 +72,9 @@ struct ProfileData {
     uint32_t firstPiece, pieceCount;
     uint32_t firstGroup;
     float area;
-    float front;  ///< 1: the front is where (dy/ds, -dx/ds) points to in the half plane; -1: the other side
+    /// 1: the front is where (dy/ds, -dx/ds) points to in the half plane; -1: the other side. Where x is
+    /// negative, the other way round.
+    float front;
     bool clampsSearch;  ///< rays meet what shapes/clamped_search.h finds
 
     /// The box's diagonal.

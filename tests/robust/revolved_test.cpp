@@ -346,10 +346,12 @@ TEST(RevolvedShape, PiecesLieEndToEndAndFillGroups) {
         }
         EXPECT_NEAR(end, 1.0, 1e-15) << profile.name;
         EXPECT_EQ(curve + 1, table.curves.size()) << profile.name;
-        EXPECT_EQ(table.groups.size(), (table.pieces.size() + 63) / 64) << profile.name;
+        EXPECT_EQ(table.groups.size(), (table.pieces.size() + kGroupPieces - 1) / kGroupPieces)
+            << profile.name;
     }
-    // Each of its 37 curves has a turn, so that 74 parts are the least; flat ones would be more than 192.
-    EXPECT_EQ(builtProfile(wavy.object()).pieces.size(), 192u);
+    // Each of its 37 curves has a turn, so that 74 parts are the least; flat ones would be more than three
+    // groups.
+    EXPECT_EQ(builtProfile(wavy.object()).pieces.size(), 3 * kGroupPieces);
 }
 
 }  // namespace

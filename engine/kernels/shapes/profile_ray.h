@@ -13,7 +13,8 @@ namespace glint {
 /// lose no digits.
 struct ProfileRay {
     /// A ray as good as horizontal leaves the curve's height alone: roots of its polynomial would be lost in
-    /// rounding.
+    /// rounding, at joints of pieces from a slope of 1e-6 on. Two hits of one piece may be lost instead where
+    /// the ray dips by less than the slope's square times the curve's radius.
     static constexpr double kHorizontalSlope = 1e-5;
 
     double ox, oy, oz, dx, dy, dz;

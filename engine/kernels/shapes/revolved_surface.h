@@ -25,7 +25,7 @@ namespace detail {
 struct TurnedProfile {
     double x, y, dx, dy;  ///< and derivatives by s
     double cosine = 1.0, sine = 0.0;
-    double side;  ///< -1 where x is negative: outwards is where (dx, -dy) points to there
+    double side;  ///< -1 where x is negative, where the front is on the curve's other side
 
     GLINT_HD TurnedProfile(const ProfileCurve& curve, float s, const Vec3& p) {
         const PolynomialValue vx =
@@ -112,8 +112,6 @@ struct RevolvedSurface {
     }
 
   private:
-    static constexpr uint32_t kGroupPieces = kPieceLanes * kPieceLanes;
-
     /// The nearest root so far; t counts from the ProfileRay's origin.
     struct Nearest {
         double tMin, t;
