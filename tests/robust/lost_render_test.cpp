@@ -1,6 +1,10 @@
 // A render is never lost: not when nothing can be said any more, not by a signal, not by a name that cannot
 // be written. What was rendered is saved, and what cannot be saved is not rendered.
+#include <algorithm>
+#include <cmath>
+
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -35,6 +39,16 @@ void breakPipe(int stream) {
     ::dup2(ends[1], stream);
     ::close(ends[0]);
     ::close(ends[1]);
+}
+
+/// Of the children that have ended.
+double processorSecondsOfChildren() {
+    rusage usage{};
+    getrusage(RUSAGE_CHILDREN, &usage);
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
 struct Stream {
@@ -196,13 +210,27 @@ TEST_F(LostRender, ASignalBeforeAnythingIsRenderedIsSaid) {
 }
 
 TEST_F(LostRender, ASignalInTheFirstPassGivesThatPass) {
-    // A second of processor time ends in the first pass: two million paths take longer everywhere.
+    // A limit of processor time ends in the first pass: it comes after what reading the scene takes, and the
+    // pass is made so large that it takes four seconds, sanitizers or not.
     const std::string image = folder.path("a.png");
-    const ProgramRun run = runProgram(
-        {"render", kCornell, "-o", image, "--size", "1600x1200", "--passes", "100"}, {.before = [] {
-            const rlimit second{1, RLIM_INFINITY};
-            setrlimit(RLIMIT_CPU, &second);
-        }});
+    const auto render = [&](int width, const char* passes, const RunSetup& setup) {
+        return runProgram({"render", kCornell, "-o", image, "--size",
+                           fmt::format("{}x{}", width, width * 3 / 4), "--passes", passes},
+                          setup);
+    };
+    const auto seconds = [&](int width) {
+        const double before = processorSecondsOfChildren();
+        EXPECT_EQ(render(width, "1", {}).exitCode, 0);
+        return processorSecondsOfChildren() - before;
+    };
+    const double start = seconds(16), pass = std::max(0.005, seconds(320) - start);
+    const double limit = std::ceil(start + 0.5);
+    const int width = std::min(8000, static_cast<int>(320 * std::sqrt((limit - start + 4.0) / pass)));
+    std::filesystem::remove(image);
+    const ProgramRun run = render(width, "100", {.before = [limit] {
+                                      const rlimit most{static_cast<rlim_t>(limit), RLIM_INFINITY};
+                                      setrlimit(RLIMIT_CPU, &most);
+                                  }});
     EXPECT_EQ(run.exitCode, 130) << run.err;
     EXPECT_TRUE(says(run.err, "interrupted in the first pass"));
     EXPECT_TRUE(says(run.out, " 1 passes in"));
