@@ -15,7 +15,7 @@ constexpr const char* kHead = R"({
   "description": "An evening: three warm lamps against what is left of the daylight in the window. The lamps' bulbs shine into their shades, and the shades outwards.",
   "resolution": [1280, 720],
   "camera": { "position": [2.1, 1.42, 2.3], "target": [-0.62, 0.86, -0.95], "verticalFovDeg": 45 },
-  "render": { "maxDepth": 12, "fireflyClamp": 20, "integrator": "sppm", "sppm": { "photonsPerPass": 500000, "radius": 0.04, "directLight": "photons" } },
+  "render": { "maxDepth": 12, "integrator": "sppm", "sppm": { "photonsPerPass": 500000, "radius": 0.04, "directLight": "photons" } },
   "textures": {
     "planks": { "file": "planks.png", "scale": [0.8, 0.8], "filter": "mipmap" },
     "planks height": { "file": "planks_height.png", "encoding": "linear", "scale": [0.8, 0.8], "filter": "mipmap" },

@@ -26,7 +26,7 @@ std::optional<AssetCache::StoredFile> AssetCache::storedFile(const AssetSource<G
 AssetCache::StoredFile AssetCache::keyOf(StoredFile file) const {
     if (auto* onDisk = std::get_if<FileSource>(&file)) {
         const std::filesystem::path path(resolvePath(onDisk->path, scenePath_));
-        *onDisk = {path.lexically_normal().string()};
+        *onDisk = {.path = path.lexically_normal().string(), .isFaceted = onDisk->isFaceted};
     }
     return file;
 }
@@ -50,15 +50,17 @@ Result<AssetCache::LoadedMesh*> AssetCache::loadMesh(const StoredFile& file) {
     if (const auto found = meshes_.find(key); found != meshes_.end()) { return &found->second; }
     const auto bytes = open(file, readMeshBytes);
     if (!bytes) { return bytes.error(); }
-    Result<MeshFile> read = readMeshFile(**bytes, nameOf(file));
+    const auto* onDisk = std::get_if<FileSource>(&file);
+    const bool isFaceted = onDisk != nullptr && onDisk->isFaceted;
+    Result<MeshFile> read = readMeshFile(**bytes, nameOf(file), isFaceted);
     if (!read) { return read.error(); }
     ++counts_->meshFiles;
     counts_->meshFileBytes += (*bytes)->size();
     return &meshes_.emplace(key, LoadedMesh{std::move(*read)}).first->second;
 }
 
-Result<const MeshFile*> AssetCache::meshFile(const std::string& path) {
-    const Result<LoadedMesh*> found = loadMesh(FileSource{path});
+Result<const MeshFile*> AssetCache::meshFile(const FileSource& file) {
+    const Result<LoadedMesh*> found = loadMesh(file);
     if (!found) { return found.error(); }
     return &(*found)->file;
 }

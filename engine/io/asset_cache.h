@@ -35,7 +35,7 @@ class AssetCache {
 
     /// The parts of a mesh file, without or with its materials. Valid as long as the cache. Who asks last may
     /// take all but the meshes out of the latter.
-    Result<const MeshFile*> meshFile(const std::string& path);
+    Result<const MeshFile*> meshFile(const FileSource& file);
     Result<MeshFile*> meshFileWithMaterials(const std::string& path);
 
     /// The image of `source`, as a texture or as an environment (environment_image.h), with its source; what

@@ -32,12 +32,12 @@ std::string listImporters(bool onlyMeshes) {
     return joinNames(std::vector<std::string_view>(kinds.begin(), kinds.end()));
 }
 
-Result<MeshFile> readMeshFile(const std::string& bytes, const std::string& path) {
+Result<MeshFile> readMeshFile(const std::string& bytes, const std::string& path, bool isFaceted) {
     const Importer* importer = importerOf(path, headOf(bytes));
     if (const auto foreign = foreignKindError(path, headOf(bytes), importer == nullptr)) { return *foreign; }
     if (importer != nullptr && importer->readMesh != nullptr) {
         Result<MeshFile> file = importer->readMesh(bytes, path);
-        if (file) { completeNormals(path, &*file); }
+        if (file) { completeNormals(path, isFaceted, &*file); }
         return file;
     }
     return Error{fmt::format("is not a mesh file Glint knows; expected {}", listImporters(true)),

@@ -46,9 +46,9 @@ const Importer* importerOf(const std::string& path, std::string_view head);
 /// "Glint JSON (.json), … or PLY (.ply)": all of them, or those that read meshes.
 std::string listImporters(bool onlyMeshes = false);
 
-/// Reads a mesh file from memory and completes its normals (mesh_normals.h). Error: as its importer; no
-/// importer reads meshes from such a file.
-Result<MeshFile> readMeshFile(const std::string& bytes, const std::string& path);
+/// Reads a mesh file from memory and completes its normals (mesh_normals.h), but for smooth ones where it is
+/// to be faceted. Error: as its importer; no importer reads meshes from such a file.
+Result<MeshFile> readMeshFile(const std::string& bytes, const std::string& path, bool isFaceted = false);
 
 /// The bytes of a file for readMeshFile(), as readFileOfKind() (file_kind.h) tells.
 Result<std::string> readMeshBytes(const std::string& path);

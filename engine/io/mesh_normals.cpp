@@ -248,7 +248,7 @@ uint64_t addSmoothNormals(std::vector<MeshPart>* parts) {
     return count;
 }
 
-void completeNormals(const std::string& path, MeshFile* file) {
+void completeNormals(const std::string& path, bool isFaceted, MeshFile* file) {
     uint64_t turned = 0;
     bool hasGroups = false;
     for (const MeshPart& part : file->parts) {
@@ -262,6 +262,7 @@ void completeNormals(const std::string& path, MeshFile* file) {
             "the front",
             path, turned));
     }
+    if (isFaceted) { return; }
     if (const uint64_t smooth = addSmoothNormals(&file->parts); smooth > 0) {
         file->notes.push_back(
             fmt::format("{}: {} triangles without normals get smooth ones, {}", path, smooth,

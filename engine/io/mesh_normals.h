@@ -24,7 +24,7 @@ uint64_t turnByNormals(MeshData* mesh);
 /// where no triangle gets another normal. Time and memory grow linearly with the triangles.
 uint64_t addSmoothNormals(std::vector<MeshPart>* parts);
 
-/// Both, with a warning and a note.
-void completeNormals(const std::string& path, MeshFile* file);
+/// Both, with a warning and a note; only the first where the triangles are to stay flat.
+void completeNormals(const std::string& path, bool isFaceted, MeshFile* file);
 
 }  // namespace glint

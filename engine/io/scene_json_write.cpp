@@ -188,7 +188,9 @@ class SceneJsonWriter {
     }
     void writeItem(const Mesh& mesh) {
         if (const auto* file = std::get_if<FileSource>(&mesh.source)) {
-            writeFields(FileSource{rebased(file->path), file->part});
+            FileSource saved = *file;
+            saved.path = rebased(file->path);
+            writeFields(saved);
         } else if (const auto* generator = std::get_if<MeshGenerator>(&mesh.source)) {
             writeFields(*generator);
         } else if (!mesh.data) {

@@ -107,7 +107,7 @@ void SceneTextReader::readMesh(const Affine& toWorld) {
         }
         return;
     }
-    const auto file = assets_.meshFile(located);
+    const auto file = assets_.meshFile({.path = located, .isFaceted = true});
     if (!file) {
         tokens_.fail(at, fmt::format("the mesh cannot be read: {}", file.error().format()));
         return;
@@ -189,7 +189,8 @@ int SceneTextReader::addMesh(const std::string& path, int part, std::shared_ptr<
     Mesh& mesh = scene_.meshes.emplace_back();
     mesh.name =
         path.empty() ? fmt::format("triangle {}", index + 1) : path.substr(path.find_last_of('/') + 1);
-    if (!path.empty()) { mesh.source = FileSource{path, part}; }
+    // The original shades triangles without normals as they are.
+    if (!path.empty()) { mesh.source = FileSource{path, part, true}; }
     mesh.data = std::move(data);
     if (!path.empty()) { meshes_[key] = index; }
     return index;

@@ -125,6 +125,18 @@ GLINT_HD inline LightSample sampleDeltaLight(const SceneView& view, const Emitte
     return s;
 }
 
+template <FeatureMask kMask>
+GLINT_HD inline LightSample sampleEnvironmentLight(const SceneView& view, const LightContext& at,
+                                                   const Vec2& u) {
+    LightSample s;
+    const DirectionSample direction = sampleEnvironment<kMask>(view.lights, at, u);
+    s.wiWorld = direction.wiWorld;
+    s.pdfSolidAngle = direction.pdfSolidAngle;
+    s.radiance = s.pdfSolidAngle > 0.0f ? environmentRadiance<kMask>(view, s.wiWorld) : Vec3(0.0f);
+    s.isInfinite = true;
+    return s;
+}
+
 /// A sample of one given light, as if it had been chosen with certainty.
 template <FeatureMask kMask>
 GLINT_HD inline LightSample sampleEmitter(const SceneView& view, const LightContext& at, const EmitterData& e,
@@ -135,15 +147,7 @@ GLINT_HD inline LightSample sampleEmitter(const SceneView& view, const LightCont
         if (isDeltaLight(e.kind)) { return sampleDeltaLight<kMask>(view, e, at.p); }
     }
     if constexpr (kEnvironment) {
-        if (e.kind == EmitterKind::Environment) {
-            LightSample s;
-            const DirectionSample direction = sampleEnvironment<kMask>(view.lights, at, u);
-            s.wiWorld = direction.wiWorld;
-            s.pdfSolidAngle = direction.pdfSolidAngle;
-            s.radiance = s.pdfSolidAngle > 0.0f ? environmentRadiance<kMask>(view, s.wiWorld) : Vec3(0.0f);
-            s.isInfinite = true;
-            return s;
-        }
+        if (e.kind == EmitterKind::Environment) { return sampleEnvironmentLight<kMask>(view, at, u); }
     }
     if constexpr (hasFeature<kMask>(kFeatureAreaLights)) { return sampleAreaLight<kMask>(view, e, at.p, u); }
     return {};
@@ -154,8 +158,9 @@ template <FeatureMask kMask>
 GLINT_HD inline LightSample sampleLight(const SceneView& view, const LightContext& at, float uChoice,
                                         const Vec2& uPoint) {
     const LightChoice choice = chooseLight<kMask>(view.lights, at, uChoice);
-    if (!(choice.probability > 0.0f)) { return {}; }
-    LightSample s = sampleEmitter<kMask>(view, at, view.lights.emitters[choice.emitter], uPoint);
+    LightSample s = choice.probability > 0.0f
+                        ? sampleEmitter<kMask>(view, at, view.lights.emitters[choice.emitter], uPoint)
+                        : LightSample{};
     s.emitter = choice.emitter;
     s.pdfSolidAngle *= choice.probability;
     return s;

@@ -49,13 +49,17 @@ GLINT_HD inline float lightImportance(const LightNode& node, const LightContext&
         cosDifferenceClamped(sinFromCos(cosReceiver), cosReceiver, sinSpread, cosSpread);
     if (cosReceiverBest <= 0.0f) { return 0.0f; }
 
-    float cosAxis = -glm::dot(node.axis, d) * inverseDistance;
-    if (node.bothSides) { cosAxis = std::fabs(cosAxis); }
-    const float sinAxis = sinFromCos(cosAxis);
-    const float sinNormals = sinFromCos(node.cosNormals);
-    const float cosToNormals = cosDifferenceClamped(sinAxis, cosAxis, sinNormals, node.cosNormals);
-    const float sinToNormals = sinDifferenceClamped(sinAxis, cosAxis, sinNormals, node.cosNormals);
-    const float cosEmitterBest = cosDifferenceClamped(sinToNormals, cosToNormals, sinSpread, cosSpread);
+    // Where light leaves around all directions, one of them leads here.
+    float cosEmitterBest = 1.0f;
+    if (node.cosNormals > -1.0f) {
+        float cosAxis = -glm::dot(node.axis, d) * inverseDistance;
+        if (node.bothSides) { cosAxis = std::fabs(cosAxis); }
+        const float sinAxis = sinFromCos(cosAxis);
+        const float sinNormals = sinFromCos(node.cosNormals);
+        const float cosToNormals = cosDifferenceClamped(sinAxis, cosAxis, sinNormals, node.cosNormals);
+        const float sinToNormals = sinDifferenceClamped(sinAxis, cosAxis, sinNormals, node.cosNormals);
+        cosEmitterBest = cosDifferenceClamped(sinToNormals, cosToNormals, sinSpread, cosSpread);
+    }
     if (cosEmitterBest <= node.cosEmission) { return 0.0f; }
 
     return weight * cosEmitterBest * (kGrazingWeight + (1.0f - kGrazingWeight) * cosReceiverBest);

@@ -45,11 +45,12 @@ GLINT_HD inline bool scatterBy(const SceneView& view, const PassParams& params, 
         PathEvent event;
         event.kind = PathEventKind::Scatter;
         event.depth = path->depth;
-        event.direction = next.wi;
-        event.value = next.valid ? next.weight : Vec3(0.0f);
+        const BsdfSample known = next.valid ? next : BsdfSample{};
+        event.direction = known.wi;
+        event.value = known.weight;
         event.throughput = path->throughput;
-        event.pdfBsdf = next.pdfSolidAngle;
-        event.flag = next.isSpecular;
+        event.pdfBsdf = known.pdfSolidAngle;
+        event.flag = known.isSpecular;
         log->add(event);
     }
     if (!next.valid) { return false; }
@@ -57,7 +58,7 @@ GLINT_HD inline bool scatterBy(const SceneView& view, const PassParams& params, 
     path->pdfBsdf = next.pdfSolidAngle;
     path->specularBounce = next.isSpecular;
     path->etaScale *= next.etaScale;
-    path->ray = spawnRay(surface, next.wi);
+    leaveSurface(surface, next.wi, &path->ray);
     if (hasFeature<kMask>(kFeatureAttenuation) && next.isTransmission) {
         passSurface(view, surface.material, glm::dot(next.wi, surface.ng) < 0.0f, &path->glasses);
     }
@@ -96,14 +97,14 @@ GLINT_HD inline void logVertex(const PathState& path, const SurfacePoint& surfac
     }
 }
 
-/// What light sampling needs to know of a vertex.
+/// What light sampling needs to know of a vertex. In its place: a copy would read what was just written by
+/// other widths, for which processors wait.
 template <FeatureMask kMask>
-GLINT_HD inline LightContext lightContextAt(const SurfacePoint& surface, const Bsdf<kMask>& bsdf) {
-    LightContext context;
-    context.p = surface.p;
-    context.n = bsdf.ngWorld;
-    context.bothSides = transmitsSampledLight(bsdf);
-    return context;
+GLINT_HD inline void setLightContext(const SurfacePoint& surface, const Bsdf<kMask>& bsdf,
+                                     LightContext* context) {
+    context->p = surface.p;
+    context->n = bsdf.ngWorld;
+    context->bothSides = transmitsSampledLight(bsdf);
 }
 
 /// The surface that the path has met.
@@ -135,7 +136,7 @@ GLINT_HD inline void followPath(const SceneView& view, const PassParams& params,
         disperse<kMask>(view, sampler, surface.material, &path->wavelength, &path->throughput);
         const Bsdf<kMask> bsdf =
             makeBsdf<kMask>(view, surface, wo, TransportMode::Radiance, path->wavelength.nm);
-        path->context = lightContextAt(surface, bsdf);
+        setLightContext(surface, bsdf, &path->context);
         if (!isSpecularOnly(bsdf)) {
             addSampledLight<kMask>(view, params, sampler, surface, bsdf, path, log);
         }

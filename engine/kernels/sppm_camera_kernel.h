@@ -72,7 +72,7 @@ GLINT_HD bool followToVisiblePoint(const SceneView& view, const SppmParams& para
         const LobeRange stored = visiblePointLobes(bsdf, params.storeAlpha);
         const bool sampleLight =
             stored.probability() > 0.0f ? params.sampleDirectLight : !isSpecularOnly(bsdf);
-        path->context = lightContextAt(surface, bsdf);
+        setLightContext(surface, bsdf, &path->context);
         if (sampleLight) { addSampledLight<kMask>(view, pass, sampler, surface, bsdf, path, &log); }
 
         const float uLobe = get1D<kMask>(sampler, dimension(BounceDimension::Lobe, path->depth));

@@ -83,7 +83,7 @@ GLINT_HD bool scatterPhoton(const SceneView& view, const Sampler& sampler, const
         return false;
     }
     photon->flux = scattered * (1.0f / chance);
-    photon->ray = spawnRay(surface, next.wi);
+    leaveSurface(surface, next.wi, &photon->ray);
     if (hasFeature<kMask>(kFeatureAttenuation) && next.isTransmission) {
         passSurface(view, surface.material, glm::dot(next.wi, surface.ng) < 0.0f, &photon->glasses);
     }

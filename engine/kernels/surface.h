@@ -69,7 +69,8 @@ GLINT_HD inline void normalsToWorld(const InstanceData& instance, const ObjectPo
     const auto toWorld = [&](const Vec3& n) {
         return isThere ? n : transformNormal(instance.worldToObject.linear, n);
     };
-    point->ng = normalizeOr(toWorld(local.ng), normalizeOr(-ray.direction, Vec3(0.0f, 0.0f, 1.0f)));
+    point->ng = normalizeOr(toWorld(local.ng), Vec3(0.0f));
+    if (isZero(point->ng)) { point->ng = normalizeOr(-ray.direction, Vec3(0.0f, 0.0f, 1.0f)); }
     point->ns = point->ng;
     if constexpr (hasFeature<kMask>(kFeatureMeshNormals)) {
         if (isZero(local.ns)) { return; }
@@ -163,6 +164,14 @@ GLINT_HD SurfacePoint surfaceAt(const SceneView& view, const Ray& ray, const Hit
 /// A ray that leaves the surface towards `direction`, on whichever side that is.
 GLINT_HD inline Ray spawnRay(const SurfacePoint& from, const Vec3& direction) {
     return {detail::offsetPoint(from.p, from.pError, from.ng, direction), direction, 0.0f, kInfinity};
+}
+
+/// The same in its place, for a path that goes on.
+GLINT_HD inline void leaveSurface(const SurfacePoint& from, const Vec3& direction, Ray* ray) {
+    ray->origin = detail::offsetPoint(from.p, from.pError, from.ng, direction);
+    ray->direction = direction;
+    ray->tMin = 0.0f;
+    ray->tMax = kInfinity;
 }
 
 /// A ray from the surface to the point `to`, ending just before it; its direction is `to - origin`, so t = 1

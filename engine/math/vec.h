@@ -4,6 +4,8 @@
 #pragma once
 
 #define GLM_FORCE_SILENT_WARNINGS
+// Without the unions that give x a second name, GCC keeps vectors of structs in registers.
+#define GLM_FORCE_XYZW_ONLY
 #include <cmath>
 #include <cstdint>
 #include <limits>

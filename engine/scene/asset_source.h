@@ -12,6 +12,7 @@ namespace glint {
 struct FileSource {
     std::string path;  ///< as written in the scene file
     int part = -1;  ///< meshes: the n-th part (OBJ: a run of one material), in file order; -1: the whole file
+    bool isFaceted = false;  ///< meshes: triangles without normals stay flat; else they get smooth ones
 
     auto operator<=>(const FileSource&) const = default;
 };

@@ -483,7 +483,11 @@ struct FieldsOf<FileSource> {
                        "part); all of "
                        "them if left out",
                .inPicture = false},
-              {.isSaved = [](const FileSource& file) { return file.part >= 0; }})};
+              {.isSaved = [](const FileSource& file) { return file.part >= 0; }}),
+        field("faceted", &FileSource::isFaceted,
+              {.help = "triangles without normals stay flat; otherwise they get smooth ones",
+               .inPicture = false},
+              {.isSaved = [](const FileSource& file) { return file.isFaceted; }})};
 };
 
 template <>

@@ -119,17 +119,28 @@ class Search {
         return false;
     }
 
+    /// Whether a profile is a point, or lies on the axis.
+    static bool turnsNothing(const std::vector<Vec2>& profile) {
+        const auto isFirst = [&](const Vec2& p) { return p == profile.front(); };
+        const auto isOnAxis = [](const Vec2& p) { return p.x == 0.0f; };
+        return std::ranges::all_of(profile, isFirst) || std::ranges::all_of(profile, isOnAxis);
+    }
+
+    bool lacksArea(size_t index) const {
+        const Object& object = scene_.objects[index];
+        if (object.shape == ShapeKind::Revolved) { return turnsNothing(object.profile); }
+        return triangleCount(index) > 0 && !hasArea(*scene_.meshes[static_cast<size_t>(object.mesh)].data);
+    }
+
     void checkAreas() {
         size_t count = 0;
         size_t first = 0;
         for (size_t i = 0; i < scene_.objects.size(); ++i) {
-            if (triangleCount(i) == 0) { continue; }
-            const auto mesh = static_cast<size_t>(scene_.objects[i].mesh);
-            if (!hasArea(*scene_.meshes[mesh].data) && count++ == 0) { first = i; }
+            if (lacksArea(i) && count++ == 0) { first = i; }
         }
         if (count == 0) { return; }
         warnings_.push_back(fmt::format(
-            "{} has no area{}: its triangles are points or lines, which are not seen and do not shine",
+            "{} has no area{}: it is made of points or lines, which are not seen and do not shine",
             nameOf(scene_, first), count > 1 ? fmt::format(" (and {} more objects)", count - 1) : ""));
     }
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/kernels/surface.h"
 #include "engine/stress/revolved_truth.h"
 #include "tests/support/uniform_numbers.h"
 
@@ -316,6 +317,34 @@ TEST(RevolvedShape, WhatCrossesTheAxisHasItsFrontOutsideOnBothSides) {
         EXPECT_NEAR(hit.t, 2.0f - std::fabs(height - 0.5f), 1e-5f);
         EXPECT_GT(RevolvedShape::surface<0>(table.view(0), hit, ray.at(hit.t)).ng.x, 0.0f);
     }
+}
+
+/// Where a profile crosses or touches the axis, points of the surface are small numbers, whose own rounding
+/// is far below that of a ray's roots: what a mirror sends on must not meet the place that it has left.
+TEST(RevolvedShape, NearTheAxisARayDoesNotMeetThePlaceThatItLeaves) {
+    NamedProfile crossing = profileNamed("degree 15");
+    crossing.curve = CurveKind::Bezier;
+    crossing.degree = 3;
+    crossing.points = {{0.0f, -1.0f}, {1.5f, -0.6f}, {-1.5f, 0.6f}, {0.0f, 1.0f}};
+    const ProfileTable table = builtProfile(crossing.object());
+    UniformNumbers random(11);
+    int left = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const float size = std::pow(10.0f, -1.0f - 4.0f * random.next());
+        const Vec3 aim = size * (2.0f * Vec3(random.next(), random.next(), random.next()) - Vec3(1.0f));
+        const Vec3 from = 5.0f * glm::normalize(Vec3(random.next(), random.next() - 0.5f, random.next()));
+        const Ray ray{from, glm::normalize(aim - from), 0.0f, kInfinity};
+        Hit hit;
+        if (!RevolvedShape::intersect<false, false>(table.view(0), ray, &hit)) { continue; }
+        const ObjectPoint point = RevolvedShape::surface<0>(table.view(0), hit, ray.at(hit.t));
+        const Vec3 normal = glm::normalize(point.ng);
+        const Vec3 mirrored = ray.direction - 2.0f * glm::dot(ray.direction, normal) * normal;
+        const Ray next{detail::offsetPoint(point.p, point.error, normal, mirrored), mirrored};
+        ++left;
+        if (!RevolvedShape::intersect<false, false>(table.view(0), next, &hit)) { continue; }
+        EXPECT_GT(hit.t, 0.01f * glm::length(Vec2(point.p.x, point.p.z))) << i;
+    }
+    EXPECT_GT(left, 10'000);
 }
 
 TEST(RevolvedShape, PiecesLieEndToEndAndFillGroups) {

@@ -8,6 +8,7 @@
 
 #include "engine/builders/camera_builder.h"
 #include "engine/io/image_io.h"
+#include "engine/io/scene_json.h"
 #include "engine/io/scene_loader.h"
 #include "tests/support/temp_folder.h"
 
@@ -38,6 +39,30 @@ TEST(SceneText, CameraNarrowsByTheSineBetweenDirectionAndUp) {
 }
 
 TEST(SceneText, MirrorsReflectMirrorsToDepth64) { EXPECT_EQ(mustRead(kTwoMaterials).options.maxDepth, 64); }
+
+/// A shallow roof of two triangles: the original shows its edge, other files without normals hide it.
+TEST(SceneText, MeshesWithoutNormalsStayFlat) {
+    const test::TempFolder folder;
+    folder.write("roof.obj", "v 0 0 0\nv 0 0 1\nv 1 -0.2 0\nv -1 -0.2 0\nf 1 2 3\nf 1 4 2\n");
+    folder.write("smooth.obj",
+                 "v 0 0 0\nv 0 0 1\nv 1 -0.2 0\nvn 0 1 0\nvn 1 1 0\nvn 0 1 1\nf 1//1 2//2 3//3\n");
+    const auto scene = loadScene(
+        folder.write("s.txt",
+                     "Materials { numMaterials 1 Material { } }\nGroup { numObjects 2 MaterialIndex 0 "
+                     "TriangleMesh { obj_file roof.obj } TriangleMesh { obj_file smooth.obj } }"));
+    ASSERT_TRUE(scene.ok()) << scene.error().format();
+    EXPECT_TRUE(scene->meshes.at(0).data->normals.empty());
+    EXPECT_FALSE(scene->meshes.at(1).data->normals.empty()) << "its own";
+    EXPECT_THAT(scene->notes, testing::Not(testing::Contains(HasSubstr("smooth ones"))));
+    const std::string json = folder.path("s.json");
+    ASSERT_TRUE(saveSceneJson(*scene, json));
+    const auto again = loadScene(json);
+    ASSERT_TRUE(again.ok()) << again.error().format();
+    EXPECT_TRUE(again->meshes.at(0).data->normals.empty());
+    const auto alone = loadScene(folder.path("roof.obj"));
+    ASSERT_TRUE(alone.ok());
+    EXPECT_FALSE(alone->meshes.at(0).data->normals.empty());
+}
 
 TEST(SceneText, ACameraMayLookAlongItsUp) {
     for (const char* view : {"direction 0 -1 0", "direction 0 3 0", "direction 0 0 -2 up 0 0 5"}) {

@@ -116,6 +116,18 @@ TEST(StabilityWarnings, MeshesWithoutAreaAreNamed) {
     }
 }
 
+TEST(StabilityWarnings, ProfilesThatTurnIntoNothingAreNamed) {
+    using Profile = std::vector<Vec2>;
+    for (const Profile& profile : {Profile{{1, 0}, {1, 0}}, Profile{{0, 0}, {0, 1}}}) {
+        SceneDescription scene = stressRoom();
+        addObject(&scene, ShapeKind::Revolved, {}, diffuseMaterial(0.5f));
+        scene.objects.back().profile = profile;
+        EXPECT_TRUE(warnsOf(scene, "has no area"));
+        scene.objects.back().profile.push_back({1, 1});
+        EXPECT_FALSE(warnsOf(scene, "has no area"));
+    }
+}
+
 TEST(StabilityWarnings, TheLoaderPassesThemOn) {
     const test::TempFolder folder;
     const std::string far = folder.write("far.obj", "v 1000000 0 0\nv 1000001 0 0\nv 1000000 1 0\nf 1 2 3\n");

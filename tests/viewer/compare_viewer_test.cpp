@@ -118,6 +118,20 @@ screenshot compare_flip.png
     EXPECT_GT((*map)->rgb[middle], (*map)->rgb[middle + 2]) << "orange: the kept one is brighter";
 }
 
+TEST(CompareViewer, MapsSideBySideHaveAScale) {
+    const Ran ran = play(kKeepAndEdit + R"(
+set "Snapshots/Compared by" "Side by side"
+wait frames 3
+expect no-widget "Scale"
+set "Shown" "Boxes tested"
+wait picture
+wait frames 3
+expect widget "Scale"
+)",
+                         "--passes 4");
+    expectPlayed(ran);
+}
+
 TEST(CompareViewer, FlippingAndSideBySideShowBoth) {
     const Ran ran = play(kKeepAndEdit + R"(
 set "Snapshots/Compared by" "Flip"

@@ -265,6 +265,7 @@ bool dragDivider(DisplaySettings* settings, const PlacedImage& placed) {
 void drawPanes(const Workspace& workspace, const ImagePanes& panes, const PlacedImage& placed) {
     if (workspace.isComparing()) {
         drawCompared(workspace, panes, placed);
+        if (isSideBySide(workspace)) { drawScales(workspace, panes, wholeWindow()); }
         if (!hasDivider(workspace)) { return; }
     } else {
         ImGui::GetWindowDrawList()->AddImage(textureOf(*panes.own.display), im(placed.min), im(placed.max));

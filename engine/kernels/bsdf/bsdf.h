@@ -176,7 +176,8 @@ GLINT_HD Bsdf<kMask> makeBsdf(const Scene& scene, const Surface& surface, const 
         bsdf.ngNs = bsdf.nsWorld == bsdf.ngWorld ? 1.0f : glm::dot(bsdf.ngWorld, bsdf.nsWorld);
     }
     if constexpr (!isDiffuseOnly<kMask>()) {
-        bsdf.frame = detail::frameAt(bsdf, scene, surface);
+        bsdf.frame = Frame::fromNormal(bsdf.nsWorld);
+        if constexpr (hasFeature<kMask>(kFeatureFacets)) { detail::turnAlongFacets(scene, surface, &bsdf); }
         bsdf.woLocal = bsdf.frame.toLocal(woWorld);
         if (bsdf.ngNs < 1.0f && detail::hasSpecularLobe(bsdf)) {
             if (transport == TransportMode::Radiance) { bsdf.woLocal.z = std::fabs(bsdf.woLocal.z); }
@@ -278,12 +279,12 @@ GLINT_HD float pdfSolidAngle(const Bsdf<kMask>& bsdf, const Vec3& wiWorld) {
 template <FeatureMask kMask>
 GLINT_HD BsdfSample sample(const Bsdf<kMask>& bsdf, float uLobe, Vec2 u) {
     BsdfSample result = detail::sampleLocal(bsdf, uLobe, u);
-    if (!result.valid) { return {}; }
+    if (!result.valid) { return result; }
     const float nsWi = result.wi.z;
     result.wi = detail::frameOf(bsdf).toWorld(result.wi);
     const float ngWi = detail::geometricCosine(bsdf, result.wi, nsWi);
     if (!(ngWi * nsWi > 0.0f)) {
-        if (!result.isSpecular || ngWi == 0.0f) { return {}; }
+        result.valid = result.isSpecular && ngWi != 0.0f;
         result.wi -= 2.0f * ngWi * bsdf.ngWorld;
     }
     return result;

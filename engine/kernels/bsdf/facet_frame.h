@@ -45,19 +45,16 @@ GLINT_HD Vec3 facetAxis(const Bsdf<kMask>& bsdf, const Scene& scene, const Surfa
     }
 }
 
-/// Around the shading normal; along the facets where these have a direction. Others do without dpdu, since
-/// uvs that nothing looks at may not have been read.
+/// Turns the frame around the shading normal along the facets, where these have a direction. Others do
+/// without dpdu, since uvs that nothing looks at may not have been read.
 template <FeatureMask kMask, class Scene, class Surface>
-GLINT_HD Frame frameAt(const Bsdf<kMask>& bsdf, const Scene& scene, const Surface& surface) {
-    const Frame any = Frame::fromNormal(bsdf.nsWorld);
-    if constexpr (hasFeature<kMask>(kFeatureFacets)) {
-        const ShadingInputs& in = bsdf.inputs();
-        if (hasGeneralFacets<kMask>(*bsdf.material) && in.roughness != in.crossRoughness) {
-            const Vec3 s = directionInPlane(facetAxis(bsdf, scene, surface), any.n);
-            if (!isZero(s)) { return {s, glm::cross(any.n, s), any.n}; }
-        }
-    }
-    return any;
+GLINT_HD void turnAlongFacets(const Scene& scene, const Surface& surface, Bsdf<kMask>* bsdf) {
+    const ShadingInputs& in = bsdf->inputs();
+    if (!hasGeneralFacets<kMask>(*bsdf->material) || in.roughness == in.crossRoughness) { return; }
+    const Vec3 s = directionInPlane(facetAxis(*bsdf, scene, surface), bsdf->frame.n);
+    if (isZero(s)) { return; }
+    bsdf->frame.s = s;
+    bsdf->frame.t = glm::cross(bsdf->frame.n, s);
 }
 
 }  // namespace detail

@@ -120,7 +120,8 @@ struct RevolvedShape : RevolvedSurface {
         const Affine& m = instance.objectToWorld;
         EmitterPoint point;
         point.p = m.point(local.p);
-        point.pError = errorGamma(8) * (absMultiply(m.linear, absVec(local.p)) + absVec(m.translation));
+        point.pError = absMultiply(m.linear, local.error) +
+                       errorGamma(8) * (absMultiply(m.linear, absVec(local.p)) + absVec(m.translation));
         const Vec3 normal = transformNormal(instance.worldToObject.linear, local.ng);
         point.normal = normalizeOr(normal, Vec3(0.0f, 1.0f, 0.0f));
         constexpr int kSteps = ProfileCurve::kAreaSteps;

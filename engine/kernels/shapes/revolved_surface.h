@@ -90,7 +90,9 @@ struct RevolvedSurface {
         const detail::TurnedProfile at(curve, hit.barycentric.x, pRough);
         ObjectPoint point;
         point.p = Vec3(at.x * at.cosine, at.y, -at.x * at.sine);
-        point.error = errorGamma(4) * absVec(point.p);
+        // The next ray meets the surface as far off as its roots are, however near to the axis that is.
+        const float size = static_cast<float>(profile.data->radius + profile.data->halfHeight);
+        point.error = errorGamma(4) * absVec(point.p) + Vec3(kRootError * size);
         point.ng = profile.data->front * static_cast<float>(at.side) *
                    Vec3(at.dy * at.cosine, -at.dx, -at.dy * at.sine);
         if (isZero(point.ng)) { point.ng = Vec3(0.0f, at.y < 0.0 ? -1.0f : 1.0f, 0.0f); }
@@ -112,6 +114,9 @@ struct RevolvedSurface {
     }
 
   private:
+    /// Of the profile's size: how far along a ray its roots may be off (ProfileRay::closeRoot()).
+    static constexpr float kRootError = 1e-7f;
+
     /// The nearest root so far; t counts from the ProfileRay's origin.
     struct Nearest {
         double tMin, t;
