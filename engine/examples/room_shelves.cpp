@@ -70,18 +70,18 @@ void fillShelf(double width, double height, const Pose& frame, uint64_t shelf, R
 }  // namespace
 
 void addShelves(const Pose& frame, RoomMeshes* to) {
-    constexpr double kWidth = 1.5, kTall = 2.3, kDepth = 0.3, kBoard = 0.028;
+    constexpr double kWidth = 1.5, kCaseHeight = 2.3, kDepth = 0.3, kBoard = 0.028;
     constexpr int kLevels = 6;
     const auto board = [&](const Vec3d& size, const Vec3d& middle) {
         addVaried(&to->oak, roundedBox(size, 0.003, to->detail.steps(2, 1)), frame * Pose{middle},
                   to->oak.positions.size());
     };
     for (const double x : {-0.5 * kWidth, 0.0, 0.5 * kWidth}) {
-        board({kBoard, kTall, kDepth}, {x, 0.5 * kTall, 0.0});
+        board({kBoard, kCaseHeight, kDepth}, {x, 0.5 * kCaseHeight, 0.0});
     }
-    board({kWidth, kTall, 0.008}, {0.0, 0.5 * kTall, -0.5 * kDepth + 0.004});
-    board({kWidth + 0.06, 0.04, kDepth + 0.04}, {0.0, kTall + 0.02, 0.01});
-    const double level = (kTall - 0.1) / kLevels;
+    board({kWidth, kCaseHeight, 0.008}, {0.0, 0.5 * kCaseHeight, -0.5 * kDepth + 0.004});
+    board({kWidth + 0.06, 0.04, kDepth + 0.04}, {0.0, kCaseHeight + 0.02, 0.01});
+    const double level = (kCaseHeight - 0.1) / kLevels;
     for (int i = 0; i <= kLevels; ++i) {
         board({kWidth, kBoard, kDepth - 0.02}, {0.0, 0.08 + i * level, 0.0});
     }

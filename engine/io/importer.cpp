@@ -37,7 +37,7 @@ Result<MeshFile> readMeshFile(const std::string& bytes, const std::string& path,
     if (const auto foreign = foreignKindError(path, headOf(bytes), importer == nullptr)) { return *foreign; }
     if (importer != nullptr && importer->readMesh != nullptr) {
         Result<MeshFile> file = importer->readMesh(bytes, path);
-        if (file) { completeNormals(path, isFaceted, &*file); }
+        if (file) { completeNormals(path, &*file, isFaceted); }
         return file;
     }
     return Error{fmt::format("is not a mesh file Glint knows; expected {}", listImporters(true)),

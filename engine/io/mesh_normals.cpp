@@ -248,7 +248,7 @@ uint64_t addSmoothNormals(std::vector<MeshPart>* parts) {
     return count;
 }
 
-void completeNormals(const std::string& path, bool isFaceted, MeshFile* file) {
+void completeNormals(const std::string& path, MeshFile* file, bool isFaceted) {
     uint64_t turned = 0;
     bool hasGroups = false;
     for (const MeshPart& part : file->parts) {

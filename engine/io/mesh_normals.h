@@ -25,6 +25,6 @@ uint64_t turnByNormals(MeshData* mesh);
 uint64_t addSmoothNormals(std::vector<MeshPart>* parts);
 
 /// Both, with a warning and a note; only the first where the triangles are to stay flat.
-void completeNormals(const std::string& path, bool isFaceted, MeshFile* file);
+void completeNormals(const std::string& path, MeshFile* file, bool isFaceted = false);
 
 }  // namespace glint

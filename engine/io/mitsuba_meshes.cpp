@@ -174,7 +174,7 @@ MitsubaMesh MitsubaMeshes::add(const Wish& wish, Raw raw) {
     if (wish.type == "serialized") { out.name += fmt::format(" {}", wish.number); }
     if (!raw.isOwn) {
         out.source = FileSource{wish.file};
-        completeNormals(wish.path, false, &raw.file);
+        completeNormals(wish.path, &raw.file);
         raw.mesh = joinParts(raw.file.parts);
     }
     const MitsubaMesh result{static_cast<int>(context_.scene.meshes.size()), isOpenMesh(*raw.mesh)};

@@ -97,8 +97,8 @@ GLINT_HD inline void logVertex(const PathState& path, const SurfacePoint& surfac
     }
 }
 
-/// What light sampling needs to know of a vertex. In its place: a copy would read what was just written by
-/// other widths, for which processors wait.
+/// Sets what light sampling needs to know of a vertex. In its place: a copy would read at once what was
+/// written in pieces of another width, for which processors wait.
 template <FeatureMask kMask>
 GLINT_HD inline void setLightContext(const SurfacePoint& surface, const Bsdf<kMask>& bsdf,
                                      LightContext* context) {

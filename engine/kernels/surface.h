@@ -161,17 +161,19 @@ GLINT_HD SurfacePoint surfaceAt(const SceneView& view, const Ray& ray, const Hit
     return point;
 }
 
-/// A ray that leaves the surface towards `direction`, on whichever side that is.
-GLINT_HD inline Ray spawnRay(const SurfacePoint& from, const Vec3& direction) {
-    return {detail::offsetPoint(from.p, from.pError, from.ng, direction), direction, 0.0f, kInfinity};
-}
-
-/// The same in its place, for a path that goes on.
+/// Sets a ray that leaves the surface towards `direction`, on whichever side that is.
 GLINT_HD inline void leaveSurface(const SurfacePoint& from, const Vec3& direction, Ray* ray) {
     ray->origin = detail::offsetPoint(from.p, from.pError, from.ng, direction);
     ray->direction = direction;
     ray->tMin = 0.0f;
     ray->tMax = kInfinity;
+}
+
+/// The same, as a ray of its own.
+GLINT_HD inline Ray spawnRay(const SurfacePoint& from, const Vec3& direction) {
+    Ray ray;
+    leaveSurface(from, direction, &ray);
+    return ray;
 }
 
 /// A ray from the surface to the point `to`, ending just before it; its direction is `to - origin`, so t = 1

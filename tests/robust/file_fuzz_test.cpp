@@ -85,7 +85,7 @@ int fuzz(const char* name, const std::string& good, uint32_t seed,
 
 std::optional<Error> checkSound(Result<MeshFile> file, const std::string& path) {
     if (!file) { return file.error(); }
-    completeNormals(path, false, &*file);
+    completeNormals(path, &*file);
     EXPECT_FALSE(file->parts.empty());
     for (const MeshPart& part : file->parts) {
         expectSoundMesh(*part.mesh);

@@ -114,7 +114,8 @@ struct RevolvedSurface {
     }
 
   private:
-    /// Of the profile's size: how far along a ray its roots may be off (ProfileRay::closeRoot()).
+    /// Of the profile's size: how far along a ray a root may be off. Of a piece's height it is this much by
+    /// ProfileRay::closeRoot(), and pieces that bend are far shorter than the profile.
     static constexpr float kRootError = 1e-7f;
 
     /// The nearest root so far; t counts from the ProfileRay's origin.
