@@ -20,6 +20,8 @@ constexpr double kFlatAnyway = 1e-3;
 /// ray more than flatter parts save.
 constexpr double kMostBend = 4.0;
 constexpr int kMostHalvings = 5;
+/// Of the profile's size: by how much a piece may leave its curve where that makes its degree lower.
+constexpr double kLowerDegreeError = 1e-11;
 /// Of the profile's size: more than a ray is off that is known in float.
 constexpr double kRingMargin = 1e-5;
 
@@ -73,6 +75,36 @@ Coefficients partOf(const double* curve, int degree, double begin, double end) {
     part[0] = at(begin);
     part[static_cast<size_t>(degree)] = at(end);
     return part;
+}
+
+/// Lowers the degree by one: the recurrences of raising it, from both ends (Forrest 1972), blended by Eck's
+/// weights (1993, "Degree reduction of Bézier curves", CAGD 10). The ends keep their bits. Returns how far it
+/// is off at most: as far as at so many Chebyshev points, by a factor (Ehlich and Zeller 1964).
+double lowerDegree(Coefficients* f, int degree) {
+    const Coefficients from = *f;
+    const auto n = static_cast<size_t>(degree);
+    Coefficients backwards{};
+    (*f)[n] = 0.0;
+    backwards[n - 1] = from[n];
+    for (size_t i = n - 1; i > 0; --i) {
+        const double share = static_cast<double>(i) / degree;
+        backwards[i - 1] = (from[i] - (1.0 - share) * backwards[i]) / share;
+    }
+    double forwards = from[0], weight = std::ldexp(1.0, 1 - 2 * degree);
+    for (size_t i = 1; i < n; ++i) {
+        const double share = static_cast<double>(i) / degree;
+        forwards = (from[i] - share * forwards) / (1.0 - share);
+        weight += std::ldexp(binomial(2 * degree, 2 * static_cast<int>(i)), 1 - 2 * degree);
+        (*f)[i] = i + 1 < n ? forwards + weight * (backwards[i] - forwards) : backwards[i];
+    }
+    const int points = 4 * degree;
+    double most = 0.0;
+    for (int i = 0; i < points; ++i) {
+        const double s = 0.5 - 0.5 * std::cos(kPiD * (i + 0.5) / points);
+        most = std::max(most, std::fabs(evaluateBernstein<kMaxProfileDegree>(f->data(), degree - 1, s).value -
+                                        evaluateBernstein<kMaxProfileDegree>(from.data(), degree, s).value));
+    }
+    return most / std::cos(kPiD / 8.0);
 }
 
 /// Where the coordinate turns back.
@@ -182,33 +214,46 @@ class PieceBuilder {
 
     void addPiece(const Part& part) {
         const ProfileCurve& curve = curves_[part.curve];
-        const Coefficients x = partOf(curve.x, curve.degree, part.begin, part.end);
-        const Coefficients y = partOf(curve.y, curve.degree, part.begin, part.end);
+        Coefficients x = partOf(curve.x, curve.degree, part.begin, part.end);
+        Coefficients y = partOf(curve.y, curve.degree, part.begin, part.end);
         ProfilePiece piece{};
         piece.begin = part.begin;
         piece.width = part.end - part.begin;
-        piece.degree = curve.degree;
+        piece.degree = leastDegree(&x, &y, curve.degree);
         piece.curve = part.curve;
         Coefficients one{};
         one.fill(1.0);
-        multiply(x.data(), x.data(), curve.degree, piece.xSquared);
-        multiply(y.data(), y.data(), curve.degree, piece.ySquared);
-        multiply(y.data(), one.data(), curve.degree, piece.yRaised);
-        piece.xSquaredFit = fitQuadratic(piece.xSquared, 2 * curve.degree);
-        piece.middle = 0.5 * (y[0] + y[static_cast<size_t>(curve.degree)]);
+        multiply(x.data(), x.data(), piece.degree, piece.xSquared);
+        multiply(y.data(), y.data(), piece.degree, piece.ySquared);
+        multiply(y.data(), one.data(), piece.degree, piece.yRaised);
+        piece.xSquaredFit = fitQuadratic(piece.xSquared, 2 * piece.degree);
+        piece.middle = 0.5 * (y[0] + y[static_cast<size_t>(piece.degree)]);
         Coefficients local = y;
         for (double& height : local) {
             height -= piece.middle;
         }
         double localSquared[2 * kMaxProfileDegree + 1];
-        multiply(local.data(), local.data(), curve.degree, localSquared);
-        piece.ySquaredFit = fitQuadratic(localSquared, 2 * curve.degree);
-        std::ranges::copy(fitQuadratic(piece.ySquared, 2 * curve.degree).value, piece.ySquaredFit.value);
-        piece.yFit = fitQuadratic(piece.yRaised, 2 * curve.degree);
-        toPowers(x.data(), curve.degree, 0, piece.powers);
-        toPowers(y.data(), curve.degree, 1, piece.powers);
-        addRing(x, y, static_cast<size_t>(curve.degree));
+        multiply(local.data(), local.data(), piece.degree, localSquared);
+        piece.ySquaredFit = fitQuadratic(localSquared, 2 * piece.degree);
+        std::ranges::copy(fitQuadratic(piece.ySquared, 2 * piece.degree).value, piece.ySquaredFit.value);
+        piece.yFit = fitQuadratic(piece.yRaised, 2 * piece.degree);
+        toPowers(x.data(), piece.degree, 0, piece.powers);
+        toPowers(y.data(), piece.degree, 1, piece.powers);
+        addRing(x, y, static_cast<size_t>(piece.degree));
         pieces_->push_back(piece);
+    }
+
+    /// Lowers the degree of both coordinates as long as that moves the piece less than rays can tell.
+    int leastDegree(Coefficients* x, Coefficients* y, int degree) const {
+        double left = kLowerDegreeError * profile_.size();
+        for (; degree > 1; --degree) {
+            Coefficients lowX = *x, lowY = *y;
+            left -= std::max(lowerDegree(&lowX, degree), lowerDegree(&lowY, degree));
+            if (!(left >= 0.0)) { break; }
+            *x = lowX;
+            *y = lowY;
+        }
+        return degree;
     }
 
     double bendOf(const Part& part) const {

@@ -1,7 +1,7 @@
 // Profiles of surfaces of revolution as kernels read them. Plain data, filled by builders/profile_builder.
 //
-// Curves say what the surface is; pieces are short parts of them that rays are tested against. Both hold
-// polynomials of the same degree; a piece's parameter runs from 0 to 1 along it.
+// Curves say what the surface is; pieces are short parts of them that rays are tested against, of a lower
+// degree where that moves them less than rays can tell. A piece's parameter runs from 0 to 1 along it.
 #pragma once
 
 #include <cmath>

@@ -1,0 +1,100 @@
+// Pieces of a profile beside the curves that they are parts of: their degree is lower where that changes
+// nothing that a ray could tell.
+#include <gtest/gtest.h>
+
+#include "engine/builders/profile_builder.h"
+#include "engine/kernels/shapes/profile_roots.h"
+#include "engine/math/bernstein.h"
+#include "engine/scene/scene.h"
+
+namespace glint {
+namespace {
+
+ProfileTable tableOf(int degree, std::vector<Vec2> points) {
+    Object object;
+    object.shape = ShapeKind::Revolved;
+    object.curve = CurveKind::Bezier;
+    object.curveDegree = degree;
+    object.profile = std::move(points);
+    ProfileTable table;
+    addProfile(object, &table);
+    return table;
+}
+
+/// The farthest that any piece is from its curve, of the profile's size.
+double farthestOff(const ProfileTable& table) {
+    constexpr int kPlaces = 200;
+    const ProfileData& profile = table.profiles[0];
+    double most = 0.0;
+    for (const ProfilePiece& piece : table.pieces) {
+        const ProfileCurve& curve = table.curves[piece.curve];
+        for (int i = 0; i <= kPlaces; ++i) {
+            const double share = static_cast<double>(i) / kPlaces, s = piece.begin + share * piece.width;
+            const detail::ProfilePoint point = detail::pointOf(piece, share);
+            const double x = evaluateBernstein<kMaxProfileDegree>(curve.x, curve.degree, s).value;
+            const double y = evaluateBernstein<kMaxProfileDegree>(curve.y, curve.degree, s).value;
+            most = std::max(most, std::hypot(point.x.value - x, point.y.value - (y - profile.middle)));
+        }
+    }
+    return most / profile.size();
+}
+
+/// Neighbours agree about the place between them, so that no ray passes there.
+void expectToJoin(const ProfileTable& table) {
+    for (size_t i = 0; i + 1 < table.pieces.size(); ++i) {
+        const ProfilePiece &piece = table.pieces[i], &next = table.pieces[i + 1];
+        if (piece.curve != next.curve) { continue; }
+        EXPECT_EQ(piece.xSquared[2 * piece.degree], next.xSquared[0]) << "piece " << i;
+        EXPECT_EQ(piece.yRaised[2 * piece.degree], next.yRaised[0]) << "piece " << i;
+    }
+}
+
+TEST(ProfilePieces, LowerTheirDegreeAndStayWithTheCurve) {
+    const ProfileTable wave = tableOf(9, {{0.0f, 0.0f},
+                                          {0.9f, 0.05f},
+                                          {0.1f, 0.2f},
+                                          {0.8f, 0.3f},
+                                          {0.0f, 0.45f},
+                                          {0.8f, 0.55f},
+                                          {0.1f, 0.7f},
+                                          {0.7f, 0.8f},
+                                          {0.5f, 0.9f},
+                                          {0.0f, 1.0f}});
+    int lower = 0;
+    for (const ProfilePiece& piece : wave.pieces) {
+        lower += static_cast<int>(piece.degree < 9);
+    }
+    EXPECT_GT(lower, static_cast<int>(wave.pieces.size()) / 2);
+    EXPECT_LT(farthestOff(wave), 2e-11);
+    expectToJoin(wave);
+}
+
+TEST(ProfilePieces, OfAnyDegreeStayWithTheCurve) {
+    for (int degree = 1; degree <= kMaxProfileDegree; ++degree) {
+        std::vector<Vec2> points;
+        for (int i = 0; i <= degree; ++i) {
+            points.emplace_back(3.0f + 2.0f * std::sin(37.0f * static_cast<float>(i * i)),
+                                100.0f + static_cast<float>(i));
+        }
+        SCOPED_TRACE(degree);
+        const ProfileTable table = tableOf(degree, points);
+        EXPECT_LT(farthestOff(table), 2e-11);
+        expectToJoin(table);
+    }
+}
+
+/// What is a line, however many points it has, costs a ray what a line does.
+TEST(ProfilePieces, OfALineWithManyPointsAreLines) {
+    std::vector<Vec2> points;
+    for (int i = 0; i <= 15; ++i) {
+        points.emplace_back(1.0f + 0.125f * static_cast<float>(i), 0.25f * static_cast<float>(i));
+    }
+    const ProfileTable line = tableOf(15, points);
+    for (const ProfilePiece& piece : line.pieces) {
+        EXPECT_EQ(piece.degree, 1);
+    }
+    EXPECT_LT(farthestOff(line), 1e-14);
+}
+
+}  // namespace
+}  // namespace glint
