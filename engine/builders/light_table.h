@@ -17,9 +17,6 @@
 
 namespace glint {
 
-/// Up to this many finite emitters are weighed one by one at every shading point; more get a tree.
-constexpr uint32_t kFewLights = 8;
-
 struct LightTable {
     std::vector<EmitterData> emitters;
     std::vector<LightNode> nodes;

@@ -123,21 +123,23 @@ GLINT_HD inline LightChoice chooseInfinite(const LightView& lights, const LightC
 
 // ---- Few lights with a place ----
 
-GLINT_HD inline float fewImportanceSum(const LightView& lights, const LightContext& at) {
+/// Returns the sum, and each light's own.
+GLINT_HD inline float weighFew(const LightView& lights, const LightContext& at, float (&each)[kFewLights]) {
     float sum = 0.0f;
     for (uint32_t i = 0; i < lights.finiteCount; ++i) {
-        sum += lightImportance(lights.nodes[i], at);
+        each[i] = lightImportance(lights.nodes[i], at);
+        sum += each[i];
     }
     return sum;
 }
 
-GLINT_HD inline LightChoice chooseAmongFew(const LightView& lights, const LightContext& at, float sum,
-                                           float u) {
+GLINT_HD inline LightChoice chooseAmongFew(const LightView& lights, const float (&each)[kFewLights],
+                                           float sum, float u) {
     if (lights.finiteCount == 1) { return {0, 1.0f}; }
     LightChoice choice;
     float left = u * sum;
     for (uint32_t i = 0; i < lights.finiteCount; ++i) {
-        const float importance = lightImportance(lights.nodes[i], at);
+        const float importance = each[i];
         if (importance <= 0.0f) { continue; }
         choice = {i, importance / sum};
         if (left < importance) { break; }
@@ -203,25 +205,28 @@ GLINT_HD inline bool usesLightTree(const LightView& lights) {
     return hasFeature<kMask>(kFeatureManyLights) && lights.usesTree;
 }
 
+/// The importance of the lights with a place together: a tree's as its root's, else the sum of `each`.
 template <FeatureMask kMask>
-GLINT_HD inline float finiteImportanceSum(const LightView& lights, const LightContext& at) {
+GLINT_HD inline float weighFinite(const LightView& lights, const LightContext& at,
+                                  float (&each)[kFewLights]) {
     if (lights.finiteCount == 0) { return 0.0f; }
     if (usesLightTree<kMask>(lights)) { return lightImportance(lights.nodes[0], at); }
-    return fewImportanceSum(lights, at);
+    return weighFew(lights, at, each);
 }
 
 /// Chooses one of all lights for a place; `u` in [0, 1).
 template <FeatureMask kMask>
 GLINT_HD inline LightChoice chooseLight(const LightView& lights, const LightContext& at, float u) {
     if (lights.emitters.count <= 1) { return {0, lights.emitters.count == 1 ? 1.0f : 0.0f}; }
-    const float finite = finiteImportanceSum<kMask>(lights, at);
+    float each[kFewLights];
+    const float finite = weighFinite<kMask>(lights, at, each);
     const float infinite = infiniteImportanceSum<kMask>(lights, at);
     if (!(finite + infinite > 0.0f)) { return {}; }
     const float share = finiteShare(finite, infinite);
     LightChoice choice;
     if (u < share) {
         choice = usesLightTree<kMask>(lights) ? chooseInTree(lights, at, u / share)
-                                              : chooseAmongFew(lights, at, finite, u / share);
+                                              : chooseAmongFew(lights, each, finite, u / share);
         choice.probability *= share;
     } else {
         choice = chooseInfinite<kMask>(lights, at, infinite, (u - share) / (1.0f - share));
@@ -234,7 +239,8 @@ GLINT_HD inline LightChoice chooseLight(const LightView& lights, const LightCont
 template <FeatureMask kMask>
 GLINT_HD inline float lightProbability(const LightView& lights, const LightContext& at, uint32_t emitter) {
     if (lights.emitters.count == 1) { return 1.0f; }
-    const float finite = finiteImportanceSum<kMask>(lights, at);
+    float each[kFewLights];
+    const float finite = weighFinite<kMask>(lights, at, each);
     const float infinite = infiniteImportanceSum<kMask>(lights, at);
     if (!(finite + infinite > 0.0f)) { return 0.0f; }
     const float share = finiteShare(finite, infinite);
@@ -245,7 +251,7 @@ GLINT_HD inline float lightProbability(const LightView& lights, const LightConte
     if (share <= 0.0f) { return 0.0f; }
     if (usesLightTree<kMask>(lights)) { return share * treeProbability(lights, at, emitter); }
     if (lights.finiteCount == 1) { return share; }
-    return share * lightImportance(lights.nodes[emitter], at) / finite;
+    return share * each[emitter] / finite;
 }
 
 }  // namespace glint

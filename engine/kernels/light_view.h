@@ -104,6 +104,9 @@ struct PortalView {
     int size = 0;  ///< cells along either side; 0: the environment is constant
 };
 
+/// Up to this many finite emitters are weighed one by one at every shading point; more get a tree.
+constexpr uint32_t kFewLights = 8;
+
 struct LightView {
     /// area, point and spot lights first, then directional ones, then the environment
     View<EmitterData> emitters;
