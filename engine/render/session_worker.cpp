@@ -93,6 +93,7 @@ void SessionWorker::fail(std::string_view why) noexcept {
 void SessionWorker::takeEdit(Commands commands) {
     SceneEdit& edit = *commands.edit;
     status_.state = SessionState::Building;
+    if (!keeper_.hasScene()) { status_.integrator = edit.scene->options.integrator; }
     published_->set(status_, messages_);
     showFirstFrame(edit);
     const SceneKeeper::Outcome outcome = keeper_.take(&edit, &status_);

@@ -46,6 +46,7 @@ TEST(FirstFrame, IsShownWhileTheSceneIsBuilt) {
     HeldSession held(true);
     SceneDescription scene = meshInstances();
     scene.resolution = {160, 96};
+    scene.options.integrator = IntegratorKind::Sppm;
     const EditTicket ticket = held.session->post(openingOf(scene));
     ASSERT_TRUE(SessionBench::waitFor([&] { return held.builds > 0; }));
     const auto frame = held.session->snapshot();
@@ -55,6 +56,7 @@ TEST(FirstFrame, IsShownWhileTheSceneIsBuilt) {
     EXPECT_EQ(frame->width, 80);
     EXPECT_EQ(frame->previewScale, 2) << "not taken for the answer";
     EXPECT_EQ(held.session->status().state, SessionState::Building);
+    EXPECT_EQ(held.session->status().integrator, IntegratorKind::Sppm) << "the one to come";
     double least = kInfinity, most = 0.0;
     for (const float value : frame->radiance) {
         least = std::min(least, double{value});
