@@ -158,6 +158,10 @@ Material MaterialResolver::take(const Found& found) {
     if (material.emission.texture >= 0) {
         const float factor = maxComponent(material.emission.value);
         material.emissionStrength = factor > 0.0f ? factor : 1.0f;
+        if (minComponent(material.emission.value) < factor) {
+            const auto place = [&] { return fmt::format("{}:{}", library.path, mtl.emission.line); };
+            remarks_.add("emission maps lose the colour of Ke", place, entry.name);
+        }
         material.emission.value = Vec3(0.0f);  // where the image cannot be read
         material.emitsBothSides = true;
     } else if (!mtl.emission.file.empty()) {

@@ -219,7 +219,7 @@ TEST(MtlMaps, EmissionAndTransparency) {
     EXPECT_THAT(said, IsEmpty());
     ASSERT_TRUE(savePng(folder.path("spots.png"), {1, 1, {255, 0, 0}}));
     for (const auto& [ke, strength] :
-         {std::pair("Ke 2 1 0\n", 2.0f), std::pair("Ke 0 0 0\n", 1.0f), std::pair("", 1.0f)}) {
+         {std::pair("Ke 2 2 2\n", 2.0f), std::pair("Ke 0 0 0\n", 1.0f), std::pair("", 1.0f)}) {
         std::vector<std::string> warnings;
         const Material material =
             materialOf(folder, std::string("newmtl it\nKd 0 0 0\nmap_Ke spots.png\n") + ke, &warnings);
@@ -227,6 +227,11 @@ TEST(MtlMaps, EmissionAndTransparency) {
         EXPECT_EQ(material.emissionStrength, strength);
         EXPECT_THAT(warnings, IsEmpty());
     }
+    std::vector<std::string> warnings;
+    EXPECT_EQ(materialOf(folder, "newmtl it\nKe 2 1 0\nmap_Ke spots.png\n", &warnings).emissionStrength,
+              2.0f);
+    EXPECT_THAT(warnings,
+                testing::ElementsAre(HasSubstr("m.mtl:3: emission maps lose the colour of Ke: \"it\"")));
 }
 
 TEST(MtlMaps, OfMetalnessMakePrincipledMaterials) {
