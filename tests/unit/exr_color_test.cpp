@@ -238,6 +238,9 @@ TEST_F(ExrColor, OfEveryPackingAndInTiles) {
 }
 
 TEST_F(ExrColor, OfDamagedFilesShowsNothingOfTheMemory) {
+    if (GLINT_THREAD_SANITIZER) {
+        GTEST_SKIP() << "its allocator hands out what was freed, whatever mallopt() says";
+    }
     const std::vector<Channel> channels{{"B", 3}, {"G", 2}, {"R", 1}};
     std::mt19937 random(3);
     const auto decoded = [](const std::string& bytes) {
