@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/builders/bernstein_forms.h"
 #include "engine/math/bernstein.h"
 
 namespace glint {
@@ -27,41 +28,6 @@ constexpr double kRingMargin = 1e-5;
 
 using Coefficients = std::array<double, kMaxProfileDegree + 1>;
 
-double binomial(int n, int k) {
-    double value = 1.0;
-    for (int i = 0; i < k; ++i) {
-        value = value * (n - i) / (i + 1);
-    }
-    return value;
-}
-
-/// Bernstein coefficients of the product of two polynomials of one degree (Farouki and Rajan 1988, equation
-/// 44).
-void multiply(const double* f, const double* g, int degree, double* product) {
-    std::fill(product, product + 2 * degree + 1, 0.0);
-    for (int i = 0; i <= degree; ++i) {
-        for (int j = 0; j <= degree; ++j) {
-            product[i + j] +=
-                binomial(degree, i) * binomial(degree, j) / binomial(2 * degree, i + j) * f[i] * g[j];
-        }
-    }
-    // The ends are exact, so that neighbouring pieces agree about them.
-    product[0] = f[0] * g[0];
-    product[2 * degree] = f[degree] * g[degree];
-}
-
-/// Coefficients of powers from those of Bernstein polynomials, by forward differences, of x (axis 0) or y.
-void toPowers(const double* bernstein, int degree, int axis, double (*powers)[2]) {
-    std::vector<double> differences(bernstein, bernstein + degree + 1);
-    for (int i = 0; i <= degree; ++i) {
-        powers[i][axis] = binomial(degree, i) * differences[0];
-        for (size_t k = 0; k + 1 < differences.size(); ++k) {
-            differences[k] = differences[k + 1] - differences[k];
-        }
-        differences.pop_back();
-    }
-}
-
 /// Of the part [begin, end] of a curve, with the bits of its ends that neighbours compute, too.
 Coefficients partOf(const double* curve, int degree, double begin, double end) {
     Coefficients part{};
@@ -77,36 +43,6 @@ Coefficients partOf(const double* curve, int degree, double begin, double end) {
     return part;
 }
 
-/// Lowers the degree by one: the recurrences of raising it, from both ends (Forrest 1972), blended by Eck's
-/// weights (1993, "Degree reduction of Bézier curves", CAGD 10). The ends keep their bits. Returns how far it
-/// is off at most: as far as at so many Chebyshev points, by a factor (Ehlich and Zeller 1964).
-double lowerDegree(Coefficients* f, int degree) {
-    const Coefficients from = *f;
-    const auto n = static_cast<size_t>(degree);
-    Coefficients backwards{};
-    (*f)[n] = 0.0;
-    backwards[n - 1] = from[n];
-    for (size_t i = n - 1; i > 0; --i) {
-        const double share = static_cast<double>(i) / degree;
-        backwards[i - 1] = (from[i] - (1.0 - share) * backwards[i]) / share;
-    }
-    double forwards = from[0], weight = std::ldexp(1.0, 1 - 2 * degree);
-    for (size_t i = 1; i < n; ++i) {
-        const double share = static_cast<double>(i) / degree;
-        forwards = (from[i] - share * forwards) / (1.0 - share);
-        weight += std::ldexp(binomial(2 * degree, 2 * static_cast<int>(i)), 1 - 2 * degree);
-        (*f)[i] = i + 1 < n ? forwards + weight * (backwards[i] - forwards) : backwards[i];
-    }
-    const int points = 4 * degree;
-    double most = 0.0;
-    for (int i = 0; i < points; ++i) {
-        const double s = 0.5 - 0.5 * std::cos(kPiD * (i + 0.5) / points);
-        most = std::max(most, std::fabs(evaluateBernstein<kMaxProfileDegree>(f->data(), degree - 1, s).value -
-                                        evaluateBernstein<kMaxProfileDegree>(from.data(), degree, s).value));
-    }
-    return most / std::cos(kPiD / 8.0);
-}
-
 /// Where the coordinate turns back.
 void addTurns(const double* curve, int degree, std::vector<double>* places) {
     if (degree < 2) { return; }
@@ -116,30 +52,6 @@ void addTurns(const double* curve, int degree, std::vector<double>* places) {
     }
     forEachBernsteinRoot<kMaxProfileDegree>(slope.data(), degree - 1,
                                             [&](double s) { places->push_back(s); });
-}
-
-/// Of a polynomial by its Bernstein coefficients. The errors' bounds are those coefficients of the
-/// difference.
-QuadraticFit fitQuadratic(const double* f, int degree) {
-    const double middle = evaluateBernstein<2 * kMaxProfileDegree>(f, degree, 0.5).value;
-    QuadraticFit fit{{f[0], 2.0 * middle - 0.5 * (f[0] + f[degree]), f[degree]}, 0.0, 0.0, 0.0};
-    std::vector<double> off;
-    for (int i = 0; i <= degree; ++i) {
-        // The quadratic's coefficient with its degree raised.
-        const double n = degree, k = i;
-        off.push_back(f[i] - ((n - k) * (n - k - 1.0) * fit.value[0] + 2.0 * k * (n - k) * fit.value[1] +
-                              k * (k - 1.0) * fit.value[2]) /
-                                 (n * (n - 1.0)));
-    }
-    for (double* error : {&fit.error, &fit.slopeError, &fit.curvatureError}) {
-        const double factor = static_cast<double>(off.size() - 1);
-        for (size_t i = 0; i < off.size(); ++i) {
-            *error = std::max(*error, std::fabs(off[i]));
-            off[i] = i + 1 < off.size() ? factor * (off[i + 1] - off[i]) : 0.0;
-        }
-        off.pop_back();
-    }
-    return fit;
 }
 
 /// What one piece is made of.
@@ -248,7 +160,7 @@ class PieceBuilder {
         double left = kLowerDegreeError * profile_.size();
         for (; degree > 1; --degree) {
             Coefficients lowX = *x, lowY = *y;
-            left -= std::max(lowerDegree(&lowX, degree), lowerDegree(&lowY, degree));
+            left -= std::max(lowerDegree(lowX.data(), degree), lowerDegree(lowY.data(), degree));
             if (!(left >= 0.0)) { break; }
             *x = lowX;
             *y = lowY;

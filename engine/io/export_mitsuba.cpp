@@ -108,15 +108,6 @@ class MitsubaExporter : public SceneExport {
         out_.close();
     }
 
-    static float aspectOf(const SceneImage& image) {
-        if (image.floats) {
-            return static_cast<float>(image.floats->width) / static_cast<float>(image.floats->height);
-        }
-        const bool isPicture = image.bytes && !std::holds_alternative<Checkerboard>(image.source);
-        return isPicture ? static_cast<float>(image.bytes->width) / static_cast<float>(image.bytes->height)
-                         : 1.0f;
-    }
-
     void writeSpot(const Light& light) {
         out_.open("transform", "name=\"to_world\"");
         out_.element("lookat", fmt::format("origin=\"{}\" target=\"{}\"", xmlNumbers(light.position),

@@ -54,6 +54,15 @@ std::string_view lostPicture(LightKind kind) {
                : "approximated: goniometric lights shine alike in all directions";
 }
 
+float aspectOf(const SceneImage& image) {
+    if (image.floats) {
+        return static_cast<float>(image.floats->width) / static_cast<float>(image.floats->height);
+    }
+    const bool isPicture = image.bytes && !std::holds_alternative<Checkerboard>(image.source);
+    return isPicture ? static_cast<float>(image.bytes->width) / static_cast<float>(image.bytes->height)
+                     : 1.0f;
+}
+
 Light withoutPicture(const SceneDescription& scene, const Light& projector) {
     Light spot = projector;
     if (projector.kind == LightKind::Goniometric) {

@@ -15,6 +15,9 @@ bool aimProjector(const Affine& toWorld, const Vec3& right, Light* light, SceneD
 /// Half the picture's width and height, on the plane at a distance of 1.
 Vec2 projectedExtent(const Light& projector);
 
+/// Width over height; 1 for what has no pixels.
+float aspectOf(const SceneImage& image);
+
 /// A spot of the same power and mean colour as a projector, in a circle of its picture's area; a point of the
 /// same power and mean colour as a goniometric light.
 Light withoutPicture(const SceneDescription& scene, const Light& light);

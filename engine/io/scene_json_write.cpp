@@ -1,7 +1,5 @@
 // Writes a scene as Glint JSON. Whatever the reader knows and affects the picture is written out, so that a
 // saved scene does not depend on defaults.
-#include <cstring>
-
 #include <fmt/format.h>
 
 #include "engine/io/atomic_file.h"
@@ -17,12 +15,6 @@
 
 namespace glint {
 namespace {
-
-/// Unlike ==, tells -0 from 0, which a file keeps apart too.
-bool isExactIdentity(const Affine& transform) {
-    const Mat3 identity(1.0f);
-    return std::memcmp(&transform.linear, &identity, sizeof identity) == 0 && isZero(transform.translation);
-}
 
 class SceneJsonWriter {
   public:
@@ -237,7 +229,7 @@ class SceneJsonWriter {
         const auto values = form.valuesOf != nullptr ? form.valuesOf(object.objectToWorld) : std::nullopt;
         if (values) {
             writePlacement(form, *values);
-        } else if (!isExactIdentity(object.objectToWorld)) {
+        } else if (!object.objectToWorld.isExactIdentity()) {
             writeObject(key, [&] { writeMatrix(object.objectToWorld); });
         }
     }

@@ -2,12 +2,18 @@
 #include "engine/math/transform.h"
 
 #include <cmath>
+#include <cstring>
 
 #include <glm/ext/matrix_double3x3.hpp>
 #include <glm/ext/vector_double3.hpp>
 #include <glm/matrix.hpp>
 
 namespace glint {
+
+bool Affine::isExactIdentity() const {
+    const Mat3 identity(1.0f);
+    return std::memcmp(&linear, &identity, sizeof identity) == 0 && isZero(translation);
+}
 
 Affine inverse(const Affine& a) {
     const glm::dmat3 inverseLinear = glm::inverse(glm::dmat3(a.linear));

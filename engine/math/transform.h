@@ -20,6 +20,8 @@ struct Affine {
     bool operator==(const Affine& other) const {
         return linear == other.linear && translation == other.translation;
     }
+    /// Unlike ==, tells -0 from 0 in the linear part, which files keep apart too.
+    bool isExactIdentity() const;
 };
 
 /// (a * b)(p) = a(b(p)).

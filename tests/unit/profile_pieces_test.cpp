@@ -6,8 +6,9 @@
 #include "engine/kernels/shapes/profile_roots.h"
 #include "engine/math/bernstein.h"
 #include "engine/scene/scene.h"
+#include "tests/support/profile_tables.h"
 
-namespace glint {
+namespace glint::test {
 namespace {
 
 ProfileTable tableOf(int degree, std::vector<Vec2> points) {
@@ -96,5 +97,41 @@ TEST(ProfilePieces, OfALineWithManyPointsAreLines) {
     EXPECT_LT(farthestOff(line), 1e-14);
 }
 
+TEST(ProfilePieces, LieEndToEndAndFillGroups) {
+    NamedProfile wavy = profileNamed("degree 15");
+    wavy.name = "wavy";
+    wavy.curve = CurveKind::Bspline;
+    wavy.degree = 3;
+    wavy.points.clear();
+    for (int i = 0; i < 40; ++i) {
+        wavy.points.emplace_back(i % 2 == 0 ? 0.3f : 0.7f, 0.1f * static_cast<float>(i));
+    }
+    std::vector<NamedProfile> profiles = namedProfiles();
+    profiles.push_back(wavy);
+    for (const NamedProfile& profile : profiles) {
+        const ProfileTable table = builtProfile(profile.object());
+        uint32_t curve = 0;
+        double end = 0.0;
+        for (const ProfilePiece& piece : table.pieces) {
+            if (piece.curve != curve) {
+                EXPECT_EQ(piece.curve, curve + 1) << profile.name;
+                EXPECT_NEAR(end, 1.0, 1e-15) << profile.name;
+                curve = piece.curve;
+                end = 0.0;
+            }
+            EXPECT_NEAR(piece.begin, end, 1e-15) << profile.name;
+            EXPECT_GT(piece.width, 0.0) << profile.name;
+            end = piece.begin + piece.width;
+        }
+        EXPECT_NEAR(end, 1.0, 1e-15) << profile.name;
+        EXPECT_EQ(curve + 1, table.curves.size()) << profile.name;
+        EXPECT_EQ(table.groups.size(), (table.pieces.size() + kGroupPieces - 1) / kGroupPieces)
+            << profile.name;
+    }
+    // Each of its 37 curves has a turn, so that 74 parts are the least; flat ones would be more than three
+    // groups.
+    EXPECT_EQ(builtProfile(wavy.object()).pieces.size(), 3 * kGroupPieces);
+}
+
 }  // namespace
-}  // namespace glint
+}  // namespace glint::test

@@ -70,6 +70,7 @@ struct BsdfLocalFrame<false> {};
 /// What textures replace the material's constants with; nothing where there are no such textures.
 template <bool kNeeded>
 struct BsdfTexturedInputs {
+    // NOLINTNEXTLINE(modernize-use-equals-default): that would be deleted, since the union's member has one.
     GLINT_HD BsdfTexturedInputs() {}
 
     /// Set where the material has kMaterialInputTextures; nothing is spent on it elsewhere.
@@ -87,7 +88,7 @@ struct BsdfWavelength {
 };
 template <>
 struct BsdfWavelength<false> {
-    static constexpr float wavelengthNm = 0.0f;
+    static constexpr float wavelengthNm = 0.0f;  // NOLINT(readability-identifier-naming): as the other's
 };
 
 /// A material at one point, seen from one direction.

@@ -13,34 +13,34 @@ namespace glint {
 /// highlight.h says what the members are.
 struct PhongLobe {
     GLINT_HD PhongLobe(const ShadingInputs& in, const MaterialData&, const Vec3& wo)
-        : mirror(detail::mirrored(wo)), exponent(in.exponent) {}
+        : mirror_(detail::mirrored(wo)), exponent_(in.exponent) {}
 
     /// Of Beckmann's facets whose highlight is as wide head on.
-    GLINT_HD float alpha() const { return minf(std::sqrt(2.0f / (exponent + 2.0f)), 1.0f); }
+    GLINT_HD float alpha() const { return minf(std::sqrt(2.0f / (exponent_ + 2.0f)), 1.0f); }
 
     GLINT_HD float reflection(const Vec3& wi, float) const {
-        return (exponent + 2.0f) * (0.5f * kInvPi) * power(wi) * wi.z;
+        return (exponent_ + 2.0f) * (0.5f * kInvPi) * power(wi) * wi.z;
     }
 
-    GLINT_HD float pdf(const Vec3& wi) const { return (exponent + 1.0f) * (0.5f * kInvPi) * power(wi); }
+    GLINT_HD float pdf(const Vec3& wi) const { return (exponent_ + 1.0f) * (0.5f * kInvPi) * power(wi); }
 
     GLINT_HD Vec3 sample(Vec2 u) const {
-        const float oneMinusCos = -std::expm1(std::log(1.0f - u.x) / (exponent + 1.0f));
+        const float oneMinusCos = -std::expm1(std::log(1.0f - u.x) / (exponent_ + 1.0f));
         const float sine = safeSqrt(oneMinusCos * (2.0f - oneMinusCos));
         const SinCos phi = sinCosTurns(u.y);
         return glm::normalize(
-            Frame::fromNormal(mirror).toWorld(Vec3(sine * phi.cos, sine * phi.sin, 1.0f - oneMinusCos)));
+            Frame::fromNormal(mirror_).toWorld(Vec3(sine * phi.cos, sine * phi.sin, 1.0f - oneMinusCos)));
     }
 
   private:
     /// cos^n, by the chord between both directions: near 1 the cosine has no digits left.
     GLINT_HD float power(const Vec3& wi) const {
-        const float halfChord2 = 0.5f * lengthSquared(wi - mirror);
-        return halfChord2 < 1.0f ? std::exp(exponent * std::log1p(-halfChord2)) : 0.0f;
+        const float halfChord2 = 0.5f * lengthSquared(wi - mirror_);
+        return halfChord2 < 1.0f ? std::exp(exponent_ * std::log1p(-halfChord2)) : 0.0f;
     }
 
-    Vec3 mirror;
-    float exponent;
+    Vec3 mirror_;
+    float exponent_;
 };
 
 template <FeatureMask kMask>

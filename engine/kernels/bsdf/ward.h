@@ -30,41 +30,42 @@ namespace glint {
 /// highlight.h says what the members are.
 struct WardLobe {
     GLINT_HD WardLobe(const ShadingInputs& in, const MaterialData& material, const Vec3& woLocal)
-        : wo(woLocal.x, woLocal.y, maxf(woLocal.z, kLeastCosine)),
-          alphaX(in.roughness),
-          alphaY(in.crossRoughness),
-          form(material.wardForm) {}
+        : wo_(woLocal.x, woLocal.y, maxf(woLocal.z, kLeastCosine)),
+          alphaX_(in.roughness),
+          alphaY_(in.crossRoughness),
+          form_(material.wardForm) {}
 
-    GLINT_HD float alpha() const { return minf(alphaX, alphaY); }
+    GLINT_HD float alpha() const { return minf(alphaX_, alphaY_); }
 
     GLINT_HD float reflection(const Vec3& wiLocal, float room) const {
         const Vec3 wi(wiLocal.x, wiLocal.y, maxf(wiLocal.z, kLeastCosine));
-        const Vec3 sum = wo + wi;
-        if (form == WardForm::Balanced) { return wi.z * gaussian(sum) * slopeFactor(sum) / square(sum.z); }
-        const float product = wi.z * wo.z;
+        const Vec3 sum = wo_ + wi;
+        if (form_ == WardForm::Balanced) { return wi.z * gaussian(sum) * slopeFactor(sum) / square(sum.z); }
+        const float product = wi.z * wo_.z;
         const float lobe =
-            0.25f * wi.z * gaussian(sum) / (form == WardForm::Ward ? std::sqrt(product) : product);
-        return lobe * minf(room / maxf(albedoBound(wo), albedoBound(wi)), 1.0f);
+            0.25f * wi.z * gaussian(sum) / (form_ == WardForm::Ward ? std::sqrt(product) : product);
+        return lobe * minf(room / maxf(albedoBound(wo_), albedoBound(wi)), 1.0f);
     }
 
     GLINT_HD float pdf(const Vec3& wi) const {
-        const Vec3 sum = wo + wi;
+        const Vec3 sum = wo_ + wi;
         return 0.5f * gaussian(sum) * slopeFactor(sum) / sum.z;
     }
 
     GLINT_HD Vec3 sample(Vec2 u) const {
         const float radius = std::sqrt(-std::log(1.0f - u.x));
         const SinCos phi = sinCosTurns(u.y);
-        return reflect(wo, glm::normalize(Vec3(alphaX * radius * phi.cos, alphaY * radius * phi.sin, 1.0f)));
+        return reflect(wo_,
+                       glm::normalize(Vec3(alphaX_ * radius * phi.cos, alphaY_ * radius * phi.sin, 1.0f)));
     }
 
     /// At least what a white highlight reflects from w, unbalanced.
     GLINT_HD float albedoBound(const Vec3& w) const {
-        const float across = std::sqrt(square(alphaX * w.x) + square(alphaY * w.y));
+        const float across = std::sqrt(square(alphaX_ * w.x) + square(alphaY_ * w.y));
         const float inverse = w.z / maxf(across, 1e-20f);  // 1 / tau
         const float upper = 0.5f * (1.0f + std::erf(0.5f * inverse)) * w.z;
         const float tail = (0.5f * kInvSqrtPi) * across * std::exp(-0.25f * square(inverse));
-        if (form == WardForm::Duer) { return (upper + tail) / w.z; }
+        if (form_ == WardForm::Duer) { return (upper + tail) / w.z; }
         return std::sqrt((w.z + 0.5f * square(across) / w.z) * (upper + 2.0f * tail));
     }
 
@@ -74,16 +75,16 @@ struct WardLobe {
 
     /// G of a half vector of any length, and 1 + |s|^2.
     GLINT_HD float gaussian(const Vec3& h) const {
-        const float slope2 = (square(h.x / alphaX) + square(h.y / alphaY)) / square(h.z);
-        return std::exp(-slope2) * kInvPi / (alphaX * alphaY);
+        const float slope2 = (square(h.x / alphaX_) + square(h.y / alphaY_)) / square(h.z);
+        return std::exp(-slope2) * kInvPi / (alphaX_ * alphaY_);
     }
     GLINT_HD static float slopeFactor(const Vec3& h) {
         return 1.0f + (square(h.x) + square(h.y)) / square(h.z);
     }
 
-    Vec3 wo;
-    float alphaX, alphaY;
-    WardForm form;
+    Vec3 wo_;
+    float alphaX_, alphaY_;
+    WardForm form_;
 };
 
 template <FeatureMask kMask>

@@ -5,146 +5,16 @@
 // degree 2n in s:
 //   d.y^2 x(s)^2 = |o.xz d.y + (y(s) - o.y) d.xz|^2,   t = (y(s) - o.y) / d.y.
 // All its roots are found: a quadratic close to it tells of most pieces that there is one or none, and where
-// Newton's method starts; otherwise by bernstein.h. A ray that is nearly horizontal leaves y(s) alone, in
-// which t has no digits; there t follows from the distance to the axis, and s from the height at it.
+// Newton's method starts; otherwise by bernstein.h. A ray that is nearly horizontal leaves y(s) alone:
+// profile_level_rays.h.
 #pragma once
 
-#include <initializer_list>
-
 #include "engine/base/inlining.h"
-#include "engine/kernels/shapes/profile_ray.h"
-#include "engine/math/bernstein.h"
+#include "engine/kernels/shapes/profile_level_rays.h"
+#include "engine/kernels/shapes/profile_point.h"
 
 namespace glint {
 namespace detail {
-
-/// The distance from the axis and the height.
-struct ProfilePoint {
-    PolynomialValue x, y;
-};
-
-/// The profile at a piece's parameter. kDegree: the piece's, or 0 for any.
-template <int kDegree = 0>
-GLINT_HD inline ProfilePoint pointOf(const ProfilePiece& piece, double s) {
-    const int n = kDegree > 0 ? kDegree : piece.degree;
-#if GLINT_HAS_AVX2
-    const __m128d at = _mm_set1_pd(s);
-    __m128d value = _mm_load_pd(piece.powers[n]), derivative = _mm_setzero_pd();
-    for (int i = n - 1; i >= 0; --i) {
-        derivative = _mm_fmadd_pd(derivative, at, value);
-        value = _mm_fmadd_pd(value, at, _mm_load_pd(piece.powers[i]));
-    }
-    return {{_mm_cvtsd_f64(value), _mm_cvtsd_f64(derivative)},
-            {_mm_cvtsd_f64(_mm_unpackhi_pd(value, value)),
-             _mm_cvtsd_f64(_mm_unpackhi_pd(derivative, derivative))}};
-#else
-    ProfilePoint point{{piece.powers[n][0], 0.0}, {piece.powers[n][1], 0.0}};
-    for (int i = n - 1; i >= 0; --i) {
-        point.x.derivative = std::fma(point.x.derivative, s, point.x.value);
-        point.y.derivative = std::fma(point.y.derivative, s, point.y.value);
-        point.x.value = std::fma(point.x.value, s, piece.powers[i][0]);
-        point.y.value = std::fma(point.y.value, s, piece.powers[i][1]);
-    }
-    return point;
-#endif
-}
-
-/// How far the profile at one parameter, turned about the axis, misses the ray at t; and Newton's step for
-/// both.
-struct RingMiss {
-    double height, ring;
-    double yByS, ringByS, ringByT, dy;
-
-    GLINT_HD RingMiss(const ProfilePoint& at, const ProfileRay& ray, double t)
-        : yByS(at.y.derivative), dy(ray.dy) {
-        const double px = ray.ox + t * ray.dx, pz = ray.oz + t * ray.dz;
-        height = at.y.value - ray.oy - t * ray.dy;
-        ring = at.x.value * at.x.value - px * px - pz * pz;
-        ringByS = 2.0 * at.x.value * at.x.derivative;
-        ringByT = -2.0 * (px * ray.dx + pz * ray.dz);
-    }
-    GLINT_HD double determinant() const { return yByS * ringByT + dy * ringByS; }
-    GLINT_HD double stepS() const { return (height * ringByT + dy * ring) / determinant(); }
-    GLINT_HD double stepT() const { return (yByS * ring - ringByS * height) / determinant(); }
-};
-
-/// Newton's method for s and t, close to a root of the piece, in which it stays.
-GLINT_HD inline void polishBoth(const ProfilePiece& piece, const ProfileRay& ray, double* s, double* t) {
-    constexpr double kFarthest = 1e-6;
-    const double start = *s;
-    double ds = 1.0;
-    for (int step = 0; step < 6 && std::fabs(ds) > 1e-9; ++step) {
-        const RingMiss miss(pointOf(piece, *s), ray, *t);
-        ds = miss.stepS();
-        const double dt = miss.stepT();
-        // Where the ray grazes the surface, the root is as good as it gets.
-        if (!(std::fabs(*s - ds - start) < kFarthest) || !std::isfinite(dt)) { break; }
-        *s -= ds;
-        *t -= dt;
-    }
-    *s = *s < 0.0 ? 0.0 : *s > 1.0 ? 1.0 : *s;
-}
-
-/// How far the profile lies above a nearly horizontal ray, where that is as far from the axis: before the ray
-/// is nearest to the axis (side -1) or after (1).
-struct HeightMiss {
-    const ProfilePiece& piece;
-    const ProfileRay& ray;
-    double side;
-
-    GLINT_HD double rayT(double xSquared) const {
-        const double beyond = (xSquared - ray.nearest2) * ray.inverseFlat2;
-        return ray.middle + side * std::sqrt(beyond > 0.0 ? beyond : 0.0);
-    }
-    GLINT_HD double above(double xSquared, double y) const { return y - ray.oy - ray.dy * rayT(xSquared); }
-
-    GLINT_HD PolynomialValue operator()(double s) const {
-        const auto [x, y] = pointOf(piece, s);
-        const double square = x.value * x.value;
-        const double tByS = x.value * x.derivative * ray.inverseFlat2 / (rayT(square) - ray.middle);
-        return {above(square, y.value), y.derivative - ray.dy * tByS};
-    }
-};
-
-/// On both sides of the ray's middle, a root lies where the profile changes from above the ray to below. Ends
-/// of pieces are asked with the bits that neighbours have, too, so that none gets lost between them.
-template <class Found>
-GLINT_ONE_PIECE_APART GLINT_HD uint32_t meetHorizontally(const ProfilePiece& piece, const ProfileRay& ray,
-                                                         const Found& found) {
-    const int last = 2 * piece.degree;
-    const double nearest = std::sqrt(ray.nearest2);
-    const double firstX = piece.powers[0][0], lastX = pointOf(piece, 1.0).x.value;
-    uint32_t steps = 0;
-    // The part of the piece that is not nearer to the axis than the ray; one on each side where it crosses.
-    for (const double lobe : {1.0, -1.0}) {
-        const bool begins = lobe * firstX >= 0.0 && piece.xSquared[0] >= ray.nearest2;
-        const bool ends = lobe * lastX >= 0.0 && piece.xSquared[last] >= ray.nearest2;
-        if (!begins && !ends) { continue; }
-        double edge = begins ? 1.0 : 0.0;
-        if (begins != ends) {
-            const auto beyond = [&](double s) {
-                const PolynomialValue x = pointOf(piece, s).x;
-                return PolynomialValue{lobe * x.value - nearest, lobe * x.derivative};
-            };
-            edge = bracketedRoot(beyond, 0.0, 1.0, ends, 0.5, &steps);
-        }
-        const double edgeAbove = pointOf(piece, edge).y.value - ray.oy - ray.middle * ray.dy;
-        for (const double side : {-1.0, 1.0}) {
-            const HeightMiss miss{piece, ray, side};
-            const double first = begins ? miss.above(piece.xSquared[0], piece.yRaised[0]) : edgeAbove;
-            const double second = ends ? miss.above(piece.xSquared[last], piece.yRaised[last]) : edgeAbove;
-            if ((first < 0.0) == (second < 0.0)) { continue; }
-            const double begin = begins ? 0.0 : edge, end = ends ? 1.0 : edge;
-            const double share = first / (first - second);
-            double s = bracketedRoot(miss, begin, end, first < 0.0, begin + share * (end - begin), &steps);
-            const double x = pointOf(piece, s).x.value;
-            double t = miss.rayT(x * x);
-            polishBoth(piece, ray, &s, &t);
-            found(s, t);
-        }
-    }
-    return steps;
-}
 
 /// The polynomial of a piece, for one ray.
 struct PieceMiss {
