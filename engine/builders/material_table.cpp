@@ -182,6 +182,10 @@ void setRelief(const Material& material, const TextureTable& textures, MaterialD
     if (data->opacity < 1.0f || data->opacityTexture != kNone || data->alphaTexture != kNone) {
         data->flags |= kMaterialCutOut;
     }
+}
+
+/// Whether any of its textures is read as wide as the pixel: the last step, when all of them are there.
+void setMipmaps(const TextureTable& textures, MaterialData* data) {
     bool isMipmapped = false;
     for (const uint32_t texture :
          {data->colorTexture, data->emissionTexture, data->heightTexture, data->normalTexture}) {
@@ -233,6 +237,7 @@ Result<MaterialData> makeMaterial(const Material& material, const TextureTable& 
     setFacets(material, &data);
     setRelief(material, textures, &data);
     if (material.emissive()) { setEmission(material, textures, &data); }
+    setMipmaps(textures, &data);
     data.absorption = absorptionOf(material);
     if (const Status status = setOwn(material, &data); !status) { return status.error(); }
     settleConstants(&data);

@@ -95,7 +95,8 @@ TEST(Mipmaps, MakeFarChecksGreyAtOnce) {
 TEST(Mipmaps, FilterEmissionThatTheCameraSees) {
     Film films[2] = {Film(1, 1), Film(1, 1)};
     for (const bool isMapped : {false, true}) {
-        SceneDescription scene = checkedFloor(isMapped ? R"(, "filter": "mipmap")" : "");
+        SceneDescription scene =
+            checkedFloor(isMapped ? R"(, "filter": "mipmap")" : R"(, "filter": "bilinear")");
         scene.materials[0].emission.texture = 0;
         scene.materials[0].color = {Vec3(0.0f), -1};
         films[isMapped ? 1 : 0] = renderFilm(scene, 64);
