@@ -78,6 +78,20 @@ TEST_F(CommandLine, BadValuesAreRefusedWithOneMessage) {
     EXPECT_EQ(folder.size(), 0u) << "a refused run must leave nothing behind";
 }
 
+/// As scripts give them whose variable is not set.
+TEST_F(CommandLine, EmptyValuesAreRefused) {
+    for (const char* option :
+         {"--filter", "--size", "--fov", "--resume", "--checkpoint", "--checkpoint-every", "--passes",
+          "--time", "--pixel", "--aov", "--tone", "--camera-target"}) {
+        const ProgramRun run = runProgram({"render", kCornell, "-o", folder.path("a.png"), option, ""});
+        EXPECT_EQ(run.exitCode, 1) << option << ": " << run.err;
+        EXPECT_TRUE(says(run.err, option)) << run.err;
+    }
+    EXPECT_EQ(runProgram({"render", "", "-o", folder.path("a.png")}).exitCode, 1);
+    EXPECT_EQ(runProgram({"render", kCornell, "-o", ""}).exitCode, 1);
+    EXPECT_EQ(folder.size(), 0u);
+}
+
 TEST_F(CommandLine, WordsOfSettingsIgnoreCase) {
     const std::string out = folder.path("a.png");
     for (const char* name : {"PT", "Sppm", "ptt", "sppn"}) {

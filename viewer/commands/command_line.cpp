@@ -21,6 +21,11 @@ CLI::Validator numberCheck(const std::string& expected, Accepts accepts) {
             ""};
 }
 
+Option withText(CLI::Option* option) {
+    return Option(option->check(CLI::Validator(
+        [](std::string& text) { return text.empty() ? "expected a value" : std::string(); }, "")));
+}
+
 }  // namespace
 
 Option Option::required() const { return Option(option_->required()); }
@@ -64,11 +69,6 @@ Option Option::accepts(std::function<Status(const std::string&)> check) const {
         "")));
 }
 
-Option Option::notEmpty(const std::string& message) const {
-    return Option(option_->check(
-        CLI::Validator([message](std::string& text) { return text.empty() ? message : std::string(); }, "")));
-}
-
 Option Option::commaSeparated() const { return Option(option_->delimiter(',')); }
 
 Option Option::commaSeparated(int least, int most) const {
@@ -90,7 +90,7 @@ void Command::onRun(std::function<int()> run) const {
 }
 
 Option Command::option(const std::string& names, OptionTarget target, const std::string& help) const {
-    return std::visit([&](auto* value) { return Option(app_->add_option(names, *value, help)); }, target);
+    return std::visit([&](auto* value) { return withText(app_->add_option(names, *value, help)); }, target);
 }
 
 Option Command::flag(const std::string& names, bool* target, const std::string& help) const {
@@ -106,12 +106,12 @@ Option Command::optionEach(const std::string& names, std::function<Status(const 
             }
         }
     };
-    return Option(app_->add_option_function<std::vector<std::string>>(names, takeAll, help));
+    return withText(app_->add_option_function<std::vector<std::string>>(names, takeAll, help));
 }
 
 Option Command::optionNumber(const std::string& names, std::function<void(double)> take,
                              const std::string& help) const {
-    return Option(app_->add_option_function<double>(names, std::move(take), help));
+    return withText(app_->add_option_function<double>(names, std::move(take), help));
 }
 
 void Command::footer(const std::string& text) const { app_->footer(text); }

@@ -44,8 +44,6 @@ class Option {
     Option aboveZero() const;
     /// A text that `check` finds nothing wrong with.
     Option accepts(std::function<Status(const std::string&)> check) const;
-    /// A text with at least one character; `message` says what was expected.
-    Option notEmpty(const std::string& message) const;
 
     /// Several values may be separated by commas; any number of them, or `least` to `most`.
     Option commaSeparated() const;
@@ -82,7 +80,8 @@ class Command {
     /// code.
     void onRun(std::function<int()> run) const;
 
-    /// `names` as "-o,--output", or without dashes for an argument.
+    /// `names` as "-o,--output", or without dashes for an argument. A value without a character, such as a
+    /// script's unset variable, is an error.
     Option option(const std::string& names, OptionTarget target, const std::string& help) const;
     Option flag(const std::string& names, bool* target, const std::string& help) const;
     /// Each value goes to `take`, whose error is the command line's.

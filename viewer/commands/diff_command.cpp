@@ -240,8 +240,7 @@ void addDiffCommand(const Command& program) {
     command.option("picture", &options->test, "The picture in question").required().typeName("A");
     command.option("reference", &options->reference, "What it should be").required().typeName("B");
     command.option("--maps", &options->maps, "Write error maps in false colours into the folder DIR")
-        .typeName("DIR")
-        .notEmpty("expected a folder's name");
+        .typeName("DIR");
     command
         .optionEach(
             "--map-range",
