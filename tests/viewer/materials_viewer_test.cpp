@@ -39,6 +39,33 @@ set "Attenuation distance" 0.2
     EXPECT_FLOAT_EQ(glass.attenuationDistance, 0.2f);
 }
 
+/// They begin with those of the glass that was shown.
+TEST(MaterialsViewer, GlassHasThreeIndicesWhereOneAsksForThem) {
+    const Material glass = editedBy(R"(
+set "Materials/Kind" Dielectric
+wait frames 2
+set "Materials/Glass" SF11
+wait frames 2
+set "Materials/Glass" "three indices"
+wait frames 2
+expect no-widget "Abbe number"
+)");
+    EXPECT_TRUE(glass.glass.empty());
+    EXPECT_NEAR(glass.iorRgb.x, 1.7814f, 2e-4f) << "SF11 at 611 nm, by Schott's Sellmeier coefficients";
+    EXPECT_NEAR(glass.iorRgb.z, 1.8134f, 2e-4f) << "at 465 nm";
+    const Material plain = editedBy(R"(
+set "Materials/Kind" Dielectric
+wait frames 2
+set "Materials/Glass" "three indices"
+wait frames 2
+set "IOR RGB" 1.4 1.6 1.7
+set "Materials/Glass" "own index"
+wait frames 2
+expect "IOR" 1.6
+)");
+    EXPECT_EQ(plain.iorRgb, Vec3(0.0f));
+}
+
 TEST(MaterialsViewer, SheetsLetLightThrough) {
     const Material sheet = editedBy(R"(
 set "Materials/Kind" Translucent

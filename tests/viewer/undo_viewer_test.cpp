@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/io/atomic_file.h"
+#include "engine/io/scene_loader.h"
 #include "tests/viewer/play_script.h"
 
 namespace glint {
@@ -30,6 +31,38 @@ TEST(UndoViewer, AnEditIsUndoneWithItsFilm) {
         kLimit));
     EXPECT_TRUE(*readFile("before.png") == *readFile("after.png"));
     EXPECT_FALSE(*readFile("before.png") == *readFile("edited.png"));
+}
+
+TEST(UndoViewer, SettingsAsTheOriginalsAreOneStep) {
+    expectPlayed(play(std::string(R"play(
+wait picture
+open "Display"
+open "Picture"
+wait frames 2
+set "Exposure" 1
+wait frames 2
+click "As the original"
+wait picture
+expect "Max depth" 20
+expect "Filter" Box
+expect "Filter radius" 1
+expect "Exposure" 0
+expect "Tone map" "Clamp (linear)"
+open "Checkpoint"
+wait frames 2
+set "Scene file" original.json
+click "Save scene"
+wait jobs
+)play") + kUndo + R"(
+expect "Max depth" 64
+expect "Filter" Blackman-Harris
+expect "Exposure" 1
+expect "Tone map" sRGB
+)"));
+    const auto saved = loadScene("original.json");
+    ASSERT_TRUE(saved) << saved.error().format();
+    EXPECT_EQ(saved->camera.apertureBlades, 4);
+    EXPECT_EQ(saved->camera.bladeRotationDeg, 45.0f);
 }
 
 TEST(UndoViewer, ADragIsOneStep) {

@@ -7,6 +7,7 @@
 
 #include "engine/base/nearest_name.h"
 #include "engine/builders/scene_validation.h"
+#include "engine/scene/as_original.h"
 #include "viewer/commands/command_line.h"
 #include "viewer/commands/render_options.h"
 
@@ -56,15 +57,6 @@ std::string optionsOf(IntegratorKind integrator) {
         if (setting.only == integrator && !setting.option.empty()) { names.push_back(setting.option); }
     }
     return fmt::format("{}", fmt::join(names, ", "));
-}
-
-/// Its lens is a square, whose corners lie on the circle that a round one fills.
-void applyOriginal(SceneDescription* scene) {
-    scene->options.maxDepth = 20;
-    scene->options.filter = FilterKind::Box;
-    scene->options.filterRadius = 1.0f;
-    scene->camera.apertureBlades = 4;
-    scene->camera.bladeRotationDeg = 45.0f;
 }
 
 Status applySetting(const SceneOverrides::Given& given, SceneDescription* scene) {
@@ -118,7 +110,7 @@ std::string sceneOptionsAsWritten(const Command& command) {
 }
 
 Status applyTo(const SceneOverrides& overrides, SceneDescription* scene) {
-    if (overrides.asOriginal) { applyOriginal(scene); }
+    if (overrides.asOriginal) { setAsOriginal(scene); }
     if (!overrides.size.empty()) {
         if (Status sized = applySize(overrides.size, scene); !sized) { return sized; }
     }

@@ -1,7 +1,10 @@
-// The picture's size, and how it is sampled.
+// The picture's size, how it is sampled, and all that makes it as the original's.
 
 #include <imgui.h>
 
+#include "engine/scene/as_original.h"
+#include "viewer/model/display_settings.h"
+#include "viewer/model/ocio_chooser.h"
 #include "viewer/model/scene_document.h"
 #include "viewer/panels/panel.h"
 #include "viewer/ui/widgets.h"
@@ -63,9 +66,25 @@ void drawSampling(RenderOptions* options) {
              "The most radiance one sample may bring. Hides fireflies, and darkens the picture a little"});
 }
 
-void draw(SceneDocument* document) {
+void drawAsOriginal(SceneDescription* scene, DisplaySettings* display, OcioChooser* ocio) {
+    if (!ui::button(
+            "As the original", ui::buttonWidth(1),
+            "As the program that 6.837 texts were written for: depth 20, a box filter of 1 pixel each way, a "
+            "square lens, and a display that clamps, without exposure")) {
+        return;
+    }
+    setAsOriginal(scene);
+    ocio->giveUp();
+    ocio->isWanted = false;
+    display->view = nullptr;
+    display->toneMap = ToneMap::Clamp;
+    display->exposureStops = 0.0f;
+}
+
+void draw(SceneDocument* document, DisplaySettings* display, OcioChooser* ocio) {
     drawSize(&document->draft().resolution);
     drawSampling(&document->draft().options);
+    drawAsOriginal(&document->draft(), display, ocio);
 }
 
 }  // namespace

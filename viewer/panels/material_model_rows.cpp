@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/builders/spectrum_table.h"
 #include "engine/scene/glasses.h"
 #include "engine/scene/metals.h"
 #include "viewer/panels/input_words.h"
@@ -15,6 +16,7 @@ namespace {
 
 constexpr const char* kOwnMetal = "own constants";
 constexpr const char* kOwnGlass = "own index";
+constexpr const char* kThreeIndices = "three indices";
 
 /// A choice among measured constants and one's own, whose name is empty. True: another one was chosen.
 bool drawMeasured(const char* label, const char* own, const std::vector<std::string_view>& measured,
@@ -60,14 +62,49 @@ void drawIor(Material* material) {
                 .tooltip = "Index of refraction, inside over outside"});
 }
 
-void drawGlass(Material* material) {
-    const auto shown = findGlass(material->glass);
-    if (drawMeasured("Glass", kOwnGlass, glassNames(), &material->glass,
-                     "Measured indices, which bend colours apart, or one's own") &&
-        shown) {
+/// The indices at red, green and blue of what the material is now.
+Vec3 channelIndices(const Material& material) {
+    GlassConstants glass{material.ior.value, {}};
+    if (material.abbeNumber > 0.0f) {
+        glass.dispersion = dispersionOfAbbeNumber(material.ior.value, material.abbeNumber);
+    }
+    glass = findGlass(material.glass).value_or(glass);
+    Vec3 indices(glass.ior);
+    for (int c = 0; c < 3; ++c) {
+        indices[c] += indexShift(glass.dispersion, kChannelWavelengthsNm[c]);
+    }
+    return indices;
+}
+
+/// A measured glass, one's own index, or three of them.
+void drawGlassChoice(Material* material) {
+    std::vector<std::string_view> names{kOwnGlass, kThreeIndices};
+    for (const std::string_view name : glassNames()) {
+        names.push_back(name);
+    }
+    const auto found = std::find(names.begin() + 2, names.end(), material->glass);
+    const int own = isZero(material->iorRgb) ? 0 : 1;
+    int index = found == names.end() ? own : static_cast<int>(found - names.begin());
+    if (!ui::choice(
+            "Glass", &index, names,
+            "Measured indices, which bend colours apart, or one's own: one with an Abbe number, or one "
+            "each at red, green and blue")) {
+        return;
+    }
+    const Vec3 indices = channelIndices(*material);
+    if (const auto shown = findGlass(material->glass)) {
+        // One's own index begins with that of the glass that was shown.
         material->ior.value = shown->ior;
         material->abbeNumber = abbeNumber(shown->dispersion, shown->ior);
+    } else if (own == 1) {
+        material->ior.value = material->iorRgb.y;
     }
+    material->iorRgb = index == 1 ? indices : Vec3(0.0f);
+    material->glass = index < 2 ? "" : std::string(names[static_cast<size_t>(index)]);
+}
+
+void drawGlass(Material* material) {
+    drawGlassChoice(material);
     if (!material->glass.empty()) { return; }
     if (!isZero(material->iorRgb)) {
         ui::vector3("IOR RGB", &material->iorRgb,
