@@ -103,7 +103,8 @@ TEST_F(ShownImageSources, ColorsOfTheSceneBeforeAnEditAreDropped) {
     const Snapshot after = snapshotOf(kSmall, 0.02f, 2);
     show(noiseOf(before));
     show(noiseOf(after));
-    while (!sources_[0].isReady()) {
+    // On a busy machine they may have been ready, and dropped, before the edit was shown: then none come.
+    for (int i = 0; i < 3000 && !sources_[0].isReady(); ++i) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     show(noiseOf(after));
