@@ -20,7 +20,7 @@ double binomial(int n, int k) {
 
 }  // namespace
 
-void multiply(const double* f, const double* g, int degree, double* product) {
+void multiplyBernstein(const double* f, const double* g, int degree, double* product) {
     std::fill(product, product + 2 * degree + 1, 0.0);
     for (int i = 0; i <= degree; ++i) {
         for (int j = 0; j <= degree; ++j) {
@@ -28,12 +28,11 @@ void multiply(const double* f, const double* g, int degree, double* product) {
                 binomial(degree, i) * binomial(degree, j) / binomial(2 * degree, i + j) * f[i] * g[j];
         }
     }
-    // The ends are exact, so that neighbouring pieces agree about them.
     product[0] = f[0] * g[0];
     product[2 * degree] = f[degree] * g[degree];
 }
 
-void toPowers(const double* bernstein, int degree, int axis, double (*powers)[2]) {
+void bernsteinToPowers(const double* bernstein, int degree, int axis, double (*powers)[2]) {
     std::vector<double> differences(bernstein, bernstein + degree + 1);
     for (int i = 0; i <= degree; ++i) {
         powers[i][axis] = binomial(degree, i) * differences[0];
@@ -44,22 +43,21 @@ void toPowers(const double* bernstein, int degree, int axis, double (*powers)[2]
     }
 }
 
-double lowerDegree(double* f, int degree) {
+double lowerBernsteinDegree(double* f, int degree) {
     double from[kMaxProfileDegree + 1], backwards[kMaxProfileDegree + 1] = {};
     std::copy(f, f + degree + 1, from);
-    const auto n = static_cast<size_t>(degree);
-    f[n] = 0.0;
-    backwards[n - 1] = from[n];
-    for (size_t i = n - 1; i > 0; --i) {
+    f[degree] = 0.0;
+    backwards[degree - 1] = from[degree];
+    for (int i = degree - 1; i > 0; --i) {
         const double share = static_cast<double>(i) / degree;
         backwards[i - 1] = (from[i] - (1.0 - share) * backwards[i]) / share;
     }
     double forwards = from[0], weight = std::ldexp(1.0, 1 - 2 * degree);
-    for (size_t i = 1; i < n; ++i) {
+    for (int i = 1; i < degree; ++i) {
         const double share = static_cast<double>(i) / degree;
         forwards = (from[i] - share * forwards) / (1.0 - share);
-        weight += std::ldexp(binomial(2 * degree, 2 * static_cast<int>(i)), 1 - 2 * degree);
-        f[i] = i + 1 < n ? forwards + weight * (backwards[i] - forwards) : backwards[i];
+        weight += std::ldexp(binomial(2 * degree, 2 * i), 1 - 2 * degree);
+        f[i] = i + 1 < degree ? forwards + weight * (backwards[i] - forwards) : backwards[i];
     }
     const int points = 4 * degree;
     double most = 0.0;

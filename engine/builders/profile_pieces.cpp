@@ -135,9 +135,9 @@ class PieceBuilder {
         piece.curve = part.curve;
         Coefficients one{};
         one.fill(1.0);
-        multiply(x.data(), x.data(), piece.degree, piece.xSquared);
-        multiply(y.data(), y.data(), piece.degree, piece.ySquared);
-        multiply(y.data(), one.data(), piece.degree, piece.yRaised);
+        multiplyBernstein(x.data(), x.data(), piece.degree, piece.xSquared);
+        multiplyBernstein(y.data(), y.data(), piece.degree, piece.ySquared);
+        multiplyBernstein(y.data(), one.data(), piece.degree, piece.yRaised);
         piece.xSquaredFit = fitQuadratic(piece.xSquared, 2 * piece.degree);
         piece.middle = 0.5 * (y[0] + y[static_cast<size_t>(piece.degree)]);
         Coefficients local = y;
@@ -145,12 +145,12 @@ class PieceBuilder {
             height -= piece.middle;
         }
         double localSquared[2 * kMaxProfileDegree + 1];
-        multiply(local.data(), local.data(), piece.degree, localSquared);
+        multiplyBernstein(local.data(), local.data(), piece.degree, localSquared);
         piece.ySquaredFit = fitQuadratic(localSquared, 2 * piece.degree);
         std::ranges::copy(fitQuadratic(piece.ySquared, 2 * piece.degree).value, piece.ySquaredFit.value);
         piece.yFit = fitQuadratic(piece.yRaised, 2 * piece.degree);
-        toPowers(x.data(), piece.degree, 0, piece.powers);
-        toPowers(y.data(), piece.degree, 1, piece.powers);
+        bernsteinToPowers(x.data(), piece.degree, 0, piece.powers);
+        bernsteinToPowers(y.data(), piece.degree, 1, piece.powers);
         addRing(x, y, static_cast<size_t>(piece.degree));
         pieces_->push_back(piece);
     }
@@ -160,7 +160,8 @@ class PieceBuilder {
         double left = kLowerDegreeError * profile_.size();
         for (; degree > 1; --degree) {
             Coefficients lowX = *x, lowY = *y;
-            left -= std::max(lowerDegree(lowX.data(), degree), lowerDegree(lowY.data(), degree));
+            left -= std::max(lowerBernsteinDegree(lowX.data(), degree),
+                             lowerBernsteinDegree(lowY.data(), degree));
             if (!(left >= 0.0)) { break; }
             *x = lowX;
             *y = lowY;

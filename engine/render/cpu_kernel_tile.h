@@ -2,11 +2,11 @@
 // path tracer.
 #pragma once
 
-#include "engine/base/inlining.h"
 #include "engine/kernels/aov_kernel.h"
 #include "engine/kernels/path_kernel.h"
 #include "engine/render/cpu_camera_rays.h"
 #include "engine/render/cpu_kernel.h"
+#include "engine/render/one_piece.h"
 
 namespace glint {
 
@@ -21,20 +21,8 @@ void renderPixels(const SceneView& view, const PassParams& params, const PixelRe
 }
 
 template <FeatureMask kMask>
-GLINT_FLATTEN void renderPixelsInOnePiece(const SceneView& view, const PassParams& params,
-                                          const PixelRect& tile, PixelSample* image) {
-    renderPixels<kMask>(view, params, tile, image);
-}
-
-/// In one piece, which saves a tenth of the time, but for the full kernel: that would take 40 s more to
-/// compile.
-template <FeatureMask kMask>
 void renderTile(const SceneView& view, const PassParams& params, const PixelRect& tile, PixelSample* image) {
-    if constexpr (kMask == kAllFeatures) {
-        renderPixels<kMask>(view, params, tile, image);
-    } else {
-        renderPixelsInOnePiece<kMask>(view, params, tile, image);
-    }
+    onePieceOf<kMask, &renderPixels<kMask>>()(view, params, tile, image);
 }
 
 template <FeatureMask kMask>

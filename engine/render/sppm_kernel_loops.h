@@ -1,11 +1,11 @@
 // The bodies of sppm_kernel.h's loops. For sppm_kernel_*.cpp only: including it compiles all SPPM kernels.
 #pragma once
 
-#include "engine/base/inlining.h"
 #include "engine/kernels/sppm_camera_kernel.h"
 #include "engine/kernels/sppm_pass_steps.h"
 #include "engine/kernels/sppm_photon_kernel.h"
 #include "engine/render/cpu_camera_rays.h"
+#include "engine/render/one_piece.h"
 #include "engine/render/sppm_kernel.h"
 
 namespace glint {
@@ -49,34 +49,15 @@ void gatherPixels(const SceneView& view, const PhotonMap& photons, const SppmPar
     }
 }
 
-/// A loop in one piece.
-template <auto kLoop>
-struct OnePiece;
-template <class Result, class... Arguments, Result (*kLoop)(Arguments...)>
-struct OnePiece<kLoop> {
-    GLINT_FLATTEN static Result loop(Arguments... arguments) { return kLoop(arguments...); }
-};
-
-/// In one piece, which saves a sixth of the time, but for the full kernel: that would take a minute more to
-/// compile.
-template <FeatureMask kMask, auto kLoop>
-constexpr auto compiled() {
-    if constexpr (kMask == kAllFeatures) {
-        return kLoop;
-    } else {
-        return &OnePiece<kLoop>::loop;
-    }
-}
-
 }  // namespace detail
 
 template <FeatureMask kMask>
 SppmVariant sppmVariant(const char* name) {
     return {name,
             kMask,
-            detail::compiled<kMask, &detail::traceVisiblePoints<kMask>>(),
-            detail::compiled<kMask, &detail::tracePhotons<kMask>>(),
-            detail::compiled<kMask, &detail::gatherPixels<kMask, PhotonGridView>>(),
+            onePieceOf<kMask, &detail::traceVisiblePoints<kMask>>(),
+            onePieceOf<kMask, &detail::tracePhotons<kMask>>(),
+            onePieceOf<kMask, &detail::gatherPixels<kMask, PhotonGridView>>(),
             &detail::gatherPixels<kMask, PhotonTreeView>};
 }
 

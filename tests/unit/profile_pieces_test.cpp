@@ -2,11 +2,12 @@
 // nothing that a ray could tell.
 #include <gtest/gtest.h>
 
-#include "engine/builders/profile_builder.h"
+#include "engine/builders/bernstein_forms.h"
 #include "engine/kernels/shapes/profile_roots.h"
 #include "engine/math/bernstein.h"
 #include "engine/scene/scene.h"
 #include "tests/support/profile_tables.h"
+#include "tests/support/uniform_numbers.h"
 
 namespace glint::test {
 namespace {
@@ -17,9 +18,7 @@ ProfileTable tableOf(int degree, std::vector<Vec2> points) {
     object.curve = CurveKind::Bezier;
     object.curveDegree = degree;
     object.profile = std::move(points);
-    ProfileTable table;
-    addProfile(object, &table);
-    return table;
+    return builtProfile(object);
 }
 
 /// The farthest that any piece is from its curve, of the profile's size.
@@ -50,24 +49,42 @@ void expectToJoin(const ProfileTable& table) {
     }
 }
 
+/// Both coordinates by 1e-11 of the size (kLowerDegreeError), and what evaluating in double loses.
+constexpr double kMostOff = 1.5e-11;
+
 TEST(ProfilePieces, LowerTheirDegreeAndStayWithTheCurve) {
-    const ProfileTable wave = tableOf(9, {{0.0f, 0.0f},
-                                          {0.9f, 0.05f},
-                                          {0.1f, 0.2f},
-                                          {0.8f, 0.3f},
-                                          {0.0f, 0.45f},
-                                          {0.8f, 0.55f},
-                                          {0.1f, 0.7f},
-                                          {0.7f, 0.8f},
-                                          {0.5f, 0.9f},
-                                          {0.0f, 1.0f}});
+    const ProfileTable wave = builtProfile(profileNamed("degree 15").object());
     int lower = 0;
     for (const ProfilePiece& piece : wave.pieces) {
-        lower += static_cast<int>(piece.degree < 9);
+        lower += static_cast<int>(piece.degree < 15);
     }
     EXPECT_GT(lower, static_cast<int>(wave.pieces.size()) / 2);
-    EXPECT_LT(farthestOff(wave), 2e-11);
+    EXPECT_LT(farthestOff(wave), kMostOff);
     expectToJoin(wave);
+}
+
+/// What is lost is at most the bound, and at least cos(pi/8) = 0.92 of it, since it is sampled.
+TEST(BernsteinForms, LowerDegreesWithinTheBoundThatTheyTell) {
+    UniformNumbers random(1);
+    for (int degree = 2; degree <= kMaxProfileDegree; ++degree) {
+        SCOPED_TRACE(degree);
+        double f[kMaxProfileDegree + 1], low[kMaxProfileDegree + 1];
+        for (int i = 0; i <= degree; ++i) {
+            f[i] = low[i] = static_cast<double>(random.next());
+        }
+        const double bound = lowerBernsteinDegree(low, degree);
+        double most = 0.0;
+        for (int i = 0; i <= 10'000; ++i) {
+            const double s = 1e-4 * i;
+            const double off = evaluateBernstein<kMaxProfileDegree>(low, degree - 1, s).value -
+                               evaluateBernstein<kMaxProfileDegree>(f, degree, s).value;
+            most = std::max(most, std::fabs(off));
+        }
+        EXPECT_LE(most, bound + 1e-13);
+        EXPECT_GE(most, 0.92 * bound);
+        EXPECT_EQ(low[0], f[0]);
+        EXPECT_EQ(low[degree - 1], f[degree]);
+    }
 }
 
 TEST(ProfilePieces, OfAnyDegreeStayWithTheCurve) {
@@ -79,7 +96,7 @@ TEST(ProfilePieces, OfAnyDegreeStayWithTheCurve) {
         }
         SCOPED_TRACE(degree);
         const ProfileTable table = tableOf(degree, points);
-        EXPECT_LT(farthestOff(table), 2e-11);
+        EXPECT_LT(farthestOff(table), kMostOff);
         expectToJoin(table);
     }
 }

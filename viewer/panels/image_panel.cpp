@@ -75,7 +75,6 @@ void drawAsOriginal(SceneDescription* scene, DisplaySettings* display, OcioChoos
     }
     setAsOriginal(scene);
     ocio->giveUp();
-    ocio->isWanted = false;
     display->view = nullptr;
     display->toneMap = ToneMap::Clamp;
     display->exposureStops = 0.0f;
