@@ -49,6 +49,29 @@ TEST(RegionTool, CornersMayBeDrawnInAnyOrder) {
     EXPECT_FALSE(tool.picks);
 }
 
+/// Where a script's window of the usual size shows the middle of a pixel of the noisy scene.
+size_t placeOf(int x, int y) {
+    return 3 * (static_cast<size_t>(12 + 14 * y + 7) * 1280 + static_cast<size_t>(3 + 14 * x + 7));
+}
+
+TEST(ScriptedWaits, ForPassesEndWithTheirPictureOnScreen) {
+    expectPlayed(playNoisy(R"(wait passes 2
+screenshot waited.png
+wait finished
+wait picture
+wait frames 4
+screenshot settled.png
+)"));
+    const auto waited = loadImage8("waited.png"), settled = loadImage8("settled.png");
+    ASSERT_TRUE(waited && settled);
+    for (int y = 0; y < 48; ++y) {
+        for (int x = 0; x < 64; ++x) {
+            const uint8_t *a = &(*waited)->rgb[placeOf(x, y)], *b = &(*settled)->rgb[placeOf(x, y)];
+            ASSERT_TRUE(std::equal(a, a + 3, b)) << x << ", " << y;
+        }
+    }
+}
+
 TEST(RegionViewer, OnlyWhatIsDrawnIsRenderedOn) {
     // 14 screen pixels a picture pixel, from (3, 12) on.
     const Ran ran = playNoisy(R"(
@@ -87,8 +110,7 @@ print "Est. error"
     int changedInside = 0;
     for (int y = 0; y < 48; ++y) {
         for (int x = 0; x < 64; ++x) {
-            const size_t at =
-                3 * (static_cast<size_t>(12 + 14 * y + 7) * 1280 + static_cast<size_t>(3 + 14 * x + 7));
+            const size_t at = placeOf(x, y);
             const bool isSame = std::equal(&(*before)->rgb[at], &(*before)->rgb[at] + 3, &(*after)->rgb[at]);
             const bool isInside = FilmRegion{10, 10, 32, 32}.contains(x, y);
             if (!isInside) { ASSERT_TRUE(isSame) << x << ", " << y; }

@@ -15,7 +15,7 @@ namespace glint {
 namespace {
 
 constexpr int kScrollFrames = 6;
-constexpr int kFramesToShow = 2;             // until what a job brought is on screen
+constexpr int kFramesToShow = 2;             // until what has come is on screen
 constexpr double kSettlingSeconds = 5.0;     // by then what was asked for before has had its effect
 constexpr double kHangGuardSeconds = 900.0;  // of one wait; only so that a broken script ends
 
@@ -213,27 +213,35 @@ void ScriptPlayer::runKey(const ScriptStatement& statement) {
     if (both || statement.words[1].text == "up") { actions_.push_back({Action::Kind::KeyUp, {}, code, ""}); }
 }
 
+/// Whether what the statement waits for is there, on screen or not.
+bool ScriptPlayer::isThere(const ScriptStatement& statement) const {
+    const std::string& what = statement.words[0].text;
+    const RenderControl& render = workspace_->render;
+    const SessionState state = render.status().state;
+    if (what == "jobs") { return !workspace_->busy() && !workspace_->sceneFiles.opening(); }
+    if (what == "paused") { return state == SessionState::Paused; }
+    if (workspace_->awaitsEdit()) { return false; }
+    if (what == "finished") { return state == SessionState::Finished; }
+    if (what == "passes") {
+        return render.snapshot() && render.snapshot()->passes >= static_cast<uint32_t>(statement.number(1));
+    }
+    return render.imageIsCurrent() && workspace_->carriesShownImage() && !workspace_->displayIsBehind;
+}
+
+/// What is waited for is seen once it has been there while kFramesToShow frames were drawn.
 Result<ScriptPlayer::Progress> ScriptPlayer::runWait(const ScriptStatement& statement) {
     const std::string& what = statement.words[0].text;
     const SessionStatus& status = workspace_->render.status();
     const double waited = secondsNow() - began_;
     bool met = false;
-    if (what == "frames") { met = attempts_ >= static_cast<int>(statement.number(1)); }
-    if (what == "seconds") { met = waited >= static_cast<double>(statement.number(1)); }
-    if (what == "passes") {
-        met = !workspace_->awaitsEdit() && status.passes >= static_cast<uint32_t>(statement.number(1));
+    if (what == "frames") {
+        met = attempts_ >= static_cast<int>(statement.number(1));
+    } else if (what == "seconds") {
+        met = waited >= static_cast<double>(statement.number(1));
+    } else {
+        shownFrames_ = isThere(statement) ? (attempts_ == 0 ? 0 : shownFrames_) + 1 : 0;
+        met = shownFrames_ > kFramesToShow;
     }
-    if (what == "picture") {
-        met = attempts_ > 1 && !workspace_->awaitsEdit() && workspace_->render.imageIsCurrent() &&
-              workspace_->carriesShownImage() && !workspace_->displayIsBehind;
-    }
-    if (what == "jobs") {
-        const bool isIdle = !workspace_->busy() && !workspace_->sceneFiles.opening();
-        idleFrames_ = isIdle ? (attempts_ == 0 ? 0 : idleFrames_) + 1 : 0;
-        met = idleFrames_ > kFramesToShow;
-    }
-    if (what == "finished") { met = !workspace_->awaitsEdit() && status.state == SessionState::Finished; }
-    if (what == "paused") { met = status.state == SessionState::Paused; }
     if (met) { return Progress::Done; }
     if (status.state == SessionState::Failed) {
         return statement.error(fmt::format("the render failed: {}", status.error));

@@ -44,6 +44,7 @@ class ScriptPlayer {
 
     Result<Progress> run(const ScriptStatement& statement);
     Result<Progress> runPointer(const ScriptStatement& statement);
+    bool isThere(const ScriptStatement& statement) const;
     Result<Progress> runWait(const ScriptStatement& statement);
     Status runExpect(const ScriptStatement& statement);
     Status expectWidget(const ScriptStatement& statement);
@@ -61,9 +62,9 @@ class ScriptPlayer {
     Workspace* workspace_;
     Screenshot screenshot_;
     size_t next_ = 0;
-    int attempts_ = 0;    // frames that the current statement has taken
-    int idleFrames_ = 0;  // without a job, up to the current one, while it waits for jobs
-    double began_ = 0.0;  // when it began, seconds
+    int attempts_ = 0;     // frames that the current statement has taken
+    int shownFrames_ = 0;  // those in a row, up to now, in which what it waits for was there
+    double began_ = 0.0;   // when it began, seconds
     bool hasActed_ = false;
     bool finishing_ = false;  // the last action's frame has not been drawn
     std::deque<Action> actions_;
