@@ -1,5 +1,4 @@
-// The program as its users meet it: exit codes, messages, Ctrl-C, resuming, files that cannot be
-// written, reports.
+// The program as its users meet it: exit codes, messages, files that cannot be written, reports.
 #include <nlohmann/json.hpp>
 
 #include "engine/report/convergence_variant.h"
@@ -247,31 +246,6 @@ TEST_F(CommandLine, ThreadsChangeNoByteOfTheImage) {
     EXPECT_EQ(one, png("3"));
 }
 
-TEST_F(CommandLine, InterruptedRendersSaveAndGoOnBitForBit) {
-    const std::string film = folder.path("a.film"), image = folder.path("a.hdr"),
-                      whole = folder.path("whole.hdr");
-    const std::vector<std::string> settings = {"--size", "96x96"};
-    const auto render = [&](std::vector<std::string> more, const std::string& interrupt = {}) {
-        std::vector<std::string> all = {"render", kCornell};
-        all.insert(all.end(), settings.begin(), settings.end());
-        all.insert(all.end(), more.begin(), more.end());
-        return runProgram(all, {.signalAfter = interrupt});
-    };
-    const ProgramRun stopped =
-        render({"-o", image, "--time", "100000", "--passes", "100000", "--checkpoint", film, "--json", "-"},
-               "pass ");
-    ASSERT_EQ(stopped.exitCode, 130) << stopped.err;
-    EXPECT_FALSE(TempFolder::read(image).empty());
-    const auto report = nlohmann::json::parse(stopped.out, nullptr, false);
-    ASSERT_FALSE(report.is_discarded());
-    const int more = report["passes"].get<int>() + 3;
-    const std::string passes = std::to_string(more);
-    const ProgramRun resumed = render({"-o", image, "--resume", film, "--passes", passes});
-    ASSERT_EQ(resumed.exitCode, 0) << resumed.err;
-    ASSERT_EQ(render({"-o", whole, "--passes", passes}).exitCode, 0);
-    EXPECT_EQ(TempFolder::read(image), TempFolder::read(whole));
-}
-
 TEST_F(CommandLine, ADroppedSampleNamesTheCommandThatRepeatsIt) {
     const std::string scene = folder.write("it's bright.json", R"({ "glint": 1,
         "camera": { "position": [0, 0, 3], "target": [0, 0, 0], "verticalFovDeg": 40 },
@@ -286,18 +260,6 @@ TEST_F(CommandLine, ADroppedSampleNamesTheCommandThatRepeatsIt) {
                                           "--fov", "20", "--pixel", "4,4", "--pass", "0"});
     EXPECT_EQ(replay.exitCode, 0) << replay.err;
     EXPECT_TRUE(says(replay.out, "dropped: infinite")) << replay.out;
-}
-
-TEST_F(CommandLine, ResumingWithOtherSettingsNamesTheDifference) {
-    const std::string film = folder.path("a.film"), image = folder.path("a.png");
-    ASSERT_EQ(runProgram(
-                  {"render", kCornell, "-o", image, "--size", "16x16", "--passes", "2", "--checkpoint", film})
-                  .exitCode,
-              0);
-    const ProgramRun other = runProgram({"render", kCornell, "-o", image, "--size", "16x16", "--passes", "4",
-                                         "--depth", "3", "--resume", film});
-    EXPECT_EQ(other.exitCode, 1);
-    EXPECT_TRUE(says(other.err, "maxDepth"));
 }
 
 TEST_F(CommandLine, ReplayPrintsThePathOfOnePixel) {

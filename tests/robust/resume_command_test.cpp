@@ -1,4 +1,6 @@
-// `glint render --resume` of scenes with parameters.
+// `glint render` interrupted, and resumed from its checkpoint.
+#include <nlohmann/json.hpp>
+
 #include "tests/support/program_test.h"
 
 namespace glint {
@@ -10,6 +12,8 @@ using test::says;
 using test::TempFolder;
 
 using ResumeCommand = test::ProgramTest;
+
+const std::string kCornell = GLINT_SOURCE_DIR "/scenes/cornell.json";
 
 TEST_F(ResumeCommand, ResumingKeepsTheParametersOfTheScene) {
     const std::string scene =
@@ -33,6 +37,43 @@ TEST_F(ResumeCommand, ResumingKeepsTheParametersOfTheScene) {
         runProgram({"render", scene, "-o", resumed, "--size", "16x16", "--resume", film, "-D", "grey=0.7"});
     EXPECT_EQ(other.exitCode, 1) << "what is given counts";
     EXPECT_TRUE(says(other.err, "the materials differ"));
+}
+
+TEST_F(ResumeCommand, InterruptedRendersSaveAndGoOnBitForBit) {
+    const std::string film = folder.path("a.film"), image = folder.path("a.hdr"),
+                      whole = folder.path("whole.hdr");
+    const std::vector<std::string> settings = {"--size", "96x96"};
+    const auto render = [&](std::vector<std::string> more, const std::string& interrupt = {}) {
+        std::vector<std::string> all = {"render", kCornell};
+        all.insert(all.end(), settings.begin(), settings.end());
+        all.insert(all.end(), more.begin(), more.end());
+        return runProgram(all, {.signalAfter = interrupt});
+    };
+    const ProgramRun stopped =
+        render({"-o", image, "--time", "100000", "--passes", "100000", "--checkpoint", film, "--json", "-"},
+               "pass ");
+    ASSERT_EQ(stopped.exitCode, 130) << stopped.err;
+    EXPECT_FALSE(TempFolder::read(image).empty());
+    const auto report = nlohmann::json::parse(stopped.out, nullptr, false);
+    ASSERT_FALSE(report.is_discarded());
+    const int more = report["passes"].get<int>() + 3;
+    const std::string passes = std::to_string(more);
+    const ProgramRun resumed = render({"-o", image, "--resume", film, "--passes", passes});
+    ASSERT_EQ(resumed.exitCode, 0) << resumed.err;
+    ASSERT_EQ(render({"-o", whole, "--passes", passes}).exitCode, 0);
+    EXPECT_EQ(TempFolder::read(image), TempFolder::read(whole));
+}
+
+TEST_F(ResumeCommand, ResumingWithOtherSettingsNamesTheDifference) {
+    const std::string film = folder.path("a.film"), image = folder.path("a.png");
+    ASSERT_EQ(runProgram(
+                  {"render", kCornell, "-o", image, "--size", "16x16", "--passes", "2", "--checkpoint", film})
+                  .exitCode,
+              0);
+    const ProgramRun other = runProgram({"render", kCornell, "-o", image, "--size", "16x16", "--passes", "4",
+                                         "--depth", "3", "--resume", film});
+    EXPECT_EQ(other.exitCode, 1);
+    EXPECT_TRUE(says(other.err, "maxDepth"));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Picture files that libpng, libjpeg, libtiff and giflib write, for picture_files.cpp.
+// Picture files that libpng, libjpeg, libtiff, giflib and libwebp write, for picture_files.cpp.
 #pragma once
 
 #include <vector>
@@ -11,5 +11,6 @@ void addPng(std::vector<PictureFile>* files);
 void addJpeg(std::vector<PictureFile>* files);
 void addTiff(std::vector<PictureFile>* files);
 void addGif(std::vector<PictureFile>* files);
+void addWebp(std::vector<PictureFile>* files);
 
 }  // namespace glint::test

@@ -3,10 +3,12 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "engine/io/scene_loader.h"
+#include "tests/support/temp_folder.h"
 
 namespace glint::test {
 
@@ -30,5 +32,17 @@ inline std::optional<SceneDescription> loadSquare(const std::string& path) {
 
 inline const std::string kCorners = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n";
 inline const std::string kUvs = "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
+
+/// The material of a square whose MTL file holds these lines; the other lines are in the OBJ file.
+inline Material materialOf(const TempFolder& folder, const std::string& mtl,
+                           std::vector<std::string>* warnings,
+                           const std::string& use = "mtllib m.mtl\nusemtl it\n") {
+    folder.write("m.mtl", mtl);
+    const auto scene =
+        loadSquare(folder.write("in.obj", use + kCorners + "vn 0 0 1\nf 1//1 2//1 3//1 4//1\n"));
+    if (!scene) { return {}; }
+    *warnings = scene->warnings;
+    return scene->materials.at(0);
+}
 
 }  // namespace glint::test

@@ -6,7 +6,6 @@
 #include <cstring>
 
 #include <squish.h>
-#include <webp/encode.h>
 
 #include "tests/support/library_pictures.h"
 
@@ -212,31 +211,6 @@ void addDds(std::vector<PictureFile>* files) {
     files->push_back({"BC5U.dds", dds(4, 0x55354342, 0, both), normals});
 }
 
-std::string webp(const Image8& image) {
-    const std::string rgba = rowsOf(image, false, [](const Pixel& p) {
-        return bytesOf({p[0], p[1], p[2], p[3]});
-    });
-    WebPConfig config;
-    WebPPicture picture;
-    WebPConfigInit(&config);
-    WebPConfigLosslessPreset(&config, 6);
-    WebPPictureInit(&picture);
-    config.exact = 1;
-    picture.use_argb = 1;
-    picture.width = image.width;
-    picture.height = image.height;
-    WebPPictureImportRGBA(&picture, reinterpret_cast<const uint8_t*>(rgba.data()), 4 * image.width);
-    WebPMemoryWriter writer;
-    WebPMemoryWriterInit(&writer);
-    picture.writer = WebPMemoryWrite;
-    picture.custom_ptr = &writer;
-    WebPEncode(&config, &picture);
-    std::string bytes(reinterpret_cast<const char*>(writer.mem), writer.size);
-    WebPMemoryWriterClear(&writer);
-    WebPPictureFree(&picture);
-    return bytes;
-}
-
 }  // namespace
 
 Image8 halfWhiteImage() {
@@ -251,13 +225,6 @@ std::string exifOf(int orientation) {
     const std::string entry =
         little(0x112, 2) + little(3, 2) + little(1, 4) + little(static_cast<uint64_t>(orientation), 4);
     return "II" + little(42, 2) + little(8, 4) + little(1, 2) + entry + little(0, 4);
-}
-
-std::string webpWithOrientation(int orientation) {
-    const std::string exif = exifOf(orientation);
-    const std::string chunks = "WEBPVP8X" + little(10, 4) + little(8, 4) + little(15, 3) + little(7, 3) +
-                               webp(halfWhiteImage()).substr(12) + "EXIF" + little(exif.size(), 4) + exif;
-    return "RIFF" + little(chunks.size(), 4) + chunks;
 }
 
 std::string little(uint64_t value, int bytes) {
@@ -305,8 +272,7 @@ std::vector<PictureFile> pictureFiles() {
     addPnm(&files);
     addPsd(&files);
     addDds(&files);
-    files.push_back({"plain.webp", webp(patternImage()), patternImage()});
-    files.push_back({"alpha.webp", webp(transparentImage()), transparentImage()});
+    addWebp(&files);
     return files;
 }
 

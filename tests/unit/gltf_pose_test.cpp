@@ -5,56 +5,25 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/gltf_parts.h"
 #include "tests/support/gltf_test.h"
 
 namespace glint {
 namespace {
 
 using test::gltf;
+using test::kByte;
+using test::kFloat;
+using test::kShort;
 using test::packed;
+using test::Parts;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr int kByte = 5121, kShort = 5122, kFloat = 5126;
 constexpr float kSqrtHalf = std::numbers::sqrt2_v<float> / 2.0f;
 constexpr const char* kTriangle = R"("meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}])";
-
-/// A buffer of which each part has a view and an accessor; the first is a triangle's corners.
-class Parts {
-  public:
-    Parts() { add(packed<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}), kFloat, "VEC3", 3); }
-
-    int add(const std::string& bytes, int type, const std::string& shape, int count,
-            bool normalized = false) {
-        const std::string comma = count_ > 0 ? "," : "";
-        views_ += comma + R"({"buffer": 0, "byteOffset": )" + std::to_string(buffer.size()) +
-                  ", \"byteLength\": " + std::to_string(bytes.size()) + "}";
-        accessors_ += comma + "{\"bufferView\": " + std::to_string(count_) +
-                      ", \"componentType\": " + std::to_string(type) + ", \"type\": \"" + shape +
-                      "\", \"count\": " + std::to_string(count) +
-                      (normalized ? ", \"normalized\": true}" : "}");
-        buffer += bytes + std::string((4 - bytes.size() % 4) % 4, '\0');
-        return count_++;
-    }
-    int times(std::initializer_list<float> seconds) {
-        return add(packed<float>(seconds), kFloat, "SCALAR", static_cast<int>(seconds.size()));
-    }
-    int vectors(std::initializer_list<float> numbers, int width) {
-        const std::string shape = width == 1 ? "SCALAR" : "VEC" + std::to_string(width);
-        return add(packed<float>(numbers), kFloat, shape, static_cast<int>(numbers.size()) / width);
-    }
-    std::string text() const {
-        return "\"bufferViews\": [" + views_ + "], \"accessors\": [" + accessors_ + "]";
-    }
-
-    std::string buffer;
-
-  private:
-    std::string views_, accessors_;
-    int count_ = 0;
-};
 
 /// An animation of one channel for each of `channels`: node, path, times, values, interpolation.
 struct Channel {
