@@ -4,7 +4,7 @@
 include(GNUInstallDirs)
 
 install(TARGETS glint glint_measure RUNTIME)
-install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/glint FILES_MATCHING PATTERN *.json PATTERN *.obj PATTERN *.png PATTERN *.hdr)
+install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/glint FILES_MATCHING PATTERN *.json PATTERN *.txt PATTERN *.obj PATTERN *.png PATTERN *.hdr)
 
 # Thumbnails lie beside the scenes, as in the sources: an empty window shows them.
 install(DIRECTORY assets/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/glint/assets)

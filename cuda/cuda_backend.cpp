@@ -3,6 +3,7 @@
 #include "cuda/cuda_backend.h"
 
 #include <array>
+#include <string>
 #include <utility>
 
 #include "cuda/cuda_context.h"
@@ -13,14 +14,12 @@
 namespace glint {
 namespace {
 
-std::unique_ptr<Integrator> makeCudaIntegrator(IntegratorKind kind, CudaContext& cuda) {
-    switch (kind) {
-#define GLINT_MAKE_INTEGRATOR(kind, key, alias, displayName) \
-    case IntegratorKind::kind:                               \
-        return makeCuda##kind(cuda);
-        GLINT_INTEGRATORS(GLINT_MAKE_INTEGRATOR)
+/// Null where CUDA has no kernels for it.
+std::unique_ptr<Integrator> makeCudaIntegrator(IntegratorKind wanted, CudaContext& cuda) {
+#define GLINT_MAKE_INTEGRATOR(kind) \
+    if (wanted == IntegratorKind::kind) { return makeCuda##kind(cuda); }
+    GLINT_CUDA_INTEGRATORS(GLINT_MAKE_INTEGRATOR)
 #undef GLINT_MAKE_INTEGRATOR
-    }
     return nullptr;
 }
 
@@ -49,6 +48,9 @@ class CudaBackend final : public Backend {
     Result<Integrator*> integrator(IntegratorKind kind) override {
         std::unique_ptr<Integrator>& made = integrators_[static_cast<size_t>(kind)];
         if (!made) { made = makeCudaIntegrator(kind, cuda_); }
+        if (!made) {
+            return Error{std::string("CUDA has no kernels for ") + integratorInfo(kind).displayName, {}};
+        }
         return made.get();
     }
 

@@ -1,5 +1,5 @@
-// What the CUDA back end's integrators share: the device, the scene on it, and how a picture is rendered
-// there.
+// What the CUDA back end's integrators share: the device, the scene on it, and how a picture is
+// rendered there.
 //
 // Belongs to the CUDA back end. No CUDA header is named here.
 #pragma once

@@ -1,5 +1,5 @@
-// The table of integrators on a CUDA device. Each is defined in its own file, cuda_<name>.cpp, so that one
-// that is forgotten does not link.
+// The integrators that have kernels on a CUDA device, a line each; each is defined in its own
+// file, cuda_<name>.cpp.
 #pragma once
 
 #include <memory>
@@ -10,10 +10,17 @@ namespace glint {
 
 struct CudaContext;
 
+// clang-format off
+#define GLINT_CUDA_INTEGRATORS(X) \
+    X(PathTracing) \
+    X(Sppm) \
+    X(AmbientOcclusion) \
+    X(RayCast)
+// clang-format on
+
 /// makeCudaPathTracing() and so on; `cuda` outlives them.
-#define GLINT_DECLARE_MAKER(kind, key, alias, displayName) \
-    std::unique_ptr<Integrator> makeCuda##kind(CudaContext& cuda);
-GLINT_INTEGRATORS(GLINT_DECLARE_MAKER)
+#define GLINT_DECLARE_MAKER(kind) std::unique_ptr<Integrator> makeCuda##kind(CudaContext& cuda);
+GLINT_CUDA_INTEGRATORS(GLINT_DECLARE_MAKER)
 #undef GLINT_DECLARE_MAKER
 
 }  // namespace glint

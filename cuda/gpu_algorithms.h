@@ -1,4 +1,4 @@
-// Prefix sums and sorting on a GPU, by CUB. Called by gpu_device.cpp alone; the tests' device has its own.
+// Prefix sums and sorting on a GPU, by CUB.
 #pragma once
 
 #include "cuda/device.h"

@@ -1,6 +1,6 @@
 // Runs a pass's threads in launches of about the same time, so that a raised stop flag is seen soon.
 //
-// Used by the CUDA back end for every kernel that takes long. One launch runs while the next one is queued.
+// One launch runs while the next one is queued.
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // The path kernels for the GPU: what a thread does.
 //
-// Included by one small .cu file for each variant, and by nothing else. All that is computed there is in
-// engine/kernels.
+// Included by one small .cu file for each variant, and by nothing else. All that is computed there is
+// in engine/kernels.
 #pragma once
 
 #include "cuda/cuda_variant.h"

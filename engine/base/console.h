@@ -12,8 +12,8 @@
 
 namespace glint {
 
-/// With '?' for control characters, those of UTF-8 (C1) included, a blank for a tab, and `lineEnd` for a line
-/// end.
+/// With '?' for control characters, those of UTF-8 (C1) included, a blank for a tab, and `lineEnd` for a
+/// line end.
 std::string printable(std::string text, char lineEnd = '\n');
 
 /// Writes to standard error, printable.
@@ -28,9 +28,8 @@ void putData(std::string_view bytes);
 /// Flushes standard output. 0, or the errno of the first piece that could not be written there.
 int finishOutput();
 
-/// Standard streams that were closed are opened so that writing fails, and no file that is opened later
-/// gets their numbers; files and pipes that cannot take more give errors instead of signals. To be called
-/// first.
+/// Standard streams that were closed are opened so that writing fails, and no file that is opened later gets
+/// their numbers; files and pipes that cannot take more give errors instead of signals. To be called first.
 void prepareStandardStreams();
 
 /// sayText() of what fmt makes of it. Never throws: without memory it says that.

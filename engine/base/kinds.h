@@ -17,6 +17,8 @@ enum class ShapeKind : uint8_t {
     Mesh,       ///< triangles
     Revolved,   ///< a profile, turned about the y axis
 };
+constexpr ShapeKind kShapeKinds[] = {ShapeKind::Sphere, ShapeKind::Plane, ShapeKind::Rectangle,
+                                     ShapeKind::Disc,   ShapeKind::Mesh,  ShapeKind::Revolved};
 
 /// How a camera makes a picture of space.
 enum class ProjectionKind : uint8_t {

@@ -26,10 +26,6 @@ struct LogLine {
 void logMessage(LogLevel level, fmt::string_view format, fmt::format_args args) noexcept;
 
 template <class... Args>
-void logDebug(fmt::format_string<Args...> format, Args&&... args) {
-    logMessage(LogLevel::Debug, format, fmt::make_format_args(args...));
-}
-template <class... Args>
 void logInfo(fmt::format_string<Args...> format, Args&&... args) {
     logMessage(LogLevel::Info, format, fmt::make_format_args(args...));
 }

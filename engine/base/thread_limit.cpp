@@ -37,8 +37,8 @@ int tryThreads(int count) {
 }
 
 int tryTeam(int size) {
-    // The first leaves room for one of the program's own, such as a session's. More would take memory for
-    // nothing.
+    // The first leaves room for one of the program's own, such as a session's. More would take memory
+    // for nothing.
     static std::atomic<int> spare{1};
     const int spared = spare.exchange(0);
     const int team = std::clamp(1 + tryThreads(size - 1 + spared) - spared, 1, size);

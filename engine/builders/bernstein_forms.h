@@ -1,5 +1,5 @@
-// What pieces of profiles are made of from Bernstein coefficients: products, powers, lower degrees,
-// quadratics.
+// What pieces of profiles are made of from Bernstein coefficients: products, powers, lower
+// degrees, quadratics.
 #pragma once
 
 #include "engine/kernels/profile_view.h"

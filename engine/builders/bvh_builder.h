@@ -38,8 +38,8 @@ HugeVector<WideNode> collapseTree(const BinaryTree& tree, const PackLeaves& pack
 /// The most entries a traversal of the nodes can have on its stack.
 uint32_t traversalStackNeed(const HugeVector<WideNode>& nodes);
 
-/// Wide nodes over `primitives`, which it reorders, never too deep for a traversal's stack. Needs at least
-/// one.
+/// Wide nodes over `primitives`, which it reorders, never too deep for a traversal's stack. Needs at
+/// least one.
 HugeVector<WideNode> buildBvh(HugeVector<BuildPrimitive>* primitives, const LeafOptions& options,
                               const PackLeaves& packLeaves);
 

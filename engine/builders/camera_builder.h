@@ -1,4 +1,4 @@
-// The scene's camera made ready for rays. Called by the scene builder on every camera edit.
+// The scene's camera made ready for rays.
 #pragma once
 
 #include "engine/base/result.h"

@@ -9,8 +9,8 @@ namespace glint {
 /// The coat of one index of refraction and GGX alpha. About 0.3 ms for a rough one.
 CoatRow tabulateCoat(float ior, float alpha);
 
-/// A coat of other facets: of light along their first direction, or across it. The average is that of the
-/// row.
+/// A coat of other facets: of light along their first direction, or across it. The average is that of
+/// the row.
 CoatRow tabulateCoat(float ior, const GeneralFacets& facets, bool across);
 
 /// Sets both rows of a material with kMaterialFacets, whose inputs are set otherwise.

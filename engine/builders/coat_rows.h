@@ -1,5 +1,5 @@
-// The albedos of a material's coat, for one roughness and index or, where textures vary these, for a table of
-// them.
+// The albedos of a material's coat, for one roughness and index or, where textures vary these, for a table
+// of them.
 #pragma once
 
 #include <vector>

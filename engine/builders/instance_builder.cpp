@@ -10,8 +10,8 @@
 namespace glint {
 namespace {
 
-/// An instance with its world-space box, widened by the rounding of its transform and of the rays into its
-/// space.
+/// An instance with its world-space box, widened by the rounding of its transform and of the rays into
+/// its space.
 TopEntry topEntry(const Object& object, const Bounds& own, uint32_t instance) {
     const Bounds b = worldBounds(object.shape, object.objectToWorld, own);
     const Vec3 pad = 0x1p-20f * (glm::max(absVec(b.lo), absVec(b.hi)) + Vec3(maxComponent(b.extent())));

@@ -119,7 +119,8 @@ class KdBuilder {
 
     float itemCost(size_t primitives) const {
         const size_t together = options_.leafPrimitives;
-        return kLeafCost * static_cast<float>((primitives + together - 1) / together);
+        const size_t groups = (primitives + together - 1) / together;
+        return kLeafCost * static_cast<float>(groups);
     }
 
     void consider(const Bounds& cell, int axis, float plane, size_t lower, size_t upper,

@@ -1,4 +1,4 @@
-// Builds the binary tree over emitters that kernels/light_tree.h walks. Called by light_table.
+// Builds the binary tree over emitters that kernels/light_tree.h walks.
 #pragma once
 
 #include <vector>

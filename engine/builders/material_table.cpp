@@ -205,12 +205,12 @@ Status setOwn(const Material& material, MaterialData* data) {
         case MaterialKind::Conductor:
             return setMetal(material, data);
         case MaterialKind::Coated:
-            if (const Status status = checkCoat(material); !status) { return status; }
+            if (Status status = checkCoat(material); !status) { return status; }
             return setMetal(material, data);
         case MaterialKind::Dielectric:
             return setGlass(material, data);
         case MaterialKind::Mixture:
-            if (const Status status = checkMixture(material); !status) { return status; }
+            if (Status status = checkMixture(material); !status) { return status; }
             return setGlass(material, data);
         case MaterialKind::Plastic:
         case MaterialKind::Principled:
@@ -242,21 +242,6 @@ Result<MaterialData> makeMaterial(const Material& material, const TextureTable& 
     if (const Status status = setOwn(material, &data); !status) { return status.error(); }
     settleConstants(&data);
     return data;
-}
-
-bool sameMaterial(const MaterialData& a, const MaterialData& b) {
-    bool same = a.color == b.color && a.colorTexture == b.colorTexture && a.emission == b.emission &&
-                a.emissionTexture == b.emissionTexture && a.kind == b.kind && a.flags == b.flags &&
-                a.heightTexture == b.heightTexture && a.bumpHeight == b.bumpHeight &&
-                a.normalTexture == b.normalTexture && a.normalCode == b.normalCode &&
-                a.normalStrength == b.normalStrength && a.opacity == b.opacity &&
-                a.opacityTexture == b.opacityTexture && a.alphaTexture == b.alphaTexture &&
-                a.facetTurn == b.facetTurn && a.distribution == b.distribution && a.wardForm == b.wardForm &&
-                a.dispersion == b.dispersion && a.absorption == b.absorption;
-    forEachModelInput([&](const InputInfo&, const auto& x, const auto& y, const TextureSlot& s,
-                          const TextureSlot& t) { same = same && x == y && s.index == t.index; },
-                      a.inputs, b.inputs, a.textures, b.textures);
-    return same;
 }
 
 /// Three wavelengths where a material in use gives its index at three.
@@ -292,9 +277,7 @@ Result<std::shared_ptr<const MaterialTable>> buildMaterialTable(
         table->materials.push_back(*data);
     }
     table->spectrum = spectrumFor(scene, table->materials);
-    if (previous &&
-        std::equal(table->materials.begin(), table->materials.end(), previous->materials.begin(),
-                   previous->materials.end(), sameMaterial) &&
+    if (previous && table->materials == previous->materials &&
         table->spectrum.size() == previous->spectrum.size()) {
         return previous;
     }

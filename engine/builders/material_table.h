@@ -1,5 +1,5 @@
-// The scene's materials as kernels read them: metals and glasses looked up, coats tabulated, texture indices
-// packed.
+// The scene's materials as kernels read them: metals and glasses looked up, coats tabulated, texture
+// indices packed.
 #pragma once
 
 #include <memory>

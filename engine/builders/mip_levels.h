@@ -1,4 +1,4 @@
-// The smaller images of a mip map. Called by the texture table.
+// The smaller images of a mip map.
 #pragma once
 
 #include <vector>

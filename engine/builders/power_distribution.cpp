@@ -32,8 +32,8 @@ float emitterPower(const SceneView& scene, const EmitterData& e) {
     if (hasPortal(scene.lights.portal)) {
         return scene.lights.environmentIrradiance * scene.lights.portal.opening.area;
     }
-    // environmentIrradiance is pi times the mean luminance; the whole sphere of directions brings four times
-    // that.
+    // environmentIrradiance is pi times the mean luminance; the whole sphere of directions brings four
+    // times that.
     return 4.0f * scene.lights.environmentIrradiance * sceneDisc;
 }
 

@@ -19,8 +19,8 @@ struct ProfileTable {
     size_t bytes() const;
 };
 
-/// The curves of a surface of revolution, its caps included, in their order; its points must be valid
-/// (profileFault).
+/// The curves of a surface of revolution, its caps included, in their order; its points must be
+/// valid (profileFault).
 std::vector<ProfileCurve> profileCurvesOf(const Object& object);
 
 /// Adds the profile of a surface of revolution, whose points must be valid, and returns its index.

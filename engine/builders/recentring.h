@@ -1,10 +1,9 @@
 // Scenes far from the origin, moved to it before anything is built: where a scene lies 1e6 times its size
 // away, float has sixteen steps for all of it, and every ray would be rounded to them.
 //
-// Called by the scene builder. What is subtracted has so few digits that the differences are exact: the
-// rounding that remains is that of the numbers in the file. Scenes that are not far away stay as they are, to
-// the bit. Where the origin lies follows from the objects and their meshes alone, never from earlier edits,
-// the camera or the lights.
+// What is subtracted has so few digits that the differences are exact: the rounding that remains is that of
+// the numbers in the file. Scenes that are not far away stay as they are, to the bit. Where the origin lies
+// follows from the objects and their meshes alone, never from earlier edits, the camera or the lights.
 #pragma once
 
 #include <memory>

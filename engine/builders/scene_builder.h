@@ -29,8 +29,8 @@ Result<std::shared_ptr<const BuiltScene>> buildScene(const SceneEdit& edit, cons
                                                      int threads, const std::atomic<bool>* stop,
                                                      BuildReport* report);
 
-/// Triangles of the meshes that objects place and over which `previous` (null: none) has no structure of any
-/// kind.
+/// Triangles of the meshes that objects place and over which `previous` (null: none) has no structure of
+/// any kind.
 size_t trianglesToBuild(const SceneDescription& scene, const BuiltScene* previous);
 
 }  // namespace glint

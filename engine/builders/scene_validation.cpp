@@ -96,7 +96,7 @@ Status checkPhotons(const SppmOptions& sppm) {
 
 Status checkInputs(const SceneDescription& scene, const Material& material, const std::string& who) {
     Status status;
-    forEachInput(material, [&](std::string_view, const auto& input) {
+    forEachInput(material, [&](const FieldTraits&, const auto& input) {
         if (!status || input.texture == -1) { return; }
         if (input.texture < -1 || input.texture >= static_cast<int>(scene.textures.size())) {
             status = fault(who, fmt::format("uses texture {} of {}", input.texture, scene.textures.size()));

@@ -53,6 +53,7 @@ void joinSeams(const MeshData& mesh, std::vector<Vec3>* sums) {
     constexpr float kLeastCosine = 0.7f;
     forEachSeam(mesh, [&](const std::vector<uint32_t>& seam) {
         std::vector<Vec3> own;
+        own.reserve(seam.size());
         for (const uint32_t vertex : seam) {
             own.push_back((*sums)[vertex]);
         }

@@ -1,5 +1,5 @@
-// Tangents of meshes whose highlights have a direction: smooth ones, so that brushed metal shows no
-// triangles.
+// Tangents of meshes whose highlights have a direction: smooth ones, so that brushed metal shows
+// no triangles.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// The textures that a scene's materials use, as kernels read them. Called by the scene builder.
+// The textures that a scene's materials use, as kernels read them.
 //
 // Pixels are not copied: the table shares the immutable images. Textures that nothing refers to are left out.
 #pragma once

@@ -7,8 +7,8 @@
 namespace glint {
 namespace {
 
-/// Boxes are widened by this part of their triangle's extent: more than the triangle test's shear can move an
-/// edge.
+/// Boxes are widened by this part of their triangle's extent: more than the triangle test's shear can move
+/// an edge.
 constexpr float kBoxPadding = 0x1p-21f;
 
 /// What is left of a triangle: each of six planes adds a corner, or two where rounding has bent an edge.

@@ -41,10 +41,10 @@ struct DenoisedImage {
 };
 
 /// Wavelets with holes whose weights follow normals, depths and luminances (Dammertz et al. 2010,
-/// "Edge-Avoiding À-Trous Wavelet Transform"; weights by variance as in Schied et al. 2017, "Spatiotemporal
-/// Variance-Guided Filtering", section 4.4), over the radiance without the albedo. Unknown variances are
-/// taken from the neighbourhood, so that a single pass will do. The same bits for any number of threads (0:
-/// all).
+/// "Edge-Avoiding À-Trous Wavelet Transform"; weights by variance as in Schied et al. 2017,
+/// "Spatiotemporal Variance-Guided Filtering", section 4.4), over the radiance without the albedo. Unknown
+/// variances are taken from the neighbourhood, so that a single pass will do. The same bits for any number
+/// of threads (0: all).
 DenoisedImage denoiseQuickly(const DenoiseInput& input, int threads = 0);
 
 /// The same, and first-order regressions of the radiance on the features in overlapping windows (Moon et al.

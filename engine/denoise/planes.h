@@ -25,8 +25,8 @@ Planes makePlanes(const DenoiseInput& input, int threads);
 /// A filter's output before it is compared with the input.
 struct Candidate {
     std::vector<Vec3> radiance;
-    /// How much of its own input is in a pixel: its derivative by that, in [0, 1], with the weights as they
-    /// are.
+    /// How much of its own input is in a pixel: its derivative by that, in [0, 1], with the weights as
+    /// they are.
     std::vector<float> leverage;
 };
 

@@ -16,11 +16,11 @@ constexpr int kBand = 96;              ///< rows of pixels
 constexpr size_t kFeatures = 10;       ///< 1, x, y, normal, nearness, albedo
 constexpr size_t kColors = kFeatures;  ///< where the three colours begin in a row
 constexpr size_t kRow = 16;            ///< with room for whole vectors of the processor
-/// As if each feature changed by this (squared) in every window: where it hardly does, its coefficient is
-/// noise.
+/// As if each feature changed by this (squared) in every window: where it hardly does, its coefficient
+/// is noise.
 constexpr float kRidge = 1e-3f;
-/// Weights fall by e for normals this far apart (chords), and for this share of nearness off the centre's
-/// plane.
+/// Weights fall by e for normals this far apart (chords), and for this share of nearness off the
+/// centre's plane.
 constexpr float kNormalWidth = 0.6f;
 constexpr float kNearnessWidth = 0.05f;
 

@@ -1,4 +1,4 @@
-// A candidate of the careful filter: regressions in overlapping windows. Used by denoise.cpp alone.
+// A candidate of the careful filter: regressions in overlapping windows.
 #pragma once
 
 #include "engine/denoise/planes.h"
@@ -7,8 +7,8 @@ namespace glint {
 
 struct RegressionSettings {
     bool isDemodulated = true;  ///< regress the radiance without the albedo
-    float colorWidth =
-        1.0f;  ///< weights fall by e where the guide's colours are so many standard errors apart
+    /// weights fall by e where the guide's colours are so many standard errors apart
+    float colorWidth = 1.0f;
 };
 
 /// `guide` is the picture with little noise, whose differences tell where weights end; `noise` the variance

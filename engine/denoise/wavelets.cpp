@@ -101,8 +101,8 @@ class Wavelets {
         }
     }
 
-    /// Sums stay in small arrays of this function's own, so that the compiler need not fear that they
-    /// overlap.
+    /// Sums stay in small arrays of this function's own, so that the compiler need not fear that
+    /// they overlap.
     void filterBlock(const Level& from, const Channel& noise, int step, Vec2i corner, Level* to) const {
         const int count = std::min(kBlock, width_ - corner.x);
         const int64_t begin = static_cast<int64_t>(corner.y) * width_ + corner.x;

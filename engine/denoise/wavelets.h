@@ -1,4 +1,4 @@
-// The quick filter's candidate, which also guides the careful one's weights. Used by denoise.cpp alone.
+// The quick filter's candidate, which also guides the careful one's weights.
 #pragma once
 
 #include "engine/denoise/planes.h"

@@ -95,8 +95,8 @@ void addVaultingShafts(double z, double side, CathedralMeshes* to) {
     }
 }
 
-/// The outline of an arch of three orders, each step with a roll: across the wall (x) and into the opening
-/// (y).
+/// The outline of an arch of three orders, each step with a roll: across the wall (x) and into the
+/// opening (y).
 Outline archMoulding(double halfDepth) {
     Outline outline{{}, false};
     const auto roll = [&](double x, double y) {  // three quarters of a circle on an edge
@@ -152,6 +152,7 @@ std::vector<Vec2d> PointedArch::points(int steps, bool jambs) const {
 
 std::vector<Pose> archPoses(const std::vector<Vec2d>& points, const Pose& frame) {
     std::vector<Vec3d> places;
+    places.reserve(points.size());
     for (const Vec2d& p : points) {
         places.push_back(frame.at({p.x, p.y, 0.0}));
     }

@@ -28,6 +28,7 @@ MeshData pointedPane(const PointedArch& arch) {
 void addBar(const std::vector<Vec2d>& points, double width, const Pose& frame, CathedralMeshes* to,
             bool closed = false) {
     std::vector<Vec3d> places;
+    places.reserve(points.size());
     for (const Vec2d& p : points) {
         places.emplace_back(p, 0.0);
     }

@@ -55,6 +55,7 @@ std::vector<double> pathLengths(const Outline& outline, const std::vector<Pose>&
         if (glm::length(p) > glm::length(far)) { far = p; }
     }
     std::vector<Vec3d> places;
+    places.reserve(path.size());
     for (const Pose& frame : path) {
         places.push_back(frame.at({far.x, far.y, 0.0}));
     }

@@ -1,5 +1,5 @@
-// What example scenes are modelled with: parts swept, turned, bent and boxed, added to one mesh for each
-// material.
+// What example scenes are modelled with: parts swept, turned, bent and boxed, added to one mesh for
+// each material.
 //
 // Lengths are in metres and y is up; texture coordinates are lengths on the surface in metres, so that an
 // image's `scale` in the scene says how large it is. Fronts are outside.

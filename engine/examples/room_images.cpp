@@ -111,8 +111,8 @@ Vec3d rugColor(const Noise& noise, double u, double v) {
     return color * (0.85 + 0.3 * noise.cloud(u, v, 160, 110, 2));
 }
 
-/// Hills behind each other, paler the farther they are, under an evening sky; `warmth` of the light at the
-/// horizon.
+/// Hills behind each other, paler the farther they are, under an evening sky; `warmth` of the light at
+/// the horizon.
 Vec3d landscape(const Noise& noise, double u, double v, const Vec3d& high, const Vec3d& low,
                 const Vec3d& near) {
     const double cloud = noise.cloud(u, 3.0 * v, 3, 3, 5);

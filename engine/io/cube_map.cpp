@@ -110,6 +110,7 @@ void turnOver(std::vector<float>* rgb) {
 SceneImage cubeColumn(const std::vector<SceneImage>& faces) {
     const auto made = [&faces](auto member, auto picture) {
         std::vector<decltype(&((faces[0].*member)->rgb))> pixels;
+        pixels.reserve(faces.size());
         for (const SceneImage& face : faces) {
             pixels.push_back(&(face.*member)->rgb);
         }

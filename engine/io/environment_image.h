@@ -1,5 +1,5 @@
-// Makes an environment's image of a picture: linear, as a latitude-longitude map, with values that light can
-// have.
+// Makes an environment's image of a picture: linear, as a latitude-longitude map, with values that light
+// can have.
 #pragma once
 
 #include <memory>

@@ -15,6 +15,7 @@
 #include "engine/io/projected_picture.h"
 #include "engine/io/scene_export.h"
 #include "engine/io/studio.h"
+#include "engine/scene/kind_names.h"
 
 namespace glint {
 namespace {
@@ -118,9 +119,8 @@ class GltfExporter : public SceneExport {
         }
         const float most = std::max(maxComponent(from.color), 1.0f);
         const double strength = static_cast<double>(from.strength) * static_cast<double>(most);
-        constexpr const char* kTypes[] = {"point", "spot", "directional"};
         GltfJson light{{"name", from.name},
-                       {"type", kTypes[static_cast<size_t>(from.kind)]},
+                       {"type", nameOf(from.kind)},  // the same words as in scene files
                        {"color", gltfJson(from.color / most)},
                        {"intensity", strength * kLumensPerWatt}};
         if (from.kind == LightKind::Spot) {

@@ -14,8 +14,9 @@
 #include "engine/io/mitsuba_writer.h"
 #include "engine/io/projected_picture.h"
 #include "engine/io/scene_export.h"
+#include "engine/scene/kind_names.h"
 #include "engine/scene/scene_use.h"
-#include "engine/scene/shape_meshes.h"
+#include "engine/scene/shape_forms.h"
 
 namespace glint {
 namespace {
@@ -59,8 +60,8 @@ class MitsubaExporter : public SceneExport {
                 warn(lostPicture(light.kind));
                 light = withoutPicture(scene_, light);
             }
-            const char* kTypes[] = {"point", "spot", "directional"};
-            out_.open("emitter", fmt::format("type=\"{}\"", kTypes[static_cast<size_t>(light.kind)]));
+            // Its words for these are those of Glint's scene files.
+            out_.open("emitter", fmt::format("type=\"{}\"", nameOf(light.kind)));
             const Vec3 color = light.strength * light.color;
             if (light.kind == LightKind::Directional) {
                 out_.element("vector",

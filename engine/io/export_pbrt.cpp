@@ -13,7 +13,7 @@
 #include "engine/io/projected_picture.h"
 #include "engine/io/scene_export.h"
 #include "engine/scene/scene_use.h"
-#include "engine/scene/shape_meshes.h"
+#include "engine/scene/shape_forms.h"
 
 namespace glint {
 namespace {
@@ -110,7 +110,7 @@ class PbrtExporter : public SceneExport {
         for (size_t i = 0; i < used.size(); ++i) {
             if (!used[i]) { continue; }
             const Material& material = scene_.materials[i];
-            forEachInput(material, [&](std::string_view, const auto& input) {
+            forEachInput(material, [&](const FieldTraits&, const auto& input) {
                 constexpr bool kIsNumber = std::is_same_v<std::decay_t<decltype(input)>, NumberInput>;
                 if (input.texture >= 0) { textures.insert({input.texture, kIsNumber}); }
             });

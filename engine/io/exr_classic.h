@@ -1,5 +1,4 @@
-// Reads OpenEXR channels through the C++ library: for what the C library of 3.1 does not unpack. Called by
-// exr_file.cpp.
+// Reads OpenEXR channels through the C++ library: for what the C library of 3.1 does not unpack.
 #pragma once
 
 #include <span>

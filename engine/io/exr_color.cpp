@@ -126,8 +126,8 @@ bool isFinite(const DMat3& m) {
     return true;
 }
 
-/// What turns the file's colours into Rec.709's; nothing where they are that, or the chromaticities make no
-/// sense.
+/// What turns the file's colours into Rec.709's; nothing where they are that, or the chromaticities make
+/// no sense.
 std::optional<DMat3> toRec709(const ExrPart& part) {
     const auto isNear = [](const Vec2& a, const Vec2& b) { return glm::length(a - b) < 2e-4f; };
     if (!part.chromaticities || std::ranges::equal(*part.chromaticities, kRec709, isNear)) {

@@ -16,8 +16,8 @@ namespace {
 
 /// Longest side that is read: the line table grows with it.
 constexpr int kMaxSide = 1 << 24;
-/// Deflate reaches 1032 : 1, and so do no runs and no Huffman codes of OpenEXR. DWA packs 64 values into one
-/// first.
+/// Deflate reaches 1032 : 1, and so do no runs and no Huffman codes of OpenEXR. DWA packs 64 values into
+/// one first.
 constexpr double kMostPacked = 1032.0;
 constexpr double kMostPackedByDwa = 64.0 * kMostPacked;
 constexpr exr_result_t kDone = EXR_ERR_SUCCESS;

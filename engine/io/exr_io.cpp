@@ -160,8 +160,8 @@ Result<std::string> encodeExr(const ExrImage& image, const std::string& path) {
             addChannel(channel, header.dataWindow(), &buffers);
         }
         MemoryOutput stream(path);
-        // OpenEXR makes its pool of threads at the first task, and where memory runs short there waits for
-        // ever.
+        // OpenEXR makes its pool of threads at the first task, and where memory runs short there waits
+        // for ever.
         Imf::setGlobalThreadCount(0);
         {
             Imf::OutputFile file(stream, header, 1);  // its destructor writes the line table

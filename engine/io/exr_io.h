@@ -61,8 +61,8 @@ struct ExrPicture {
 Result<ExrPicture> decodeExrColor(std::string_view bytes, const std::string& path);
 Result<ExrPicture> loadExrColor(const std::string& path);
 
-/// ZIP-compressed scan lines. Finite half values beyond 65504 are stored as 65504. `path` is used in
-/// messages.
+/// ZIP-compressed scan lines. Finite half values beyond 65504 are stored as 65504. `path` is used
+/// in messages.
 Result<std::string> encodeExr(const ExrImage& image, const std::string& path);
 /// The same, saved atomically.
 Status saveExr(const std::string& path, const ExrImage& image);

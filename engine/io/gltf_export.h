@@ -1,5 +1,5 @@
-// Parts of a glTF file that is written: materials, and shapes as triangles. Internal to the glTF exporter
-// (export_gltf.cpp).
+// Parts of a glTF file that is written: materials, and shapes as triangles. Internal to the glTF
+// exporter (export_gltf.cpp).
 #pragma once
 
 #include <string>

@@ -188,7 +188,7 @@ std::shared_ptr<const std::string> GltfImages::fileOf(const Picture& picture) {
     return bytes && (isPng(*bytes) || isJpeg(*bytes)) ? bytes : nullptr;
 }
 
-size_t GltfImages::addImage(std::string name, const std::shared_ptr<const std::string>& bytes) {
+size_t GltfImages::addImage(const std::string& name, const std::shared_ptr<const std::string>& bytes) {
     const std::string key = fmt::format("{} {}", std::hash<std::string>()(*bytes), bytes->size());
     if (const auto known = files_.find(key); known != files_.end()) { return known->second; }
     const std::string stem = std::filesystem::path(name).stem().string();

@@ -13,8 +13,8 @@
 namespace glint {
 
 /// How programs read a picture: sRGB colours and alpha, tangent-space normals, roughness (green) over
-/// metalness (blue; 1 without a texture of its own), a share of all (red), or a share or a roughness in the
-/// alpha.
+/// metalness (blue; 1 without a texture of its own), a share of all (red), or a share or a roughness in
+/// the alpha.
 enum class GltfPictureUse { Color, Normal, Roughness, Share, ShareInAlpha, RoughnessInAlpha };
 
 /// The single number that a pixel shows (kernels/texture.h).
@@ -52,7 +52,7 @@ class GltfImages {
     /// The image's file where it can be used as it is; null: it cannot.
     std::shared_ptr<const std::string> fileOf(const Picture& picture);
     Image8 bake(const Picture& picture);
-    size_t addImage(std::string name, const std::shared_ptr<const std::string>& bytes);
+    size_t addImage(const std::string& name, const std::shared_ptr<const std::string>& bytes);
     GltfJson samplerOf(const Texture& texture);
 
     const SceneDescription& scene_;

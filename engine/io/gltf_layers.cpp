@@ -103,7 +103,7 @@ Status GltfMaterials::takeSheetImages(const tinygltf::Value& sheet, Material* ou
     }
     ColorInput passing;
     const LayerKeys keys{"diffuseTransmissionColorFactor", "diffuseTransmissionColorTexture", 1.0f};
-    if (const Status status = takeColor(&sheet, keys, &passing); !status) { return status; }
+    if (Status status = takeColor(&sheet, keys, &passing); !status) { return status; }
     if (passing.texture >= 0) {
         scene_.textures[static_cast<size_t>(passing.texture)].gain *= share;
         out->transmission.texture = passing.texture;

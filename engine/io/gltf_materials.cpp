@@ -170,7 +170,7 @@ Status GltfMaterials::takeSurface(const tinygltf::Material& from, Material* out)
     out->metallic.value = gltfNumber(pbr.metallicFactor, 0.0, 1.0);
     if (pbr.metallicRoughnessTexture.index >= 0) {
         const bool isMetallic = !isGlass && out->metallic.value > 0.0f;
-        const Status status = takeSurfaceImage(pbr.metallicRoughnessTexture, isMetallic, out);
+        Status status = takeSurfaceImage(pbr.metallicRoughnessTexture, isMetallic, out);
         if (!status) { return status; }
     }
     const float most = isGlass ? 0.01f : 1.0f;
@@ -185,15 +185,15 @@ Status GltfMaterials::takeSurface(const tinygltf::Material& from, Material* out)
     } else if (isGlass) {
         out->kind = MaterialKind::Dielectric;
         takeVolume(extensionOf(from, "KHR_materials_volume"), out);
-        if (const Status status = takeAnisotropy(from, out); !status) { return status; }
+        if (Status status = takeAnisotropy(from, out); !status) { return status; }
     } else if (const auto* sheet = extensionOf(from, "KHR_materials_diffuse_transmission");
                out->metallic.value < 0.5f && numberOf(sheet, "diffuseTransmissionFactor", 0.0) > 0.0) {
         takeSheet(*sheet, out);
-        if (const Status status = takeSheetImages(*sheet, out); !status) { return status; }
+        if (Status status = takeSheetImages(*sheet, out); !status) { return status; }
         file_.remark("sheets that light passes diffusely have no highlights", from.name);
     } else {
         out->kind = MaterialKind::Principled;
-        if (const Status status = takeLayers(from, out); !status) { return status; }
+        if (Status status = takeLayers(from, out); !status) { return status; }
         if (transmits(*out)) { takeVolume(extensionOf(from, "KHR_materials_volume"), out); }
         if (const Status status = takeAnisotropy(from, out); !status) { return status; }
         if (const auto* film = extensionOf(from, "KHR_materials_iridescence")) {

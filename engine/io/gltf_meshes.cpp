@@ -29,8 +29,8 @@ std::vector<uint32_t> asTriangles(const std::vector<uint32_t>& corners, int mode
     return out;
 }
 
-/// What decides a mesh that has no pose of its own. `same`: of each accessor, the first one that says the
-/// same.
+/// What decides a mesh that has no pose of its own. `same`: of each accessor, the first one that says
+/// the same.
 std::string recipeOf(const tinygltf::Primitive& from, const GltfMaterial& material,
                      const std::vector<int>& same) {
     const auto firstOf = [&](int accessor) {

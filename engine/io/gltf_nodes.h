@@ -26,8 +26,8 @@ std::vector<int> rootsOf(const tinygltf::Model& model);
 /// From the mesh's space to the world, for each joint of a skin. Error: there is no such skin or node.
 Result<std::vector<Affine>> jointsOf(const GltfFile& file, int skin, const std::vector<Affine>& nodesToWorld);
 
-/// Candela and lux are counted as watts per steradian and square metre, 683 lm each. Nothing: it has no
-/// direction.
+/// Candela and lux are counted as watts per steradian and square metre, 683 lm each. Nothing: it has
+/// no direction.
 std::optional<Light> lightOf(const tinygltf::Light& from, const Affine& toWorld);
 
 }  // namespace glint

@@ -26,9 +26,9 @@ struct ImageFormat {
     std::string_view name;        ///< in messages
     std::string_view extensions;  ///< in lower case, with their dots, a blank apart; the first is saved
     bool (*looksLike)(std::string_view head);  ///< whether the file's first bytes are of this format
-    /// The pixels, without a source; `path` is used in messages. Grey becomes RGB. Floats may be negative or
-    /// not finite. Error: not such an image, broken or cut off, empty, more than kMaxImagePixels
-    /// (image_io.h).
+    /// The pixels, without a source; `path` is used in messages. Grey becomes RGB. Floats may be
+    /// negative or not finite. Error: not such an image, broken or cut off, empty, more than
+    /// kMaxImagePixels (image_io.h).
     Result<SceneImage> (*decode)(const std::string& bytes, const std::string& path);
     /// Saves atomically; null: not written.
     Status (*save)(const std::string& path, const ImageForms& image) = nullptr;

@@ -57,8 +57,8 @@ std::vector<int> rowOrder(int height, bool interlaced) {
     return order;
 }
 
-/// Draws the picture on the canvas, which it need not cover. Error: cut off, or a colour that the palette
-/// lacks.
+/// Draws the picture on the canvas, which it need not cover. Error: cut off, or a colour that the
+/// palette lacks.
 Status drawPicture(GifFileType* gif, int transparent, const std::string& path, Image8Builder* canvas) {
     const GifImageDesc& picture = gif->Image;
     const ColorMapObject* colors = picture.ColorMap != nullptr ? picture.ColorMap : gif->SColorMap;

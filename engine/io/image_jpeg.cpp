@@ -70,8 +70,8 @@ void onProgress(j_common_ptr common) {
     reading->rgba.assign(size_t{4} * jpeg.output_width, 255);
 }
 
-/// Cyan, magenta and yellow darken red, green and blue. Adobe's programs store what is left of the light
-/// instead.
+/// Cyan, magenta and yellow darken red, green and blue. Adobe's programs store what is left of the
+/// light instead.
 void setRowFromCmyk(Reading* reading, int row) {
     for (size_t i = 0; i < reading->stored.size(); i += 4) {
         const auto light = [&](size_t c) {

@@ -128,8 +128,8 @@ bool readIntegers(const Tiff& tiff, Reading* reading, Image8Builder* builder) {
     return whole;
 }
 
-/// How the floats lie in the file: in tiles, or strips as wide as the picture, of all channels or of one
-/// each.
+/// How the floats lie in the file: in tiles, or strips as wide as the picture, of all channels or of
+/// one each.
 struct FloatBlocks {
     int width = 0;
     int height = 0;

@@ -1,5 +1,5 @@
-// glTF 2.0: the scene's nodes with their meshes, cameras and lights. engine/io/README.md says what maps to
-// what.
+// glTF 2.0: the scene's nodes with their meshes, cameras and lights. engine/io/README.md says what maps
+// to what.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -24,8 +24,8 @@ namespace {
 /// are placed whatever the file's size, one for each of its bytes beyond that, and never more than the most.
 constexpr uint64_t kFreeObjects = 100'000, kMaxObjects = 4'000'000;
 
-/// What kind of picture the camera makes, and its width over its height; 0: unknown. False: it makes no
-/// sense.
+/// What kind of picture the camera makes, and its width over its height; 0: unknown. False: it makes
+/// no sense.
 bool setLens(const tinygltf::Camera& from, Camera* camera, double* aspect) {
     if (from.type == "orthographic") {
         const double width = from.orthographic.xmag, height = from.orthographic.ymag;

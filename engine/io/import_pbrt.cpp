@@ -1,5 +1,5 @@
-// pbrt-v4 scenes, and those of version 3 where they are written alike. engine/io/README.md says what maps to
-// what.
+// pbrt-v4 scenes, and those of version 3 where they are written alike. engine/io/README.md says what maps
+// to what.
 #include "engine/io/file_kind.h"
 #include "engine/io/importer.h"
 #include "engine/io/pbrt_reader.h"

@@ -1,6 +1,6 @@
 // Reads the members of one JSON object into variables, checking types and ranges and naming what is wrong.
 //
-// Used by the scene reader. Only the first error is kept, so callers read on and ask once at the end.
+// Only the first error is kept, so callers read on and ask once at the end.
 #pragma once
 
 #include <optional>

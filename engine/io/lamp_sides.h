@@ -1,5 +1,5 @@
-// Which sides of a mesh file's lamps shine. Files with MTL do not say, and windings in the wild cannot be
-// trusted.
+// Which sides of a mesh file's lamps shine. Files with MTL do not say, and windings in the wild cannot
+// be trusted.
 #pragma once
 
 #include <string>

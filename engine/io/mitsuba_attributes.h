@@ -1,5 +1,5 @@
-// Attributes of a PLY file's vertices and faces, which Mitsuba's textures show. Internal to the Mitsuba
-// importer.
+// Attributes of a PLY file's vertices and faces, which Mitsuba's textures show. Internal to the
+// Mitsuba importer.
 #pragma once
 
 #include <string>

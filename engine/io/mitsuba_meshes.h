@@ -1,5 +1,5 @@
-// The meshes of Mitsuba's shapes, with the normals and colours that they have there. Internal to the Mitsuba
-// importer.
+// The meshes of Mitsuba's shapes, with the normals and colours that they have there. Internal to the
+// Mitsuba importer.
 #pragma once
 
 #include <array>

@@ -65,6 +65,7 @@ std::vector<double> mitsubaNumbers(MitsubaContext* context, const MitsubaElement
         return {};
     }
     std::vector<double> numbers;
+    numbers.reserve(words.size());
     for (const std::string_view word : words) {
         numbers.push_back(mitsubaNumber(context, at, word));
     }

@@ -15,8 +15,8 @@ constexpr size_t kMaxObjects = 4'000'000;
 /// The flat shapes' front, turned over about x.
 const Affine kTurnedOver{Mat3(1, 0, 0, 0, -1, 0, 0, 0, -1), Vec3(0.0f)};
 
-/// Two unit vectors that make a right-handed frame with n: Duff et al. 2017, "Building an Orthonormal Basis,
-/// Revisited".
+/// Two unit vectors that make a right-handed frame with n: Duff et al. 2017, "Building an Orthonormal
+/// Basis, Revisited".
 Mat3 frameOf(const Vec3& n) {
     const float sign = std::copysign(1.0f, n.z), a = -1.0f / (sign + n.z), b = n.x * n.y * a;
     return {Vec3(1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x), Vec3(b, sign + n.y * n.y * a, -n.y), n};

@@ -11,8 +11,8 @@
 
 namespace glint {
 
-/// From where a shape's v is counted in Mitsuba's images: its texture coordinates are Mitsuba's, or have 1 -
-/// v.
+/// From where a shape's v is counted in Mitsuba's images: its texture coordinates are Mitsuba's, or have 1
+/// - v.
 enum class UvOrigin : uint8_t { Top, Bottom };
 
 class MitsubaTextures {

@@ -1,4 +1,4 @@
-// Materials of Wavefront MTL files, and what they mean here. Called by obj_materials.cpp only.
+// Materials of Wavefront MTL files, and what they mean here.
 #pragma once
 
 #include <string>
@@ -40,8 +40,8 @@ struct MtlLibrary {
 /// Reads an MTL file; lines that cannot be read are left out with a remark. Error: the file cannot be read.
 Result<MtlLibrary> loadMtl(const std::string& path);
 
-/// What an entry becomes, with remarks on what Glint does not draw of it. The first that applies gives the
-/// kind:
+/// What an entry becomes, with remarks on what Glint does not draw of it. The first that applies gives
+/// the kind:
 ///   - Glass, a smooth dielectric with ior Ni, thin with ior 1.5 where Ni <= 1: by glassOf() in mtl_glass.h.
 ///   - Pm, Pr, Pc or Ps above 0 (the PBR extension): with Pm below 1, map_Pm, Pc or Ps a principled material
 ///   with a

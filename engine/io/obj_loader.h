@@ -21,8 +21,8 @@ namespace glint {
 /// `path` is used in messages. Error: the geometry is malformed, with line and column; no faces.
 Result<MeshFile> parseObj(const std::string& text, const std::string& path);
 
-/// Reads the MTL files of the OBJ file at `path` and gives parts their materials; lamps get their sides
-/// (lamp_sides.h).
+/// Reads the MTL files of the OBJ file at `path` and gives parts their materials; lamps get their
+/// sides (lamp_sides.h).
 Status readObjMaterials(const std::string& path, MeshFile* file);
 
 /// Both, for a file on the disk.

@@ -1,4 +1,4 @@
-// From the material names of an OBJ file to Glint materials and textures. Called by obj_loader.cpp only.
+// From the material names of an OBJ file to Glint materials and textures.
 #pragma once
 
 #include <map>

@@ -1,7 +1,7 @@
 // Collects the faces of one part of a mesh file into a mesh: vertices with equal numbers of position and
 // normal, and equal texture coordinates, become one.
 //
-// Called by the readers of OBJ and PLY, which check every number before it comes here.
+// The readers of OBJ and PLY check every number before it comes here.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// pbrt's cameras, films, filters and integrators as Glint's camera and options. Internal to the pbrt
-// importer.
+// pbrt's cameras, films, filters and integrators as Glint's camera and options. Internal to the
+// pbrt importer.
 #pragma once
 
 #include "engine/io/pbrt_state.h"

@@ -75,7 +75,7 @@ class MaterialWriter {
     void warn(std::string_view sentence) { warnOnce(sentence, &warnings_); }
 
     std::string roughness(const std::string& prefix) {
-        const std::string flag = pbrtFlag("remaproughness", false);
+        std::string flag = pbrtFlag("remaproughness", false);
         if (!hasFacets(material_.kind)) { return flag; }
         if (distributionOf(material_) != FacetDistribution::Ggx) {
             warn("approximated: Beckmann's facets are GGX of the same alpha");

@@ -22,8 +22,8 @@ std::shared_ptr<MeshData> gridMesh(int columns, int rows,
                                    const std::function<GridPoint(float u, float v)>& surface);
 
 /// Loop's subdivision (Loop 1987) with Warren's weights, `levels` times or until there are 8 million
-/// triangles, its vertices then where the limit surface is; smooth normals. `indices` are below the number of
-/// positions.
+/// triangles, its vertices then where the limit surface is; smooth normals. `indices` are below the number
+/// of positions.
 std::shared_ptr<MeshData> loopSubdivided(std::vector<Vec3> positions, std::vector<uint32_t> indices,
                                          int levels);
 

@@ -45,8 +45,8 @@ class PbrtMaterials {
 
     /// MakeNamedMedium.
     void defineMedium(const std::string& name, const PbrtParams& params);
-    /// What a medium absorbs within glass; 0, with a remark, elsewhere. Fails where there is none of that
-    /// name.
+    /// What a medium absorbs within glass; 0, with a remark, elsewhere. Fails where there is none of
+    /// that name.
     Vec3 absorptionIn(int number, const std::string& medium, const PbrtParams& at);
 
   private:

@@ -38,8 +38,8 @@ class PbrtMeshes {
     };
     /// P, N and uv, the latter two as long as P or empty.
     Arrays arraysOf(const PbrtParams& params);
-    /// The corners; fails where one is no vertex. `usual` is what stands for none, where there are as many
-    /// vertices.
+    /// The corners; fails where one is no vertex. `usual` is what stands for none, where there are as
+    /// many vertices.
     std::vector<uint32_t> cornersOf(const PbrtParams& params, size_t group, size_t vertices, size_t usual);
 
     struct File {

@@ -1,5 +1,5 @@
-// pbrt's textures that are formulas: pictures of them where they lie on u and v, their means where they fill
-// space.
+// pbrt's textures that are formulas: pictures of them where they lie on u and v, their means where they
+// fill space.
 #include <algorithm>
 #include <cmath>
 

@@ -31,7 +31,6 @@ struct PbrtState {
 /// Fails, and gives the identity, where the map is not affine or has numbers above 1e18.
 Affine affineOf(PbrtContext* context, const PbrtPlace& at, const glm::dmat4& matrix);
 /// What a transform directive multiplies the current one by; nothing for other directives.
-bool isTransform(std::string_view directive);
 glm::dmat4 transformOf(PbrtContext* context, const PbrtPlace& at, std::string_view directive,
                        const std::vector<double>& numbers);
 

@@ -32,15 +32,15 @@ class PbrtText {
     /// Where what follows stands.
     PbrtPlace place();
 
-    /// What follows up to a blank, quote, bracket or comment; a lone one of these otherwise. Empty at the
-    /// end.
+    /// What follows up to a blank, quote, bracket or comment; a lone one of these otherwise. Empty at
+    /// the end.
     std::string_view word();
     /// False, and nothing read, where no string follows that ends on its line or a later one.
     bool readString(std::string* out);
     /// False, and nothing read, where no finite number follows.
     bool readNumber(double* out);
-    /// One, or a list in brackets, appended. False where something else follows or stands in it; `at` is then
-    /// there.
+    /// One, or a list in brackets, appended. False where something else follows or stands in it; `at` is
+    /// then there.
     bool readFloats(std::vector<float>* out);
     bool readInts(std::vector<int>* out);
     bool readStrings(std::vector<std::string>* out);

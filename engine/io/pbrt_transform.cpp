@@ -24,11 +24,6 @@ glm::dmat4 lookAt(PbrtContext* context, const PbrtPlace& at, const std::vector<d
 
 }  // namespace
 
-bool isTransform(std::string_view directive) {
-    return directive == "Translate" || directive == "Scale" || directive == "Rotate" ||
-           directive == "LookAt" || directive == "ConcatTransform" || directive == "Transform";
-}
-
 glm::dmat4 transformOf(PbrtContext* context, const PbrtPlace& at, std::string_view directive,
                        const std::vector<double>& n) {
     const glm::dmat4 identity(1.0);

@@ -82,14 +82,18 @@ void SceneJsonReader::readCamera(const JsonValue& value) {
 
 void SceneJsonReader::readRender(const JsonValue& value) {
     if (!value.present()) { return; }
-    const JsonFields fields = fieldsOf(value, "render", fieldKeys<RenderOptions>(~0u, {"sppm", "raycast"}));
+    std::vector<std::string_view> keys = fieldKeys<RenderOptions>();
+    forEachIntegratorOptions([&](IntegratorKind kind, auto) { keys.emplace_back(integratorInfo(kind).key); });
+    const JsonFields fields = fieldsOf(value, "render", keys);
     readFields(fields, ~0u, &scene_.options);
-    if (const JsonValue sppm = fields.find("sppm"); sppm.present()) {
-        readFields(fieldsOf(sppm, "sppm", fieldKeys<SppmOptions>()), ~0u, &scene_.sppm);
-    }
-    if (const JsonValue rayCast = fields.find("raycast"); rayCast.present()) {
-        readFields(fieldsOf(rayCast, "raycast", fieldKeys<RayCastOptions>()), ~0u, &scene_.rayCast);
-    }
+    forEachIntegratorOptions([&](IntegratorKind kind, auto member) {
+        const char* key = integratorInfo(kind).key;
+        auto& options = scene_.*member;
+        if (const JsonValue own = fields.find(key); own.present()) {
+            readFields(fieldsOf(own, key, fieldKeys<std::remove_reference_t<decltype(options)>>()), ~0u,
+                       &options);
+        }
+    });
 }
 
 int SceneJsonReader::typeOf(const JsonValue& value, std::string_view what,

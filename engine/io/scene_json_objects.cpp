@@ -60,7 +60,7 @@ void checkCount(JsonErrors& errors, const JsonValue& value, std::string_view wha
 std::vector<std::string_view> objectKeys(const ShapeForm& form) {
     std::vector<std::string_view> keys = fieldKeys<Object>(only(form.kind));
     for (const PlacementKey& key : form.keys()) {
-        keys.push_back(key.key);
+        keys.emplace_back(key.key);
     }
     if (form.kind == ShapeKind::Mesh) { keys.push_back("mesh"); }
     keys.push_back(kHiddenKey);

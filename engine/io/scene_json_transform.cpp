@@ -29,9 +29,9 @@ Affine SceneJsonReader::readPlacement(const ShapeForm& form, const JsonFields& f
     }
     // Without any of the keys exactly the canonical shape: a saved matrix must come back bit for bit.
     if (!isPlaced) { return {}; }
-    const std::optional<Affine> placed = form.transform(values);
-    if (!placed) { errors_.add(fields.object(), std::string(form.refusal)); }
-    return placed.value_or(Affine());
+    Affine placed;
+    if (!form.transform(values, &placed)) { errors_.add(fields.object(), form.refusal); }
+    return placed;
 }
 
 Affine SceneJsonReader::readTransform(const JsonValue& value) {

@@ -109,8 +109,9 @@ class SceneJsonWriter {
     void write(std::string_view key, const FieldTraits&, const RenderOptions& options) {
         writeObject(key, [&] {
             writeFields(options);
-            writeObject("sppm", [&] { writeFields(scene_.sppm); });
-            writeObject("raycast", [&] { writeFields(scene_.rayCast); });
+            forEachIntegratorOptions([&](IntegratorKind kind, auto member) {
+                writeObject(integratorInfo(kind).key, [&] { writeFields(scene_.*member); });
+            });
         });
     }
     void write(std::string_view key, const FieldTraits&, const std::vector<Texture>& textures) {
@@ -226,9 +227,9 @@ class SceneJsonWriter {
             json_.field("mesh", meshNames_[static_cast<size_t>(object.mesh)]);
         }
         const ShapeForm& form = shapeForm(object.shape);
-        const auto values = form.valuesOf != nullptr ? form.valuesOf(object.objectToWorld) : std::nullopt;
-        if (values) {
-            writePlacement(form, *values);
+        Placement values;
+        if (form.valuesOf != nullptr && form.valuesOf(object.objectToWorld, &values)) {
+            writePlacement(form, values);
         } else if (!object.objectToWorld.isExactIdentity()) {
             writeObject(key, [&] { writeMatrix(object.objectToWorld); });
         }

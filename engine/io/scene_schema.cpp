@@ -186,6 +186,7 @@ class SchemaWriter {
     /// A definition that takes one of others.
     void defineAny(std::string_view name, const std::vector<std::string_view>& others) {
         std::vector<std::string> references;
+        references.reserve(others.size());
         for (const std::string_view other : others) {
             references.push_back(fmt::format(R"({{ "$ref": "#/definitions/{}" }})", other));
         }
@@ -200,6 +201,19 @@ class SchemaWriter {
         }
     }
 
+    void defineRender() {
+        Properties own;
+        forEachIntegratorOptions([&](IntegratorKind kind, auto) {
+            const char* key = integratorInfo(kind).key;
+            own.emplace_back(key, fmt::format(R"("$ref": "#/definitions/{}")", key));
+        });
+        defineFields<RenderOptions>("render", "", ~0u, own);
+        forEachIntegratorOptions([&](IntegratorKind kind, auto member) {
+            using Options = std::remove_cvref_t<decltype(std::declval<SceneDescription>().*member)>;
+            defineFields<Options>(integratorInfo(kind).key, FieldsOf<Options>::kHelp, ~0u);
+        });
+    }
+
     void defineShapes() {
         defineAny("anyObject", namesOf<ShapeKind>());
         for (const ShapeForm& form : shapeForms()) {
@@ -210,7 +224,7 @@ class SchemaWriter {
                                                ? numberSchema(kPositive, false)
                                                : R"("$ref": "#/definitions/vec3")";
                 const std::string help =
-                    key.help.empty() ? "" : fmt::format("\"description\": {}, ", quoteJson(key.help));
+                    *key.help == 0 ? "" : fmt::format("\"description\": {}, ", quoteJson(key.help));
                 more.emplace_back(key.key, help + schema);
             }
             if (isMesh) {
@@ -239,13 +253,7 @@ std::string sceneSchema() {
          {"glint", R"("description": "Version of the format.", "const": 1)"}},
         R"("glint")");
     schema.defineFields<Camera>("camera", "", ~0u);
-    schema.defineFields<RenderOptions>(
-        "render", "", ~0u,
-        {{"sppm", R"("$ref": "#/definitions/sppm")"}, {"raycast", R"("$ref": "#/definitions/raycast")"}});
-    schema.defineFields<SppmOptions>(
-        "sppm", "Stochastic progressive photon mapping, for the integrator \"sppm\".", ~0u);
-    schema.defineFields<RayCastOptions>(
-        "raycast", "Phong's model under the scene's lights, for the integrator \"raycast\".", ~0u);
+    schema.defineRender();
     schema.defineAny("texture", {"textureFile", "checkerboard"});
     schema.defineFields<Texture>("textureFile", "", FieldsOf<Texture>::kInFile);
     schema.defineFields<Texture>("checkerboard",

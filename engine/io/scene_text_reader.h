@@ -60,8 +60,8 @@ class SceneTextReader {
     void addObject(const TextToken& at, ShapeKind shape, const Affine& toWorld, int mesh, bool frontOnly);
     int addMesh(const std::string& path, int part, std::shared_ptr<const MeshData> data);
 
-    /// Something the scene asks for and does not get: reported once all is read. `kind` is as Remarks wants
-    /// it.
+    /// Something the scene asks for and does not get: reported once all is read. `kind` is as Remarks
+    /// wants it.
     void remark(const TextToken& at, std::string_view kind, std::string_view detail);
     /// `path` as it has to be written to be found from the scene's folder: as it is, or from the
     /// folder above.

@@ -1,5 +1,5 @@
-// Edges are sorted by their lesser position with a counting sort, so that each is looked at beside its
-// neighbours.
+// Edges are sorted by their lesser position with a counting sort, so that each is looked at beside
+// its neighbours.
 #include "engine/io/smoothing_fans.h"
 
 #include <algorithm>

@@ -20,8 +20,8 @@ Result<MeshFile> parseStl(const std::string& bytes, const std::string& path);
 /// Whether a file's first bytes (file_kind.h) are a binary STL beyond doubt: as many facets as the file has
 /// room for where these are all of it, their coordinates finite and neither huge nor tiny.
 bool looksLikeBinaryStl(std::string_view head);
-/// Whether they can be a binary STL, though a broken one: it has facets, and most of their coordinates make
-/// sense.
+/// Whether they can be a binary STL, though a broken one: it has facets, and most of their coordinates
+/// make sense.
 bool canBeBinaryStl(std::string_view head);
 
 /// Gives each part the material of a mesh without one.

@@ -1,4 +1,4 @@
-// The new file beside an old one while it is being written. Called by atomic_file.cpp alone.
+// The new file beside an old one while it is being written.
 //
 // A writer that is killed leaves its temporary file behind, which the next save into the same folder removes.
 // A temporary file is locked for as long as its writer lives, so nobody's work in progress is taken for a

@@ -3,8 +3,8 @@
 //
 // A backslash at the end of a line joins it with the next one, also with blanks behind it; `#` at the start
 // of a word begins a comment. Reading counts no lines: a place is found only when there is something to
-// report, so that large files read fast, and counted on from the place found before, so that many remarks do,
-// too.
+// report, so that large files read fast, and counted on from the place found before, so that many remarks
+// do, too.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// A text file in memory that can name places in itself. Used by the JSON and the 6.837 scene readers.
+// A text file in memory that can name places in itself.
 //
 // Places count lines from 1 and columns in bytes from 1, as compilers do.
 #pragma once
@@ -13,8 +13,8 @@
 
 namespace glint {
 
-/// Finds the lines of a text by halving, however many are asked for: their ends are listed when the first one
-/// is.
+/// Finds the lines of a text by halving, however many are asked for: their ends are listed when the first
+/// one is.
 class LineIndex {
   public:
     /// The line of the byte at `offset`, from 1. `text` must stay what it was.

@@ -75,8 +75,8 @@ CompletedScene completeScene(const SceneDescription& scene);
 /// Takes over what `from` has read and `to` has not; both are edits of one scene.
 void takeAssets(const SceneDescription& from, SceneDescription* to);
 
-/// Objects of meshes that were not read become hidden ones. `meshes` are the scene's, as far as they are
-/// read.
+/// Objects of meshes that were not read become hidden ones. `meshes` are the scene's, as far as they
+/// are read.
 void hideUnread(std::span<const Mesh> meshes, SceneDescription* scene);
 
 /// `draft` but for those textures and that environment which it has not read: they stay as in `before`; and

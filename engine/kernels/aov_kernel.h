@@ -1,5 +1,4 @@
-// First-hit pictures with the path kernel's own camera rays. Host and device; called by the backends on
-// request only.
+// First-hit pictures with the path kernel's own camera rays. Host and device.
 #pragma once
 
 #include "engine/kernels/bsdf/bsdf.h"

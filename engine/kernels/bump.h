@@ -7,9 +7,9 @@
 // stands for 0. Where both are given, heights are on top of the normal map. Neither moves the surface: its
 // outline, its shadows and what hides in its valleys stay as they are.
 //
-// The result stays on the geometric normal's side, and how far that is from being so depends on the place
-// alone: photons and camera paths see one normal. What each direction sees of it is the BSDF's matter
-// (bsdf/bsdf.h).
+// The result stays on the geometric normal's side, and how far that is from being so depends on the
+// place alone: photons and camera paths see one normal. What each direction sees of it is the BSDF's
+// matter (bsdf/bsdf.h).
 #pragma once
 
 #include "engine/kernels/object_surface.h"

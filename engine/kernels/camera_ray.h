@@ -1,5 +1,4 @@
-// From a place in the picture to a ray: pinhole, thin lens or parallel rays. Host and device. Called by the
-// path and AOV kernels.
+// From a place in the picture to a ray: pinhole, thin lens or parallel rays. Host and device.
 //
 // Left out: lens distortion, vignetting (cos^4 of the film), motion of the camera.
 #pragma once

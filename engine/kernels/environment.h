@@ -1,7 +1,6 @@
 // Light from infinitely far away: the radiance of a direction, and choosing directions by it.
 //
-// Called by light_sampling.h and, for rays that leave the scene, by the path kernel. The mapping is described
-// at EnvironmentView.
+// The mapping is described at EnvironmentView.
 #pragma once
 
 #include "engine/kernels/environment_portal.h"

@@ -1,8 +1,8 @@
 // Light of an environment that comes through a rectangle alone: which directions are open, and choosing one
 // of them, by the image's brightness within what is seen through the portal, or else uniformly.
 //
-// Bitterli, Novak and Jarosz 2015, "Portal-Masked Environment Map Sampling". Called by environment.h and
-// photon_emission.h; the sums come from builders/portal_table.
+// Bitterli, Novak and Jarosz 2015, "Portal-Masked Environment Map Sampling". The sums come from
+// builders/portal_table.
 #pragma once
 
 #include "engine/kernels/light_view.h"
@@ -36,8 +36,8 @@ struct PortalWindow {
     double x0 = 0.0, y0 = 0.0, x1 = 0.0, y1 = 0.0;
 };
 
-/// Where the ratio of a direction's component along an edge to that out of the portal lies in the square, in
-/// cells.
+/// Where the ratio of a direction's component along an edge to that out of the portal lies in the square,
+/// in cells.
 GLINT_HD inline double portalCell(const PortalView& portal, float ratio) {
     return static_cast<double>(portal.size) * (0.5 + static_cast<double>(std::atan(ratio) * kInvPi));
 }
@@ -93,8 +93,8 @@ GLINT_HD inline double findSum(double low, double high, double wanted, const Sum
 }
 
 /// Density per solid angle of the cell at (x, y) among `whole`, for a direction with these cosines to the
-/// portal's edges and to its normal, which is positive: d(solid angle) is (1 - u^2) (1 - v^2) / normal times
-/// d(angles).
+/// portal's edges and to its normal, which is positive: d(solid angle) is (1 - u^2) (1 - v^2) / normal
+/// times d(angles).
 GLINT_HD inline float portalPdf(const PortalView& portal, double whole, double x, double y, float cosU,
                                 float cosV, float cosNormal) {
     const double last = static_cast<double>(portal.size - 1);

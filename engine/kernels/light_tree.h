@@ -1,9 +1,8 @@
 // Which light to sample from a place, and with what probability it would have been chosen.
 //
-// Called by light_sampling.h. Lights with a place are weighed by a bound of what they can send to the place
-// (Conty Estevez and Kulla 2018, "Importance Sampling of Many Lights with Adaptive Tree Splitting"): one by
-// one when they are few, down a binary tree when they are many. Lights infinitely far away are weighed by
-// their irradiance.
+// Lights with a place are weighed by a bound of what they can send to the place (Conty Estevez and Kulla
+// 2018, "Importance Sampling of Many Lights with Adaptive Tree Splitting"): one by one when they are few,
+// down a binary tree when they are many. Lights infinitely far away are weighed by their irradiance.
 #pragma once
 
 #include "engine/kernels/features.h"

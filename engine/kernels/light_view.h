@@ -91,11 +91,11 @@ struct EnvironmentView {
     float sinRotation = 0.0f;
 };
 
-/// The rectangle through which alone an environment shines. Where there is an image, its radiance is summed
-/// over a square that spans the directions out of the portal: its columns and rows are equal steps of the
-/// angles, from -90 to 90 degrees, between the portal's normal and the direction's projections along the
-/// portal's edges (Bitterli, Novak and Jarosz 2015), so that what is seen of it from any place is a
-/// rectangle.
+/// The rectangle through which alone an environment shines. Where there is an image, its radiance is
+/// summed over a square that spans the directions out of the portal: its columns and rows are equal steps
+/// of the angles, from -90 to 90 degrees, between the portal's normal and the direction's projections
+/// along the portal's edges (Bitterli, Novak and Jarosz 2015), so that what is seen of it from any place
+/// is a rectangle.
 struct PortalView {
     /// as of a rectangle's emitter that lights what lies before its front; area 0: there is no portal
     EmitterData opening;

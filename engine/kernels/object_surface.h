@@ -9,7 +9,7 @@ namespace glint {
 /// Whether the instance is a mesh; known beforehand where a mask has no other shapes, or no meshes.
 template <FeatureMask kMask>
 GLINT_HD inline bool isMesh(const InstanceData& instance) {
-    constexpr FeatureMask kOthers = kFeatureCurved | kFeaturePlane | kFeatureFlat | kFeatureRevolved;
+    constexpr FeatureMask kOthers = featuresOfShapes(ShapeKind::Mesh);
     if constexpr (!hasFeature<kMask>(kFeatureMesh)) { return false; }
     if constexpr ((kMask & kOthers) == 0) { return true; }
     return instance.shape == ShapeKind::Mesh;

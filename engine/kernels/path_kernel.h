@@ -1,6 +1,5 @@
 // One camera path: next-event estimation and BSDF sampling at every vertex, combined by multiple importance
-// sampling (Veach and Guibas 1995), and Russian roulette. Host and device; called by the backends for each
-// pixel of a pass.
+// sampling (Veach and Guibas 1995), and Russian roulette. Host and device.
 //
 // Unbiased up to the maximum depth. Left out: volumes that scatter. Nothing is clamped unless
 // fireflyClamp asks for it.

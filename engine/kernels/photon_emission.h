@@ -169,13 +169,11 @@ GLINT_HD inline EmittedPhoton emitPhoton(const SceneView& view, const PowerDistr
             photon = detail::emitFromPoint(e, uDirection);
             break;
         case EmitterKind::Projector:
-            if constexpr (hasFeature<kMask>(kFeatureProjectors)) {
-                photon = detail::emitFromProjector<kMask>(view, e, uDirection);
-            }
-            break;
         case EmitterKind::Goniometric:
             if constexpr (hasFeature<kMask>(kFeatureProjectors)) {
-                photon = detail::emitFromGoniometric<kMask>(view, e, uDirection);
+                photon = e.kind == EmitterKind::Projector
+                             ? detail::emitFromProjector<kMask>(view, e, uDirection)
+                             : detail::emitFromGoniometric<kMask>(view, e, uDirection);
             }
             break;
         case EmitterKind::Directional:

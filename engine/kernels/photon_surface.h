@@ -1,5 +1,5 @@
-// What a stored photon remembers beside its power, and whose photons count for a visible point. Host and
-// device.
+// What a stored photon remembers beside its power, and whose photons count for a visible point. Host
+// and device.
 //
 // Photons are found by their place, so that those of a second surface within the radius are found, too. Next
 // to opaque surfaces that does no harm: what arrives on the other side of the second one reflects nothing on
@@ -96,9 +96,9 @@ GLINT_HD inline bool sharePhotons(const SceneView& view, uint32_t ofPhoton, uint
     return instances[ofPhoton - 1].material == instances[ofPoint - 1].material && goesOn;
 }
 
-/// What the kernels of a pass are told: whether photons must know their surface, as they must where some of
-/// them can pass one, whether their band, and no more scatterings than a photon can count. `view` is the
-/// host's.
+/// What the kernels of a pass are told: whether photons must know their surface, as they must where some
+/// of them can pass one, whether their band, and no more scatterings than a photon can count. `view` is
+/// the host's.
 inline SppmParams settledParams(const SceneView& view, SppmParams params) {
     if (params.pass.maxDepth > kMostPhotonScatterings) { params.pass.maxDepth = kMostPhotonScatterings; }
     params.photonsKnowBand = !view.spectrum.empty();

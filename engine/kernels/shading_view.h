@@ -37,6 +37,8 @@ struct CoatRow {
     float averageAlbedo = 0.0f;   ///< cosine-weighted mean of the coat's albedo from outside
     /// albedo over Fresnel at cosine (i / (kCoatSamples - 1))^2
     float ratio[kCoatSamples] = {};
+
+    bool operator==(const CoatRow&) const = default;
 };
 
 /// What a model computes with at a point, but for the colour.
@@ -45,6 +47,8 @@ struct ShadingInputs : MaterialInputs<Vec3, float> {
     /// with kMaterialFacets: of light that comes across the direction of `roughness`; coat: along it. Both
     /// have the average over all directions
     CoatRow crossCoat;
+
+    bool operator==(const ShadingInputs&) const = default;
 };
 
 /// An index into SceneView::textures, or none.
@@ -56,6 +60,8 @@ struct TextureSlot {
     explicit TextureSlot(float) {}
 
     uint32_t index = kNone;
+
+    bool operator==(const TextureSlot&) const = default;
 };
 
 struct MaterialData {
@@ -82,6 +88,8 @@ struct MaterialData {
     MaterialKind kind = MaterialKind::Diffuse;
     WardForm wardForm = WardForm::Balanced;
     uint16_t flags = 0;
+
+    bool operator==(const MaterialData&) const = default;
 };
 
 /// One of equally likely parts of the spectrum.

@@ -1,5 +1,4 @@
-// The camera half of an SPPM pass: one path a pixel to its visible point. Host and device; called by
-// the backends.
+// The camera half of an SPPM pass: one path a pixel to its visible point. Host and device.
 //
 // It is the path tracer's path up to the first lobe that is neither specular nor sharply glossy. There it
 // rests: photons bring what is scattered further. Emission on the way and, where it is sampled, direct light

@@ -17,10 +17,10 @@ namespace glint {
 
 namespace detail {
 
-/// A photon counts on the surface of the visible point `p` only: within the ball, near its tangent plane,
-/// where the surface has not bent away by more than 45 degrees, on none that is stacked on it, and on the
-/// side that it came to: where a closed surface bends, light from within is over the horizon of points
-/// nearby.
+/// A photon counts on the surface of the visible point `p` only: within the ball, near its tangent
+/// plane, where the surface has not bent away by more than 45 degrees, on none that is stacked on it,
+/// and on the side that it came to: where a closed surface bends, light from within is over the horizon
+/// of points nearby.
 GLINT_HD inline bool liesOnSurface(const SceneView& view, const PhotonLayout& layout, const Photon& photon,
                                    const Vec3& p, const GatherSurface& surface, float radiusSquared) {
     const Vec3 offset = photon.p - p;

@@ -1,5 +1,4 @@
-// The light half of an SPPM pass: one photon from its light through the scene. Host and device; called by
-// the backends.
+// The light half of an SPPM pass: one photon from its light through the scene. Host and device.
 //
 // A photon is stored at every surface that can hold a visible point, before it is scattered there. Flux, not
 // radiance, is transported: bsdf/importance.h.

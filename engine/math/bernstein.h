@@ -1,5 +1,5 @@
-// Polynomials in Bernstein form on [0, 1]: values, restriction to a part, and all real roots. Host and
-// device.
+// Polynomials in Bernstein form on [0, 1]: values, restriction to a part, and all real roots. Host
+// and device.
 //
 // The roots are isolated by Descartes' rule of signs for Bernstein coefficients (Lane and Riesenfeld 1981,
 // "Bounds on a polynomial", BIT 21): a part whose coefficients change their sign once has one root, and one
@@ -66,8 +66,8 @@ GLINT_HD inline int signChanges(const double* b, int degree) {
     return changes;
 }
 
-/// Where the control polygon first crosses zero: close to the root where there is one. The signs of the ends
-/// differ.
+/// Where the control polygon first crosses zero: close to the root where there is one. The signs of the
+/// ends differ.
 GLINT_HD inline double polygonRoot(const double* b, int degree) {
     int i = 0;
     while (i + 1 < degree && (b[i] < 0.0) == (b[i + 1] < 0.0)) {

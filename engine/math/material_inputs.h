@@ -1,9 +1,9 @@
 // What a material's models compute with beside its colour, listed once: descriptions hold constants or
 // textures of these, tables of kernels texture indices, and models plain numbers.
 //
-// A new one is a member, a line below, and its use in a model (kernels/bsdf/). Of one that is described here,
-// the field in scene files, their schema and the window's row follow; others have a line in
-// scene/scene_fields.h.
+// A new one is a member, a line below, and its use in a model (kernels/bsdf/). Of one that is
+// described here, the field in scene files, their schema and the window's row follow; others have a
+// line in scene/scene_fields.h.
 #pragma once
 
 #include <type_traits>
@@ -51,6 +51,8 @@ struct MaterialInputs {
     Number clearcoatRoughness{0.0f};    ///< GGX alpha; below kSmoothAlpha: smooth. Coated, too
     Color sheenColor{Vec3(0.0f)};
     Number sheenRoughness{0.3f};  ///< the smaller, the more at grazing incidence alone
+
+    bool operator==(const MaterialInputs&) const = default;
 };
 
 /// What is true of an input whatever its value.
@@ -86,7 +88,7 @@ struct ModelInput {
 template <class MemberIn>
 ModelInput(InputInfo, MemberIn) -> ModelInput<MemberIn>;
 
-/// combine(input...) with every ModelInput that is described here; their numbers are from 0 to 1.
+/// combine(input...) with every ModelInput that is described here: no more is needed of it.
 template <class Combine>
 GLINT_HD constexpr auto withDescribedInputs(const Combine& combine) {
     constexpr uint32_t kPrincipled = kindBit(MaterialKind::Principled);

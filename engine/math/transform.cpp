@@ -1,8 +1,9 @@
 // Host-side construction and inversion of affine maps.
 #include "engine/math/transform.h"
 
+#include <array>
+#include <bit>
 #include <cmath>
-#include <cstring>
 
 #include <glm/ext/matrix_double3x3.hpp>
 #include <glm/ext/vector_double3.hpp>
@@ -10,10 +11,12 @@
 
 namespace glint {
 
-bool Affine::isExactIdentity() const {
-    const Mat3 identity(1.0f);
-    return std::memcmp(&linear, &identity, sizeof identity) == 0 && isZero(translation);
+bool sameBits(const Mat3& a, const Mat3& b) {
+    using Bits = std::array<uint32_t, 9>;
+    return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
 }
+
+bool Affine::isExactIdentity() const { return sameBits(linear, Mat3(1.0f)) && isZero(translation); }
 
 Affine inverse(const Affine& a) {
     const glm::dmat3 inverseLinear = glm::inverse(glm::dmat3(a.linear));

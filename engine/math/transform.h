@@ -47,6 +47,9 @@ inline Vec3 rowLengths(const Mat3& m) {
 /// The inverse, computed in double. The caller checks isInvertible() first.
 Affine inverse(const Affine& a);
 
+/// Unlike ==, tells -0 from 0.
+bool sameBits(const Mat3& a, const Mat3& b);
+
 /// False for maps that flatten space or hold non-finite numbers. Scale does not matter: 1e-12 * identity
 /// is invertible.
 bool isInvertible(const Affine& a);

@@ -1,8 +1,8 @@
 // Sections: INFO (text Glint version, f64 render seconds), SETT (u32 count, then name and value texts), HASH
 // (u32 count, then u64 low and high per scene part), FILM (film_checkpoint.h), PERR (u32 count, then u32
 // passes and 5 f64 per point of the convergence curve), and that of the integrator's statistics where it has
-// some, READ and SCNE (checkpoint_scene.h). A section with other letters is skipped. Texts are u64 length and
-// characters.
+// some, READ and SCNE (checkpoint_scene.h). A section with other letters is skipped. Texts are u64 length
+// and characters.
 #include "engine/render/checkpoint.h"
 
 #include <filesystem>

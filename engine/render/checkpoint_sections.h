@@ -41,8 +41,8 @@ using CheckpointSections = std::map<std::string, std::string_view, std::less<>>;
 /// By a file's first bytes.
 bool looksLikeCheckpoint(std::string_view head);
 
-/// Checks that the file is a whole one of this version, and finds its sections. Error: a clause about what is
-/// wrong.
+/// Checks that the file is a whole one of this version, and finds its sections. Error: a clause about what
+/// is wrong.
 Result<CheckpointSections> findSections(std::string_view bytes, const std::string& path);
 
 Error checkpointError(const std::string& path, std::string message);

@@ -1,5 +1,5 @@
-// What the controlling thread wants of the render thread: edits joined to one, captures, and the present
-// request.
+// What the controlling thread wants of the render thread: edits joined to one, captures, and the
+// present request.
 //
 // It also owns the stop flag, since whether a pass in flight is worth stopping has to be decided together
 // with taking the message. Knows nothing of films or passes. Thread-safe.
@@ -59,8 +59,8 @@ class CommandQueue {
     /// the commands, and the request of that moment.
     Commands take(const std::function<bool(const RenderRequest&)>& hasWork, RenderRequest* request);
 
-    /// Declares that a pass begins, and clears the stop flag unless a command already waits that should stop
-    /// it.
+    /// Declares that a pass begins, and clears the stop flag unless a command already waits that should
+    /// stop it.
     void beginPass(const PassInFlight& pass);
     void endPass();
     /// Raised by edits, restarts and pauses that are worth it, and by quitting.

@@ -16,14 +16,8 @@ class CpuAmbientOcclusion final : public Integrator {
         if (!cpu_.scene) { return noScene(); }
         const SceneView view = cpu_.scene->view();
         const float radius = occlusionRadiusOf(*cpu_.scene);
-        return renderTiles(cpu_, params, stop, samples, [&](const PixelRect& tile) {
-            for (int y = tile.y0; y < tile.y1; ++y) {
-                PixelSample* row =
-                    samples->data() + static_cast<size_t>(y) * static_cast<size_t>(params.width);
-                for (int x = tile.x0; x < tile.x1; ++x) {
-                    row[x] = traceAmbientOcclusion<kAllFeatures>(view, params, radius, x, y);
-                }
-            }
+        return renderPixels(cpu_, params, stop, samples, [&](int x, int y) {
+            return traceAmbientOcclusion<kAllFeatures>(view, params, radius, x, y);
         });
     }
 

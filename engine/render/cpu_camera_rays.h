@@ -1,7 +1,6 @@
 // The camera rays of a whole tile at once; of a pinhole with the Sobol sampler in vector code.
 //
-// Called by the tile loops of the CPU variants. Bit for bit what makeSampler() and pixelRay() answer pixel by
-// pixel.
+// Bit for bit what makeSampler() and pixelRay() answer pixel by pixel.
 #pragma once
 
 #include <algorithm>

@@ -62,6 +62,20 @@ Result<bool> renderTiles(const CpuContext& cpu, const PassParams& params, const 
     return !stop.load();
 }
 
+/// The same with pixel(x, y), a Sample, for each pixel.
+template <class Sample, class Pixel>
+Result<bool> renderPixels(const CpuContext& cpu, const PassParams& params, const std::atomic<bool>& stop,
+                          std::vector<Sample>* image, const Pixel& pixel) {
+    return renderTiles(cpu, params, stop, image, [&](const PixelRect& tile) {
+        for (int y = tile.y0; y < tile.y1; ++y) {
+            Sample* row = image->data() + static_cast<size_t>(y) * static_cast<size_t>(params.width);
+            for (int x = tile.x0; x < tile.x1; ++x) {
+                row[x] = pixel(x, y);
+            }
+        }
+    });
+}
+
 inline Error noScene() { return {"there is no scene to render", {}}; }
 
 }  // namespace glint

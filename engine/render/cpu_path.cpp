@@ -1,7 +1,7 @@
 // Path tracing, tile by tile, with the smallest kernel variant that does what the scene needs.
 //
-// Every pixel is a function of (scene, settings, pixel, pass) alone, so which thread takes a tile changes
-// nothing.
+// Every pixel is a function of (scene, settings, pixel, pass) alone, so which thread takes a tile
+// changes nothing.
 #include "engine/render/cpu_context.h"
 #include "engine/render/integrator.h"
 #include "engine/render/path_pass.h"

@@ -163,7 +163,7 @@ Result<bool> CpuSppm::renderPass(const SceneView& view, FeatureMask features,
         start = Clock::now();
         uint32_t levelsInUse = 0;
         const GridSpace space = findSpace(job, &levelsInUse);
-        if (const Result<bool> traced = tracePhotons(job, space); !traced || !*traced) { return traced; }
+        if (Result<bool> traced = tracePhotons(job, space); !traced || !*traced) { return traced; }
         stats_.photonSeconds = secondsSince(start);
 
         start = Clock::now();

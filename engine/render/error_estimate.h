@@ -1,8 +1,7 @@
 // How far a picture may be from the truth, from nothing but its own samples: no reference is needed.
 //
-// Used by the session (convergence curve, `--error`), by snapshots, EXR layers and reports. What the samples
-// cannot know is not in it: light that no path has found yet. engine/README.md says how well it is
-// calibrated and from which pass on.
+// What the samples cannot know is not in it: light that no path has found yet. engine/render/README.md says
+// how well it is calibrated and from which pass on.
 #pragma once
 
 #include <cstddef>

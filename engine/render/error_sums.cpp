@@ -106,8 +106,8 @@ TrimmedErrors withoutWorst(const ErrorSums& sums, double worst, double cap) {
     const double cut = std::min(free.level, cap);
     TrimmedErrors total;
     total.pixelsCapped = pixelsAbove(sums, cap);
-    // Where the cap is the lower one, there are more than `worst` of them, and those are left out of the
-    // capped.
+    // Where the cap is the lower one, there are more than `worst` of them, and those are left out of
+    // the capped.
     const double above = free.level < cap ? free.pixelsAbove : worst;
     total.capped = free.level < cap ? 0.0 : cap * std::max(0.0, total.pixelsCapped - worst);
     for (size_t i = 0; i + 1 < ErrorSums::kBins; ++i) {

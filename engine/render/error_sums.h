@@ -1,6 +1,6 @@
 // Sums of the pixels' squared errors, kept by size, so that the largest can be left out without sorting.
 //
-// Used by error_estimate.cpp alone: what is expected of a film's errors comes in, what is expected of their
+// What is expected of a film's errors comes in, what is expected of their
 // sum without the largest ones comes out. No film and no calibration in here.
 #pragma once
 

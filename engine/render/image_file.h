@@ -1,7 +1,7 @@
 // A finished picture to a file: PNG for the eye, HDR and EXR with linear radiance, EXR with layers
 // and metadata.
 //
-// Used by the window and `glint render`. Formats are engine/io's business, tone curves tonemap.h's.
+// Formats are engine/io's business, tone curves tonemap.h's.
 #pragma once
 
 #include <string>

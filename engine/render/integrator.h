@@ -26,9 +26,9 @@ class Integrator {
 
     /// Renders params.pass into `samples`, one for each pixel, which is resized as needed; and into
     /// `statistics` (null where IntegratorType::makeStatistics() is), which must have the pass's resolution
-    /// and params.pass passes. Checks `stop` at least once a tile. False: stopped early; `samples` are to be
-    /// thrown away and the statistics have not changed, as after an error. Error: no scene, or not enough
-    /// memory.
+    /// and params.pass passes. Checks `stop` at least once a tile. False: stopped early; `samples` are to
+    /// be thrown away and the statistics have not changed, as after an error. Error: no scene, or not
+    /// enough memory.
     virtual Result<bool> renderPass(const PassParams& params, const std::atomic<bool>& stop,
                                     ImageStatistics* statistics, std::vector<PixelSample>* samples) = 0;
 

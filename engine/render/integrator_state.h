@@ -23,8 +23,8 @@ struct RenderedImage {
     std::unique_ptr<ImageStatistics> statistics;  ///< null where the integrator has none
 
     int64_t pixels() const { return pixelCount(film.width(), film.height()); }
-    /// An empty film of this size. Returns whether it had to be allocated. The statistics follow when a pass
-    /// begins.
+    /// An empty film of this size. Returns whether it had to be allocated. The statistics follow when a
+    /// pass begins.
     bool clearFilm(int width, int height);
     /// Makes the statistics those of `passes` passes of this size, of which there are none where that is 0.
     void prepareStatistics(IntegratorKind kind, int width, int height, uint32_t passes);

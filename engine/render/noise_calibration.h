@@ -5,8 +5,7 @@
 // two of passes the picture is compared with itself at half of them: their difference is a sample of the
 // error, and how its square compares with the samples' variance is learnt for classes of pixels.
 //
-// Held by a Film, made by the session after its passes, used by error_estimate.cpp. Costs a float a pixel,
-// which lies in FilmPixel's padding.
+// Costs a float a pixel, which lies in FilmPixel's padding.
 #pragma once
 
 #include <array>

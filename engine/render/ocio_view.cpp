@@ -110,6 +110,7 @@ Result<std::shared_ptr<const OcioView>> load(const OcioChoice& choice) {
     config->validate();
     std::vector<OcioDisplay> displays = displaysOf(config);
     std::vector<std::string> names;
+    names.reserve(displays.size());
     for (const OcioDisplay& display : displays) {
         names.push_back(display.name);
     }

@@ -8,7 +8,7 @@ Result<bool> PassRunner::run(const NextPass& pass, bool mustBeShown, SessionImag
                              SessionCounters* counters) {
     const auto began = SessionClock::now();
     queue_->beginPass(inFlight(pass, mustBeShown, *images));
-    const Result<bool> done = render(pass, images);
+    Result<bool> done = render(pass, images);
     queue_->endPass();
     if (done && *done) { commit(pass, secondsSince(began), images, counters); }
     return done;

@@ -15,8 +15,8 @@ class PassRunner {
     PassRunner(Backend* backend, CommandQueue* queue, PublishedState* published, int threads)
         : backend_(backend), queue_(queue), published_(published), threads_(threads) {}
 
-    /// `mustBeShown`: as PassInFlight. False: stopped early, and nothing has changed. Counts passes and
-    /// allocations.
+    /// `mustBeShown`: as PassInFlight. False: stopped early, and nothing has changed. Counts passes
+    /// and allocations.
     Result<bool> run(const NextPass& pass, bool mustBeShown, SessionImages* images,
                      SessionCounters* counters);
 

@@ -3,7 +3,7 @@
 //
 // Tracing threads claim blocks of slots and write into them alone; sorting puts the photons into an order
 // that depends on their numbers only, never on the threads. 48 bytes a photon at the most: 32 for itself, 16
-// while sorting. Called by the CPU backend's SPPM pass.
+// while sorting.
 #pragma once
 
 #include <array>

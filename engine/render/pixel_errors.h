@@ -1,7 +1,7 @@
 // What is known of each pixel's error, as means over a pixel and its neighbours: a pixel that has missed a
 // rare path knows neither its own variance nor its brightness.
 //
-// Used by error_estimate.cpp alone, for errors that are relative to the pixels' own brightness.
+// For errors that are relative to the pixels' own brightness.
 #pragma once
 
 #include <cstddef>
@@ -23,9 +23,9 @@ class PixelErrors {
         double luminance = 0.0;
     };
     /// Over 3 x 3 pixels as far as they are in the part, have samples and are no sparks: pixels with a
-    /// variance so many times as large as that of the 5 x 5 around them together, which tell of themselves
-    /// alone. Of a pixel of the part; its own where it has no samples itself, and the error where it is a
-    /// spark.
+    /// variance so many times as large as that of the 5 x 5 around them together, which tell of
+    /// themselves alone. Of a pixel of the part; its own where it has no samples itself, and the error
+    /// where it is a spark.
     Around around(size_t index) const;
     static constexpr double kSparkTimes = 8.0;
     /// The pixel's own; without the sign of its bias.

@@ -16,8 +16,8 @@ class PublishedState {
     /// `messages`: everything asked for up to Commands::messages has been taken into account.
     void set(const SessionStatus& status, uint64_t messages);
 
-    /// The picture of an integrator beside the one that is shown; dropped with the first picture of another
-    /// edit.
+    /// The picture of an integrator beside the one that is shown; dropped with the first picture of
+    /// another edit.
     void showBeside(std::shared_ptr<const FilmSnapshot> snapshot);
 
     void setBuiltScene(std::shared_ptr<const BuiltScene> scene);

@@ -27,9 +27,9 @@ constexpr uint32_t kAovPasses = 64;
 struct RenderRequest {
     StopLimits limits{};
     bool paused = false;
-    /// While true (a drag, a flight), passes after an edit run at low resolution so that the picture stays
-    /// fluid. Full resolution follows at once when it turns false. Without an edit the picture keeps its
-    /// resolution.
+    /// While true (a drag, a flight), passes after an edit run at low resolution so that the picture
+    /// stays fluid. Full resolution follows at once when it turns false. Without an edit the picture
+    /// keeps its resolution.
     bool interacting = false;
     uint32_t aovs = 0;             ///< bits of Aov that snapshots carry
     bool aovsEndWithFilm = false;  ///< they get no more passes than the film has

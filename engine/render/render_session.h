@@ -82,8 +82,8 @@ class RenderSession {
     /// null before the first of the newest edit, of any other null.
     std::shared_ptr<const FilmSnapshot> snapshot(IntegratorKind integrator) const;
     SessionStatus status() const;
-    /// The scene that is rendered, as kernels see it; null before the first, and while a first frame is
-    /// shown.
+    /// The scene that is rendered, as kernels see it; null before the first, and while a first frame
+    /// is shown.
     std::shared_ptr<const BuiltScene> builtScene() const;
     /// The error so far of the film that the integrator has, shown or not. Never null; empty until its second
     /// pass and after whatever restarts that film. Immutable: a longer one replaces it.

@@ -48,7 +48,7 @@ Status SceneKeeper::rebuild(SceneEdit* edit, SessionStatus* status) {
     count(report, &status->counters);
     if (!result) { return result.error(); }
     if (built_ && (*result)->looksLike(*built_)) { edit->kinds = without(edit->kinds, kOfBuiltScene); }
-    if (const Status taken = backend_->setScene(*result); !taken) { return taken; }
+    if (Status taken = backend_->setScene(*result); !taken) { return taken; }
     built_ = std::move(result).value();
     memory_ = memoryOf(*built_);
     status->kernel = backend_->kernelName(edit->scene->options.sampler);

@@ -57,7 +57,7 @@ std::vector<IntegratorKind> SessionImages::takeScene(std::shared_ptr<const Scene
     const std::vector<IntegratorKind> emptied = empty(kinds, before, request);
     take_ = take;
     if (held_.isEnabled()) {
-        for (const IntegratorKind kind : emptied) {
+        for (IntegratorKind kind : emptied) {
             auto film = held_.takeBack(kind, take_, scene_, request.interacting);
             if (film) { of(kind).goOnFrom(std::move(*film)); }
         }
@@ -67,7 +67,7 @@ std::vector<IntegratorKind> SessionImages::takeScene(std::shared_ptr<const Scene
 }
 
 std::vector<IntegratorKind> SessionImages::restart(const RenderRequest& request) {
-    const std::vector<IntegratorKind> emptied = empty(EditKind::Everything, nullptr, request);
+    std::vector<IntegratorKind> emptied = empty(EditKind::Everything, nullptr, request);
     begin(request);
     return emptied;
 }

@@ -90,8 +90,8 @@ class SessionImages {
     std::shared_ptr<const SceneDescription> scene_;
     FilmTake take_ = 0;
     HeldFilms held_;
-    bool isOfDrag_ =
-        false;  ///< the films began within the drag that still goes on: they are nothing to go back to
+    /// the films began within the drag that still goes on: they are nothing to go back to
+    bool isOfDrag_ = false;
     /// References stay as others come into use. What is shown is always there.
     std::map<IntegratorKind, IntegratorState> states_;
     std::vector<IntegratorKind> comparedBefore_;

@@ -7,8 +7,8 @@ namespace glint {
 
 /// 6504 K without tint is what white of Rec.709 (D65) is: then nothing changes, not a bit.
 struct WhiteBalance {
-    float kelvin =
-        6504.0f;        ///< kLeastKelvin to kMostKelvin: of the light that turns white; lower makes bluer
+    /// kLeastKelvin to kMostKelvin: of the light that turns white; lower makes bluer
+    float kelvin = 6504.0f;
     float tint = 0.0f;  ///< -kMostTint to kMostTint: above 0 takes green out
 
     bool operator==(const WhiteBalance&) const = default;

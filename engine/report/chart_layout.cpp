@@ -62,7 +62,7 @@ void findAxes(const LogLogChart& chart, ChartLayout* layout) {
 }
 
 std::string levelText(const ChartLayout& layout, const ChartLevel& level) {
-    const std::string text = fmt::format("{}: {:.2g}", cleanText(level.label), level.y);
+    std::string text = fmt::format("{}: {:.2g}", cleanText(level.label), level.y);
     if (layout.empty || !canShow(level.y) || layout.shows(level)) { return text; }
     return text + (layout.yAxis.share(level.y) < 0.0 ? " (below)" : " (above)");
 }

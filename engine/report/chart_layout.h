@@ -1,6 +1,6 @@
 // Where the parts of a chart lie: axes, frame, legend and notes, before anything is drawn.
 //
-// Called by plot.cpp only. All texts in it are clean (cleanText()).
+// All texts in it are clean (cleanText()).
 #pragma once
 
 #include <string>

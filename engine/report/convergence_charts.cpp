@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "engine/render/integrator.h"
+
 namespace glint {
 namespace {
 
@@ -93,7 +95,8 @@ LogLogChart errorChart(const ConvergenceReport& report, ErrorMeasure measure) {
     }
     if (marked) { chart.note += " * Reference by the same method."; }
     if (const double floor = floorOf(report, measure); floor > 0.0) {
-        const bool biased = report.reference.integrator == IntegratorKind::Sppm;
+        const bool biased =
+            report.reference.integrator && integratorType(*report.reference.integrator).hasBias();
         chart.levels.push_back(
             {unitOf(measure) * floor,
              fmt::format("reference's own {}{}{}", biased ? "noise (bias unknown)" : "error",

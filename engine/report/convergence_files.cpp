@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/report/convergence_report.h"
+#include "engine/scene/kind_names.h"
 
 namespace glint {
 namespace {
@@ -54,9 +55,8 @@ Json targetsJson(const ConvergenceReport& report, const VariantSummary& variant)
 }
 
 Json settingsJson(const ConvergenceReport& report, const VariantSettings& settings) {
-    const bool sobol = settings.options.sampler == SamplerKind::Sobol;
     Json out = {{"threads", settings.threads > 0 ? settings.threads : report.context.threads},
-                {"sampler", sobol ? "sobol" : "independent"},
+                {"sampler", nameOf(settings.options.sampler)},
                 {"max_depth", settings.options.maxDepth},
                 {"roulette_start_depth", settings.options.rouletteStartDepth},
                 {"firefly_clamp", settings.options.fireflyClamp},
@@ -67,7 +67,7 @@ Json settingsJson(const ConvergenceReport& report, const VariantSettings& settin
         out["alpha"] = sppm.alpha;
         out["radius"] = sppm.radiusWorld;
         out["radius_footprints"] = sppm.radiusFootprints;
-        out["lookup"] = sppm.lookup == PhotonLookupKind::Tree ? "tree" : "grid";
+        out["lookup"] = nameOf(sppm.lookup);
         out["direct"] = sppm.sampleDirectLight ? "sampled" : "photons";
     }
     return out;

@@ -1,7 +1,7 @@
 // How fast an error falls: the slope of error against time on log-log axes, with its confidence interval, and
 // when the error reaches a value.
 //
-// Used by convergence_summary. Plain numbers in and out: it knows nothing of pictures or renderers.
+// Plain numbers in and out: it knows nothing of pictures or renderers.
 #pragma once
 
 #include <optional>

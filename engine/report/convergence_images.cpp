@@ -87,7 +87,7 @@ class ImageFolder {
         const std::string stem = fmt::format("pictures/{}-{}", fileName(variant.variant.text), passes);
         kept->file = stem + ".png";
         kept->errorFile = stem + "-error.png";
-        if (const Status saved = save(kept->file, kept->image); !saved) { return saved; }
+        if (Status saved = save(kept->file, kept->image); !saved) { return saved; }
         const auto map = errorMap(ErrorMapKind::RelativeSquared, kept->image, reference_.image);
         return map ? saveMap(kept->errorFile, *map) : Status(map.error());
     }

@@ -1,8 +1,8 @@
 // How precise a reference has to be: the smallest error that a convergence run will report, foretold by
 // renders of its variants.
 //
-// Used by `glint converge` before it makes a reference. What comes out is a plan: whether the reference was
-// precise enough is measured afterwards (ConvergenceSummary::floorRatio).
+// What comes out is a plan: whether the reference was precise enough is measured
+// afterwards (ConvergenceSummary::floorRatio).
 #pragma once
 
 #include "engine/report/convergence_run.h"

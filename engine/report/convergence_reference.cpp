@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "engine/render/error_estimate.h"
+#include "engine/render/integrator.h"
 #include "engine/render/snapshot.h"
 
 namespace glint {
@@ -61,14 +62,7 @@ uint64_t droppedIn(const Film& film) {
 }
 
 void addRemarks(const ReferencePlan& plan, uint64_t dropped, ReferenceImage* out) {
-    if (plan.variant.integrator == IntegratorKind::Sppm) {
-        out->remarks.emplace_back(
-            "The reference is by photon mapping: the bias of its finite radius is not in its error bar.");
-    }
-    if (plan.settings.options.fireflyClamp > 0.0f) {
-        out->remarks.push_back(fmt::format("The reference's samples were clamped to {}: it is biased.",
-                                           plan.settings.options.fireflyClamp));
-    }
+    out->remarkBias(plan.settings.options.fireflyClamp);
     if (dropped > 0) {
         out->remarks.push_back(fmt::format(
             "{} samples of the reference were not finite or negative and were dropped.", dropped));
@@ -183,6 +177,17 @@ class ReferenceMaker {
 double ReferenceImage::rmse() const { return std::sqrt(mse); }
 
 double ReferenceImage::relativeError() const { return mse > 0.0 ? rmse() / mean : 0.0; }
+
+void ReferenceImage::remarkBias(float fireflyClamp) {
+    if (integrator && integratorType(*integrator).hasBias()) {
+        remarks.push_back(fmt::format("The reference is by {}, whose bias is not in its error bar.",
+                                      integratorInfo(*integrator).displayName));
+    }
+    if (fireflyClamp > 0.0f) {
+        remarks.push_back(
+            fmt::format("The reference's samples were clamped to {}: it is biased.", fireflyClamp));
+    }
+}
 
 void ReferenceImage::summarize() {
     constexpr double kEpsilon = 0.01;  // MetricOptions::relativeEpsilon

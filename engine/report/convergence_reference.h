@@ -1,8 +1,8 @@
 // The picture that errors are measured against, with its own error bar: made here, or read from an EXR file
 // together with what that file says about itself.
 //
-// Used by `glint converge`. A reference is the mean of renders with different seeds (replicates), because
-// only their spread is an honest error bar for low-discrepancy points and for photons alike.
+// A reference is the mean of renders with different seeds (replicates), because only their spread is an
+// honest error bar for low-discrepancy points and for photons alike.
 #pragma once
 
 #include <map>
@@ -40,6 +40,8 @@ struct ReferenceImage {
     double relativeError() const;
     /// Fills mean, mse and relMse.
     void summarize();
+    /// What the integrator and a clamp of its samples (0: none) leave out of the error bar.
+    void remarkBias(float fireflyClamp);
 };
 
 /// Reads R, G, B and standardError.R/G/B or .Y of an EXR picture and compares what it says about its

@@ -119,14 +119,7 @@ void readMetadata(const Attributes& a, ReferenceImage* out) {
     out->renderSeconds =
         numberOr(attribute(a, "referenceSeconds"), numberOr(attribute(a, "renderSeconds"), 0.0));
     out->passes = numberOr(attribute(a, "referencePasses"), numberOr(attribute(a, "passes"), uint64_t{0}));
-    if (out->integrator == IntegratorKind::Sppm) {
-        out->remarks.emplace_back(
-            "The reference is by photon mapping: the bias of its finite radius is not in its error bar.");
-    }
-    if (const float clamp = numberOr(attribute(a, "setting.fireflyClamp"), 0.0f); clamp > 0.0f) {
-        out->remarks.push_back(
-            fmt::format("The reference's samples were clamped to {}: it is biased.", clamp));
-    }
+    out->remarkBias(numberOr(attribute(a, "setting.fireflyClamp"), 0.0f));
 }
 
 Attributes attributesOf(const ReferenceImage& reference, const SceneDescription& scene) {

@@ -1,9 +1,9 @@
 // Renders each variant with each seed from cold and measures its error on the way.
 //
-// Used by `glint converge`. The first seed of a variant stops at the schedule's seconds (or passes); the
-// others stop at the same pass counts, so that a point's spread over the seeds is that of the method, not of
-// the machine. Seeds are the outer loop: a machine that slows down slows all variants, and an interrupted run
-// has something of each. Evaluating, saving and building take no render seconds.
+// The first seed of a variant stops at the schedule's seconds (or passes); the others stop at the same pass
+// counts, so that a point's spread over the seeds is that of the method, not of the machine. Seeds are the
+// outer loop: a machine that slows down slows all variants, and an interrupted run has something of each.
+// Evaluating, saving and building take no render seconds.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // When a render is stopped to measure its error: at about logarithmically spaced seconds or passes.
 //
-// Used by convergence_run. A pass is never cut, so two stops within one pass become one.
+// A pass is never cut, so two stops within one pass become one.
 #pragma once
 
 #include <cstdint>

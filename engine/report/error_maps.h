@@ -1,7 +1,7 @@
 // Where a picture differs from its reference: one number a pixel, and its false colours.
 //
-// Called by `glint diff` and `glint converge`. The numbers are those whose means metrics.h reports. Nothing
-// here saves files; the legend is map_legend.h's.
+// The numbers are those whose means metrics.h reports. Nothing here saves files; the legend
+// is map_legend.h's.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,4 @@
 // Which pixels can be compared at all, and pictures that hide the others from filters that look around.
-//
-// Called by metrics.cpp and error_maps.cpp.
 #pragma once
 
 #include <cstdint>

@@ -1,9 +1,8 @@
 // FLIP: the difference that a viewer sees when two pictures alternate on a screen (Andersson, Nilsson,
 // Akenine-Moller, Oskarsson, Astrom, Fairchild 2020, "FLIP: A Difference Evaluator for Alternating Images").
 //
-// Called by metrics.cpp and error_maps.cpp. LDR-FLIP: linear Rec.709 is exposed and cut to [0, 1] per
-// channel, which is what a PNG with the sRGB curve holds, without its 8-bit steps. Callers pass
-// finite values.
+// LDR-FLIP: linear Rec.709 is exposed and cut to [0, 1] per channel, which is what a PNG with the sRGB curve
+// holds, without its 8-bit steps. Callers pass finite values.
 #pragma once
 
 #include <vector>

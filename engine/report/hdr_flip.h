@@ -1,8 +1,8 @@
 // HDR-FLIP: what a viewer sees at the worst of all sensible exposures (Andersson, Nilsson, Shirley,
 // Akenine-Moller 2021, "Visualizing Errors in Rendered High Dynamic Range Images").
 //
-// Called by metrics.cpp. For bright lamps and deep shadows, where one exposure hides half of the picture.
-// Callers pass finite values.
+// For bright lamps and deep shadows, where one exposure hides half of the picture. Callers pass
+// finite values.
 #pragma once
 
 #include <vector>

@@ -1,7 +1,6 @@
 // One logarithmic axis: what it spans, and where its ticks are.
 //
-// Called by plot.cpp and map_legend.cpp. Works on decimal exponents throughout, so that no range of
-// doubles overflows.
+// Works on decimal exponents throughout, so that no range of doubles overflows.
 #pragma once
 
 #include <algorithm>

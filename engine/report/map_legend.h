@@ -1,6 +1,4 @@
 // What the colours of an error map mean, written below it.
-//
-// Called by `glint diff` and `glint converge` before they save a map.
 #pragma once
 
 #include "engine/report/error_maps.h"

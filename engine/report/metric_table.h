@@ -1,6 +1,6 @@
 // The picture metrics as a table: one order and one set of names for reports, files and options.
 //
-// Called by `glint diff` and by whoever writes metrics to CSV or JSON. What they mean is metrics.h's.
+// What they mean is metrics.h's.
 #pragma once
 
 #include <span>

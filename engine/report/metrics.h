@@ -1,8 +1,7 @@
 // How far a picture is from its reference, as numbers.
 //
-// Called by `glint diff`, `glint converge`, `glint stress` and the Convergence panel. All metrics work on
-// linear Rec.709 values; those that model a viewer (ssim, flip) see them at a stated exposure. Maps for the
-// eye are error_maps.h's; nothing here reads files or tone-maps for display.
+// All metrics work on linear Rec.709 values; those that model a viewer (ssim, flip) see them at a stated
+// exposure. Maps for the eye are error_maps.h's; nothing here reads files or tone-maps for display.
 #pragma once
 
 #include <cstdint>

@@ -4,6 +4,7 @@
 // on them.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 

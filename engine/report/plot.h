@@ -1,7 +1,7 @@
 // A chart of lines on two logarithmic axes: what error against run time is read from.
 //
-// Called by `glint converge`. The model is plain data; it is laid out once (plot.cpp) as a Drawing, which
-// becomes SVG and PNG alike. Knows nothing of metrics, scenes or seeds.
+// The model is plain data; it is laid out once (plot.cpp) as a Drawing, which becomes SVG and PNG alike.
+// Knows nothing of metrics, scenes or seeds.
 #pragma once
 
 #include <limits>

@@ -1,8 +1,8 @@
 // Structural similarity of two pictures (Wang, Bovik, Sheikh, Simoncelli 2004, "Image Quality Assessment:
 // From Error Visibility to Structural Similarity", equation 13).
 //
-// Called by metrics.cpp and error_maps.cpp. Sees the pictures as a screen shows them: luminance, exposed, cut
-// to [0, 1], sRGB-encoded. Knows nothing of non-finite pixels: callers pass finite values.
+// Sees the pictures as a screen shows them: luminance, exposed, cut to [0, 1], sRGB-encoded. Knows nothing of
+// non-finite pixels: callers pass finite values.
 #pragma once
 
 #include <vector>

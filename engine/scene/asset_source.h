@@ -17,8 +17,8 @@ struct FileSource {
     auto operator<=>(const FileSource&) const = default;
 };
 
-/// A whole image or mesh file in memory, which stood inside another file. Two are equal when they share their
-/// bytes.
+/// A whole image or mesh file in memory, which stood inside another file. Two are equal when they share
+/// their bytes.
 struct EmbeddedFile {
     std::string name;  ///< in messages, and what a save calls the file that it writes beside the scene
     std::shared_ptr<const std::string> bytes;  ///< never null

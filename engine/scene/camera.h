@@ -40,8 +40,8 @@ struct CameraAxes {
 /// z). A camera whose position and target coincide looks along -z.
 CameraAxes axesOf(const Camera& camera);
 
-/// Metres from the bottom to the top of what the picture shows, in the plane at this depth along the view
-/// axis.
+/// Metres from the bottom to the top of what the picture shows, in the plane at this depth along the
+/// view axis.
 inline float heightOfView(const Camera& camera, float depth) {
     return camera.kind == ProjectionKind::Orthographic
                ? camera.viewHeight

@@ -7,8 +7,8 @@
 
 namespace glint {
 
-/// After so many turns around the target, about the axis through it along `up`. Counterclockwise seen from
-/// above.
+/// After so many turns around the target, about the axis through it along `up`. Counterclockwise seen
+/// from above.
 Camera turnedCamera(const Camera& camera, float turns);
 
 /// On a smooth curve through `views`, of which there is one at least: at whole numbers of `along`, in [0,

@@ -28,6 +28,7 @@ enum class VectorForm : uint8_t {
 struct FieldTraits {
     NumberRange range = {};
     VectorForm form = VectorForm::Point;
+    bool isColor = false;  ///< of inputs: images that stand for it are coded as colours are, by sRGB
     std::string_view unit = {};
     std::string_view help = {};
     std::optional<EditKind> edit = {};  ///< the list's own where it is left out
@@ -115,8 +116,8 @@ struct IndexedFields<std::index_sequence<kIndices...>, Fields...> : FieldAt<kInd
 
 }  // namespace detail
 
-/// Fields of different types, in order. A std::tuple of so many takes a compiler a second wherever it is
-/// seen.
+/// Fields of different types, in order. A std::tuple of so many takes a compiler a second wherever it
+/// is seen.
 template <class... Fields>
 struct FieldList : detail::IndexedFields<std::index_sequence_for<Fields...>, Fields...> {
     constexpr explicit FieldList(const Fields&... fields)

@@ -111,6 +111,7 @@ template <>
 std::span<const KindName<IntegratorKind>> kindNames<IntegratorKind>() {
     static const auto kNames = [] {
         std::vector<KindName<IntegratorKind>> names;
+        names.reserve(std::size(kIntegratorTable));
         for (const IntegratorInfo& info : kIntegratorTable) {
             names.push_back({info.key, info.kind});
         }

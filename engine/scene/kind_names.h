@@ -1,5 +1,5 @@
-// The words for kinds of things in scene files, on the command line and in fingerprints: one table for each
-// enumeration.
+// The words for kinds of things in scene files, on the command line and in fingerprints: one table for
+// each enumeration.
 #pragma once
 
 #include <optional>

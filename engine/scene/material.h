@@ -83,6 +83,8 @@ struct Material : MaterialInputs<ColorInput, NumberInput> {
     bool emissive() const {
         return emissionStrength > 0.0f && (emission.texture >= 0 || maxComponent(emission.value) > 0.0f);
     }
+
+    bool operator==(const Material&) const = default;
 };
 
 /// Whether it is principled and some light passes it.

@@ -24,8 +24,8 @@ struct MeshData {
     std::vector<Vec2> uvs;     ///< v runs upwards: (0, 0) is the image's bottom left corner
     std::vector<Vec3> colors;  ///< linear vertex colours that multiply the material's colour
     /// x, y, z: where normal maps and anisotropy have u run, not necessarily of unit length; v runs along
-    /// cross(normal, tangent) times the sign of w. Zero: as the uvs run. How a texture is placed turns them
-    /// not
+    /// cross(normal, tangent) times the sign of w. Zero: as the uvs run. How a texture is placed turns
+    /// them not
     std::vector<Vec4> tangents;
     std::vector<uint32_t> indices;  ///< three per triangle, counter-clockwise seen from the front
     /// The source has uvs, which are left out because no texture needs them (engine/io/used_assets.h).

@@ -27,8 +27,8 @@ struct MeshGrid {
     }
 };
 
-/// Two triangles a cell, one where a pole leaves no more. `firstVertex` is the grid's vertex(0, 0) in the
-/// mesh.
+/// Two triangles a cell, one where a pole leaves no more. `firstVertex` is the grid's vertex(0, 0) in
+/// the mesh.
 void addGridTriangles(const MeshGrid& grid, uint32_t firstVertex, MeshData* mesh);
 
 /// Normals of all faces around each position, weighted by area; seams get one normal.

@@ -29,8 +29,8 @@ struct Object {
     int curveDegree = 0;        ///< Revolved, of Bézier curves: up to 15; 0: one curve of all points
     std::vector<Vec2> profile;  ///< Revolved: control points (distance from the y axis, height)
     bool capped = false;        ///< Revolved: discs close it where the profile ends off the axis
-    bool clampsSearch =
-        false;               ///< Revolved: rays meet what one clamped search finds (a known bug, to see it)
+    /// Revolved: rays meet what one clamped search finds (a known bug, to see it)
+    bool clampsSearch = false;
     int material = 0;        ///< index into SceneDescription::materials
     Affine objectToWorld;    ///< must be invertible
     bool frontOnly = false;  ///< rays meet it only from the side the geometric normal points to

@@ -145,10 +145,12 @@ std::vector<SceneDifference> listDifferences(const SceneDescription& before, con
     Differences out;
     forEachField<SceneDescription>([&](const auto& field) {
         const EditKind own = editOf(field);
-        using Value = std::remove_cvref_t<decltype(before.*field.member)>;
-        const std::string_view part = std::is_same_v<Value, SppmOptions>      ? "sppm"
-                                      : std::is_same_v<Value, RayCastOptions> ? "raycast"
-                                                                              : field.key;
+        std::string_view part = field.key;
+        forEachIntegratorOptions([&](IntegratorKind kind, auto member) {
+            if constexpr (std::is_same_v<decltype(member), decltype(field.member)>) {
+                if (member == field.member) { part = integratorInfo(kind).key; }
+            }
+        });
         if (own != EditKind::None) { listPart(part, before.*field.member, after.*field.member, own, &out); }
     });
     return out;

@@ -27,8 +27,8 @@ struct SceneDifference {
     int added = 0;  ///< items that a list has more than before; negative: fewer
 };
 
-/// All that differences() looks at, in the order of scene_fields.h, but for what the items' kinds do not
-/// have.
+/// All that differences() looks at, in the order of scene_fields.h, but for what the items' kinds do
+/// not have.
 std::vector<SceneDifference> listDifferences(const SceneDescription& before, const SceneDescription& after);
 
 }  // namespace glint

@@ -96,16 +96,15 @@ struct FieldsOf<Resolution> {
         field("height", &Resolution::height, {.range = {.lo = 1, .hi = 32768}, .unit = "pixels"})};
 };
 
+#define GLINT_KEY_AND_NAME(kind, key, alias, displayName) "; " key ": " displayName
 template <>
 struct FieldsOf<RenderOptions> {
     static constexpr EditKind kEdit = EditKind::Options;
     static constexpr FieldList kList{
-        field(
-            "integrator", &RenderOptions::integrator,
-            {.help = "path tracing, progressive photon mapping (sppm), ambient occlusion (ao), Phong's model "
-                     "(raycast)",
-             .edit = EditKind::Integrator,
-             .option = "--integrator"}),
+        field("integrator", &RenderOptions::integrator,
+              {.help = "the algorithm" GLINT_INTEGRATORS(GLINT_KEY_AND_NAME),
+               .edit = EditKind::Integrator,
+               .option = "--integrator"}),
         field("maxDepth", &RenderOptions::maxDepth,
               {.range = {.lo = 0, .hi = 1 << 20},
                .help = "most scattering events along a path; of photons at most 256",
@@ -142,9 +141,12 @@ struct FieldsOf<RenderOptions> {
                .help = "the most radiance a sample may bring, biased; 0: off",
                .variant = "clamp"})};
 };
+#undef GLINT_KEY_AND_NAME
 
 template <>
 struct FieldsOf<SppmOptions> {
+    static constexpr const char* kHelp =
+        "Stochastic progressive photon mapping, for the integrator \"sppm\".";
     static constexpr EditKind kEdit = EditKind::SppmParameters;
     static constexpr FieldList kList{
         field("photonsPerPass", &SppmOptions::photonsPerPass,
@@ -187,6 +189,8 @@ struct FieldsOf<SppmOptions> {
 
 template <>
 struct FieldsOf<RayCastOptions> {
+    static constexpr const char* kHelp =
+        "Phong's model under the scene's lights, for the integrator \"raycast\".";
     static constexpr EditKind kEdit = EditKind::RayCastParameters;
     static constexpr FieldList kList{
         field("shadows", &RayCastOptions::shadows,
@@ -251,13 +255,20 @@ constexpr bool isTinted(MaterialKind kind) {
            kind == MaterialKind::Dielectric || kind == MaterialKind::Coated;
 }
 
+constexpr NumberRange rangeOf(const InputInfo& info, bool isColor) {
+    if (info.least != 0.0f || info.most != 1.0f) { return {.lo = info.least, .hi = info.most}; }
+    return isColor ? kReflectance : kUnitInterval;
+}
+
 /// The field of an input that material_inputs.h describes.
 template <class MemberIn>
 constexpr auto inputField(const ModelInput<MemberIn>& described) {
     const auto member = described.memberIn(TypeTag<Material>());
     using Input = std::remove_cvref_t<decltype(std::declval<Material>().*member)>;
+    constexpr bool kIsColor = std::is_same_v<Input, ColorInput>;
     return field<Material, Input>(described.info.key, member,
-                                  {.range = std::is_same_v<Input, ColorInput> ? kReflectance : kUnitInterval,
+                                  {.range = rangeOf(described.info, kIsColor),
+                                   .isColor = kIsColor,
                                    .help = described.info.help,
                                    .kinds = described.info.kinds,
                                    .onlyOwnKinds = true});
@@ -282,7 +293,7 @@ struct FieldsOf<Material> {
             field("type", &Material::kind, {.edit = EditKind::MaterialKind, .required = true}),
             label("", &Material::name),
             field("color", &Material::color,
-                  {.range = kReflectance, .help = "reflectance; conductor: a factor on it"},
+                  {.range = kReflectance, .isColor = true, .help = "reflectance; conductor: a factor on it"},
                   {.setDefault =
                        [](Material* material) {
                            material->color.value = Vec3(isTinted(material->kind) ? 1.0f : 0.5f);
@@ -378,12 +389,14 @@ struct FieldsOf<Material> {
                    .onlyIfSet = true}),
             field<Material, ColorInput>("transmission", &Material::transmission,
                                         {.range = kReflectance,
+                                         .isColor = true,
                                          .help = "what passes, diffusely; with the colour at most 1",
                                          .kinds = only(MaterialKind::Translucent),
                                          .onlyOwnKinds = true}),
             field<Material, ColorInput>(
                 "specularReflectance", &Material::specularReflectance,
                 {.range = kReflectance,
+                 .isColor = true,
                  .help = "of the highlight; with the colour at most 1, or both are scaled",
                  .kinds = only(MaterialKind::Phong, MaterialKind::Ward),
                  .onlyOwnKinds = true}),
@@ -447,7 +460,7 @@ struct FieldsOf<Material> {
             field("alphaCutsOut", &Material::alphaCutsOut,
                   {.help = "the alpha of the colour's image is a factor on the opacity", .onlyIfSet = true}),
             field("emission", &Material::emission,
-                  {.range = kNotNegative, .unit = "W/(sr m^2)", .help = "radiance"}),
+                  {.range = kNotNegative, .isColor = true, .unit = "W/(sr m^2)", .help = "radiance"}),
             field("emissionStrength", &Material::emissionStrength,
                   {.range = kNotNegative, .help = "factor on emission"}),
             field("emitsBothSides", &Material::emitsBothSides,
@@ -697,6 +710,14 @@ struct FieldsOf<SceneDescription> {
         label("", &SceneDescription::notes),
         label("", &SceneDescription::filesRead)};
 };
+
+/// Calls visit(kind, member) for each integrator that has options of its own; `member` points to those of a
+/// SceneDescription. In files their key is the integrator's.
+template <class Visit>
+constexpr void forEachIntegratorOptions(const Visit& visit) {
+    visit(IntegratorKind::Sppm, &SceneDescription::sppm);
+    visit(IntegratorKind::RayCast, &SceneDescription::rayCast);
+}
 
 /// The bit of FieldTraits::kinds that an object has.
 template <class Owner>

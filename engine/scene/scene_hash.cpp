@@ -208,8 +208,9 @@ std::vector<Setting> renderSettings(const SceneDescription& scene) {
     std::vector<Setting> settings;
     addSettings(scene.resolution, &settings);
     addSettings(scene.options, &settings);
-    if (scene.options.integrator == IntegratorKind::Sppm) { addSettings(scene.sppm, &settings); }
-    if (scene.options.integrator == IntegratorKind::RayCast) { addSettings(scene.rayCast, &settings); }
+    forEachIntegratorOptions([&](IntegratorKind kind, auto member) {
+        if (scene.options.integrator == kind) { addSettings(scene.*member, &settings); }
+    });
     return settings;
 }
 

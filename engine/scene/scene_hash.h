@@ -37,7 +37,7 @@ struct Setting {
     bool operator==(const Setting&) const = default;
 };
 
-/// Resolution and render options in a fixed order, and those of SPPM where it is the integrator.
+/// Resolution and render options in a fixed order, and those that the integrator alone has.
 std::vector<Setting> renderSettings(const SceneDescription& scene);
 
 /// All parts and settings together.

@@ -15,31 +15,28 @@ void mark(int index, std::vector<bool>* used) {
 
 std::vector<int> inputTextures(const Material& material) {
     std::vector<int> textures;
-    forEachInput(material, [&](std::string_view, const auto& input) { textures.push_back(input.texture); });
+    forEachInput(material, [&](const FieldTraits&, const auto& input) { textures.push_back(input.texture); });
     return textures;
 }
 
 std::vector<int*> inputTextures(Material* material) {
     std::vector<int*> textures;
-    forEachInput(*material, [&](std::string_view, auto& input) { textures.push_back(&input.texture); });
+    forEachInput(*material, [&](const FieldTraits&, auto& input) { textures.push_back(&input.texture); });
     return textures;
 }
 
 std::vector<int> usedTextures(const Material& material) {
-    std::vector<int> textures;
-    const auto add = [&](const auto& input) {
-        if (input.texture >= 0) { textures.push_back(input.texture); }
-    };
-    add(material.color);
-    add(material.emission);
-    add(material.bump);
-    add(material.normalMap);
-    add(material.opacity);
+    std::vector<const void*> unseen;
     forEachModelInput(
         [&](const InputInfo& info, const auto& input) {
-            if (looksAt(material, info)) { add(input); }
+            if (!looksAt(material, info)) { unseen.push_back(&input); }
         },
         material);
+    std::vector<int> textures;
+    forEachInput(material, [&](const FieldTraits&, const auto& input) {
+        const bool isSeen = std::ranges::find(unseen, &input) == unseen.end();
+        if (isSeen && input.texture >= 0) { textures.push_back(input.texture); }
+    });
     return textures;
 }
 

@@ -10,12 +10,12 @@
 
 namespace glint {
 
-/// Calls visit(key, input) for each input of a material, with its key in scene files: a ColorInput& or
-/// a NumberInput&.
+/// Calls visit(traits, input) for each input of a material, a ColorInput& or a NumberInput&, with the
+/// FieldTraits of its field.
 template <class AnyMaterial, class Visit>
 void forEachInput(AnyMaterial& material, const Visit& visit) {
     forEachField<Material>([&]<class Member>(const Field<Material, Member>& field) {
-        if constexpr (kIsInput<Member>) { visit(field.key, material.*field.member); }
+        if constexpr (kIsInput<Member>) { visit(field.traits, material.*field.member); }
     });
 }
 

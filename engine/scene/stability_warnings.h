@@ -1,6 +1,6 @@
 // What of a scene lies beyond float's reach, in words for the log: the limits that `glint stress` measures.
 //
-// Called by the loader once a scene is read. Only warns: such scenes render, but not well.
+// Only warns: such scenes render, but not well.
 #pragma once
 
 #include <string>

@@ -58,8 +58,10 @@ std::span<const TextSetting> textSettings() {
         std::vector<TextSetting> settings;
         addSettings<Camera>({}, &settings);
         addSettings<RenderOptions>({}, &settings);
-        addSettings<SppmOptions>(IntegratorKind::Sppm, &settings);
-        addSettings<RayCastOptions>(IntegratorKind::RayCast, &settings);
+        forEachIntegratorOptions([&](IntegratorKind kind, auto member) {
+            using Options = std::remove_cvref_t<decltype(std::declval<SceneDescription>().*member)>;
+            addSettings<Options>(kind, &settings);
+        });
         settings.push_back(
             {.option = "--radius",
              .variant = "radius",

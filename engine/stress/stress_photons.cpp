@@ -45,9 +45,9 @@ SceneDescription litFloor(float radius, uint32_t photons) {
     return photonFloor({0.2f, 1.0f, 0.1f}, 2.0f, 1.0f, sun, radius, photons);
 }
 
-/// Every photon of the floor counts in a disc that reaches beyond it: with the share s = 4 / (pi r^2) of the
-/// true density. The one point of the disc that a pass looks at misses the floor with 1 - s, which doubles
-/// them.
+/// Every photon of the floor counts in a disc that reaches beyond it: with the share s = 4 / (pi r^2) of
+/// the true density. The one point of the disc that a pass looks at misses the floor with 1 - s, which
+/// doubles them.
 StressCase largeRadiusCase(float radius) {
     StressCase c = namedCase(kPhotonFamily, "radius " + gradeNumber(radius),
                              "a radius " + gradeNumber(radius) + " times half the floor's size",

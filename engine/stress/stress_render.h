@@ -1,7 +1,7 @@
 // Renders a stability case on the CPU and takes means over blocks of the picture, with their errors.
 //
-// Called by the stability suite's families. Paired measurements render two scenes from the same random
-// numbers, so that noise cancels and only what the numbers do differently is left.
+// Paired measurements render two scenes from the same random numbers, so that noise cancels and only what the
+// numbers do differently is left.
 #pragma once
 
 #include <functional>

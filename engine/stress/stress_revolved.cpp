@@ -63,8 +63,8 @@ Ray levelRay(const TestedProfile& profile, uint64_t index, float slope) {
     return ray;
 }
 
-/// Rising by `slope`, at the height of two curves' common end somewhere within twice the radius from its
-/// middle.
+/// Rising by `slope`, at the height of two curves' common end somewhere within twice the radius from
+/// its middle.
 Ray jointRay(const TestedProfile& profile, uint64_t index, float slope) {
     const std::array<float, 6> u = numbersOf(index);
     const auto& curves = profile.table.curves;

@@ -1,7 +1,7 @@
 // Scenes and materials that families of the stability suite share, and the changes of unit and place that
 // must not matter.
 //
-// Called by the suite's families. Scenes are small descriptions made in code; none reads a file.
+// Scenes are small descriptions made in code; none reads a file.
 #pragma once
 
 #include <string>

@@ -1,6 +1,4 @@
 // The stability suite: all cases in order, which of them a filter means, and running them.
-//
-// Called by `glint stress` and its tests.
 #pragma once
 
 #include <functional>

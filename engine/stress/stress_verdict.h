@@ -1,7 +1,7 @@
 // The rule that turns what a stability case measured into ok, degraded or broken.
 //
-// Called by the suite and its tests. A deviation counts only as far as it lies beyond its confidence
-// interval: noise is never called an error, and an interval too wide to see an error is never called ok.
+// A deviation counts only as far as it lies beyond its confidence interval: noise is never called an error,
+// and an interval too wide to see an error is never called ok.
 #pragma once
 
 #include "engine/stress/stress_case.h"

@@ -1,6 +1,6 @@
-// Films keep their bits from version to version: the program's own scenes, five text scenes and an OBJ file,
-// under both integrators and with each kernel variant that the CPU back end may choose, against stored
-// fingerprints.
+// Films keep their bits from version to version: the program's own scenes, five text scenes and an OBJ
+// file, under both integrators and with each kernel variant that the CPU back end may choose, against
+// stored fingerprints.
 //
 // tests/README.md says how to store new ones where a picture is meant to change.
 #include <cstdlib>

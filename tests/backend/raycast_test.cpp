@@ -1,6 +1,6 @@
-// Ray casting: Phong's formula at known pixels, shadows, falloff, the light from the camera; the same as path
-// tracing of depth 1 where surfaces are diffuse; the same bits for any number of threads and over a
-// checkpoint.
+// Ray casting: Phong's formula at known pixels, shadows, falloff, the light from the camera; the same
+// as path tracing of depth 1 where surfaces are diffuse; the same bits for any number of threads and
+// over a checkpoint.
 #include <cmath>
 
 #include <gtest/gtest.h>

@@ -16,7 +16,7 @@ cd "$prefix"
 scenes=share/glint/scenes
 test -s $scenes/glint.schema.json
 for page in README.md scenes/README.md; do test -s "share/doc/Glint/$page"; done
-for scene in "$1"/scenes/*.json; do cmp "$scene" "$scenes/$(basename "$scene")"; done
+for scene in "$1"/scenes/*.json "$1"/scenes/*.txt; do cmp "$scene" "$scenes/$(basename "$scene")"; done
 
 bin/glint bench paths --help >measure.txt
 bin/glint stress --list >>measure.txt

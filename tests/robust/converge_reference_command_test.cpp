@@ -167,7 +167,7 @@ TEST_F(ConvergeReference, ABiasedReferenceIsMarkedEverywhere) {
         converge({"--make-reference", "0.05", "--reference-variant", "sppm:photons=500", "--passes", "2",
                   "--seeds", "1", "--integrators", "pt", "--pictures", "0"});
     ASSERT_EQ(run.exitCode, 0) << run.err;
-    const std::string mark = "bias of its finite radius is not in its error bar";
+    const std::string mark = "whose bias is not in its error bar";
     EXPECT_TRUE(says(run.out, mark));
     EXPECT_TRUE(says(TempFolder::read(file("summary.json")), mark));
     EXPECT_NE(TempFolder::read(file("index.html")).find(mark), std::string::npos);

@@ -1,5 +1,5 @@
-// `glint render --denoise` and the variant of `glint converge`: the error falls, the film stays, files say
-// so.
+// `glint render --denoise` and the variant of `glint converge`: the error falls, the film stays, files
+// say so.
 #include <gtest/gtest.h>
 
 #include "engine/io/exr_io.h"

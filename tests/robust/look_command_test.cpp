@@ -1,5 +1,5 @@
-// `glint render --white-balance`, `--tint` and `--dither`: PNGs alone change, and only where they are asked
-// for.
+// `glint render --white-balance`, `--tint` and `--dither`: PNGs alone change, and only where they are
+// asked for.
 #include <cstdlib>
 
 #include <gtest/gtest.h>

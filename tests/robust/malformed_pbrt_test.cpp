@@ -1,5 +1,5 @@
-// pbrt scenes that are broken or made to break: one error that names its place, bounded memory, and never a
-// crash.
+// pbrt scenes that are broken or made to break: one error that names its place, bounded memory, and never
+// a crash.
 
 #include "engine/io/image_io.h"
 #include "tests/support/damaged_text.h"

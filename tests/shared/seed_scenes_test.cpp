@@ -1,6 +1,6 @@
-// Scenes that are not part of the repository, in ../shared/seed-scenes: text scenes are read or say what they
-// lack, large meshes are read whole, and what was saved renders the same. Skipped where the folder is
-// missing.
+// Scenes that are not part of the repository, in ../shared/seed-scenes: text scenes are read or say what
+// they lack, large meshes are read whole, and what was saved renders the same. Skipped where the folder
+// is missing.
 #include <filesystem>
 #include <map>
 

@@ -1,5 +1,5 @@
-// What edges cut off the discs around visible points, and what is left of the bias: closed forms, and path
-// tracing.
+// What edges cut off the discs around visible points, and what is left of the bias: closed forms, and
+// path tracing.
 //
 // Means over independent seeds, against truths: Student's t with 15 degrees of freedom, two-sided at 1e-6.
 #include "engine/kernels/disc_coverage.h"

@@ -121,8 +121,8 @@ TEST(DispersionRender, WhiteStaysWhite) {
     for (const RunningMean& channel : furnace(glassOf("SF11"))) {
         EXPECT_NEAR(channel.mean(), 1.0, kStudentQuantile * channel.standardError() + 1e-6);
     }
-    // Rough glass loses what bounces between facets, the more the higher its index: with dispersion as
-    // without.
+    // Rough glass loses what bounces between facets, the more the higher its index: with dispersion
+    // as without.
     Material rough = glassOf("SF11");
     rough.roughness.value = 0.3f;
     const auto dispersed = furnace(rough);

@@ -1,6 +1,6 @@
-// Environments that shine through a rectangle alone: what comes through it, how directions are distributed
-// within it, and that a room with one window looks as it does without the portal, which only says where to
-// look.
+// Environments that shine through a rectangle alone: what comes through it, how directions are
+// distributed within it, and that a room with one window looks as it does without the portal, which only
+// says where to look.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -78,8 +78,8 @@ class ExportTest : public Opened {
         }
         EXPECT_GT(sum, 1.0);
         // In a square of 20 km, float finds u and v to 0.001, and 0.02 was measured. A picture that is
-        // stretched over the whole square differs by 1.9, one twice as large by 0.9 (from the picture's
-        // texels).
+        // stretched over the whole square differs by 1.9, one twice as large by 0.9 (from the
+        // picture's texels).
         EXPECT_LE(difference, 0.05 * sum);
     }
     /// Adds a lamp of ray casting alone to the scene, and expects it back without, and with a word.

@@ -1,5 +1,5 @@
-// Films that must be the same to the last bit, of a scene and of the scene that saving and loading makes of
-// it.
+// Films that must be the same to the last bit, of a scene and of the scene that saving and loading makes
+// of it.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@ Film renderPasses(const SceneDescription& scene, uint32_t passes, int threads);
 
 void expectSameBits(const Film& a, const Film& b);
 
-/// Loads the file with missing parts allowed, saves it into another folder, loads that, and compares the
-/// films.
+/// Loads the file with missing parts allowed, saves it into another folder, loads that, and compares
+/// the films.
 void expectSameFilmWhenSaved(const std::string& path);
 
 }  // namespace glint::test

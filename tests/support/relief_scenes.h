@@ -17,8 +17,8 @@ std::shared_ptr<const ImageF> waves(int size, int count);
 /// Appends a texture and returns its index.
 int addTexture(SceneDescription* scene, std::shared_ptr<const ImageF> image);
 
-/// A floor, a back wall and a lamp in a dim sky; what stands on the floor is for the caller to add. 32 x 32
-/// pixels.
+/// A floor, a back wall and a lamp in a dim sky; what stands on the floor is for the caller to add. 32 x
+/// 32 pixels.
 SceneDescription reliefRoom(const Material& floor);
 
 }  // namespace glint::test

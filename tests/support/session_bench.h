@@ -1,5 +1,5 @@
-// A session with a fake backend for tests: no renderer, no OpenMP, so that the thread sanitizer sees every
-// lock.
+// A session with a fake backend for tests: no renderer, no OpenMP, so that the thread sanitizer sees
+// every lock.
 #pragma once
 
 #include <chrono>

@@ -12,8 +12,8 @@ SceneDescription small(SceneDescription scene);
 SceneDescription roughGlassBox();
 
 /// Balls of rough glass that rest on a floor, one with a shell of it inside, beside a sheet of two tiles of
-/// it that lies on the floor: everywhere surfaces that photons pass, closer to what is behind than a radius;
-/// small.
+/// it that lies on the floor: everywhere surfaces that photons pass, closer to what is behind than a
+/// radius; small.
 SceneDescription roughGlassInContact();
 
 /// A box whose floor has steep waves by heights and whose ball's normals lean by a map; small.

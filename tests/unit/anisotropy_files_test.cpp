@@ -1,5 +1,5 @@
-// Roughness of two directions and Beckmann's facets in the files of every format, and what is written of
-// them.
+// Roughness of two directions and Beckmann's facets in the files of every format, and what is written
+// of them.
 #include <gmock/gmock.h>
 
 #include "engine/io/exporter.h"

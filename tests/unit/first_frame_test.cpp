@@ -54,8 +54,8 @@ std::vector<float> castPicture(SceneDescription scene, const FilmSnapshot& like)
     return session.snapshot()->radiance;
 }
 
-/// The share of pixels of `a` that lie beyond what `b` has in the 3x3 pixels around: edges are mixtures
-/// there.
+/// The share of pixels of `a` that lie beyond what `b` has in the 3x3 pixels around: edges are
+/// mixtures there.
 double shareUnlike(const std::vector<float>& a, const std::vector<float>& b, int width, int height) {
     constexpr float kAlike = 0.02f;
     int unlike = 0;

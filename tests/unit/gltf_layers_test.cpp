@@ -61,8 +61,8 @@ TEST_F(GltfLayers, RoughnessAndMetalnessAreOnePicture) {
               2.0f);
 }
 
-/// Shares are multiplied by the factor, roughness is squared behind it, each by the channel that glTF has it
-/// in.
+/// Shares are multiplied by the factor, roughness is squared behind it, each by the channel that glTF has
+/// it in.
 TEST_F(GltfLayers, PicturesOfLayersAreKept) {
     SceneDescription scene = square();
     Material& paint = scene.materials[0] = paintOf();

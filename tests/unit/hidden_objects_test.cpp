@@ -1,5 +1,5 @@
-// Objects that are hidden: kept in scenes, files and checkpoints, and no part of what is read, built and
-// exported.
+// Objects that are hidden: kept in scenes, files and checkpoints, and no part of what is read, built
+// and exported.
 #include <algorithm>
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
-// Lamps of OBJ files shine away from a wall close behind them and out of closed bodies, and on both sides
-// otherwise.
+// Lamps of OBJ files shine away from a wall close behind them and out of closed bodies, and on both
+// sides otherwise.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -89,8 +89,8 @@ TEST(Metrics, TrimmingDropsTheOutlierAndNothingElse) {
     EXPECT_NEAR(compare(test, reference, {.trimmedShare = 0.0}).relMseTrimmed, m.relMse, 1e-6 * m.relMse);
 }
 
-/// A spark is one wrong pixel however bright it is, a lamp counts by its own brightness, and black is all
-/// wrong.
+/// A spark is one wrong pixel however bright it is, a lamp counts by its own brightness, and black is
+/// all wrong.
 TEST(Metrics, ThePictureErrorIsOfNoLampAndNoSpark) {
     ImageF reference = flatImage(40, 50, 1.0f);
     ImageF test = flatImage(40, 50, 1.1f);

@@ -1,5 +1,5 @@
-// Scenes written as Mitsuba XML: opened again they show the same picture, bit for bit where nothing is
-// approximated.
+// Scenes written as Mitsuba XML: opened again they show the same picture, bit for bit where nothing
+// is approximated.
 #include "tests/support/export_test.h"
 #include "tests/support/mitsuba_test.h"
 

@@ -1,5 +1,5 @@
-// Loops on the render threads: every index once, what a body throws, and no team of threads for a serial
-// loop.
+// Loops on the render threads: every index once, what a body throws, and no team of threads for a
+// serial loop.
 #include "engine/base/parallel.h"
 
 #include <atomic>

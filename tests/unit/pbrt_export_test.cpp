@@ -1,5 +1,5 @@
-// Scenes written as pbrt-v4: opened again they show the same picture, bit for bit where nothing is
-// approximated.
+// Scenes written as pbrt-v4: opened again they show the same picture, bit for bit where nothing
+// is approximated.
 #include "engine/scene/metals.h"
 #include "tests/support/export_test.h"
 #include "tests/support/pbrt_test.h"

@@ -145,8 +145,8 @@ TEST(ProfilePieces, LieEndToEndAndFillGroups) {
         EXPECT_EQ(table.groups.size(), (table.pieces.size() + kGroupPieces - 1) / kGroupPieces)
             << profile.name;
     }
-    // Each of its 37 curves has a turn, so that 74 parts are the least; flat ones would be more than three
-    // groups.
+    // Each of its 37 curves has a turn, so that 74 parts are the least; flat ones would be more than
+    // three groups.
     EXPECT_EQ(builtProfile(wavy.object()).pieces.size(), 3 * kGroupPieces);
 }
 

@@ -115,8 +115,8 @@ std::string titleOf(std::string_view key, size_t index) {
     return std::string(typeid(Owner).name()) + " " + std::to_string(index) + " " + std::string(key);
 }
 
-/// Calls check(before, after, field, title, isTexture) for each field of each object of the scene, changed by
-/// itself.
+/// Calls check(before, after, field, title, isTexture) for each field of each object of the scene, changed
+/// by itself.
 template <class Owner, class Check>
 void forEachChange(const SceneDescription& scene, const Check& check) {
     SceneDescription counted = scene;

@@ -1,6 +1,4 @@
 // What stands for shapes in programs that lack them, against the kernels' shapes.
-#include "engine/scene/shape_meshes.h"
-
 #include <gtest/gtest.h>
 
 #include "engine/kernels/shapes/shapes.h"

@@ -1,5 +1,5 @@
-// Scenes read what they use and nothing else, whatever their format; the rest keeps its name and survives
-// saving.
+// Scenes read what they use and nothing else, whatever their format; the rest keeps its name and
+// survives saving.
 #include "engine/io/used_assets.h"
 
 #include <filesystem>

@@ -61,8 +61,8 @@ screenshot "curves.png"
     EXPECT_THAT(ran.output, HasSubstr("90 %: "));
 }
 
-/// Statements that move the mouse over the curve's plot, for how long passes take decides where its curves
-/// are.
+/// Statements that move the mouse over the curve's plot, for how long passes take decides where its
+/// curves are.
 std::string lookAround() {
     std::string script;
     for (int i = 0; i < 63; ++i) {

@@ -161,8 +161,8 @@ TEST(EditHistory, AStepOfAThousandObjectsCostsNotAThousandObjects) {
     EXPECT_LE(edits.itemsCopied() - before, 2u * 64u * 300u);
 }
 
-/// What a state had is there again when nobody holds its scene any more: every field, and heavy parts by
-/// identity.
+/// What a state had is there again when nobody holds its scene any more: every field, and heavy parts
+/// by identity.
 TEST(EditHistory, AStateThatNobodyHoldsIsTheSame) {
     SceneDocument document;
     SceneDescription scene = smallScene();

@@ -95,7 +95,7 @@ set "Attenuation distance" 2
 
 TEST(MaterialsViewer, MetalsAreCoated) {
     const Material lacquer = editedBy(R"(
-set "Materials/Kind" "Coated metal"
+set "Materials/Kind" Coated
 wait frames 2
 set "IOR" 1.75
 set "Roughness" 0.25

@@ -1,5 +1,5 @@
-// Objects that are added, copied, hidden, removed and moved with handles, and materials from the library, by
-// script.
+// Objects that are added, copied, hidden, removed and moved with handles, and materials from the library,
+// by script.
 #include <cmath>
 
 #include <gmock/gmock.h>

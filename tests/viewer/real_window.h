@@ -1,5 +1,5 @@
-// A real window on an X server of the test's own (Xvfb), with a mouse and a keyboard that are not ours
-// (xdotool).
+// A real window on an X server of the test's own (Xvfb), with a mouse and a keyboard that are not
+// ours (xdotool).
 //
 // Nothing here is timed: the tests wait for what the window's title says. The guard against hanging is
 // generous. Where a widget is comes from a script's `print widgets` in a headless window of the same size.

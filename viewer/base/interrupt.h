@@ -1,6 +1,6 @@
-// Signals that ask the program to end, as a request: Ctrl-C, a terminal that closes, a scheduler, a limit of
-// processor time. A command that has something to lose looks for it, saves, and ends with
-// kInterruptedExitCode.
+// Signals that ask the program to end, as a request: Ctrl-C, a terminal that closes, a scheduler,
+// a limit of processor time. A command that has something to lose looks for it, saves, and ends
+// with kInterruptedExitCode.
 #pragma once
 
 #include "engine/render/session_status.h"

@@ -32,8 +32,8 @@ class MemoryReserve {
     size_t bytes_;
 };
 
-/// What saving a picture and a checkpoint takes at most: a copy of the film, and its forms on the way into a
-/// file.
+/// What saving a picture and a checkpoint takes at most: a copy of the film, and its forms on the way into
+/// a file.
 inline size_t bytesToSave(const SceneDescription& scene, bool hasLayers) {
     const Resolution& size = scene.resolution;
     const size_t pixels = static_cast<size_t>(size.width) * static_cast<size_t>(size.height);

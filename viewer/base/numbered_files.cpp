@@ -1,5 +1,5 @@
-// The names may be millions, so they are never gone through: the folder's entries are compared with the
-// pattern.
+// The names may be millions, so they are never gone through: the folder's entries are compared with
+// the pattern.
 #include "viewer/base/numbered_files.h"
 
 #include <algorithm>

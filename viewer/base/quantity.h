@@ -7,8 +7,8 @@
 
 namespace glint {
 
-/// What stands behind the number in a printf format: "mm" of "%.1f mm", "%" of "%.2f %%"; "" where nothing
-/// does.
+/// What stands behind the number in a printf format: "mm" of "%.1f mm", "%" of "%.2f %%"; "" where
+/// nothing does.
 std::string_view unitOfFormat(std::string_view format);
 
 /// A number as parseNumber() (units.h) takes it, or a fraction such as "1/3", "1 1/3" and "-2/3"; behind it,

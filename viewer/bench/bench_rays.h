@@ -1,9 +1,8 @@
 // `glint bench rays`: rays per second of the acceleration structure beside Embree's, and every hit compared.
 //
-// Called by the bench command. Primary rays from inside a closed mesh, diffuse bounces from their hits,
-// shadow rays from the bounces' hits to a sphere in the middle: all rays stay in the mesh. Both programs
-// get the same rays in the same order on the same threads, turn by turn; each figure is the median over
-// the turns.
+// Primary rays from inside a closed mesh, diffuse bounces from their hits, shadow rays from the bounces' hits
+// to a sphere in the middle: all rays stay in the mesh. Both programs get the same rays in the same order on
+// the same threads, turn by turn; each figure is the median over the turns.
 #pragma once
 
 #include <array>

@@ -3,6 +3,7 @@
 
 #include "engine/io/scene_loader.h"
 #include "engine/scene/generated_mesh.h"
+#include "engine/scene/scene_building.h"
 
 namespace glint {
 namespace {
@@ -10,21 +11,15 @@ namespace {
 constexpr float kQuarterTurn = kPi / 2.0f;
 
 int addMaterial(SceneDescription* scene, const char* name, const Vec3& color) {
-    Material material;
-    material.name = name;
-    material.color.value = color;
-    scene->materials.push_back(material);
-    return static_cast<int>(scene->materials.size()) - 1;
+    const int index = addMaterial(scene, diffuseMaterial(color));
+    scene->materials.back().name = name;
+    return index;
 }
 
 void addObject(SceneDescription* scene, const char* name, ShapeKind shape, int material,
                const Affine& placement) {
-    Object object;
-    object.name = name;
-    object.shape = shape;
-    object.material = material;
-    object.objectToWorld = placement;
-    scene->objects.push_back(object);
+    addObject(scene, shape, placement, material);
+    scene->objects.back().name = name;
 }
 
 int addEmitter(SceneDescription* scene, const Vec3& radiance) {

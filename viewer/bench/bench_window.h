@@ -1,5 +1,5 @@
-// How long the window's own work of a frame takes beside a full render, with thousands of objects in its
-// outliner.
+// How long the window's own work of a frame takes beside a full render, with thousands of objects in
+// its outliner.
 #pragma once
 
 #include "engine/base/result.h"

@@ -1,6 +1,4 @@
 // Where Glint and Embree answer differently: is it rounding, and of which kind?
-//
-// Called by `glint bench rays` and by the tests that use Embree as an oracle.
 #pragma once
 
 #include <optional>

@@ -1,8 +1,8 @@
 // How commands declare their options, without the headers of the library that parses them: CLI11 takes ten
 // seconds to compile wherever it is seen.
 //
-// Handles: a copy declares the same command or option. What an option points to must live as long as its
-// command.
+// Handles: a copy declares the same command or option. What an option points to must live as long as
+// its command.
 #pragma once
 
 #include <cstdint>
@@ -37,8 +37,8 @@ class Option {
     Option range(uint32_t least, uint32_t most) const;
     Option range(double least, double most) const;
     Option oneOf(const std::vector<std::string>& names) const;
-    /// A finite number in [least, most]; unlike range(), which lets NaN through, it does not stand in the
-    /// help.
+    /// A finite number in [least, most]; unlike range(), which lets NaN through, it does not stand in
+    /// the help.
     Option between(double least, double most) const;
     /// A finite number greater than zero.
     Option aboveZero() const;
@@ -76,8 +76,8 @@ class Command {
     Command(CLI::App* app, int* exitCode) : app_(app), exitCode_(exitCode) {}
 
     Command subcommand(const std::string& name, const std::string& about) const;
-    /// Called when the user chose this command and all options are in their targets. Gives back the exit
-    /// code.
+    /// Called when the user chose this command and all options are in their targets. Gives back the
+    /// exit code.
     void onRun(std::function<int()> run) const;
 
     /// `names` as "-o,--output", or without dashes for an argument. A value without a character, such as a

@@ -1,8 +1,8 @@
 // The program's commands. Each add…Command() describes one to the command line parser and runs it when it
 // is chosen.
 //
-// Called by program.cpp. A command prints its result to standard output and its one error message to standard
-// error, and answers with an exit code; nothing here calls exit().
+// A command prints its result to standard output and its one error message to standard error, and answers
+// with an exit code; nothing here calls exit().
 #pragma once
 
 #include "engine/base/result.h"

@@ -1,6 +1,6 @@
 // What a batch render says at its end: a line for people, warnings, and the JSON report.
 //
-// Called by render_run.cpp. Numbers come from the capture that was saved, so that they fit the picture.
+// Numbers come from the capture that was saved, so that they fit the picture.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// Options that change a scene's own settings: one for each field that names an option, and the picture's
-// size.
+// Options that change a scene's own settings: one for each field that names an option, and the
+// picture's size.
 #pragma once
 
 #include <functional>

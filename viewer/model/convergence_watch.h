@@ -1,5 +1,5 @@
-// How far the image is from the truth, of each integrator: by its own estimate, and against a loaded
-// reference.
+// How far the image is from the truth, of each integrator: by its own estimate, and against a
+// loaded reference.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// The newest picture without its noise, made by a job: quickly while the render moves on, carefully once it
-// rests.
+// The newest picture without its noise, made by a job: quickly while the render moves on, carefully once
+// it rests.
 //
 // The denoised picture before stays until the next is there, so that neither the window nor the render waits.
 #pragma once

@@ -45,4 +45,8 @@ ComparedPair DisplaySettings::pairOf(IntegratorKind own) const {
     return {std::min(own, other), std::max(own, other)};
 }
 
+bool DisplaySettings::shows(IntegratorKind kind, IntegratorKind own) const {
+    return kind == own || (split && kind == otherOf(own));
+}
+
 }  // namespace glint

@@ -70,6 +70,8 @@ struct DisplaySettings : DisplayChoices {
     void choose(const DisplayChoices& choices) { static_cast<DisplayChoices&>(*this) = choices; }
     IntegratorKind otherOf(IntegratorKind own) const;
     ComparedPair pairOf(IntegratorKind own) const;
+    /// Whether a picture by `kind` is on screen where the scene's integrator is `own`.
+    bool shows(IntegratorKind kind, IntegratorKind own) const;
 };
 
 }  // namespace glint

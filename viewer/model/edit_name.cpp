@@ -17,15 +17,16 @@ struct PartName {
 };
 
 constexpr PartName kParts[] = {
-    {"resolution", "Picture"},  {"camera", "Camera"},    {"render", "Render"},          {"sppm", "SPPM"},
-    {"raycast", "Ray casting"}, {"textures", "Texture"}, {"materials", "Material"},     {"meshes", "Mesh"},
-    {"objects", "Object"},      {"lights", "Light"},     {"environment", "Environment"}};
+    {"resolution", "Picture"}, {"camera", "Camera"},      {"render", "Render"},
+    {"textures", "Texture"},   {"materials", "Material"}, {"meshes", "Mesh"},
+    {"objects", "Object"},     {"lights", "Light"},       {"environment", "Environment"}};
 
 const char* nameOfPart(std::string_view key) {
     for (const PartName& part : kParts) {
         if (part.key == key) { return part.one; }
     }
-    return "Scene";
+    const std::optional<IntegratorKind> owner = integratorByName(key);
+    return owner ? integratorInfo(*owner).displayName : "Scene";
 }
 
 /// "aperture diameter" of "apertureDiameter". A unit at its end is left out.

@@ -1,5 +1,5 @@
-// Asks the user for a file: by the desktop's own dialog where one is installed (zenity, kdialog), else by
-// ours.
+// Asks the user for a file: by the desktop's own dialog where one is installed (zenity, kdialog), else
+// by ours.
 #pragma once
 
 #include <functional>

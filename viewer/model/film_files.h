@@ -66,8 +66,8 @@ class FilmFiles {
     /// The session has to make layers.
     bool needsLayers() const { return exrLayers || isExrPending_; }
     bool isExrPending() const { return isExrPending_; }
-    /// Once a frame: goes on with what waited for layers, and saves by itself. `busy`: other jobs are under
-    /// way.
+    /// Once a frame: goes on with what waited for layers, and saves by itself. `busy`: other jobs are
+    /// under way.
     void refresh(bool busy);
 
   private:

@@ -21,12 +21,10 @@ bool isOfFile(const SceneImage& image, const std::string& scenePath, const std::
 }
 
 ColorEncoding encodingOf(const Material& material, size_t input) {
-    static constexpr std::string_view kColors[]{"color", "emission", "transmission", "specularTint",
-                                                "sheenColor"};
     size_t index = 0;
     bool isColor = false;
-    forEachInput(material, [&](std::string_view key, const auto&) {
-        if (index++ == input) { isColor = std::ranges::find(kColors, key) != std::end(kColors); }
+    forEachInput(material, [&](const FieldTraits& traits, const auto&) {
+        if (index++ == input) { isColor = traits.isColor; }
     });
     return isColor ? ColorEncoding::Srgb : ColorEncoding::Linear;
 }

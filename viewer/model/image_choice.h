@@ -9,9 +9,9 @@
 
 namespace glint {
 
-/// Puts the image file on one of a material's inputs: `input` counts them as inputTextures() does. Colours
-/// are taken for sRGB, numbers and normals for linear. A texture of the scene that is of that file is used
-/// again.
+/// Puts the image file on one of a material's inputs: `input` counts them as inputTextures() does.
+/// Colours are taken for sRGB, numbers and normals for linear. A texture of the scene that is of that
+/// file is used again.
 void chooseTextureFile(SceneDocument* document, size_t material, size_t input, const std::string& path);
 
 /// The image file is what a light shows, or by which it shines, in sRGB.

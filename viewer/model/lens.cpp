@@ -16,9 +16,9 @@ constexpr auto kSensors = std::to_array<SensorSize>({{"Full frame, 36 × 24 mm",
                                                      {"Medium format, 43.8 × 32.9 mm", 32.9f},
                                                      {"Custom", 0.0f}});
 
-/// Pixels of a metre across in the distance of a metre, times the aperture: the circle of a point at half
-/// the focal distance, times that distance. With parallel rays: the circle of a point at twice the focal
-/// distance.
+/// Pixels of a metre across in the distance of a metre, times the aperture: the circle of a point at
+/// half the focal distance, times that distance. With parallel rays: the circle of a point at twice the
+/// focal distance.
 float blurFactor(const Camera& camera, int imageHeight) {
     return camera.apertureDiameter * static_cast<float>(imageHeight) / heightOfView(camera, 1.0f);
 }

@@ -1,5 +1,5 @@
-// Materials by name, to begin with: metals and glasses by their measured constants, plastics, paints and
-// layers.
+// Materials by name, to begin with: metals and glasses by their measured constants, plastics, paints
+// and layers.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// Objects and lights that are added, copied, hidden and removed. All of it is an edit of the document's
-// draft.
+// Objects and lights that are added, copied, hidden and removed. All of it is an edit of the
+// document's draft.
 #pragma once
 
 #include <string>

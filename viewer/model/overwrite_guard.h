@@ -20,8 +20,8 @@ class OverwriteGuard {
     /// The session goes on with this file: it may be replaced without a question, by what is of the same.
     void mayReplace(const std::string& path, const std::string& of = {});
 
-    /// What is to be replaced, of `save`'s paths those that the question is about; empty while nothing is
-    /// asked.
+    /// What is to be replaced, of `save`'s paths those that the question is about; empty while nothing
+    /// is asked.
     const std::vector<std::string>& asked() const { return asked_; }
     void agree();
     void refuse();

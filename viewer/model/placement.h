@@ -16,8 +16,8 @@ struct PlacementNumbers {
 Mat3 rotationOf(const Affine& placed);
 Mat3 rotationFromDegrees(const Vec3& degrees);
 PlacementNumbers numbersOf(const Affine& placed);
-/// Moves, turns and stretches `placed`, which may be sheared and stays so, from one set of numbers to
-/// another.
+/// Moves, turns and stretches `placed`, which may be sheared and stays so, from one set of numbers
+/// to another.
 Affine withNumbers(const Affine& placed, const PlacementNumbers& from, const PlacementNumbers& to);
 
 }  // namespace glint

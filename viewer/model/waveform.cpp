@@ -39,8 +39,8 @@ Waveform waveformOf(const FilmSnapshot& snapshot, const DisplayLook& look, Wavef
         waveform.shares[(pane * waveform.columnsPerPane + column) * Waveform::kLevels + levelOf(shown)] +=
             1.0f;
     };
-    // A step that shares no factor with the width would do, too; rows and columns apart keep every column
-    // alike.
+    // A step that shares no factor with the width would do, too; rows and columns apart keep every
+    // column alike.
     const size_t stepX = width / (4 * kColumns) + 1;
     const size_t stepY = height * (width / stepX + 1) / kMostPixels + 1;
     for (size_t y = 0; y < height; y += stepY) {

@@ -20,8 +20,8 @@ struct CurveSource {
 /// Errors are measured against the reference.
 bool hasReference(const ConvergenceWatch& convergence);
 
-/// The first ones are what is shown of each integrator in use, in their order; fainter ones behind them may
-/// follow.
+/// The first ones are what is shown of each integrator in use, in their order; fainter ones behind them
+/// may follow.
 std::vector<CurveSource> curveSources(const ConvergenceWatch& convergence);
 /// A curve for each source, in per cent over seconds. `target`: the relative error to reach.
 LogLogPlot convergencePlot(const ConvergenceWatch& convergence, const std::vector<CurveSource>& sources,

@@ -1,5 +1,5 @@
-// Numbered pictures of a camera that moves: a turn around what is looked at, or a flight through the
-// bookmarks.
+// Numbered pictures of a camera that moves: a turn around what is looked at, or a flight through
+// the bookmarks.
 #include <cfloat>
 #include <string>
 

@@ -6,10 +6,12 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "engine/scene/kind_names.h"
 #include "engine/scene/scene_use.h"
 #include "viewer/model/scene_document.h"
 #include "viewer/model/scene_files.h"
 #include "viewer/panels/asset_state.h"
+#include "viewer/panels/input_words.h"
 #include "viewer/panels/material_drag.h"
 #include "viewer/panels/material_model_rows.h"
 #include "viewer/panels/material_patch.h"
@@ -20,17 +22,18 @@
 namespace glint {
 namespace {
 
-constexpr ui::KindLabel<MaterialKind> kKinds[]{{MaterialKind::Diffuse, "Diffuse"},
-                                               {MaterialKind::Mirror, "Mirror"},
-                                               {MaterialKind::Conductor, "Conductor"},
-                                               {MaterialKind::Dielectric, "Dielectric"},
-                                               {MaterialKind::Plastic, "Plastic"},
-                                               {MaterialKind::Mixture, "Mixture"},
-                                               {MaterialKind::Translucent, "Translucent"},
-                                               {MaterialKind::Principled, "Principled"},
-                                               {MaterialKind::Phong, "Phong"},
-                                               {MaterialKind::Ward, "Ward"},
-                                               {MaterialKind::Coated, "Coated metal"}};
+/// By the words of scene files.
+void drawKind(MaterialKind* kind) {
+    const auto kinds = kindNames<MaterialKind>();
+    std::vector<std::string> labels;
+    int index = 0;
+    for (const auto& entry : kinds) {
+        if (entry.kind == *kind) { index = static_cast<int>(labels.size()); }
+        labels.push_back(inputLabel(entry.name));
+    }
+    const std::vector<std::string_view> views(labels.begin(), labels.end());
+    if (ui::choice("Kind", &index, views)) { *kind = kinds[static_cast<size_t>(index)].kind; }
+}
 
 std::string nameOf(const Material& material, size_t index) {
     return material.name.empty() ? fmt::format("material {}", index) : material.name;
@@ -156,7 +159,7 @@ void draw(SceneDocument* document, AssetReader* assets, SceneFiles* files) {
     drawList(document);
     Material& material = materials[static_cast<size_t>(selected)];
     ImGui::PushID(selected);
-    ui::kindChoice("Kind", &material.kind, kKinds);
+    drawKind(&material.kind);
     const TextureRows rows(document, files, static_cast<size_t>(selected));
     drawScattering(rows, assets, &material);
     if (Texture* texture = placedTexture(material, &document->draft().textures)) { drawPlacement(texture); }

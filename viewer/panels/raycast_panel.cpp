@@ -17,10 +17,7 @@ void draw(SceneDocument* document) {
 }
 
 bool isShown(const SceneDocument* document, const DisplaySettings* display) {
-    const IntegratorKind own = document->draft().options.integrator;
-    const auto [left, right] = display->pairOf(own);
-    const bool isCompared = left == IntegratorKind::RayCast || right == IntegratorKind::RayCast;
-    return own == IntegratorKind::RayCast || (display->split && isCompared);
+    return display->shows(IntegratorKind::RayCast, document->draft().options.integrator);
 }
 
 }  // namespace

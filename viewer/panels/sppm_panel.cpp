@@ -116,10 +116,7 @@ void draw(SceneDocument* document, const RenderControl* render) {
 }
 
 bool isShown(const SceneDocument* document, const DisplaySettings* display) {
-    const IntegratorKind own = document->draft().options.integrator;
-    const auto [left, right] = display->pairOf(own);
-    const bool isCompared = left == IntegratorKind::Sppm || right == IntegratorKind::Sppm;
-    return own == IntegratorKind::Sppm || (display->split && isCompared);
+    return display->shows(IntegratorKind::Sppm, document->draft().options.integrator);
 }
 
 }  // namespace

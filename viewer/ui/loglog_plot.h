@@ -1,7 +1,7 @@
 // A plot on two logarithmic axes, drawn with ImGui's draw list: curves with bands, a target line, decades, a
 // legend, and what the mouse points at.
 //
-// Used by the Convergence panel. Knows of curves and texts, not of renders.
+// Knows of curves and texts, not of renders.
 #pragma once
 
 #include <optional>

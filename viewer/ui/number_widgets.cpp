@@ -64,8 +64,8 @@ int clampedInteger(double value, const NumberStyle& style) {
     return static_cast<int>(std::clamp(value, low, high));
 }
 
-/// Typed numbers keep the bounds that dragged ones have. `neighbours`: the largest size of the numbers beside
-/// it.
+/// Typed numbers keep the bounds that dragged ones have. `neighbours`: the largest size of the numbers
+/// beside it.
 bool dragField(const char* id, float* value, const NumberStyle& style, float neighbours = 0.0f) {
     if (isTyped(id)) {
         const auto typed = typedNumber(id, unitOf(style));

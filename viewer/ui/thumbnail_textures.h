@@ -1,5 +1,5 @@
-// Which textures hold the thumbnails of lists. Panels ask by thumbnail; whoever owns OpenGL makes the
-// textures.
+// Which textures hold the thumbnails of lists. Panels ask by thumbnail; whoever owns OpenGL makes
+// the textures.
 #pragma once
 
 #include <cstdint>

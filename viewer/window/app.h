@@ -28,17 +28,17 @@ struct ViewerOptions {
     std::optional<std::vector<ScriptStatement>> script;
     std::string checkpoint;  ///< to be resumed with its scene
     SceneReading reading;    ///< of the scene
-    double recoverySeconds =
-        0.0;                 ///< between two saves for a recovery after a crash; 0: none, nor is one offered
+    /// between two saves for a recovery after a crash; 0: none, nor is one offered
+    double recoverySeconds = 0.0;
     std::string frameStats;  ///< JSON file of frame times, "-": standard output; draws every frame for them
-    std::vector<double>* uiSeconds =
-        nullptr;  ///< takes FrameTimes::uiMs of each frame; draws every frame for them
+    /// takes FrameTimes::uiMs of each frame; draws every frame for them
+    std::vector<double>* uiSeconds = nullptr;
 };
 
 /// Runs until the window is closed, or headless until the passes or the script are done. False: until the
 /// user interrupted (interrupt.h); what the options name is saved all the same. Error: no context, a shader
-/// that fails, a file that cannot be written, or a script that failed; `scriptFailed` tells the last from the
-/// others.
+/// that fails, a file that cannot be written, or a script that failed; `scriptFailed` tells the last from
+/// the others.
 Result<bool> runViewer(const ViewerOptions& options, std::unique_ptr<Backend> backend,
                        std::optional<SceneDescription> scene, bool* scriptFailed);
 

@@ -1,5 +1,5 @@
-// A metal under a dielectric coat, each smooth or with facets, between which the coat absorbs. Host and
-// device.
+// A metal under a dielectric coat, each smooth or with facets, between which the coat absorbs. Host
+// and device.
 //
 // Weidlich and Wilkie 2007, "Arbitrarily Layered Micro-Facet Surfaces", as Mitsuba's coatings compute it:
 // light is refracted into the coat by its normal, reflected by the metal there, and refracted out again. With

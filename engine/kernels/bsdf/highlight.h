@@ -48,8 +48,8 @@ struct HighlightModel : BsdfModelDefaults {
     static GLINT_HD bool isSpecularOnly(const Bsdf<kMask>&) { return false; }
     static GLINT_HD bool hasSpecularLobe(const Bsdf<kMask>&) { return false; }
 
-    /// Stores where there is more than a trace of diffuse reflection, or where the highlight is not too
-    /// sharp.
+    /// Stores where there is more than a trace of diffuse reflection, or where the highlight is not
+    /// too sharp.
     static GLINT_HD LobeRange visiblePointLobes(const Bsdf<kMask>& bsdf, float storeAlpha) {
         constexpr float kTrace = 0.05f;
         const bool isBroad = sharesOf(bsdf).highlightProbability < 1.0f - kTrace;

@@ -3,8 +3,8 @@
 //
 // Trowbridge and Reitz 1975; Walter et al. 2007; Heitz 2014 and 2018; Dupuy and Benyoub 2023. Every
 // expression is arranged so that it stays finite at grazing directions. Other distributions: facets.h. Left
-// out: light that bounces more than once between facets (a rough metal of alpha 1 loses up to a third of its
-// energy).
+// out: light that bounces more than once between facets (a rough metal of alpha 1 loses up to a third of
+// its energy).
 #pragma once
 
 #include "engine/math/warp.h"

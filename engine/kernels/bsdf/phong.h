@@ -1,5 +1,5 @@
-// The modified Phong model: a diffuse surface and a power of the cosine to the mirror direction. Host and
-// device.
+// The modified Phong model: a diffuse surface and a power of the cosine to the mirror direction. Host
+// and device.
 //
 // Lafortune and Willems 1994, "Using the Modified Phong Reflectance Model for Physically Based Rendering":
 //     f = color / pi + specular (n + 2) / (2 pi) cos^n,

@@ -25,9 +25,9 @@ namespace detail {
 
 constexpr float kClearCoatIor = 1.5f;
 
-/// At least the albedo of a coat of index 1.5, to 0.003: what a smooth one reflects at a less grazing angle.
-/// A fit of ours to roughCoatAlbedo(). Of other indices it is right for smooth coats, and near for rough
-/// ones.
+/// At least the albedo of a coat of index 1.5, to 0.003: what a smooth one reflects at a less grazing
+/// angle. A fit of ours to roughCoatAlbedo(). Of other indices it is right for smooth coats, and near for
+/// rough ones.
 GLINT_HD inline float coatAlbedoFit(float alpha, float mu, float ior) {
     const float width = alpha * std::sqrt(alpha);
     const float cosine = minf(mu + 0.488f * width / (width + 0.09f) * square(square(1.0f - mu)), 1.0f);
@@ -173,8 +173,8 @@ struct PrincipledLayers {
                 baseProbability * (1.0f - reflectProbability(cosine)) * all.pdfSolidAngle};
     }
 
-    /// A direction of a lobe with a density; uLobe from sharpEnd() on. Zero: facets sent it to the other
-    /// side.
+    /// A direction of a lobe with a density; uLobe from sharpEnd() on. Zero: facets sent it to the
+    /// other side.
     template <class Facets>
     GLINT_HD Vec3 sample(const Facets& base, float uLobe, Vec2 u) const {
         const Vec3 nowhere(0.0f);

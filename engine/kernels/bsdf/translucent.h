@@ -1,5 +1,5 @@
-// A sheet of no thickness that scatters light diffusely to both sides: a leaf, paper, a lampshade. Host and
-// device.
+// A sheet of no thickness that scatters light diffusely to both sides: a leaf, paper, a lampshade. Host
+// and device.
 //
 // The colour is what it reflects, the transmission what it lets through, on both sides alike. What both would
 // make of more than all light is not let through.

@@ -3,8 +3,11 @@
 // Texture coordinates: (x + 1) / 2, (y + 1) / 2.
 #pragma once
 
+#include <numbers>
+
 #include "engine/kernels/features.h"
 #include "engine/kernels/shapes/flat.h"
+#include "engine/kernels/shapes/shape_description.h"
 #include "engine/math/warp.h"
 
 namespace glint {
@@ -63,6 +66,22 @@ struct DiscShape {
     GLINT_HD static float pdfFrom(const GeometryView&, const EmitterData& e, const Vec3& from,
                                   const Vec3& p) {
         return areaToSolidAngle(1.0f / e.area, from, p, e.direction);
+    }
+
+    static ShapeDescription description() {
+        return {.name = "disc",
+                .keyList = {{{"center"},
+                             {"normal", PlacementForm::Direction, Vec3(0.0f, 0.0f, 1.0f)},
+                             {"radius", PlacementForm::Length, Vec3(1.0f)}}},
+                .transform =
+                    [](const Placement& values, Affine* placed) {
+                        *placed = facing(values[1], values[2].x, values[0]);
+                        return true;
+                    },
+                .grid = {.rows = 128, .poles = true, .at = [](double u, double v) {
+                             const double angle = std::numbers::pi * v;
+                             return glm::dvec3((2.0 * u - 1.0) * std::sin(angle), -std::cos(angle), 0.0);
+                         }}};
     }
 };
 

@@ -9,6 +9,7 @@
 #include "engine/kernels/features.h"
 #include "engine/kernels/hit.h"
 #include "engine/kernels/shapes/flat.h"
+#include "engine/kernels/shapes/shape_description.h"
 #include "engine/kernels/shapes/spherical_polygons.h"
 #include "engine/kernels/shapes/triangle.h"
 #include "engine/math/warp.h"
@@ -144,8 +145,8 @@ struct MeshShape {
         return interpolate(mesh.uvs, Triangle(mesh, primitive).corner, {1.0f - b.x - b.y, b.x, b.y});
     }
 
-    /// Of one triangle; area 0 where it is degenerate. `mirrored`: the transform turns counter-clockwise into
-    /// clockwise.
+    /// Of one triangle; area 0 where it is degenerate. `mirrored`: the transform turns counter-clockwise
+    /// into clockwise.
     static EmitterData makeEmitter(const Affine& m, const Vec3* positions, const uint32_t* corner,
                                    bool mirrored) {
         EmitterData e;
@@ -201,6 +202,10 @@ struct MeshShape {
             if (solidAngle > kSmallSolidAngle * 0.5f) { return 1.0f / solidAngle; }
         }
         return areaToSolidAngle(1.0f / e.area, from, p, e.direction);
+    }
+
+    static ShapeDescription description() {
+        return {.name = "mesh", .help = "Without a material, a whole OBJ or PLY file brings its own."};
     }
 
   private:

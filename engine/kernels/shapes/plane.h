@@ -5,6 +5,7 @@
 
 #include "engine/kernels/features.h"
 #include "engine/kernels/shapes/flat.h"
+#include "engine/kernels/shapes/shape_description.h"
 
 namespace glint {
 
@@ -28,6 +29,20 @@ struct PlaneShape : NeverSampled {
 
     static Bounds bounds() { return {}; }
     static Bounds worldBounds(const Affine&) { return {}; }
+
+    static ShapeDescription description() {
+        return {.name = "plane",
+                .help = "Infinite.",
+                .keyList = {{{"point"}, {"normal", PlacementForm::Direction, Vec3(0.0f, 0.0f, 1.0f)}}},
+                .transform =
+                    [](const Placement& values, Affine* placed) {
+                        *placed = facing(values[1], 1.0f, values[0]);
+                        return true;
+                    },
+                .grid = {.at = [](double u, double v) {
+                    return double{kEndOfPlaneMesh} * glm::dvec3(2.0 * u - 1.0, 2.0 * v - 1.0, 0.0);
+                }}};
+    }
 };
 
 }  // namespace glint

@@ -12,8 +12,8 @@
 namespace glint {
 namespace detail {
 
-/// How far the profile at one parameter, turned about the axis, misses the ray at t; and Newton's step for
-/// both.
+/// How far the profile at one parameter, turned about the axis, misses the ray at t; and Newton's step
+/// for both.
 struct RingMiss {
     double height, ring;
     double yByS, ringByS, ringByT, dy;

@@ -4,9 +4,9 @@
 // t from the equations of the ray and of the surface leaves, for a curve of degree n, one polynomial of
 // degree 2n in s:
 //   d.y^2 x(s)^2 = |o.xz d.y + (y(s) - o.y) d.xz|^2,   t = (y(s) - o.y) / d.y.
-// All its roots are found: a quadratic close to it tells of most pieces that there is one or none, and where
-// Newton's method starts; otherwise by bernstein.h. A ray that is nearly horizontal leaves y(s) alone:
-// profile_level_rays.h.
+// All its roots are found: a quadratic close to it tells of most pieces that there is one or none, and
+// where Newton's method starts; otherwise by bernstein.h. A ray that is nearly horizontal leaves y(s)
+// alone: profile_level_rays.h.
 #pragma once
 
 #include "engine/base/inlining.h"
@@ -38,8 +38,8 @@ struct PieceMiss {
     GLINT_HD double coefficient(double xSquared, double ySquared, double y) const {
         return dy2 * xSquared - ray.flat2 * ySquared - linear * y - constant;
     }
-    /// How much errors of the three add up to: with y measured from the piece's middle, so that they cancel
-    /// less.
+    /// How much errors of the three add up to: with y measured from the piece's middle, so that they
+    /// cancel less.
     GLINT_HD double error(double xSquared, double ySquared, double y) const {
         return dy2 * xSquared + ray.flat2 * ySquared + std::fabs(linear + 2.0 * ray.flat2 * piece.middle) * y;
     }

@@ -6,6 +6,7 @@
 
 #include "engine/kernels/features.h"
 #include "engine/kernels/shapes/flat.h"
+#include "engine/kernels/shapes/shape_description.h"
 #include "engine/kernels/shapes/spherical_polygons.h"
 
 namespace glint {
@@ -72,6 +73,29 @@ struct RectangleShape {
             if (solidAngle > kSmallSolidAngle * 0.5f) { return 1.0f / solidAngle; }
         }
         return areaToSolidAngle(1.0f / e.area, from, p, e.direction);
+    }
+
+    static ShapeDescription description() {
+        return {
+            .name = "rectangle",
+            .help = "Its front is the side edgeU x edgeV points to.",
+            .keyList = {{{"center"},
+                         {"edgeU", PlacementForm::Direction, Vec3(2.0f, 0.0f, 0.0f), "One whole edge (m)."},
+                         {"edgeV", PlacementForm::Direction, Vec3(0.0f, 2.0f, 0.0f),
+                          "The other whole edge (m)."}}},
+            .transform = place,
+            .refusal = "\"edgeU\" and \"edgeV\" are parallel; expected two edges of a rectangle",
+            .grid = {.at = [](double u, double v) { return glm::dvec3(2.0 * u - 1.0, 2.0 * v - 1.0, 0.0); }}};
+    }
+
+    /// The third axis has the edges' mean length, so that the transform can be undone.
+    static bool place(const Placement& values, Affine* placed) {
+        const auto& [center, edgeU, edgeV] = values;
+        const Vec3 across = glm::cross(glm::normalize(edgeU), glm::normalize(edgeV));
+        if (lengthSquared(across) < 1e-12f) { return false; }
+        const float depth = 0.5f * std::sqrt(glm::length(edgeU)) * std::sqrt(glm::length(edgeV));
+        *placed = {Mat3(0.5f * edgeU, 0.5f * edgeV, depth * glm::normalize(across)), center};
+        return true;
     }
 
   private:

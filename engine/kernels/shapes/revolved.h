@@ -3,6 +3,7 @@
 
 #include "engine/kernels/shapes/emitter_point.h"
 #include "engine/kernels/shapes/revolved_surface.h"
+#include "engine/kernels/shapes/shape_description.h"
 #include "engine/math/rng.h"
 
 namespace glint {
@@ -82,6 +83,13 @@ struct RevolvedShape : RevolvedSurface {
         return locate(profile, p, &hit) ? surface<kMask>(profile, hit, p).uv : Vec2(0.0f);
     }
 
+    static ShapeDescription description() {
+        return {
+            .name = "revolved",
+            .help =
+                "A profile turned about the y axis. Its front is outside, whichever way the profile runs."};
+    }
+
   private:
     GLINT_HD static ProfileView profileOf(const GeometryView& geometry, const EmitterData& e) {
         return profileAt(geometry, geometry.instances[e.instance].mesh);
@@ -127,8 +135,8 @@ struct RevolvedShape : RevolvedSurface {
         constexpr int kSteps = ProfileCurve::kAreaSteps;
         const float* before = profile.curves[hit.primitive].areaBefore;
         const int step = static_cast<int>(minf(hit.barycentric.x * kSteps, kSteps - 1.0f));
-        // Area by the parameter and the angle: the radius times the curve's speed, stretched by |det M| |M^-T
-        // n|.
+        // Area by the parameter and the angle: the radius times the curve's speed, stretched by |det M|
+        // |M^-T n|.
         const float ring = std::sqrt(local.p.x * local.p.x + local.p.z * local.p.z);
         const float areaByBoth = ring * std::fabs(m.determinant()) * glm::length(normal);
         if (areaByBoth > 0.0f) {

@@ -15,6 +15,8 @@
 //   pdfFrom(geometry, e, from, p)         the density with which sampleFrom() finds p. Which way samples a
 //                                         shape depends on the shape and on `from` alone, so that it is right
 //                                         for points that were found otherwise, too
+//   description()                for the host: its word in scene files, what places it, how it is made
+//   triangles
 // Meshes and surfaces of revolution have the same, but with their data.
 #pragma once
 
@@ -34,7 +36,7 @@ constexpr FeatureMask kAnalyticOnly = kMask & ~FeatureMask{kFeatureMesh | kFeatu
 namespace detail {
 
 template <class Result, FeatureMask kMask, class Shape, class Visit>
-GLINT_HD inline Result visitOne(Visit&& visit) {
+GLINT_HD constexpr Result visitOne(Visit&& visit) {
     if constexpr ((kMask & Shape::kFeature) != 0) {
         return visit(Shape{});
     } else {
@@ -47,7 +49,7 @@ GLINT_HD inline Result visitOne(Visit&& visit) {
 /// visit(shape) with the struct of the shape. `kind` must be one that the mask has; nothing is compiled for
 /// the others.
 template <class Result, FeatureMask kMask, class Visit>
-GLINT_HD inline Result visitShape(ShapeKind kind, Visit&& visit) {
+GLINT_HD constexpr Result visitShape(ShapeKind kind, Visit&& visit) {
     switch (kind) {
         case ShapeKind::Sphere:
             return detail::visitOne<Result, kMask, SphereShape>(visit);
@@ -63,6 +65,17 @@ GLINT_HD inline Result visitShape(ShapeKind kind, Visit&& visit) {
             return detail::visitOne<Result, kMask, RevolvedShape>(visit);
     }
     __builtin_unreachable();
+}
+
+/// The bits of the shapes of all those kinds together, without those of `without`.
+constexpr FeatureMask featuresOfShapes(ShapeKind without) {
+    FeatureMask mask = 0;
+    for (const ShapeKind kind : kShapeKinds) {
+        if (kind == without) { continue; }
+        mask |=
+            visitShape<FeatureMask, kAllFeatures>(kind, [](auto shape) { return decltype(shape)::kFeature; });
+    }
+    return mask;
 }
 
 }  // namespace glint

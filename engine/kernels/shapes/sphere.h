@@ -5,10 +5,13 @@
 // the object-space normal: north is +y.
 #pragma once
 
+#include <numbers>
+
 #include "engine/kernels/features.h"
 #include "engine/kernels/hit.h"
 #include "engine/kernels/shapes/emitter_point.h"
 #include "engine/kernels/shapes/object_point.h"
+#include "engine/kernels/shapes/shape_description.h"
 #include "engine/kernels/shapes/sphere_seen.h"
 
 namespace glint {
@@ -135,6 +138,30 @@ struct SphereShape {
         const InstanceData& instance = geometry.instances[e.instance];
         return pdfSphereDirection(asSeen(instance, from)) *
                objectSolidAnglePerWorld(instance.worldToObject, p - from);
+    }
+
+    static ShapeDescription description() {
+        return {.name = "sphere",
+                .keyList = {{{"center"}, {"radius", PlacementForm::Length, Vec3(1.0f)}}},
+                .transform =
+                    [](const Placement& values, Affine* placed) {
+                        *placed = {Mat3(values[1].x), values[0]};
+                        return true;
+                    },
+                .valuesOf = centerAndRadius,
+                .grid = {256, 128, true, false, true, [](double u, double v) {
+                             const double around = (2.0 * u - 1.0) * std::numbers::pi;
+                             const double up = (v - 0.5) * std::numbers::pi;
+                             return glm::dvec3(std::sin(around) * std::cos(up), std::sin(up),
+                                               std::cos(around) * std::cos(up));
+                         }}};
+    }
+
+    static bool centerAndRadius(const Affine& placed, Placement* values) {
+        const float radius = placed.linear[0].x;
+        if (!(radius > 0.0f) || !sameBits(placed.linear, Mat3(radius))) { return false; }
+        *values = {placed.translation, Vec3(radius)};
+        return true;
     }
 
   private:

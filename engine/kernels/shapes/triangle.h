@@ -1,12 +1,12 @@
 // One ray against a cluster of triangles, watertight: Woop, Benthin and Wald 2013, "Watertight Ray/Triangle
 // Intersection", JCGT 2(1). One SIMD and one scalar body that give the same bits.
 //
-// The ray becomes the z axis by a shear, and three edge functions decide in 2-D. Neighbours evaluate a shared
-// edge on the same numbers, so what matters is that each edge function's sign is the true one. The paper
-// repeats ties in double; here every edge function is a compensated difference of products (Kahan; Jeannerod,
-// Louvet and Muller 2013), whose relative error is below 1: its sign, and whether it is zero, are exact as
-// the double-precision repetition's are, without a branch. A ray exactly on an edge or a vertex meets all its
-// triangles.
+// The ray becomes the z axis by a shear, and three edge functions decide in 2-D. Neighbours evaluate a
+// shared edge on the same numbers, so what matters is that each edge function's sign is the true one. The
+// paper repeats ties in double; here every edge function is a compensated difference of products (Kahan;
+// Jeannerod, Louvet and Muller 2013), whose relative error is below 1: its sign, and whether it is zero, are
+// exact as the double-precision repetition's are, without a branch. A ray exactly on an edge or a vertex
+// meets all its triangles.
 //
 // The distance t that the edge functions give is off by some units in the last place of the triangle's extent
 // along the ray, not of t. Near the ends of the ray, where a rounding error would make a surface shadow
