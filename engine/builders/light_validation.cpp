@@ -8,12 +8,12 @@
 namespace glint {
 namespace {
 
-Status checkPicture(const SceneDescription& scene, const Light& light, const std::string& who) {
-    const int texture = light.picture.texture;
+Status checkImage(const SceneDescription& scene, const Light& light, const std::string& who) {
+    const int texture = light.image.texture;
     if (texture < -1 || texture >= static_cast<int>(scene.textures.size())) {
         return fault(who, fmt::format("uses texture {} of {}", texture, scene.textures.size()));
     }
-    if (!isFinite(light.up) || !notNegative(light.picture.value)) {
+    if (!isFinite(light.up) || !notNegative(light.image.value)) {
         return fault(who, "the picture's upward direction must be finite, its colour not negative");
     }
     if (light.kind != LightKind::Projector) { return {}; }
@@ -47,7 +47,7 @@ Status checkLight(const SceneDescription& scene, size_t index) {
             fmt::format("the cone ends at {} and falls off from {} degrees; expected 0 <= start <= end <= 90",
                         light.coneAngleDeg, light.coneFalloffStartDeg));
     }
-    return hasPicture(light.kind) ? checkPicture(scene, light, who) : Status();
+    return hasImage(light.kind) ? checkImage(scene, light, who) : Status();
 }
 
 Status checkEnvironment(const SceneDescription& scene) {

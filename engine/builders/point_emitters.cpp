@@ -18,12 +18,12 @@ float oneMinusCosine(float angleDeg) {
 }
 
 /// The direction is set.
-void setPicture(const Light& light, const TextureTable& textures, EmitterData* e) {
-    e->original = textures.packed(light.picture.texture);
-    e->axisU = pictureRight(light);
+void setImage(const Light& light, const TextureTable& textures, EmitterData* e) {
+    e->original = textures.packed(light.image.texture);
+    e->axisU = imageRight(light);
     e->axisV = glm::cross(e->axisU, e->direction);
     const bool isImage = e->original != kNone;
-    if (!isImage) { e->radiance *= light.picture.value; }
+    if (!isImage) { e->radiance *= light.image.value; }
     e->area = isImage ? luminance(EmissionMeans(textures.textures[e->original]).overAll()) : 1.0f;
 }
 
@@ -47,7 +47,7 @@ EmitterData pointlikeEmitter(const Light& light, const TextureTable& textures) {
             break;
         case LightKind::Projector: {
             e.kind = EmitterKind::Projector;
-            setPicture(light, textures, &e);
+            setImage(light, textures, &e);
             const float half = std::tan(0.5f * light.fovDeg * (kPi / 180.0f));
             e.axisU *= half;
             e.axisV *= half / light.aspect;
@@ -55,7 +55,7 @@ EmitterData pointlikeEmitter(const Light& light, const TextureTable& textures) {
         }
         case LightKind::Goniometric:
             e.kind = EmitterKind::Goniometric;
-            setPicture(light, textures, &e);
+            setImage(light, textures, &e);
             break;
     }
     e.oneMinusCosOuter = oneMinusCosine(light.coneAngleDeg);

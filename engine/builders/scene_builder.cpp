@@ -130,9 +130,7 @@ class SceneBuild {
     }
 
     Status textures() {
-        if (!concerns(EditKind::MaterialKind) && !(concerns(EditKind::Lights) && showPictures())) {
-            return {};
-        }
+        if (!concerns(EditKind::MaterialKind) && !(concerns(EditKind::Lights) && showImages())) { return {}; }
         auto table = buildTextureTable(*scene_, built_->textures);
         if (!table) { return table.error(); }
         report_.texturesBuilt = *table != built_->textures;
@@ -163,14 +161,12 @@ class SceneBuild {
         return {};
     }
 
-    bool showPictures() const { return std::ranges::any_of(scene_->lights, showsPicture); }
+    bool showImages() const { return std::ranges::any_of(scene_->lights, showsImage); }
 
     Status lights() {
         const bool emittersMoved = concerns(EditKind::ObjectTransform) && shapesEmit();
-        const bool picturesMoved = report_.texturesBuilt && showPictures();
-        if (!concerns(EditKind::Lights) && !emittersMoved && !emissionChanged_ && !picturesMoved) {
-            return {};
-        }
+        const bool imagesMoved = report_.texturesBuilt && showImages();
+        if (!concerns(EditKind::Lights) && !emittersMoved && !emissionChanged_ && !imagesMoved) { return {}; }
         auto table = buildLightTable(*scene_, *built_->textures, built_->lights, threads_);
         emittersMoved_ = !built_->lights || table->firstEmitter != built_->lights->firstEmitter;
         report_.lightsBuilt = table != built_->lights;

@@ -149,8 +149,8 @@ Result<std::shared_ptr<const TextureTable>> buildTextureTable(
         }
     }
     for (const Light& light : scene.lights) {
-        if (!showsPicture(light)) { continue; }
-        if (Status status = addTexture(scene, light.name, light.picture.texture, previous.get(), table.get());
+        if (!showsImage(light)) { continue; }
+        if (Status status = addTexture(scene, light.name, light.image.texture, previous.get(), table.get());
             !status) {
             return status.error();
         }

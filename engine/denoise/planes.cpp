@@ -64,7 +64,7 @@ Planes makePlanes(const DenoiseInput& input, int threads) {
                   .radiance = {},
                   .isSpark = {},
                   .variance = varianceOf(input, threads)};
-    CalmPicture calm = withoutSparks(input, planes.variance, threads);
+    CalmImage calm = withoutSparks(input, planes.variance, threads);
     planes.radiance = std::move(calm.radiance);
     planes.isSpark = std::move(calm.isSpark);
     const size_t pixels = input.radiance.size();

@@ -39,8 +39,8 @@ Vec3 thirdAround(const DenoiseInput& input, int x, int y) {
 
 }  // namespace
 
-CalmPicture withoutSparks(const DenoiseInput& input, const std::vector<float>& variance, int threads) {
-    CalmPicture calm{input.radiance, std::vector<char>(input.radiance.size(), 0)};
+CalmImage withoutSparks(const DenoiseInput& input, const std::vector<float>& variance, int threads) {
+    CalmImage calm{input.radiance, std::vector<char>(input.radiance.size(), 0)};
     forRows(0, input.height, threads, [&](int y) {
         for (int x = 0; x < input.width; ++x) {
             const size_t i = pixelAt(input, x, y);

@@ -7,7 +7,7 @@
 
 namespace glint {
 
-struct CalmPicture {
+struct CalmImage {
     /// No spark is brighter, in any channel, than the third of the pixels around it.
     std::vector<Vec3> radiance;
     std::vector<char> isSpark;
@@ -16,6 +16,6 @@ struct CalmPicture {
 /// A spark has a channel of several times the third largest of the 24 pixels around, and so much luminance
 /// above it as its own standard error explains, as one bright sample does. `variance`: of each pixel's
 /// luminance, finite.
-CalmPicture withoutSparks(const DenoiseInput& input, const std::vector<float>& variance, int threads);
+CalmImage withoutSparks(const DenoiseInput& input, const std::vector<float>& variance, int threads);
 
 }  // namespace glint

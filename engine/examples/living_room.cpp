@@ -130,7 +130,7 @@ void writeLivingRoom(const Detail& detail, ExampleFolder* folder) {
     addDiningTable(Pose{{-2.0, 0.0, 1.05}}, &meshes);
     addPlant(Pose{{-2.75, 0.0, -2.1}}, &meshes);
     addLamps(&meshes);
-    addPictures(&meshes);
+    addImages(&meshes);
     std::string text = kHead;
     for (const NamedMesh& named : namedMeshes(meshes)) {
         std::string file = fmt::format("{}.ply", named.material);

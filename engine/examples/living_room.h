@@ -38,7 +38,7 @@ void addCoffeeTable(const Pose& frame, RoomMeshes* to);
 void addDiningTable(const Pose& frame, RoomMeshes* to);
 void addPlant(const Pose& frame, RoomMeshes* to);
 void addLamps(RoomMeshes* to);
-void addPictures(RoomMeshes* to);
+void addImages(RoomMeshes* to);
 
 void paintLivingRoom(ExampleFolder* folder);
 /// The whole example: see example_scenes.h.

@@ -24,9 +24,9 @@ void addShade(const Vec3d& foot, double lower, double upper, double height, Room
 }
 
 /// A picture's rectangle in its frame, standing upright in the plane of x and y.
-void addFramed(MeshData* picture, double width, double height, double border, const Pose& frame,
+void addFramed(MeshData* image, double width, double height, double border, const Pose& frame,
                MeshData* moulding) {
-    add(picture,
+    add(image,
         sheet(1, 1, {1.0, 1.0},
               [&](double u, double v) { return Vec3d((u - 0.5) * width, (v - 0.5) * height, 0.012); }),
         frame);
@@ -103,7 +103,7 @@ void addLamps(RoomMeshes* to) {
     to->bulbs.push_back(bell + Vec3d(0.0, 0.07, 0.0));
 }
 
-void addPictures(RoomMeshes* to) {
+void addImages(RoomMeshes* to) {
     const double wall = -kHalfZ + 0.004;
     addFramed(&to->painting, 1.15, 0.72, 0.055, Pose{{-0.72, 1.68, wall}}, &to->brass);
     addFramed(&to->sketch, 0.32, 0.42, 0.03, Pose{{0.32, 1.78, wall}}, &to->walnut);

@@ -128,7 +128,7 @@ Vec3d landscape(const Noise& noise, double u, double v, const Vec3d& high, const
     return color;
 }
 
-void paintPictures(ExampleFolder* folder) {
+void paintImages(ExampleFolder* folder) {
     const Noise noise(71);
     folder->image("rug.png", paint(1024, 704, [&](double u, double v) { return rugColor(noise, u, v); }));
     folder->image("painting.png", paint(1024, 640, [&](double u, double v) {
@@ -187,7 +187,7 @@ void paintPictures(ExampleFolder* folder) {
 void paintLivingRoom(ExampleFolder* folder) {
     paintWoods(folder);
     paintCloth(folder);
-    paintPictures(folder);
+    paintImages(folder);
 }
 
 }  // namespace glint::examples

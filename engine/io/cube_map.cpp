@@ -62,11 +62,11 @@ constexpr CubeLayout kLayouts[] = {
     {3, 4, {{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {1, 3}}, true},
 };
 
-std::vector<float> squareOf(const ImageF& picture, const Vec2i& place, int side) {
+std::vector<float> squareOf(const ImageF& image, const Vec2i& place, int side) {
     std::vector<float> rgb;
     for (int y = 0; y < side; ++y) {
-        const auto row = static_cast<size_t>(place.y * side + y) * static_cast<size_t>(picture.width);
-        const float* first = &picture.rgb[3 * (row + static_cast<size_t>(place.x * side))];
+        const auto row = static_cast<size_t>(place.y * side + y) * static_cast<size_t>(image.width);
+        const float* first = &image.rgb[3 * (row + static_cast<size_t>(place.x * side))];
         rgb.insert(rgb.end(), first, first + size_t{3} * static_cast<size_t>(side));
     }
     return rgb;
@@ -88,11 +88,11 @@ bool isOfOneColor(const std::vector<float>& square, int side) {
     return true;
 }
 
-bool hasEmptySquares(const ImageF& picture, const CubeLayout& layout, int side) {
+bool hasEmptySquares(const ImageF& image, const CubeLayout& layout, int side) {
     for (int i = 0; i < layout.columns * layout.rows; ++i) {
         const Vec2i place(i % layout.columns, i / layout.columns);
         const bool isFace = std::ranges::find(layout.places, place) != std::end(layout.places);
-        if (!isFace && !isOfOneColor(squareOf(picture, place, side), side)) { return false; }
+        if (!isFace && !isOfOneColor(squareOf(image, place, side), side)) { return false; }
     }
     return true;
 }
@@ -108,16 +108,16 @@ void turnOver(std::vector<float>* rgb) {
 }  // namespace
 
 SceneImage cubeColumn(const std::vector<SceneImage>& faces) {
-    const auto made = [&faces](auto member, auto picture) {
+    const auto made = [&faces](auto member, auto image) {
         std::vector<decltype(&((faces[0].*member)->rgb))> pixels;
         pixels.reserve(faces.size());
         for (const SceneImage& face : faces) {
             pixels.push_back(&(face.*member)->rgb);
         }
-        picture.width = (faces[0].*member)->width;
-        picture.height = 6 * picture.width;
-        turn(pixels, picture.width, &picture.rgb);
-        return std::make_shared<decltype(picture)>(std::move(picture));
+        image.width = (faces[0].*member)->width;
+        image.height = 6 * image.width;
+        turn(pixels, image.width, &image.rgb);
+        return std::make_shared<decltype(image)>(std::move(image));
     };
     SceneImage cube;
     if (faces[0].floats) {
@@ -128,16 +128,16 @@ SceneImage cubeColumn(const std::vector<SceneImage>& faces) {
     return cube;
 }
 
-std::vector<SceneImage> facesOf(const ImageF& picture) {
+std::vector<SceneImage> facesOf(const ImageF& image) {
     for (const CubeLayout& layout : kLayouts) {
-        const int side = picture.width / layout.columns;
-        if (side < 2 || picture.width != side * layout.columns || picture.height != side * layout.rows ||
-            !hasEmptySquares(picture, layout, side)) {
+        const int side = image.width / layout.columns;
+        if (side < 2 || image.width != side * layout.columns || image.height != side * layout.rows ||
+            !hasEmptySquares(image, layout, side)) {
             continue;
         }
         std::vector<SceneImage> faces;
         for (const Vec2i& place : layout.places) {
-            ImageF face{side, side, squareOf(picture, place, side)};
+            ImageF face{side, side, squareOf(image, place, side)};
             if (layout.isBackTurned && faces.size() == 5) { turnOver(&face.rgb); }
             faces.push_back({.floats = std::make_shared<const ImageF>(std::move(face))});
         }

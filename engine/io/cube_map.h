@@ -15,6 +15,6 @@ SceneImage cubeColumn(const std::vector<SceneImage>& faces);
 /// The faces of a picture that is a strip of six (6:1) in that order, or a cross: in the middle row -x +z +x
 /// -z (4:3), or -x +z +x, with -z upside down at the bottom (3:4); +y above +z, -y below. Empty: it is none
 /// of them; a cross has squares beside its faces, and each of these is of one colour.
-std::vector<SceneImage> facesOf(const ImageF& picture);
+std::vector<SceneImage> facesOf(const ImageF& image);
 
 }  // namespace glint

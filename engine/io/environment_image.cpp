@@ -8,12 +8,12 @@
 #include <fmt/format.h>
 
 #include "engine/io/cube_map.h"
+#include "engine/io/exr_io.h"
 #include "engine/io/image_io.h"
 
 namespace glint {
 namespace {
 
-constexpr float kLargestHalf = 65504.0f;
 /// What the sun's radiance stays below in any unit, and sums over a map stay finite.
 constexpr float kLargestLight = 1e12f;
 
@@ -108,10 +108,10 @@ std::string warningOfSides(const auto& image, const std::string& name) {
         name, image.width, image.height);
 }
 
-SceneImage withoutAlpha(const SceneImage& picture) {
-    const Image8& image = *picture.bytes;
-    if (image.alpha.empty()) { return {.bytes = picture.bytes}; }
-    return {.bytes = std::make_shared<Image8>(Image8{image.width, image.height, image.rgb})};
+SceneImage withoutAlpha(const SceneImage& image) {
+    const Image8& pixels = *image.bytes;
+    if (pixels.alpha.empty()) { return {.bytes = image.bytes}; }
+    return {.bytes = std::make_shared<Image8>(Image8{pixels.width, pixels.height, pixels.rgb})};
 }
 
 std::string warningOf(const WrongValues& wrong, const ImageF& image, const std::string& name) {
@@ -131,30 +131,30 @@ std::string warningOf(const WrongValues& wrong, const ImageF& image, const std::
 
 }  // namespace
 
-SceneImage environmentImage(const SceneImage& picture, const std::string& name,
+SceneImage environmentImage(const SceneImage& image, const std::string& name,
                             std::vector<std::string>* warnings) {
-    const Image8* bytes = picture.bytes.get();
-    if (bytes != nullptr && isTwiceAsWide(*bytes)) { return withoutAlpha(picture); }
+    const Image8* bytes = image.bytes.get();
+    if (bytes != nullptr && isTwiceAsWide(*bytes)) { return withoutAlpha(image); }
     if (bytes != nullptr && !canBeCubeMap(*bytes)) {
         warnings->push_back(warningOfSides(*bytes, name));
-        return withoutAlpha(picture);
+        return withoutAlpha(image);
     }
-    std::shared_ptr<const ImageF> image = linearColors(picture);
-    if (const WrongValues wrong = findWrongValues(*image); wrong.count() > 0) {
-        warnings->push_back(warningOf(wrong, *image, name));
-        auto repaired = std::make_shared<ImageF>(*image);
+    std::shared_ptr<const ImageF> map = linearColors(image);
+    if (const WrongValues wrong = findWrongValues(*map); wrong.count() > 0) {
+        warnings->push_back(warningOf(wrong, *map, name));
+        auto repaired = std::make_shared<ImageF>(*map);
         for (float& value : repaired->rgb) {
             value = value > wrong.largest ? wrong.largest : (value >= 0.0f ? value : 0.0f);
         }
-        image = std::move(repaired);
+        map = std::move(repaired);
     }
-    if (isCubeMap(*image)) { return {.floats = latitudeLongitude(*image)}; }
-    if (isTwiceAsWide(*image)) { return {.floats = image}; }
-    if (const std::vector<SceneImage> faces = facesOf(*image); !faces.empty()) {
+    if (isCubeMap(*map)) { return {.floats = latitudeLongitude(*map)}; }
+    if (isTwiceAsWide(*map)) { return {.floats = map}; }
+    if (const std::vector<SceneImage> faces = facesOf(*map); !faces.empty()) {
         return {.floats = latitudeLongitude(*cubeColumn(faces).floats)};
     }
-    warnings->push_back(warningOfSides(*image, name));
-    return picture.bytes ? withoutAlpha(picture) : SceneImage{.floats = image};
+    warnings->push_back(warningOfSides(*map, name));
+    return image.bytes ? withoutAlpha(image) : SceneImage{.floats = map};
 }
 
 }  // namespace glint

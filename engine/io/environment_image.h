@@ -16,7 +16,7 @@ namespace glint {
 /// and those above 1e12 the largest other one, at least 65504; a warning says how many and where they are.
 /// Warnings are appended to `warnings`; `name` is the file's. 8-bit pictures stay so, unless they are cube
 /// maps. The result has no source.
-SceneImage environmentImage(const SceneImage& picture, const std::string& name,
+SceneImage environmentImage(const SceneImage& image, const std::string& name,
                             std::vector<std::string>* warnings);
 
 }  // namespace glint

@@ -12,7 +12,7 @@
 #include "engine/io/file_path.h"
 #include "engine/io/gltf_export.h"
 #include "engine/io/gltf_nodes.h"
-#include "engine/io/projected_picture.h"
+#include "engine/io/projected_image.h"
 #include "engine/io/scene_export.h"
 #include "engine/io/studio.h"
 #include "engine/scene/kind_names.h"
@@ -43,7 +43,7 @@ class GltfExporter : public SceneExport {
         if (scene_.environment.emissive() && !hadStudio) {
             warn("approximated: there is no light from all around");
         }
-        isLampLit_ = !hadStudio;
+        isEmitterLit_ = !hadStudio;
         if (makeBumpsNormals(&scene_)) { warn("approximated: bump maps are normal maps"); }
         warnOfSettings();
         writeCamera();
@@ -112,9 +112,9 @@ class GltfExporter : public SceneExport {
 
     /// Colours end at 1.
     void writeLight(const Light& from) {
-        if (hasPicture(from.kind)) {
-            warn(lostPicture(from.kind));
-            writeLight(withoutPicture(scene_, from));
+        if (hasImage(from.kind)) {
+            warn(lostImage(from.kind));
+            writeLight(withoutImage(scene_, from));
             return;
         }
         const float most = std::max(maxComponent(from.color), 1.0f);
@@ -202,14 +202,14 @@ class GltfExporter : public SceneExport {
     size_t writtenMaterial(int index) {
         const auto [known, isNew] = materials_.try_emplace(index, 0);
         if (isNew) {
-            known->second = writeGltfMaterial(scene_, index, isLampLit_, &images_, &out_, &warnings_);
+            known->second = writeGltfMaterial(scene_, index, isEmitterLit_, &images_, &out_, &warnings_);
         }
         return known->second;
     }
 
     GltfWriter out_;
     GltfImages images_;
-    bool isLampLit_ = true;
+    bool isEmitterLit_ = true;
     /// By shape, whether v is turned over, and tangents' sides.
     std::map<std::tuple<int, bool, bool>, GltfJson> primitives_;
     std::map<std::pair<int, int>, std::optional<size_t>> meshes_;  ///< by shape and material

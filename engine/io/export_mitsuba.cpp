@@ -12,7 +12,7 @@
 #include "engine/io/exporter.h"
 #include "engine/io/mitsuba_environment.h"
 #include "engine/io/mitsuba_writer.h"
-#include "engine/io/projected_picture.h"
+#include "engine/io/projected_image.h"
 #include "engine/io/scene_export.h"
 #include "engine/scene/kind_names.h"
 #include "engine/scene/scene_use.h"
@@ -57,8 +57,8 @@ class MitsubaExporter : public SceneExport {
                 continue;
             }
             if (light.kind == LightKind::Goniometric) {
-                warn(lostPicture(light.kind));
-                light = withoutPicture(scene_, light);
+                warn(lostImage(light.kind));
+                light = withoutImage(scene_, light);
             }
             // Its words for these are those of Glint's scene files.
             out_.open("emitter", fmt::format("type=\"{}\"", nameOf(light.kind)));
@@ -82,7 +82,7 @@ class MitsubaExporter : public SceneExport {
 
     /// Its image alone says how wide the picture is.
     void writeProjector(const Light& light) {
-        const int index = light.picture.texture;
+        const int index = light.image.texture;
         const Texture* texture = index >= 0 ? &scene_.textures[static_cast<size_t>(index)] : nullptr;
         const float aspect = texture != nullptr ? aspectOf(texture->image) : 1.0f;
         const Vec3 color = light.strength / kPi * light.color;  // Mitsuba counts so
@@ -91,14 +91,14 @@ class MitsubaExporter : public SceneExport {
         out_.element("lookat",
                      fmt::format("origin=\"{}\" target=\"{}\" up=\"{}\"", xmlNumbers(light.position),
                                  xmlNumbers(light.position + light.direction),
-                                 xmlNumbers(glm::cross(pictureRight(light), light.direction))));
+                                 xmlNumbers(glm::cross(imageRight(light), light.direction))));
         out_.close();
         out_.number("fov", light.fovDeg);
         if (std::fabs(aspect - light.aspect) > 1e-4f * aspect) {
             warn("approximated: projectors' pixels are square");
         }
         if (texture == nullptr) {
-            out_.color("irradiance", color * light.picture.value);
+            out_.color("irradiance", color * light.image.value);
         } else {
             writeMitsubaTexture(*texture, UvOrigin::Bottom, false, "irradiance", &out_, &warnings_);
             out_.number("scale", maxComponent(color));

@@ -10,7 +10,7 @@
 #include "engine/io/exporter.h"
 #include "engine/io/pbrt_environment.h"
 #include "engine/io/pbrt_writer.h"
-#include "engine/io/projected_picture.h"
+#include "engine/io/projected_image.h"
 #include "engine/io/scene_export.h"
 #include "engine/scene/scene_use.h"
 #include "engine/scene/shape_forms.h"
@@ -64,12 +64,12 @@ class PbrtExporter : public SceneExport {
     }
 
     void writeLight(const Light& light) {
-        if (light.kind == LightKind::Goniometric && light.picture.texture < 0) {
-            writeLight(withoutPicture(scene_, light));
+        if (light.kind == LightKind::Goniometric && light.image.texture < 0) {
+            writeLight(withoutImage(scene_, light));
             return;
         }
-        if (hasPicture(light.kind)) {
-            writePictured(light);
+        if (hasImage(light.kind)) {
+            writeWithImage(light);
             return;
         }
         const std::string power = pbrtRgb(light.kind == LightKind::Directional ? "L" : "I", light.color) +
@@ -90,14 +90,14 @@ class PbrtExporter : public SceneExport {
     }
 
     /// pbrt projects images without a colour of their own.
-    void writePictured(const Light& light) {
+    void writeWithImage(const Light& light) {
         const bool projects = light.kind == LightKind::Projector;
-        ImageF picture = projects ? pbrtProjectedPicture(scene_, light)
-                                  : pbrtGoniometricPicture(scene_, light, &warnings_);
-        for (size_t i = 0; projects && i < picture.rgb.size(); ++i) {
-            picture.rgb[i] *= light.color[static_cast<int>(i % 3)];
+        ImageF image =
+            projects ? pbrtProjectedImage(scene_, light) : pbrtGoniometricImage(scene_, light, &warnings_);
+        for (size_t i = 0; projects && i < image.rgb.size(); ++i) {
+            image.rgb[i] *= light.color[static_cast<int>(i % 3)];
         }
-        out_ += pbrtPicturedLight(light, savePicture(fmt::format("-light{}.exr", pictures_++), picture));
+        out_ += pbrtImageLight(light, saveImage(fmt::format("-light{}.exr", images_++), image));
     }
 
     /// Of a glass that absorbs inside.
@@ -227,7 +227,7 @@ class PbrtExporter : public SceneExport {
 
     std::string out_;
     std::map<int, std::string> plys_;
-    int pictures_ = 0;
+    int images_ = 0;
 };
 
 Status save(const SceneDescription& scene, const std::string& path, std::vector<std::string>* warnings) {

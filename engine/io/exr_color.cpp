@@ -255,7 +255,7 @@ Result<ImageF> onDisplay(ImageF data, const ExrPart& part, const std::string& pa
 
 }  // namespace
 
-Result<ExrPicture> decodeExrColor(std::string_view bytes, const std::string& path) {
+Result<ExrColorImage> decodeExrColor(std::string_view bytes, const std::string& path) {
     Result<ExrFile> file = ExrFile::open(bytes, path);
     if (!file) { return file.error(); }
     for (const ExrPart& part : file->parts()) {
@@ -266,12 +266,12 @@ Result<ExrPicture> decodeExrColor(std::string_view bytes, const std::string& pat
         if (!color) { return color.error(); }
         Result<ImageF> shown = onDisplay(std::move(*color), part, path);
         if (!shown) { return shown.error(); }
-        return ExrPicture{std::move(*shown), part.attributes};
+        return ExrColorImage{std::move(*shown), part.attributes};
     }
     return noColor(*file, path);
 }
 
-Result<ExrPicture> loadExrColor(const std::string& path) {
+Result<ExrColorImage> loadExrColor(const std::string& path) {
     const Result<std::string> bytes = readFile(path);
     if (!bytes) { return bytes.error(); }
     return decodeExrColor(*bytes, path);

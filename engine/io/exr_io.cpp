@@ -21,8 +21,6 @@
 namespace glint {
 namespace {
 
-constexpr float kLargestHalf = 65504.0f;
-
 class MemoryOutput : public Imf::OStream {
   public:
     explicit MemoryOutput(const std::string& name) : OStream(name.c_str()) {}

@@ -16,6 +16,9 @@
 
 namespace glint {
 
+/// The largest finite number of a half.
+constexpr float kLargestHalf = 65504.0f;
+
 enum class ExrPixelType : uint8_t { Half, Float, Uint };
 
 /// One channel: `floats` for Half and Float, `ids` for Uint, width * height values, row 0 at the top.
@@ -49,7 +52,7 @@ Result<ExrImage> decodeExr(
 Result<ExrImage> loadExr(const std::string& path);
 
 /// The colour of a file, and its text attributes.
-struct ExrPicture {
+struct ExrColorImage {
     ImageF color;  ///< linear Rec.709, in the display window; values may be negative or not finite
     std::map<std::string, std::string> attributes;
 };
@@ -58,8 +61,8 @@ struct ExrPicture {
 /// layer, else of its only one with R, G and B ("ViewLayer.Combined.R"), else of one with a usual name.
 /// Chromaticities are followed, without adapting the white. Error: as decodeExr(); no such layer, with the
 /// channels that are there.
-Result<ExrPicture> decodeExrColor(std::string_view bytes, const std::string& path);
-Result<ExrPicture> loadExrColor(const std::string& path);
+Result<ExrColorImage> decodeExrColor(std::string_view bytes, const std::string& path);
+Result<ExrColorImage> loadExrColor(const std::string& path);
 
 /// ZIP-compressed scan lines. Finite half values beyond 65504 are stored as 65504. `path` is used
 /// in messages.

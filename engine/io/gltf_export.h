@@ -13,10 +13,10 @@ namespace glint {
 /// that they need no placement.
 bool flipsV(const SceneDescription& scene, int material);
 
-/// Writes a material, and says at which place. `isLamp`: emission lights the scene, where it could be a
+/// Writes a material, and says at which place. `isEmitter`: emission lights the scene, where it could be a
 /// screen under some other light (KHR_materials_emissive_strength is above 1 then, and never otherwise by
 /// need). What is approximated is appended to `warnings`, each once.
-size_t writeGltfMaterial(const SceneDescription& scene, int material, bool isLamp, GltfImages* images,
+size_t writeGltfMaterial(const SceneDescription& scene, int material, bool isEmitter, GltfImages* images,
                          GltfWriter* out, std::vector<std::string>* warnings);
 
 /// Adds what a principled material has beside its base: coat, sheen, specular reflection and what passes.

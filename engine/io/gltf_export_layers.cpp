@@ -17,7 +17,7 @@ class LayerWriter {
     GltfJson specular() {
         GltfJson to;
         if (from_.specular != NumberInput{1.0f} || from_.specularTint != ColorInput{Vec3(1.0f)}) {
-            share(from_.specular, GltfPictureUse::ShareInAlpha, "specularFactor", "specularTexture", &to);
+            share(from_.specular, GltfImageUse::ShareInAlpha, "specularFactor", "specularTexture", &to);
             color(from_.specularTint, "specularColorFactor", "specularColorTexture", &to);
         }
         return to;
@@ -25,8 +25,8 @@ class LayerWriter {
     GltfJson coat() {
         GltfJson to;
         if (from_.clearcoat.value > 0.0f || from_.clearcoat.texture >= 0) {
-            share(from_.clearcoat, GltfPictureUse::Share, "clearcoatFactor", "clearcoatTexture", &to);
-            roughness(from_.clearcoatRoughness, GltfPictureUse::Roughness, "clearcoatRoughnessFactor",
+            share(from_.clearcoat, GltfImageUse::Share, "clearcoatFactor", "clearcoatTexture", &to);
+            roughness(from_.clearcoatRoughness, GltfImageUse::Roughness, "clearcoatRoughnessFactor",
                       "clearcoatRoughnessTexture", &to);
         }
         return to;
@@ -35,7 +35,7 @@ class LayerWriter {
         GltfJson to;
         if (!isZero(from_.sheenColor.value) || from_.sheenColor.texture >= 0) {
             color(from_.sheenColor, "sheenColorFactor", "sheenColorTexture", &to);
-            roughness(from_.sheenRoughness, GltfPictureUse::RoughnessInAlpha, "sheenRoughnessFactor",
+            roughness(from_.sheenRoughness, GltfImageUse::RoughnessInAlpha, "sheenRoughnessFactor",
                       "sheenRoughnessTexture", &to);
         }
         return to;
@@ -43,33 +43,33 @@ class LayerWriter {
     GltfJson transmission() {
         GltfJson to;
         if (transmits(from_)) {
-            share(from_.specularTransmission, GltfPictureUse::Share, "transmissionFactor",
+            share(from_.specularTransmission, GltfImageUse::Share, "transmissionFactor",
                   "transmissionTexture", &to);
         }
         return to;
     }
 
   private:
-    void picture(int texture, GltfPictureUse use, const char* key, GltfJson* to) {
+    void addImage(int texture, GltfImageUse use, const char* key, GltfJson* to) {
         if (texture < 0) { return; }
-        const bool isAlpha = use == GltfPictureUse::ShareInAlpha || use == GltfPictureUse::RoughnessInAlpha;
+        const bool isAlpha = use == GltfImageUse::ShareInAlpha || use == GltfImageUse::RoughnessInAlpha;
         (*to)[key] = images_.info(isAlpha ? -1 : texture, isAlpha ? texture : -1, use, isFlipped_);
     }
-    void share(const NumberInput& input, GltfPictureUse use, const char* factor, const char* image,
+    void share(const NumberInput& input, GltfImageUse use, const char* factor, const char* imageKey,
                GltfJson* to) {
         (*to)[factor] = gltfJson(input.texture >= 0 ? images_.shareFactor(input.texture) : input.value);
-        picture(input.texture, use, image, to);
+        addImage(input.texture, use, imageKey, to);
     }
     /// By the GGX alpha, which is the square of glTF's roughness.
-    void roughness(const NumberInput& input, GltfPictureUse use, const char* factor, const char* image,
+    void roughness(const NumberInput& input, GltfImageUse use, const char* factor, const char* imageKey,
                    GltfJson* to) {
         (*to)[factor] =
             gltfJson(input.texture >= 0 ? images_.roughnessFactor(input.texture) : std::sqrt(input.value));
-        picture(input.texture, use, image, to);
+        addImage(input.texture, use, imageKey, to);
     }
-    void color(const ColorInput& input, const char* factor, const char* image, GltfJson* to) {
+    void color(const ColorInput& input, const char* factor, const char* imageKey, GltfJson* to) {
         (*to)[factor] = gltfJson(input.texture >= 0 ? Vec3(1.0f) : input.value);
-        picture(input.texture, GltfPictureUse::Color, image, to);
+        addImage(input.texture, GltfImageUse::Color, imageKey, to);
     }
 
     const Material& from_;

@@ -32,13 +32,13 @@ class MaterialWriter {
           out_(*out),
           warnings_(*warnings) {}
 
-    GltfJson write(bool isLamp) {
+    GltfJson write(bool isEmitter) {
         if (!from_.name.empty()) { to_["name"] = from_.name; }
         alpha();
         model();
         anisotropy();
         normals();
-        if (from_.emissive()) { emission(isLamp); }
+        if (from_.emissive()) { emission(isEmitter); }
         const bool isBody = isClearBody(from_);
         if (from_.emissive() ? from_.emitsBothSides : !isBody) { to_["doubleSided"] = true; }
         return std::move(to_);
@@ -47,7 +47,7 @@ class MaterialWriter {
   private:
     void warn(std::string_view sentence) { warnOnce(sentence, &warnings_); }
     const Texture& texture(int index) const { return scene_.textures[static_cast<size_t>(index)]; }
-    GltfJson info(int index, GltfPictureUse use) { return images_.info(index, -1, use, isFlipped_); }
+    GltfJson info(int index, GltfImageUse use) { return images_.info(index, -1, use, isFlipped_); }
     GltfJson& pbr() { return to_["pbrMetallicRoughness"]; }
 
     void alpha() {
@@ -72,7 +72,7 @@ class MaterialWriter {
         rgba.push_back(gltfJson(opacity_));
         pbr()["baseColorFactor"] = std::move(rgba);
         if (index >= 0 || alphaTexture_ >= 0) {
-            pbr()["baseColorTexture"] = images_.info(index, alphaTexture_, GltfPictureUse::Color, isFlipped_);
+            pbr()["baseColorTexture"] = images_.info(index, alphaTexture_, GltfImageUse::Color, isFlipped_);
         }
     }
     void color() { color(from_.color.texture >= 0 ? Vec3(1.0f) : from_.color.value, from_.color.texture); }
@@ -85,7 +85,7 @@ class MaterialWriter {
     void surface(float metallic) {
         const int index = from_.roughness.texture;
         surface(metallic, roughnessFactor());
-        if (index >= 0) { pbr()["metallicRoughnessTexture"] = info(index, GltfPictureUse::Roughness); }
+        if (index >= 0) { pbr()["metallicRoughnessTexture"] = info(index, GltfImageUse::Roughness); }
     }
     float roughnessFactor() {
         if (distributionOf(from_) != FacetDistribution::Ggx) {
@@ -159,7 +159,7 @@ class MaterialWriter {
         surface(metal.texture >= 0 ? images_.shareFactor(metal.texture) : metal.value, roughnessFactor());
         if (rough.texture >= 0 || metal.texture >= 0) {
             pbr()["metallicRoughnessTexture"] =
-                images_.info(rough.texture, metal.texture, GltfPictureUse::Roughness, isFlipped_);
+                images_.info(rough.texture, metal.texture, GltfImageUse::Roughness, isFlipped_);
         }
         ior();
         writeGltfLayers(from_, isFlipped_, &images_, &out_, &to_, &warnings_);
@@ -224,21 +224,21 @@ class MaterialWriter {
     void normals() {
         if (from_.bump.texture >= 0) { warn("approximated: bump maps are left out"); }
         if (from_.normalMap.texture < 0) { return; }
-        to_["normalTexture"] = info(from_.normalMap.texture, GltfPictureUse::Normal);
+        to_["normalTexture"] = info(from_.normalMap.texture, GltfImageUse::Normal);
         to_["normalTexture"]["scale"] = gltfJson(from_.normalStrength);
     }
 
     /// Factors end at 1; powers of two keep the digits.
-    void emission(bool isLamp) {
+    void emission(bool isEmitter) {
         const int index = from_.emission.texture;
         Vec3 factor = index >= 0 ? Vec3(1.0f) : from_.emission.value;
         float strength = from_.emissionStrength;
-        while (maxComponent(factor) > 1.0f || (isLamp && strength <= 1.0f)) {
+        while (maxComponent(factor) > 1.0f || (isEmitter && strength <= 1.0f)) {
             factor *= 0.5f;
             strength *= 2.0f;
         }
         to_["emissiveFactor"] = gltfJson(factor);
-        if (index >= 0) { to_["emissiveTexture"] = info(index, GltfPictureUse::Color); }
+        if (index >= 0) { to_["emissiveTexture"] = info(index, GltfImageUse::Color); }
         if (strength != 1.0f) {
             out_.extend(&to_, "KHR_materials_emissive_strength",
                         GltfJson::object({{"emissiveStrength", gltfJson(strength)}}));
@@ -270,9 +270,9 @@ bool tangentsCountFromTop(const SceneDescription& scene, int material) {
     return normals >= 0 ? scene.textures[static_cast<size_t>(normals)].flipV : !flipsV(scene, material);
 }
 
-size_t writeGltfMaterial(const SceneDescription& scene, int material, bool isLamp, GltfImages* images,
+size_t writeGltfMaterial(const SceneDescription& scene, int material, bool isEmitter, GltfImages* images,
                          GltfWriter* out, std::vector<std::string>* warnings) {
-    return out->add("materials", MaterialWriter(scene, material, images, out, warnings).write(isLamp));
+    return out->add("materials", MaterialWriter(scene, material, images, out, warnings).write(isEmitter));
 }
 
 }  // namespace glint

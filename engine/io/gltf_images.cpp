@@ -90,13 +90,13 @@ float roughnessAt(const Texture& texture, size_t pixel) {
     return isSquared(texture) ? number : safeSqrt(adjusted(texture, number));
 }
 
-Vec3 colorFor(GltfPictureUse use, const Texture& texture, size_t pixel) {
+Vec3 colorFor(GltfImageUse use, const Texture& texture, size_t pixel) {
     switch (use) {
-        case GltfPictureUse::Roughness:
+        case GltfImageUse::Roughness:
             return {1.0f, roughnessAt(texture, pixel), 1.0f};
-        case GltfPictureUse::Share:
+        case GltfImageUse::Share:
             return Vec3(shareAt(texture, pixel));
-        case GltfPictureUse::Normal: {
+        case GltfImageUse::Normal: {
             Vec3 numbers = numbersAt(texture.image, pixel);
             for (int c = 0; c < 3; ++c) {
                 numbers[c] = adjusted(texture, numbers[c]);
@@ -108,9 +108,9 @@ Vec3 colorFor(GltfPictureUse use, const Texture& texture, size_t pixel) {
     }
 }
 
-float alphaFor(GltfPictureUse use, const Texture& texture, size_t pixel) {
-    if (use == GltfPictureUse::ShareInAlpha) { return shareAt(texture, pixel); }
-    if (use == GltfPictureUse::RoughnessInAlpha) { return roughnessAt(texture, pixel); }
+float alphaFor(GltfImageUse use, const Texture& texture, size_t pixel) {
+    if (use == GltfImageUse::ShareInAlpha) { return shareAt(texture, pixel); }
+    if (use == GltfImageUse::RoughnessInAlpha) { return roughnessAt(texture, pixel); }
     return adjusted(texture, numberAt(texture, pixel));
 }
 
@@ -149,35 +149,35 @@ float GltfImages::shareFactor(int index) const {
     return isMultiplied(texture(index)) ? clampf(texture(index).gain, 0.0f, 1.0f) : 1.0f;
 }
 
-Image8 GltfImages::bake(const Picture& picture) {
-    const Texture& size = texture(picture.color >= 0 ? picture.color : picture.alpha);
-    Image8 image{widthOf(size.image), heightOf(size.image), {}, {}};
-    const size_t pixels = static_cast<size_t>(image.width) * static_cast<size_t>(image.height);
-    const Texture* color = picture.color >= 0 ? &texture(picture.color) : nullptr;
-    const Texture* alpha = picture.alpha >= 0 ? &texture(picture.alpha) : nullptr;
-    const bool isSurface = picture.use == GltfPictureUse::Roughness;
-    const bool hasAlpha = picture.use == GltfPictureUse::Color && color != nullptr && color->image.bytes &&
+Image8 GltfImages::bake(const Image& image) {
+    const Texture& size = texture(image.color >= 0 ? image.color : image.alpha);
+    Image8 baked{widthOf(size.image), heightOf(size.image), {}, {}};
+    const size_t pixels = static_cast<size_t>(baked.width) * static_cast<size_t>(baked.height);
+    const Texture* color = image.color >= 0 ? &texture(image.color) : nullptr;
+    const Texture* alpha = image.alpha >= 0 ? &texture(image.alpha) : nullptr;
+    const bool isSurface = image.use == GltfImageUse::Roughness;
+    const bool hasAlpha = image.use == GltfImageUse::Color && color != nullptr && color->image.bytes &&
                           !color->image.bytes->alpha.empty();
     for (size_t i = 0; i < pixels; ++i) {
-        Vec3 rgb = color != nullptr ? colorFor(picture.use, *color, i) : Vec3(1.0f);
+        Vec3 rgb = color != nullptr ? colorFor(image.use, *color, i) : Vec3(1.0f);
         if (alpha != nullptr && isSurface) { rgb.z = shareAt(*alpha, i); }
         for (int c = 0; c < 3; ++c) {
-            image.rgb.push_back(byteOf(rgb[c]));
+            baked.rgb.push_back(byteOf(rgb[c]));
         }
         if (alpha != nullptr && !isSurface) {
-            image.alpha.push_back(byteOf(alphaFor(picture.use, *alpha, i)));
+            baked.alpha.push_back(byteOf(alphaFor(image.use, *alpha, i)));
         } else if (hasAlpha) {
-            image.alpha.push_back(color->image.bytes->alpha[i]);
+            baked.alpha.push_back(color->image.bytes->alpha[i]);
         }
     }
-    return image;
+    return baked;
 }
 
-std::shared_ptr<const std::string> GltfImages::fileOf(const Picture& picture) {
-    const bool isPlain = picture.use == GltfPictureUse::Color || picture.use == GltfPictureUse::Normal;
-    if (picture.alpha >= 0 || !isPlain) { return nullptr; }
-    const Texture& from = texture(picture.color);
-    const bool isReadAlike = picture.use == GltfPictureUse::Normal || from.encoding == ColorEncoding::Srgb;
+std::shared_ptr<const std::string> GltfImages::fileOf(const Image& image) {
+    const bool isPlain = image.use == GltfImageUse::Color || image.use == GltfImageUse::Normal;
+    if (image.alpha >= 0 || !isPlain) { return nullptr; }
+    const Texture& from = texture(image.color);
+    const bool isReadAlike = image.use == GltfImageUse::Normal || from.encoding == ColorEncoding::Srgb;
     if (isChanged(from) || !from.image.bytes || !isReadAlike) { return nullptr; }
     std::shared_ptr<const std::string> bytes;
     if (const auto* embedded = std::get_if<EmbeddedFile>(&from.image.source)) { bytes = embedded->bytes; }
@@ -205,10 +205,10 @@ size_t GltfImages::addImage(const std::string& name, const std::shared_ptr<const
     return files_[key] = out_.add("images", std::move(image));
 }
 
-size_t GltfImages::imageOf(const Picture& picture) {
-    if (const auto known = images_.find(picture); known != images_.end()) { return known->second; }
-    const Texture& from = texture(picture.color >= 0 ? picture.color : picture.alpha);
-    std::shared_ptr<const std::string> bytes = fileOf(picture);
+size_t GltfImages::imageOf(const Image& image) {
+    if (const auto known = images_.find(image); known != images_.end()) { return known->second; }
+    const Texture& from = texture(image.color >= 0 ? image.color : image.alpha);
+    std::shared_ptr<const std::string> bytes = fileOf(image);
     std::string name = std::filesystem::path(path_).stem().string();
     if (bytes) {
         const auto* embedded = std::get_if<EmbeddedFile>(&from.image.source);
@@ -219,11 +219,11 @@ size_t GltfImages::imageOf(const Picture& picture) {
     } else {
         name += fmt::format("-picture{}.png", baked_++);
         if (!from.image.bytes) { warnOnce("approximated: pictures have eight bits", &warnings_); }
-        const Result<std::string> png = encodePng(bake(picture), path_);
+        const Result<std::string> png = encodePng(bake(image), path_);
         if (!png && status_) { status_ = png.error(); }
         bytes = std::make_shared<const std::string>(png ? *png : std::string());
     }
-    return images_[picture] = addImage(name, bytes);
+    return images_[image] = addImage(name, bytes);
 }
 
 GltfJson GltfImages::samplerOf(const Texture& texture) {
@@ -249,7 +249,7 @@ bool GltfImages::fits(int color, int alpha) {
            a.flipV == b.flipV && a.wrapU == b.wrapU && a.wrapV == b.wrapV;
 }
 
-GltfJson GltfImages::info(int color, int alpha, GltfPictureUse use, bool isFlipped) {
+GltfJson GltfImages::info(int color, int alpha, GltfImageUse use, bool isFlipped) {
     for (const int index : {color, alpha}) {
         if (index < 0 || texture(index).image.isRead()) { continue; }
         if (status_) {

@@ -15,7 +15,7 @@ namespace glint {
 /// How programs read a picture: sRGB colours and alpha, tangent-space normals, roughness (green) over
 /// metalness (blue; 1 without a texture of its own), a share of all (red), or a share or a roughness in
 /// the alpha.
-enum class GltfPictureUse { Color, Normal, Roughness, Share, ShareInAlpha, RoughnessInAlpha };
+enum class GltfImageUse { Color, Normal, Roughness, Share, ShareInAlpha, RoughnessInAlpha };
 
 /// The single number that a pixel shows (kernels/texture.h).
 float shownNumber(const Texture& texture, size_t pixel);
@@ -31,7 +31,7 @@ class GltfImages {
     /// A textureInfo of one of the scene's textures; with `alpha` >= 0, that texture's number is the alpha of
     /// the picture, which `use` says the meaning of, or, of `use` Roughness, its metalness. Either may be -1,
     /// not both. `isFlipped`: the file's v is 1 - v of the scene.
-    GltfJson info(int color, int alpha, GltfPictureUse use, bool isFlipped);
+    GltfJson info(int color, int alpha, GltfImageUse use, bool isFlipped);
     /// What the picture of a GGX alpha is multiplied by to be glTF's roughness.
     float roughnessFactor(int texture) const;
     /// The same for a metalness and other shares.
@@ -41,17 +41,17 @@ class GltfImages {
     const Status& status() const { return status_; }
 
   private:
-    struct Picture {
+    struct Image {
         int color, alpha;
-        GltfPictureUse use;
-        auto operator<=>(const Picture&) const = default;
+        GltfImageUse use;
+        auto operator<=>(const Image&) const = default;
     };
     const Texture& texture(int index) const { return scene_.textures[static_cast<size_t>(index)]; }
-    size_t imageOf(const Picture& picture);
+    size_t imageOf(const Image& image);
     bool fits(int color, int alpha);
     /// The image's file where it can be used as it is; null: it cannot.
-    std::shared_ptr<const std::string> fileOf(const Picture& picture);
-    Image8 bake(const Picture& picture);
+    std::shared_ptr<const std::string> fileOf(const Image& image);
+    Image8 bake(const Image& image);
     size_t addImage(const std::string& name, const std::shared_ptr<const std::string>& bytes);
     GltfJson samplerOf(const Texture& texture);
 
@@ -60,7 +60,7 @@ class GltfImages {
     GltfWriter& out_;
     std::vector<std::string>& warnings_;
     Status status_;
-    std::map<Picture, size_t> images_;
+    std::map<Image, size_t> images_;
     std::map<std::string, size_t> files_, samplers_, textures_;
     int baked_ = 0;
 };

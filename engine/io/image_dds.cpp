@@ -142,13 +142,13 @@ Result<SceneImage> decode(const std::string& file, const std::string& path) {
     if (Status size = checkStatedSize(path, header.width, faces * header.height, file.size(), 2.0); !size) {
         return size.error();
     }
-    std::vector<SceneImage> pictures;
+    std::vector<SceneImage> images;
     for (uint64_t face = 0; face < faces && !bytes.failed(); ++face) {
         if (face > 0) { skipDdsCopies(header, &bytes); }
-        pictures.push_back(readDdsFace(header, &bytes));
+        images.push_back(readDdsFace(header, &bytes));
     }
     if (bytes.failed()) { return brokenImage(path, "the file ends too early"); }
-    return header.isCubeMap ? cubeColumn(pictures) : std::move(pictures[0]);
+    return header.isCubeMap ? cubeColumn(images) : std::move(images[0]);
 }
 
 }  // namespace

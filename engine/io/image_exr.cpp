@@ -5,9 +5,9 @@ namespace glint {
 namespace {
 
 Result<SceneImage> decode(const std::string& bytes, const std::string& path) {
-    Result<ExrPicture> picture = decodeExrColor(bytes, path);
-    if (!picture) { return picture.error(); }
-    return SceneImage{.floats = std::make_shared<const ImageF>(std::move(picture->color))};
+    Result<ExrColorImage> image = decodeExrColor(bytes, path);
+    if (!image) { return image.error(); }
+    return SceneImage{.floats = std::make_shared<const ImageF>(std::move(image->color))};
 }
 
 Status save(const std::string& path, const ImageForms& image) {

@@ -27,7 +27,7 @@ using Gif = std::unique_ptr<GifFileType, CloseGif>;
 
 /// Goes to the first picture; `transparent` becomes the colour that is none, -1 where there is no such.
 /// False: there is no picture.
-bool findPicture(GifFileType* gif, int* transparent) {
+bool findImage(GifFileType* gif, int* transparent) {
     for (GifRecordType record{}; DGifGetRecordType(gif, &record) == GIF_OK;) {
         if (record == IMAGE_DESC_RECORD_TYPE) { return DGifGetImageDesc(gif) == GIF_OK; }
         if (record == TERMINATE_RECORD_TYPE) { return false; }
@@ -59,25 +59,25 @@ std::vector<int> rowOrder(int height, bool interlaced) {
 
 /// Draws the picture on the canvas, which it need not cover. Error: cut off, or a colour that the
 /// palette lacks.
-Status drawPicture(GifFileType* gif, int transparent, const std::string& path, Image8Builder* canvas) {
-    const GifImageDesc& picture = gif->Image;
-    const ColorMapObject* colors = picture.ColorMap != nullptr ? picture.ColorMap : gif->SColorMap;
+Status drawImage(GifFileType* gif, int transparent, const std::string& path, Image8Builder* canvas) {
+    const GifImageDesc& image = gif->Image;
+    const ColorMapObject* colors = image.ColorMap != nullptr ? image.ColorMap : gif->SColorMap;
     if (colors == nullptr) { return brokenImage(path, "it has no palette"); }
     const int canvasWidth = canvas->places().storedWidth;
-    std::vector<uint8_t> line(static_cast<size_t>(picture.Width));
+    std::vector<uint8_t> line(static_cast<size_t>(image.Width));
     std::vector<uint8_t> rgba(size_t{4} * static_cast<size_t>(canvasWidth));
     for (int row = 0; row < canvas->places().storedHeight; ++row) {
         canvas->setRow(row, rgba);  // nothing is there yet
     }
-    for (const int row : rowOrder(picture.Height, picture.Interlace)) {
-        if (DGifGetLine(gif, line.data(), picture.Width) != GIF_OK) {
+    for (const int row : rowOrder(image.Height, image.Interlace)) {
+        if (DGifGetLine(gif, line.data(), image.Width) != GIF_OK) {
             return brokenImage(path, GifErrorString(gif->Error));
         }
-        for (int x = 0; x < picture.Width; ++x) {
+        for (int x = 0; x < image.Width; ++x) {
             const int index = line[static_cast<size_t>(x)];
             if (index >= colors->ColorCount) { return brokenImage(path, "a colour is not in the palette"); }
             const GifColorType& color = colors->Colors[index];
-            if (const int column = picture.Left + x; column < canvasWidth) {
+            if (const int column = image.Left + x; column < canvasWidth) {
                 uint8_t* pixel = &rgba[4 * static_cast<size_t>(column)];
                 pixel[0] = color.Red;
                 pixel[1] = color.Green;
@@ -85,7 +85,7 @@ Status drawPicture(GifFileType* gif, int transparent, const std::string& path, I
                 pixel[3] = index == transparent ? 0 : 255;
             }
         }
-        if (picture.Top + row < canvas->places().storedHeight) { canvas->setRow(picture.Top + row, rgba); }
+        if (image.Top + row < canvas->places().storedHeight) { canvas->setRow(image.Top + row, rgba); }
     }
     return {};
 }
@@ -101,10 +101,10 @@ Result<SceneImage> decode(const std::string& bytes, const std::string& path) {
     };
     if (Status size = checkSize(gif->SWidth, gif->SHeight); !size) { return size.error(); }
     int transparent = -1;
-    if (!findPicture(gif.get(), &transparent)) { return brokenImage(path, "there is no picture in it"); }
+    if (!findImage(gif.get(), &transparent)) { return brokenImage(path, "there is no picture in it"); }
     if (Status size = checkSize(gif->Image.Width, gif->Image.Height); !size) { return size.error(); }
     Image8Builder canvas({gif->SWidth, gif->SHeight});
-    if (Status drawn = drawPicture(gif.get(), transparent, path, &canvas); !drawn) { return drawn.error(); }
+    if (Status drawn = drawImage(gif.get(), transparent, path, &canvas); !drawn) { return drawn.error(); }
     return canvas.take();
 }
 

@@ -105,7 +105,7 @@ void setRowFromRgb(Reading* reading, int row) {
 
 /// False where libjpeg has given up. What is inlined here would have its variables in the frame that longjmp
 /// comes back to, which is why the two readers are not.
-bool readPicture(Reading* reading) {
+bool readImage(Reading* reading) {
     if (setjmp(reading->giveUp) != 0) { return false; }
     jpeg_create_decompress(&reading->jpeg);
     reading->jpeg.client_data = reading;
@@ -122,7 +122,7 @@ Result<SceneImage> decode(const std::string& bytes, const std::string& path) {
     reading.errors.error_exit = onError;
     reading.errors.emit_message = onMessage;
     reading.progress.progress_monitor = onProgress;
-    const bool whole = readPicture(&reading);
+    const bool whole = readImage(&reading);
     jpeg_destroy_decompress(&reading.jpeg);
     if (!whole) { return brokenImage(path, reading.reason); }
     if (!reading.size) { return reading.size.error(); }

@@ -131,7 +131,7 @@ void expandColors(png_structp png) {
 
 /// False where libpng has given up. What is inlined here would have its variables in the frame that longjmp
 /// comes back to, which is why the two readers are not.
-bool readPicture(Reading* reading) {
+bool readImage(Reading* reading) {
     if (setjmp(png_jmpbuf(reading->png)) != 0) { return false; }
     readHeader(reading);
     if (reading->size) { readRows(reading); }
@@ -142,7 +142,7 @@ Result<SceneImage> decode(const std::string& bytes, const std::string& path) {
     Reading reading{.rest = bytes, .path = path};
     reading.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reading, onError, onWarning);
     reading.info = reading.png != nullptr ? png_create_info_struct(reading.png) : nullptr;
-    const bool whole = reading.info != nullptr && readPicture(&reading);
+    const bool whole = reading.info != nullptr && readImage(&reading);
     png_destroy_read_struct(&reading.png, &reading.info, nullptr);
     if (!whole) { return brokenImage(path, reading.reason); }
     if (!reading.size) { return reading.size.error(); }

@@ -66,7 +66,7 @@ class GltfReader {
             return true;
         });
         applyDefaultView(&scene_, noStudio_);
-        if (hasNoLamp()) { lightModel(&scene_, noStudio_); }
+        if (hasNoEmitter()) { lightModel(&scene_, noStudio_); }
         if (camera_) { useCamera(*camera_); }
         for (const Asset& asset : lackingAssets(scene_)) {  // the studio's light
             if (Status read = readAsset(asset, &assets, &scene_); !read) { return read.error(); }
@@ -201,7 +201,7 @@ class GltfReader {
     }
 
     /// Emission up to 1 is how labels and screens look: viewers light such models.
-    bool hasNoLamp() const {
+    bool hasNoEmitter() const {
         return scene_.lights.empty() && !scene_.environment.emissive() &&
                std::ranges::all_of(scene_.materials,
                                    [](const Material& m) { return m.emissionStrength <= 1.0f; });

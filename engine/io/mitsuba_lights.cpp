@@ -10,7 +10,7 @@
 #include "engine/io/mitsuba_sensor.h"
 #include "engine/io/mitsuba_sky.h"
 #include "engine/io/mitsuba_spectrum.h"
-#include "engine/io/projected_picture.h"
+#include "engine/io/projected_image.h"
 #include "engine/math/color.h"
 
 namespace glint {
@@ -54,8 +54,8 @@ Light* MitsubaLights::add(MitsubaObject* object, LightKind kind,
     const auto color = mitsubaInput(object, radiometry, SpectrumRole::Emission);
     light.color = color && color->texture == nullptr ? color->color : Vec3(1.0f);
     if (color && color->texture != nullptr && kind == LightKind::Projector) {
-        light.picture = textures_.color(*color->texture, UvOrigin::Bottom);
-        if (light.picture.texture < 0) { light.picture.value = Vec3(0.5f); }
+        light.image = textures_.color(*color->texture, UvOrigin::Bottom);
+        if (light.image.texture < 0) { light.image.value = Vec3(0.5f); }
     } else if (color && color->texture != nullptr) {
         object->approximated("approximated: lights without a shape have no pictures");
     }
@@ -82,14 +82,14 @@ void MitsubaLights::placeSpot(MitsubaObject* object) {
 }
 
 /// Of an image; all else is square.
-float MitsubaLights::aspectOf(const ColorInput& picture) {
-    if (picture.texture < 0) { return 1.0f; }
-    const ImageSource& source = context_.scene.textures[static_cast<size_t>(picture.texture)].image.source;
+float MitsubaLights::aspectOf(const ColorInput& image) {
+    if (image.texture < 0) { return 1.0f; }
+    const ImageSource& source = context_.scene.textures[static_cast<size_t>(image.texture)].image.source;
     if (std::holds_alternative<Checkerboard>(source)) { return 1.0f; }
-    const Result<SceneImage> image = assets_.texture(source);
-    if (!image) { return 1.0f; }
-    const Vec2 size = image->floats ? Vec2(image->floats->width, image->floats->height)
-                                    : Vec2(image->bytes->width, image->bytes->height);
+    const Result<SceneImage> read = assets_.texture(source);
+    if (!read) { return 1.0f; }
+    const Vec2 size = read->floats ? Vec2(read->floats->width, read->floats->height)
+                                   : Vec2(read->bytes->width, read->bytes->height);
     return size.x / size.y;
 }
 
@@ -98,7 +98,7 @@ float MitsubaLights::aspectOf(const ColorInput& picture) {
 void MitsubaLights::placeProjector(MitsubaObject* object) {
     Light* light = add(object, LightKind::Projector, {"irradiance"});
     light->strength = kPi * object->number("scale", 1.0f, 0.0f);
-    light->aspect = aspectOf(light->picture);
+    light->aspect = aspectOf(light->image);
     const float vertical = mitsubaVerticalFov(object, light->aspect);
     const float half = light->aspect * std::tan(0.5f * vertical / kDegreesPerRadian);
     light->fovDeg = std::clamp(2.0f * std::atan(half) * kDegreesPerRadian, 0.01f, 179.9f);

@@ -23,7 +23,7 @@ class MitsubaLights {
     void placeMap(MitsubaObject* object);
     void placeSky(MitsubaObject* object);
     Light* add(MitsubaObject* object, LightKind kind, std::initializer_list<std::string_view> radiometry);
-    float aspectOf(const ColorInput& picture);
+    float aspectOf(const ColorInput& image);
     bool takesEnvironment(MitsubaObject* object);
     SceneImage imageOf(MitsubaObject* object, const std::string& path, const Affine& toWorld);
 

@@ -55,8 +55,8 @@ Result<MtlLibrary> loadMtl(const std::string& path);
 ///     with illum 3, 5.
 ///   - else diffuse of Kd, 0.5 grey when there is no Kd.
 /// Ns becomes the GGX alpha sqrt(2 / (Ns + 2)) (Walter et al. 2007, section 5.2, for Phong exponents).
-/// Ke becomes emission, on both sides until lamp_sides.h knows better. map_Kd replaces Kd, and map_Ke Ke but
-/// for its largest part, a factor where it is not 0 (a remark tells of a colour that is lost). map_Pr
+/// Ke becomes emission, on both sides until emitter_sides.h knows better. map_Kd replaces Kd, and map_Ke Ke
+/// but for its largest part, a factor where it is not 0 (a remark tells of a colour that is lost). map_Pr
 /// replaces Pr and is squared. map_d cuts out, as does d from 0.5 to 1. Of the options of maps, -s, -o, -mm,
 /// -clamp, -bm and -imfchan count. Ka and all other maps are left out, maps with a remark.
 MtlMaterial materialOf(const MtlEntry& entry, MtlLibrary* library);

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "engine/io/emitter_sides.h"
 #include "engine/io/file_kind.h"
-#include "engine/io/lamp_sides.h"
 #include "engine/io/obj_materials.h"
 #include "engine/io/obj_parser.h"
 #include "engine/io/plain_text.h"
@@ -58,7 +58,7 @@ Status readObjMaterials(const std::string& path, MeshFile* file) {
     }
     resolver.scaleBumps();
     resolver.finish();
-    chooseLampSides(path, file);
+    chooseEmitterSides(path, file);
     return {};
 }
 

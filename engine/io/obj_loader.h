@@ -22,7 +22,7 @@ namespace glint {
 Result<MeshFile> parseObj(const std::string& text, const std::string& path);
 
 /// Reads the MTL files of the OBJ file at `path` and gives parts their materials; lamps get their
-/// sides (lamp_sides.h).
+/// sides (emitter_sides.h).
 Status readObjMaterials(const std::string& path, MeshFile* file);
 
 /// Both, for a file on the disk.

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "engine/io/pbrt_writer.h"
-#include "engine/io/projected_picture.h"
+#include "engine/io/projected_image.h"
 #include "engine/io/scene_export.h"
 #include "engine/io/texture_lookup.h"
 
@@ -48,8 +48,8 @@ std::string columns(const Vec3& x, const Vec3& y, const Vec3& z, const Vec3& ori
 
 }  // namespace
 
-ImageF pbrtProjectedPicture(const SceneDescription& scene, const Light& light) {
-    const int index = light.picture.texture;
+ImageF pbrtProjectedImage(const SceneDescription& scene, const Light& light) {
+    const int index = light.image.texture;
     const auto lookup =
         index >= 0 ? std::optional(TextureLookup(scene.textures[static_cast<size_t>(index)])) : std::nullopt;
     const bool isImage = lookup && !lookup->isEmpty();
@@ -59,43 +59,42 @@ ImageF pbrtProjectedPicture(const SceneDescription& scene, const Light& light) {
     const Vec2 half = projectedExtent(light);
     return painted(width, height, [&](const Vec2& uv) {
         const Vec2 place = half * (2.0f * uv - Vec2(1.0f));
-        return (isImage ? lookup->at(uv) : light.picture.value) *
-               std::pow(1.0f + glm::dot(place, place), 1.5f);
+        return (isImage ? lookup->at(uv) : light.image.value) * std::pow(1.0f + glm::dot(place, place), 1.5f);
     });
 }
 
-ImageF pbrtGoniometricPicture(const SceneDescription& scene, const Light& light,
-                              std::vector<std::string>* warnings) {
-    const TextureLookup lookup(scene.textures[static_cast<size_t>(light.picture.texture)]);
+ImageF pbrtGoniometricImage(const SceneDescription& scene, const Light& light,
+                            std::vector<std::string>* warnings) {
+    const TextureLookup lookup(scene.textures[static_cast<size_t>(light.image.texture)]);
     if (lookup.isEmpty()) {
-        return painted(1, 1, [&](const Vec2&) { return light.picture.value; });
+        return painted(1, 1, [&](const Vec2&) { return light.image.value; });
     }
-    const Texture& texture = scene.textures[static_cast<size_t>(light.picture.texture)];
+    const Texture& texture = scene.textures[static_cast<size_t>(light.image.texture)];
     const bool isExact = texture.filter == TexelFilter::Nearest && lookup.width() == lookup.height();
     const int size = isExact ? lookup.width() : columnsFor(lookup.width());
-    ImageF picture = painted(size, size, [&](const Vec2& uv) { return lookup.at(uv); });
-    for (size_t i = 0; i + 2 < picture.rgb.size(); i += 3) {
-        float* rgb = &picture.rgb[i];
+    ImageF image = painted(size, size, [&](const Vec2& uv) { return lookup.at(uv); });
+    for (size_t i = 0; i + 2 < image.rgb.size(); i += 3) {
+        float* rgb = &image.rgb[i];
         const float mean = (rgb[0] + rgb[1] + rgb[2]) / 3.0f;
         if (std::fabs(rgb[0] - mean) + std::fabs(rgb[1] - mean) > 1e-5f * mean) {
             warnOnce("approximated: pictures of goniometric lights are grey", warnings);
         }
         std::fill_n(rgb, 3, mean);
     }
-    return picture;
+    return image;
 }
 
-std::string pbrtPicturedLight(const Light& light, std::string_view file) {
-    const Vec3 direction = glm::normalize(light.direction), right = pictureRight(light);
+std::string pbrtImageLight(const Light& light, std::string_view file) {
+    const Vec3 direction = glm::normalize(light.direction), right = imageRight(light);
     const Vec3 up = glm::cross(right, direction);
-    const std::string picture = pbrtString("filename", file) + pbrtNumber("scale", light.strength);
+    const std::string image = pbrtString("filename", file) + pbrtNumber("scale", light.strength);
     std::string out = "AttributeBegin\n";
     if (light.kind == LightKind::Goniometric) {
-        out += columns(right, direction, -up, light.position) + "LightSource \"goniometric\"" + picture +
+        out += columns(right, direction, -up, light.position) + "LightSource \"goniometric\"" + image +
                pbrtRgb("I", light.color);
     } else {
         const Vec2 half = projectedExtent(light);
-        out += columns(right, up, direction, light.position) + "LightSource \"projection\"" + picture +
+        out += columns(right, up, direction, light.position) + "LightSource \"projection\"" + image +
                pbrtNumber("fov", 360.0f / kPi * std::atan(std::min(half.x, half.y)));
     }
     return out + "\nAttributeEnd\n";

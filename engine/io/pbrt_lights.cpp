@@ -8,7 +8,7 @@
 #include "engine/io/baked_image.h"
 #include "engine/io/image_io.h"
 #include "engine/io/pbrt_environment.h"
-#include "engine/io/projected_picture.h"
+#include "engine/io/projected_image.h"
 #include "engine/math/color.h"
 
 namespace glint {
@@ -91,21 +91,21 @@ void PbrtLights::placeDistant(const PbrtParams& params, const Affine& toWorld) {
 /// Its image has the local +y in its middle, +x to its right and +z at its bottom.
 void PbrtLights::placeGoniometric(const PbrtParams& params, const Affine& toWorld) {
     const bool isLatLong = params.has("mapname");
-    std::optional<PbrtValue> picture;
+    std::optional<PbrtValue> image;
     if (isLatLong || params.has("filename")) {
-        picture = textures_.goniometric(
+        image = textures_.goniometric(
             params, textures_.imageFile(params, isLatLong ? "mapname" : "filename", ColorEncoding::Srgb),
             isLatLong);
-        if (!picture) { return; }
+        if (!image) { return; }
     }
-    const float mean = picture ? luminance(textures_.meanOf(*picture)) : 1.0f;
-    Light* light = add(params, picture ? LightKind::Goniometric : LightKind::Point, "goniometric",
+    const float mean = image ? luminance(textures_.meanOf(*image)) : 1.0f;
+    Light* light = add(params, image ? LightKind::Goniometric : LightKind::Point, "goniometric",
                        4.0f * kPi * std::max(mean, 1e-9f));
     light->position = toWorld.translation;
-    if (!picture) { return; }
-    light->picture = textures_.colorInput(*picture);
-    const Affine toPicture{Mat3(1, 0, 0, 0, 0, -1, 0, 1, 0), Vec3(0.0f)};
-    if (!aimProjector(toWorld * toPicture, Vec3(1, 0, 0), light, &context_.scene)) {
+    if (!image) { return; }
+    light->image = textures_.colorInput(*image);
+    const Affine toImage{Mat3(1, 0, 0, 0, 0, -1, 0, 1, 0), Vec3(0.0f)};
+    if (!aimProjector(toWorld * toImage, Vec3(1, 0, 0), light, &context_.scene)) {
         params.fail("the light is flattened");
     }
 }
@@ -120,15 +120,15 @@ void PbrtLights::placeProjection(const PbrtParams& params, const Affine& toWorld
     }
     const float tangent = std::tan(0.5f * params.number("fov", 90.0f, 0.1f, 179.0f) / kDegreesPerRadian);
     float aspect = 1.0f;
-    const auto picture =
+    const auto image =
         textures_.projected(params, textures_.imageFile(params, file, ColorEncoding::Srgb), tangent, &aspect);
-    if (!picture) { return; }
+    if (!image) { return; }
     const float half = tangent * std::max(aspect, 1.0f), area = 4.0f * half * half / aspect;
     Light* light = add(params, LightKind::Projector, "projection",
-                       area * std::max(luminance(textures_.meanOf(*picture)), 1e-9f));
+                       area * std::max(luminance(textures_.meanOf(*image)), 1e-9f));
     light->fovDeg = 2.0f * std::atan(half) * kDegreesPerRadian;
     light->aspect = aspect;
-    light->picture = textures_.colorInput(*picture);
+    light->image = textures_.colorInput(*image);
     if (!aimProjector(toWorld, Vec3(1, 0, 0), light, &context_.scene)) {
         params.fail("the light is flattened");
     }

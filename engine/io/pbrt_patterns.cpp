@@ -17,7 +17,7 @@ void append(const Vec3& color, ImageF* image) {
 }
 
 /// Every second cell of a square of cells has a dot somewhere within it.
-ImageF dotsPicture(const Vec3& inside, const Vec3& outside) {
+ImageF dotsImage(const Vec3& inside, const Vec3& outside) {
     constexpr int kCells = 16, kCellPixels = 32, kSize = kCells * kCellPixels;
     constexpr float kRadius = 0.35f;  // of a cell
     ImageF image{kSize, kSize, {}};
@@ -66,7 +66,7 @@ PbrtValue PbrtTextures::makeDots(const PbrtParams& params, bool isNumber) {
     if (inside.image || outside.image) {
         params.approximated("approximated: images on dots and between them are their means");
     }
-    return baked(texture, dotsPicture(meanOf(inside), meanOf(outside)));
+    return baked(texture, dotsImage(meanOf(inside), meanOf(outside)));
 }
 
 std::optional<PbrtValue> PbrtTextures::projected(const PbrtParams& at, const PbrtValue& image, float tangent,

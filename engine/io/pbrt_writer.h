@@ -39,11 +39,11 @@ std::string pbrtMaterialName(const SceneDescription& scene, int index);
 /// pbrt's images of such lights have it, upright. The one is an intensity, for which the other's irradiance
 /// at a distance of 1 is divided by the cube of the cosine, in 1024 columns or more; the other is grey, which
 /// warns where it was not, and has its own texels where they are not interpolated.
-ImageF pbrtProjectedPicture(const SceneDescription& scene, const Light& light);
-ImageF pbrtGoniometricPicture(const SceneDescription& scene, const Light& light,
-                              std::vector<std::string>* warnings);
+ImageF pbrtProjectedImage(const SceneDescription& scene, const Light& light);
+ImageF pbrtGoniometricImage(const SceneDescription& scene, const Light& light,
+                            std::vector<std::string>* warnings);
 /// Either light, with that image file.
-std::string pbrtPicturedLight(const Light& light, std::string_view file);
+std::string pbrtImageLight(const Light& light, std::string_view file);
 
 /// Integrator, film and camera, up to WorldBegin.
 std::string pbrtView(const SceneDescription& scene, std::vector<std::string>* warnings);

@@ -82,15 +82,15 @@ std::string SceneExport::saveTriangles(const Object& object) {
     return savePly(shapeMesh(object));
 }
 
-std::string SceneExport::savePicture(std::string_view ending, const ImageF& picture) {
-    return save(ending, std::get<EmbeddedFile>(bakedImage(picture, path_, 0)).bytes);
+std::string SceneExport::saveImage(std::string_view ending, const ImageF& image) {
+    return save(ending, std::get<EmbeddedFile>(bakedImage(image, path_, 0)).bytes);
 }
 
 std::string SceneExport::saveEnvironment(ImageF map, const Vec3& factor) {
     for (size_t i = 0; i < map.rgb.size(); ++i) {
         map.rgb[i] *= factor[static_cast<int>(i % 3)];
     }
-    return savePicture("-environment.exr", map);
+    return saveImage("-environment.exr", map);
 }
 
 std::shared_ptr<const ImageF> SceneExport::environmentImage() {

@@ -61,7 +61,7 @@ class SceneExport {
     /// The same of a shape that the format lacks; warns of it.
     std::string saveTriangles(const Object& object);
     /// The same of a picture, as EXR.
-    std::string savePicture(std::string_view ending, const ImageF& picture);
+    std::string saveImage(std::string_view ending, const ImageF& image);
     /// Writes the environment's map, times `factor`, and says under which name.
     std::string saveEnvironment(ImageF map, const Vec3& factor);
 

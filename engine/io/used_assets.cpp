@@ -146,7 +146,7 @@ void goWithout(std::span<const Asset> assets, SceneDescription* scene) {
     std::erase_if(scene->objects, isMissing);
     std::erase_if(scene->hiddenObjects, isMissing);
     for (Light& light : scene->lights) {
-        int& texture = light.picture.texture;
+        int& texture = light.image.texture;
         if (texture >= 0 && textures[static_cast<size_t>(texture)]) { texture = -1; }
     }
     for (Material& material : scene->materials) {

@@ -43,7 +43,7 @@ struct RenderedFilm {
 };
 
 /// What the newest snapshot of an integrator is of: a new one is due when any of it changed.
-struct ShownImage {
+struct PublishedImage {
     EditTicket ticket = 0;
     bool isPreview = false;
     std::optional<FilmRegion> region{};
@@ -55,7 +55,7 @@ struct ShownImage {
     bool integratorMaps = false;
     bool errorMaps = false;
 
-    bool operator==(const ShownImage&) const = default;
+    bool operator==(const PublishedImage&) const = default;
 };
 
 class IntegratorState {
@@ -110,7 +110,7 @@ class IntegratorState {
     // What there is to be seen.
     const RenderedImage& visible() const { return isPreviewing_ ? preview_ : film_.image; }
     uint32_t visiblePasses() const { return isPreviewing_ ? preview_.film.passes() : passes(); }
-    ShownImage shown;
+    PublishedImage shown;
     std::shared_ptr<const FilmSnapshot> snapshot;  ///< that `shown` describes
     SessionClock::time_point shownAt;
 

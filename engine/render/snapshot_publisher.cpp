@@ -7,7 +7,8 @@ namespace {
 
 constexpr double kSnapshotInterval = 1.0 / 60.0;
 
-ShownImage describe(const IntegratorState& state, const SessionImages& images, const RenderRequest& request) {
+PublishedImage describe(const IntegratorState& state, const SessionImages& images,
+                        const RenderRequest& request) {
     return {images.ticket(),
             state.isPreviewing(),
             state.region(),
@@ -20,7 +21,7 @@ ShownImage describe(const IntegratorState& state, const SessionImages& images, c
             request.errorMaps};
 }
 
-bool lacksRequest(const ShownImage& shown, const ShownImage& wanted) {
+bool lacksRequest(const PublishedImage& shown, const PublishedImage& wanted) {
     return (wanted.standardError && !shown.standardError) ||
            (wanted.integratorMaps && !shown.integratorMaps) || (wanted.errorMaps && !shown.errorMaps);
 }
@@ -40,8 +41,8 @@ std::shared_ptr<const AovFilm> aovsFor(const FilmSnapshot& snapshot, SessionImag
 
 }  // namespace
 
-bool SnapshotPublisher::isDue(const IntegratorState& state, const ShownImage& now, bool rests) const {
-    const ShownImage& before = state.shown;
+bool SnapshotPublisher::isDue(const IntegratorState& state, const PublishedImage& now, bool rests) const {
+    const PublishedImage& before = state.shown;
     if (now.passes == 0) { return false; }
     const bool isSharper = before.isPreview && !now.isPreview;
     if (before.ticket != now.ticket || isSharper || lacksRequest(before, now)) { return true; }
@@ -51,8 +52,9 @@ bool SnapshotPublisher::isDue(const IntegratorState& state, const ShownImage& no
     return isNewer && (rests || secondsSince(state.shownAt) >= kSnapshotInterval);
 }
 
-void SnapshotPublisher::refresh(const ShownImage& now, SessionImages* images, IntegratorState* state) const {
-    ShownImage before = state->shown;
+void SnapshotPublisher::refresh(const PublishedImage& now, SessionImages* images,
+                                IntegratorState* state) const {
+    PublishedImage before = state->shown;
     before.ticket = now.ticket;
     std::shared_ptr<FilmSnapshot> snapshot;
     if (before == now && state->snapshot) {
@@ -79,7 +81,7 @@ void SnapshotPublisher::showIfDue(SessionImages* images, const RenderRequest& re
                                   SessionStatus* status) {
     if (!isEnabled_) { return; }
     IntegratorState& main = images->shown();
-    if (const ShownImage now = describe(main, *images, request); isDue(main, now, rests)) {
+    if (const PublishedImage now = describe(main, *images, request); isDue(main, now, rests)) {
         refresh(now, images, &main);
         published_->show(main.snapshot);
         shownTicket_ = now.ticket;
@@ -93,7 +95,7 @@ void SnapshotPublisher::showIfDue(SessionImages* images, const RenderRequest& re
     if (shownTicket_ != images->ticket()) { return; }
     for (const IntegratorKind kind : images->compared(request)) {
         IntegratorState& beside = images->of(kind);
-        if (const ShownImage now = describe(beside, *images, request); isDue(beside, now, rests)) {
+        if (const PublishedImage now = describe(beside, *images, request); isDue(beside, now, rests)) {
             refresh(now, images, &beside);
             published_->showBeside(beside.snapshot);
         }

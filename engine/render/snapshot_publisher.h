@@ -31,9 +31,9 @@ class SnapshotPublisher {
     }
 
   private:
-    bool isDue(const IntegratorState& state, const ShownImage& now, bool rests) const;
+    bool isDue(const IntegratorState& state, const PublishedImage& now, bool rests) const;
     /// Makes the snapshot that `now` describes.
-    void refresh(const ShownImage& now, SessionImages* images, IntegratorState* state) const;
+    void refresh(const PublishedImage& now, SessionImages* images, IntegratorState* state) const;
 
     PublishedState* published_;
     bool isEnabled_;

@@ -163,12 +163,12 @@ std::string referenceDifference(const Attributes& attributes, SceneDescription s
 Result<ReferenceImage> loadReference(const std::string& path, const SceneDescription& scene, bool anyScene) {
     const Result<std::string> bytes = readImageFile(path);
     if (!bytes) { return bytes.error(); }
-    Result<ExrPicture> picture = decodeExrColor(*bytes, path);
-    if (!picture) { return picture.error(); }
-    const Attributes& attributes = picture->attributes;
+    Result<ExrColorImage> image = decodeExrColor(*bytes, path);
+    if (!image) { return image.error(); }
+    const Attributes& attributes = image->attributes;
     ReferenceImage out;
     out.path = path;
-    out.image = std::move(picture->color);
+    out.image = std::move(image->color);
     if (Status finite = checkFinite(out.image, path); !finite) { return finite.error(); }
     const Resolution& size = scene.resolution;
     if (out.image.width != size.width || out.image.height != size.height) {

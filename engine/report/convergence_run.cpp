@@ -117,7 +117,7 @@ class VariantRunner {
     }
 
     /// Where noise is taken out, that belongs to the seconds.
-    std::shared_ptr<FilmSnapshot> pictureOf(const SessionCapture& capture) const {
+    std::shared_ptr<FilmSnapshot> imageOf(const SessionCapture& capture) const {
         const int threads = result.settings.threads;
         auto snapshot = makeSnapshot(capture, {.standardError = result.settings.denoise}, threads);
         if (!result.settings.denoise) { return snapshot; }
@@ -131,7 +131,7 @@ class VariantRunner {
     /// Adds a point to the last curve; returns the film's seconds.
     double measure(MeasuredSession& session) {
         const auto capture = session.capture();
-        const auto snapshot = pictureOf(*capture);
+        const auto snapshot = imageOf(*capture);
         ImageF image{snapshot->width, snapshot->height, std::move(snapshot->radiance)};
         MeasuredPoint point{snapshot->passes, snapshot->renderSeconds, evaluate(image)};
         result.curves.back().points.push_back(point);

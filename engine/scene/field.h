@@ -32,12 +32,12 @@ struct FieldTraits {
     std::string_view unit = {};
     std::string_view help = {};
     std::optional<EditKind> edit = {};  ///< the list's own where it is left out
-    bool inPicture = true;              ///< the fingerprint has it
+    bool inFingerprint = true;          ///< the fingerprint has it
     uint32_t kinds = ~0u;               ///< the kinds of the owner that have the key, see only()
     bool required = false;              ///< a file must give it
     bool onlyOwnKinds = false;          ///< fingerprints of other kinds leave it out
     bool onlyIfSet = false;             ///< fingerprints leave it out where it is as in a new object
-    bool inPictureIfSaved = false;      ///< fingerprints leave it out where FieldHooks::isSaved does not hold
+    bool inFingerprintIfSaved = false;  ///< fingerprints leave it out where FieldHooks::isSaved does not hold
     /// The key names, for other kinds, a member that is in the list already.
     bool alias = false;
     /// Files hold it in a form that has code of its own.
@@ -80,7 +80,7 @@ constexpr Field<Owner, Member> field(std::string_view key, Member Owner::*member
 template <class Owner, class Member>
 constexpr Field<Owner, Member> label(std::string_view key, Member Owner::*member,
                                      std::string_view help = {}) {
-    return {key, member, {.help = help, .edit = EditKind::None, .inPicture = false}, {}};
+    return {key, member, {.help = help, .edit = EditKind::None, .inFingerprint = false}, {}};
 }
 
 /// FieldTraits::kinds for some kinds of the owner.

@@ -6,7 +6,7 @@
 
 namespace glint {
 
-Vec3 pictureRight(const Light& light) {
+Vec3 imageRight(const Light& light) {
     const Vec3 direction = glm::normalize(light.direction);
     const Vec3 right = glm::cross(direction, light.up);
     const float length = glm::length(right);

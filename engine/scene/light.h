@@ -28,17 +28,17 @@ struct Light {
     float aspect = 1.0f;                ///< projector: width over height
     /// Multiplies `color`. Projector: an image as seen from there. Goniometric: by the direction of the light
     /// in a square of equal areas (math/equal_area.h), `direction` in its middle, `up` at its top.
-    ColorInput picture{Vec3(1.0f)};
+    ColorInput image{Vec3(1.0f)};
     bool onlyRayCast = false;  ///< shines in ray casting alone
 };
 
 /// Whether the kind of light has a picture and an `up`.
-constexpr bool hasPicture(LightKind kind) {
+constexpr bool hasImage(LightKind kind) {
     return kind == LightKind::Projector || kind == LightKind::Goniometric;
 }
 
 /// Unit, to the right in a light's picture; some direction across where it shines along `up`.
-Vec3 pictureRight(const Light& light);
+Vec3 imageRight(const Light& light);
 
 /// Whether the points are the corners of a rectangle one after the other: edges are parallel and at right
 /// angles within a thousandth.

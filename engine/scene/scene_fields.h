@@ -129,7 +129,7 @@ struct FieldsOf<RenderOptions> {
         field("accelerator", &RenderOptions::accelerator,
               {.help = "what rays find objects and triangles by; changes the time alone",
                .edit = EditKind::Accelerator,
-               .inPicture = false,
+               .inFingerprint = false,
                .option = "--accelerator",
                .variant = "accelerator"}),
         field("seed", &RenderOptions::seed,
@@ -244,7 +244,7 @@ template <>
 struct FieldsOf<Checkerboard> {
     static constexpr EditKind kEdit = EditKind::MaterialKind;
     static constexpr FieldTraits kSquare{
-        .range = kNotNegative, .form = VectorForm::Color, .inPicture = false};
+        .range = kNotNegative, .form = VectorForm::Color, .inFingerprint = false};
     static constexpr FieldList kList{field("even", &Checkerboard::even, kSquare),
                                      field("odd", &Checkerboard::odd, kSquare)};
 };
@@ -470,13 +470,13 @@ struct FieldsOf<Material> {
                    .form = VectorForm::Color,
                    .help = "of Phong's highlights, in ray casting alone",
                    .edit = EditKind::RayCastParameters,
-                   .inPictureIfSaved = true},
+                   .inFingerprintIfSaved = true},
                   {.isSaved = [](const Material& material) { return !isZero(material.phongSpecular); }}),
             field("shininess", &Material::phongExponent,
                   {.range = kShininess,
                    .help = "exponent of Phong's highlights, in ray casting alone: larger is smaller",
                    .edit = EditKind::RayCastParameters,
-                   .inPictureIfSaved = true},
+                   .inFingerprintIfSaved = true},
                   {.isSaved = [](const Material& material) { return !isZero(material.phongSpecular); }})};
     });
 };
@@ -488,18 +488,18 @@ struct FieldsOf<FileSource> {
     static constexpr FieldList kList{
         field("file", &FileSource::path,
               {.help = "OBJ, PLY or STL; relative to the scene's folder",
-               .inPicture = false,
+               .inFingerprint = false,
                .required = true}),
         field("part", &FileSource::part,
               {.range = {.lo = 0, .hi = 100'000'000},
                .help = "the file's n-th part, from 0 (OBJ: a run of faces of one material; PLY has one "
                        "part); all of "
                        "them if left out",
-               .inPicture = false},
+               .inFingerprint = false},
               {.isSaved = [](const FileSource& file) { return file.part >= 0; }}),
         field("faceted", &FileSource::isFaceted,
               {.help = "triangles without normals stay flat; otherwise they get smooth ones",
-               .inPicture = false},
+               .inFingerprint = false},
               {.isSaved = [](const FileSource& file) { return file.isFaceted; }})};
 };
 
@@ -508,13 +508,14 @@ struct FieldsOf<MeshGenerator> {
     static constexpr EditKind kEdit = EditKind::None;
     static constexpr FieldList kList{
         field("generator", &MeshGenerator::name,
-              {.inPicture = false, .required = true, .words = meshGeneratorNames}),
+              {.inFingerprint = false, .required = true, .words = meshGeneratorNames}),
         field("triangleCount", &MeshGenerator::triangles,
               {.range = {.lo = 1, .hi = 100'000'000},
                .help = "about how many; 10000 if left out",
-               .inPicture = false},
+               .inFingerprint = false},
               {.setDefault = [](MeshGenerator* generator) { generator->triangles = 10000; }}),
-        field("seed", &MeshGenerator::seed, {.range = {.lo = 0, .hi = kLargestUint32}, .inPicture = false})};
+        field("seed", &MeshGenerator::seed,
+              {.range = {.lo = 0, .hi = kLargestUint32}, .inFingerprint = false})};
 };
 
 template <>
@@ -569,7 +570,7 @@ struct FieldsOf<Light> {
     static constexpr uint32_t kSpot = only(LightKind::Spot);
     static constexpr uint32_t kProjector = only(LightKind::Projector);
     static constexpr uint32_t kPlaced = only(LightKind::Point, LightKind::Spot, LightKind::Goniometric);
-    static constexpr uint32_t kPictured = only(LightKind::Projector, LightKind::Goniometric);
+    static constexpr uint32_t kWithImage = only(LightKind::Projector, LightKind::Goniometric);
     static constexpr FieldList kList{
         field("type", &Light::kind, {.required = true}),
         label("name", &Light::name),
@@ -577,7 +578,7 @@ struct FieldsOf<Light> {
         field("direction", &Light::direction,
               {.form = VectorForm::Direction,
                .help = "where the light travels",
-               .kinds = only(LightKind::Spot, LightKind::Directional) | kPictured}),
+               .kinds = only(LightKind::Spot, LightKind::Directional) | kWithImage}),
         field("color", &Light::color, {.range = kNotNegative, .form = VectorForm::Color}),
         field("intensity", &Light::strength,
               {.range = kNotNegative,
@@ -607,7 +608,7 @@ struct FieldsOf<Light> {
         field("up", &Light::up,
               {.form = VectorForm::Direction,
                .help = "upwards in the picture, where that is across the direction",
-               .kinds = kPictured,
+               .kinds = kWithImage,
                .onlyOwnKinds = true}),
         field("fovDeg", &Light::fovDeg,
               {.range = kViewAngle,
@@ -620,12 +621,12 @@ struct FieldsOf<Light> {
                .help = "width of the picture over its height",
                .kinds = kProjector,
                .onlyOwnKinds = true}),
-        field("picture", &Light::picture,
+        field("picture", &Light::image,
               {.range = kNotNegative,
                .help = "what is projected, upright as seen from the projector; of a goniometric light its "
                        "intensity by directions, in a square of equal areas with the direction in its "
                        "middle; a factor on color",
-               .kinds = kPictured,
+               .kinds = kWithImage,
                .onlyOwnKinds = true}),
         field("onlyRayCast", &Light::onlyRayCast,
               {.help = "shines in ray casting alone", .onlyIfSet = true})};
@@ -662,23 +663,23 @@ template <>
 struct FieldsOf<SkySource> {
     static constexpr EditKind kEdit = EditKind::Everything;
     static constexpr FieldTraits kRadiance{
-        .range = kNotNegative, .form = VectorForm::Color, .inPicture = false};
+        .range = kNotNegative, .form = VectorForm::Color, .inFingerprint = false};
     static constexpr FieldList kList{
         field("zenith", &SkySource::zenith, kRadiance),
         field("horizon", &SkySource::horizon, kRadiance),
         field("ground", &SkySource::ground, kRadiance),
         field("sun", &SkySource::sun, kRadiance),
         field("sunElevationDeg", &SkySource::sunElevationDeg,
-              {.range = kElevation, .unit = "degrees", .inPicture = false}),
+              {.range = kElevation, .unit = "degrees", .inFingerprint = false}),
         field("sunAzimuthDeg", &SkySource::sunAzimuthDeg,
-              {.unit = "degrees", .help = "0 is +x, 90 is -z", .inPicture = false}),
+              {.unit = "degrees", .help = "0 is +x, 90 is -z", .inFingerprint = false}),
         field("sunRadiusDeg", &SkySource::sunRadiusDeg,
               {.range = kSunRadius,
                .unit = "degrees",
                .help = "half the angle the sun's disc subtends",
-               .inPicture = false}),
+               .inFingerprint = false}),
         field("width", &SkySource::width,
-              {.range = {.lo = 16, .hi = 8192}, .help = "pixels around, even", .inPicture = false},
+              {.range = {.lo = 16, .hi = 8192}, .help = "pixels around, even", .inFingerprint = false},
               {.holds = [](const SkySource& sky) { return sky.width % 2 == 0; },
                .message = "\"width\" is odd; expected an even number of pixels"})};
 };
@@ -688,7 +689,7 @@ template <>
 struct FieldsOf<SceneDescription> {
     static constexpr EditKind kEdit = EditKind::Everything;
     static constexpr FieldList kList{
-        field("", &SceneDescription::path, {.inPicture = false}),
+        field("", &SceneDescription::path, {.inFingerprint = false}),
         label("", &SceneDescription::readWith),
         label("title", &SceneDescription::title, "what the scene shows, in one line"),
         label("description", &SceneDescription::description,
@@ -701,7 +702,7 @@ struct FieldsOf<SceneDescription> {
         field("textures", &SceneDescription::textures),
         field("", &SceneDescription::environmentImages),
         field("materials", &SceneDescription::materials),
-        field("meshes", &SceneDescription::meshes, {.inPicture = false}),
+        field("meshes", &SceneDescription::meshes, {.inFingerprint = false}),
         field("objects", &SceneDescription::objects),
         label("", &SceneDescription::hiddenObjects),
         field("lights", &SceneDescription::lights, {.edit = EditKind::Lights}),

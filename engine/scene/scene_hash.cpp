@@ -87,7 +87,7 @@ template <class Owner>
 requires HasFields<Owner>
 void add(ContentHash& hash, const Owner& owner) {
     forEachField<Owner>([&]<class Member>(const Field<Owner, Member>& field) {
-        if (!field.traits.inPicture || field.traits.alias) { return; }
+        if (!field.traits.inFingerprint || field.traits.alias) { return; }
         if (field.traits.onlyOwnKinds && (field.traits.kinds & kindBit(owner)) == 0) { return; }
         if constexpr (std::equality_comparable<Member>) {
             if (field.traits.onlyIfSet) {
@@ -95,7 +95,7 @@ void add(ContentHash& hash, const Owner& owner) {
                 hash.add(field.key);
             }
         }
-        if (field.traits.inPictureIfSaved && !field.hooks.isSaved(owner)) { return; }
+        if (field.traits.inFingerprintIfSaved && !field.hooks.isSaved(owner)) { return; }
         if constexpr (kIsInput<Member>) {
             addInput(hash, field.key, owner.*field.member);
         } else {
@@ -172,7 +172,7 @@ Hash128 hashPart(const SceneDescription& scene, ScenePart part) {
 template <class Owner>
 void addSettings(const Owner& owner, std::vector<Setting>* settings) {
     forEachField<Owner>([&](const auto& field) {
-        if (!field.traits.inPicture) { return; }
+        if (!field.traits.inFingerprint) { return; }
         const std::string_view name = field.traits.setting.empty() ? field.key : field.traits.setting;
         settings->push_back({std::string(name), fieldText(field, owner)});
     });

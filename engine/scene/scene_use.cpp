@@ -40,7 +40,7 @@ std::vector<int> usedTextures(const Material& material) {
     return textures;
 }
 
-bool showsPicture(const Light& light) { return hasPicture(light.kind) && light.picture.texture >= 0; }
+bool showsImage(const Light& light) { return hasImage(light.kind) && light.image.texture >= 0; }
 
 std::vector<bool> usedMaterials(const SceneDescription& scene) {
     std::vector<bool> used(scene.materials.size(), false);
@@ -60,7 +60,7 @@ std::vector<bool> usedTextures(const SceneDescription& scene) {
         }
     }
     for (const Light& light : scene.lights) {
-        if (showsPicture(light)) { mark(light.picture.texture, &used); }
+        if (showsImage(light)) { mark(light.image.texture, &used); }
     }
     return used;
 }

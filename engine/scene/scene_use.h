@@ -31,7 +31,7 @@ std::vector<bool> usedMaterials(const SceneDescription& scene);
 /// For each texture whether one of those materials has it.
 std::vector<bool> usedTextures(const SceneDescription& scene);
 /// Whether the light is of a kind that has a picture, and that is an image.
-bool showsPicture(const Light& light);
+bool showsImage(const Light& light);
 /// For each mesh whether an object places it.
 std::vector<bool> usedMeshes(const SceneDescription& scene);
 /// For each mesh whether an object places it with a texture, or with facets that lie along u: only then are

@@ -39,11 +39,11 @@ Reference loadReference() {
     const auto file = loadExr(path);
     EXPECT_TRUE(file) << "the reference is part of the repository";
     if (!file) { return out; }
-    const auto picture = loadExrColor(path);
+    const auto image = loadExrColor(path);
     const ExrChannel* error = file->find("standardError.Y");
-    EXPECT_TRUE(picture && error != nullptr);
-    if (!picture || error == nullptr) { return out; }
-    const std::vector<float>& rgb = picture->color.rgb;
+    EXPECT_TRUE(image && error != nullptr);
+    if (!image || error == nullptr) { return out; }
+    const std::vector<float>& rgb = image->color.rgb;
     for (size_t i = 0; i < error->floats.size(); ++i) {
         out.image.emplace_back(rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]);
         out.standardError.push_back(static_cast<double>(error->floats[i]));

@@ -28,8 +28,8 @@ class DenoiseCommand : public test::ProgramTest {
     }
 };
 
-double relMse(const std::string& picture, const std::string& reference) {
-    const auto a = loadExrColor(picture), b = loadExrColor(reference);
+double relMse(const std::string& image, const std::string& reference) {
+    const auto a = loadExrColor(image), b = loadExrColor(reference);
     if (!a || !b) { return -1.0; }
     const auto metrics = compareImages(a->color, b->color, {.ssim = false, .flip = false});
     return metrics ? metrics->relMse : -1.0;

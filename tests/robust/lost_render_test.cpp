@@ -161,9 +161,9 @@ TEST_F(LostRender, AnInterruptedStressRunSavesWhatItHas) {
 }
 
 TEST_F(LostRender, AnInterruptedComparisonIsSaved) {
-    const std::string picture = folder.path("a.png"), both = folder.path("b.png");
-    ASSERT_TRUE(savePng(picture, Image8{64, 64, std::vector<uint8_t>(size_t{3} * 64 * 64, 99)}));
-    const ProgramRun run = runProgram({"beside", picture, kCornell, "-o", both, "--passes", "1000000"},
+    const std::string image = folder.path("a.png"), both = folder.path("b.png");
+    ASSERT_TRUE(savePng(image, Image8{64, 64, std::vector<uint8_t>(size_t{3} * 64 * 64, 99)}));
+    const ProgramRun run = runProgram({"beside", image, kCornell, "-o", both, "--passes", "1000000"},
                                       {.signalAfter = "pass ", .signal = SIGINT});
     EXPECT_EQ(run.exitCode, 130) << run.err;
     EXPECT_TRUE(loadImage(both)) << run.err;

@@ -45,7 +45,7 @@ class Ocio : public test::ProgramTest {
         config = folder.write("a:b.ocio", configuration("  scene_linear: lin_rec709\n", "lin_rec709"));
     }
     /// The PNG's bytes.
-    std::string picture(const std::vector<std::string>& more) const {
+    std::string image(const std::vector<std::string>& more) const {
         std::vector<std::string> words{"render", scene, "-o", folder.path("p.png"), "--passes", "2"};
         words.insert(words.end(), more.begin(), more.end());
         const ProgramRun run = runProgram(words);
@@ -56,12 +56,12 @@ class Ocio : public test::ProgramTest {
 };
 
 TEST_F(Ocio, PicturesAreThoseOfTheView) {
-    const std::string clamped = picture({"--tone", "clamp", "--exposure", "0.5"});
-    EXPECT_EQ(picture({"--ocio", config, "--exposure", "0.5"}), clamped)
+    const std::string clamped = image({"--tone", "clamp", "--exposure", "0.5"});
+    EXPECT_EQ(image({"--ocio", config, "--exposure", "0.5"}), clamped)
         << "the first view of the first display";
-    EXPECT_EQ(picture({"--ocio", config + ":Screen/Plain", "--exposure", "0.5"}), clamped);
-    EXPECT_EQ(picture({"--ocio", config + ":Other/", "--exposure", "1.5"}), clamped) << "half of a stop more";
-    EXPECT_NE(picture({"--ocio", config + ":Screen/Swapped", "--exposure", "0.5"}), clamped);
+    EXPECT_EQ(image({"--ocio", config + ":Screen/Plain", "--exposure", "0.5"}), clamped);
+    EXPECT_EQ(image({"--ocio", config + ":Other/", "--exposure", "1.5"}), clamped) << "half of a stop more";
+    EXPECT_NE(image({"--ocio", config + ":Screen/Swapped", "--exposure", "0.5"}), clamped);
     const auto view = loadOcioView({config, "Screen", "Swapped"});
     ASSERT_TRUE(view) << view.error().format();
     const DisplayLook look{.exposureStops = 1.0f, .toneMap = ToneMap::Filmic, .view = *view};

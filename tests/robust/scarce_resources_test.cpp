@@ -46,12 +46,12 @@ TEST_F(ScarceResources, ARenderIsTheSame) {
                 setup);
         };
         ASSERT_EQ(render("all.png", "2", {}).exitCode, 0);
-        const std::string picture = TempFolder::read(folder.path("all.png"));
+        const std::string image = TempFolder::read(folder.path("all.png"));
         for (const rlim_t gigabytes : {4, 5, 6, 9}) {
             const ProgramRun run = render("few.png", "24", {.before = [=] { limitThreads(gigabytes); }});
             EXPECT_EQ(run.exitCode, 0) << integrator << gigabytes << run.err;
             EXPECT_TRUE(says(run.err, "of 24 threads start; memory or their number is limited"));
-            EXPECT_EQ(TempFolder::read(folder.path("few.png")), picture) << integrator << gigabytes;
+            EXPECT_EQ(TempFolder::read(folder.path("few.png")), image) << integrator << gigabytes;
         }
     }
     const ProgramRun none = runProgram({"render", scene, "-o", folder.path("no.png"), "--passes", "2"},

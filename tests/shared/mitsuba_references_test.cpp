@@ -20,8 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ReferenceScene {
-    const char* scene;    ///< without its ending
-    const char* picture;  ///< its reference, without its ending
+    const char* scene;  ///< without its ending
+    const char* image;  ///< its reference, without its ending
     /// Of the mean luminance; 0: nothing is approximated.
     double mostDifference = 0.0;
     int passes = 256;
@@ -47,22 +47,22 @@ double luminanceAt(const ExrImage& image, size_t pixel) {
 
 ReferencePicture readReference(const std::string& path) {
     const auto mean = loadExr(path + "_ref_rgb.exr"), variance = loadExr(path + "_ref_rgb_var.exr");
-    ReferencePicture picture;
+    ReferencePicture image;
     if (!mean || !variance) {
         ADD_FAILURE() << path;
-        return picture;
+        return image;
     }
-    picture.width = mean->width;
+    image.width = mean->width;
     for (size_t i = 0; i < mean->find("R")->floats.size(); ++i) {
-        picture.luminance.push_back(luminanceAt(*mean, i));
+        image.luminance.push_back(luminanceAt(*mean, i));
         // The channels' errors as if they were one: no less than the luminance's.
         const auto deviation = [&](const char* channel, double weight) {
             return weight * std::sqrt(std::max(0.0, static_cast<double>(variance->find(channel)->floats[i])));
         };
         const double whole = deviation("R", 0.2126) + deviation("G", 0.7152) + deviation("B", 0.0722);
-        picture.variance.push_back(whole * whole / kReferenceSamples);
+        image.variance.push_back(whole * whole / kReferenceSamples);
     }
-    return picture;
+    return image;
 }
 
 /// Glint's Gaussian ends at three standard deviations, Mitsuba's at four.
@@ -137,7 +137,7 @@ bool approximates(const SceneDescription& scene) {
 TEST_P(MitsubaReferences, LookTheSame) {
     const auto scene = loadScene(sceneFile());
     ASSERT_TRUE(scene) << scene.error().format();
-    const ReferencePicture reference = readReference((folder_ / GetParam().picture).string());
+    const ReferencePicture reference = readReference((folder_ / GetParam().image).string());
     ASSERT_EQ(reference.width, scene->resolution.width);
     const Film film = renderFilm(*scene, static_cast<uint32_t>(GetParam().passes));
     const Comparison result = compare(film, reference, borderOf(*scene), filterSlack(*scene));

@@ -31,8 +31,8 @@ std::shared_ptr<FilmSnapshot> render(SceneDescription scene, uint32_t passes, ui
     return snapshot;
 }
 
-float lightOf(const FilmSnapshot& picture, size_t pixel) {
-    const float* rgb = &picture.radiance[3 * pixel];
+float lightOf(const FilmSnapshot& image, size_t pixel) {
+    const float* rgb = &image.radiance[3 * pixel];
     return luminance(Vec3(rgb[0], rgb[1], rgb[2]));
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr float kIntensity = 5.0f;
 
-Texture pictureOf(ImageF image, TexelFilter filter) {
+Texture imageOf(ImageF image, TexelFilter filter) {
     Texture texture;
     texture.name = "picture";
     texture.encoding = ColorEncoding::Linear;
@@ -27,7 +27,7 @@ Texture pictureOf(ImageF image, TexelFilter filter) {
 }
 
 /// Red and green above, blue and white below: a quarter of all directions each.
-Texture quarters() { return pictureOf({2, 2, {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1}}, TexelFilter::Nearest); }
+Texture quarters() { return imageOf({2, 2, {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1}}, TexelFilter::Nearest); }
 
 /// The cosine to the direction in its middle, as a small lamp has it.
 Texture cosines() {
@@ -38,10 +38,10 @@ Texture cosines() {
                       (static_cast<float>(i / kSize) + 0.5f) / kSize);
         image.rgb.insert(image.rgb.end(), 3, std::max(equalAreaDirection(at).z, 0.0f));
     }
-    return pictureOf(std::move(image), TexelFilter::Bilinear);
+    return imageOf(std::move(image), TexelFilter::Bilinear);
 }
 
-SceneDescription lampScene(Texture picture, const Vec3& direction, const Vec3& up) {
+SceneDescription lampScene(Texture image, const Vec3& direction, const Vec3& up) {
     SceneDescription scene = emptyScene({0.0f, 1.0f, 0.0f}, {0.01f, 0.0f, 0.0f}, 90.0f, 16);
     addObject(&scene, ShapeKind::Rectangle, placeFlatShape(Vec3(0.0f), {0, 1, 0}, 9.0f, 9.0f),
               diffuseMaterial(0.5f));
@@ -51,8 +51,8 @@ SceneDescription lampScene(Texture picture, const Vec3& direction, const Vec3& u
     light.direction = direction;
     light.up = up;
     light.strength = kIntensity;
-    light.picture.texture = 0;
-    scene.textures.push_back(std::move(picture));
+    light.image.texture = 0;
+    scene.textures.push_back(std::move(image));
     scene.lights.push_back(light);
     scene.options.maxDepth = 1;
     return scene;
@@ -92,11 +92,11 @@ TEST(Goniometric, ACosineLightsAFloorAsASmallLampDoes) {
 
 TEST(Goniometric, PhotonsCarryItsPower) {
     const struct {
-        Texture picture;
+        Texture image;
         double power;
     } lamps[] = {{quarters(), 4.0 * std::numbers::pi * 0.5}, {cosines(), std::numbers::pi}};
-    for (const auto& [picture, powerOfOne] : lamps) {
-        const auto built = buildAll(lampScene(picture, {1, -2, -1}, {0, 1, 0}));
+    for (const auto& [image, powerOfOne] : lamps) {
+        const auto built = buildAll(lampScene(image, {1, -2, -1}, {0, 1, 0}));
         const SceneView view = built->view();
         const PowerDistribution power = buildPowerDistribution(view);
         UniformNumbers random(3);
@@ -120,7 +120,7 @@ TEST(Goniometric, PhotonsCarryItsPower) {
 
 TEST(Goniometric, WithoutAPictureIsAPoint) {
     SceneDescription scene = lampScene(quarters(), {0, -1, 0}, {1, 0, 0});
-    scene.lights[0].picture = {Vec3(0.5f, 1.0f, 0.25f)};
+    scene.lights[0].image = {Vec3(0.5f, 1.0f, 0.25f)};
     const Film even = renderFilm(scene, 4);
     scene.lights[0].kind = LightKind::Point;
     scene.lights[0].color = Vec3(0.5f, 1.0f, 0.25f);

@@ -39,14 +39,14 @@ Light projector(const Vec3& position, const Vec3& direction) {
 }
 
 /// A wall at z = -3, seen from where the projector stands, as wide as its picture and half as wide again.
-SceneDescription wallScene(bool hasPicture) {
+SceneDescription wallScene(bool hasImage) {
     SceneDescription scene = emptyScene(Vec3(0.0f), {0, 0, -1}, 2.0f * std::atan(0.75f) * 180.0f / kPi, 24);
     addObject(&scene, ShapeKind::Rectangle, placeFlatShape({0, 0, -3}, {0, 0, 1}, 9.0f, 9.0f),
               diffuseMaterial(0.5f));
     scene.lights.push_back(projector(Vec3(0.0f), {0, 0, -4}));
-    if (hasPicture) {
+    if (hasImage) {
         scene.textures.push_back(quarters());
-        scene.lights[0].picture.texture = 0;
+        scene.lights[0].image.texture = 0;
     }
     scene.options.maxDepth = 1;
     return scene;
@@ -79,7 +79,7 @@ TEST(Projector, LightsAWallEvenlyAndUpright) {
     EXPECT_EQ(meanColor(film, 0, 0, 24, 3), Vec3(0.0f));
     EXPECT_EQ(meanColor(film, 21, 0, 24, 24), Vec3(0.0f));
     SceneDescription plain = wallScene(false);
-    plain.lights[0].picture.value = Vec3(0.5f, 1.0f, 0.25f);
+    plain.lights[0].image.value = Vec3(0.5f, 1.0f, 0.25f);
     plain.lights[0].aspect = 2.0f;
     const Film flat = renderFilm(plain, 4);
     EXPECT_LT(glm::length(meanColor(flat, 5, 9, 19, 15) - even * Vec3(0.5f, 1.0f, 0.25f)), 1e-4f * even);
@@ -136,7 +136,7 @@ TEST(Projector, AnotherPictureIsSeenByTheLight) {
     const auto before = buildAll(scene);
     EXPECT_EQ(before->lights->emitters[0].original, kNone);
     scene.textures.push_back(quarters());
-    scene.lights[0].picture.texture = 0;
+    scene.lights[0].image.texture = 0;
     SceneEdit edit;
     edit.scene = std::make_shared<SceneDescription>(scene);
     edit.kinds = EditKind::Lights;

@@ -22,7 +22,7 @@ SceneDescription projectorBox() {
     light.strength = 6.0f;
     light.fovDeg = 110.0f;
     light.aspect = 1.25f;
-    light.picture.texture = addTexture(&scene, greyImage(16, 16, [](int x, int y) {
+    light.image.texture = addTexture(&scene, greyImage(16, 16, [](int x, int y) {
         const float u = (static_cast<float>(x) + 0.5f) / 16.0f, v = (static_cast<float>(y) + 0.5f) / 16.0f;
         return square(std::sin(kPi * u) * std::sin(kPi * v)) * (0.2f + u);
     }));

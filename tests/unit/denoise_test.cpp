@@ -80,11 +80,11 @@ KnownPicture knownPicture(int passes, unsigned seed) {
     return out;
 }
 
-double relMse(const std::vector<Vec3>& picture, const std::vector<Vec3>& truth) {
+double relMse(const std::vector<Vec3>& image, const std::vector<Vec3>& truth) {
     double sum = 0.0;
     for (size_t i = 0; i < truth.size(); ++i) {
         for (int c = 0; c < 3; ++c) {
-            const auto miss = static_cast<double>(picture[i][c] - truth[i][c]);
+            const auto miss = static_cast<double>(image[i][c] - truth[i][c]);
             const auto right = static_cast<double>(truth[i][c]);
             sum += miss * miss / (right * right + 0.01);
         }
@@ -137,12 +137,12 @@ TEST(Denoise, StatedErrorIsNoLessThanTheTrueOne) {
 
 /// How much of the floor's pattern is left: the regression of the picture on the truth's differences from
 /// square to square.
-double patternShare(const std::vector<Vec3>& picture, const std::vector<Vec3>& truth) {
+double patternShare(const std::vector<Vec3>& image, const std::vector<Vec3>& truth) {
     double products = 0.0, squares = 0.0;
     for (int y = kHorizon + 8; y + 3 < kHeight; ++y) {
         for (int x = 0; x + 3 < kWidth; ++x) {
             const auto right = static_cast<double>(luminance(truth[at(x + 3, y)] - truth[at(x, y)]));
-            products += right * static_cast<double>(luminance(picture[at(x + 3, y)] - picture[at(x, y)]));
+            products += right * static_cast<double>(luminance(image[at(x + 3, y)] - image[at(x, y)]));
             squares += right * right;
         }
     }

@@ -87,10 +87,10 @@ class ExrColor : public testing::Test {
     TempFolder folder_;
 };
 
-void expectFirstPixel(const Result<ExrPicture>& picture, const Vec3& color, float tolerance = 1e-6f) {
-    ASSERT_TRUE(picture) << picture.error().format();
+void expectFirstPixel(const Result<ExrColorImage>& image, const Vec3& color, float tolerance = 1e-6f) {
+    ASSERT_TRUE(image) << image.error().format();
     for (int c = 0; c < 3; ++c) {
-        EXPECT_NEAR(picture->color.rgb[static_cast<size_t>(c)], color[c], tolerance) << "channel " << c;
+        EXPECT_NEAR(image->color.rgb[static_cast<size_t>(c)], color[c], tolerance) << "channel " << c;
     }
 }
 
@@ -142,11 +142,11 @@ TEST_F(ExrColor, OfLuminanceAndChroma) {
         file.setFrameBuffer(pixels.data(), 1, 64);
         file.writePixels(32);
     }
-    const auto picture = loadExrColor(path);
-    ASSERT_TRUE(picture) << picture.error().format();
+    const auto image = loadExrColor(path);
+    ASSERT_TRUE(image) << image.error().format();
     constexpr float expected[] = {0.2f, 0.4f, 0.8f};
-    for (size_t i = 0; i < picture->color.rgb.size(); ++i) {
-        EXPECT_NEAR(picture->color.rgb[i], expected[i % 3], 0.004f) << "value " << i;
+    for (size_t i = 0; i < image->color.rgb.size(); ++i) {
+        EXPECT_NEAR(image->color.rgb[i], expected[i % 3], 0.004f) << "value " << i;
     }
 }
 
@@ -172,12 +172,12 @@ TEST_F(ExrColor, LiesInTheDisplayWindow) {
     const std::vector<Channel> channels{{"R", 1}, {"G", 2}, {"B", 3}};
     Imf::Header header = headerOf(channels);
     header.dataWindow() = Imath::Box2i({-2, 3}, {1, 4});
-    const auto picture = decodeExrColor(written(channels, header), "a");
-    ASSERT_TRUE(picture) << picture.error().format();
-    EXPECT_EQ(picture->color.width, kWidth);
-    EXPECT_EQ(picture->color.height, kHeight);
+    const auto image = decodeExrColor(written(channels, header), "a");
+    ASSERT_TRUE(image) << image.error().format();
+    EXPECT_EQ(image->color.width, kWidth);
+    EXPECT_EQ(image->color.height, kHeight);
     const auto red = [&](int x, int y) {
-        return picture->color.rgb[static_cast<size_t>(3 * (y * kWidth + x))];
+        return image->color.rgb[static_cast<size_t>(3 * (y * kWidth + x))];
     };
     EXPECT_EQ(red(0, 3), valueAt(channels[0], 2)) << "the two columns before it are outside";
     EXPECT_EQ(red(1, 4), valueAt(channels[0], 7));
@@ -197,11 +197,11 @@ TEST_F(ExrColor, BesideTheDisplayWindowIsAllThereIs) {
           Imath::Box2i({0, kHeight}, {3, kHeight + 1}), Imath::Box2i({2, -700}, {5, -699})}) {
         Imf::Header header = headerOf(channels);
         header.dataWindow() = data;
-        const auto picture = decodeExrColor(written(channels, header), "a");
-        ASSERT_TRUE(picture) << picture.error().format();
-        EXPECT_EQ(picture->color.width, 4);
-        EXPECT_EQ(picture->color.height, 2);
-        EXPECT_EQ(picture->color.rgb.at(3 * 7), valueAt(channels[0], 7));
+        const auto image = decodeExrColor(written(channels, header), "a");
+        ASSERT_TRUE(image) << image.error().format();
+        EXPECT_EQ(image->color.width, 4);
+        EXPECT_EQ(image->color.height, 2);
+        EXPECT_EQ(image->color.rgb.at(3 * 7), valueAt(channels[0], 7));
     }
 }
 
@@ -226,12 +226,12 @@ TEST_F(ExrColor, OfEveryPackingAndInTiles) {
     for (const Imf::Header& header : packings(channels)) {
         SCOPED_TRACE(testing::Message()
                      << "compression " << header.compression() << ", tiles " << header.hasTileDescription());
-        const auto picture = decodeExrColor(written(channels, header), "a");
-        ASSERT_TRUE(picture) << picture.error().format();
-        ASSERT_EQ(picture->color.rgb.size(), size_t{3} * kWidth * kHeight);
+        const auto image = decodeExrColor(written(channels, header), "a");
+        ASSERT_TRUE(image) << image.error().format();
+        ASSERT_EQ(image->color.rgb.size(), size_t{3} * kWidth * kHeight);
         const float tolerance = header.compression() == Imf::DWAA_COMPRESSION ? 0.1f : 1e-3f;
-        for (size_t i = 0; i < picture->color.rgb.size(); ++i) {
-            ASSERT_NEAR(picture->color.rgb[i], valueAt({"", static_cast<float>(i % 3 + 1)}, i / 3), tolerance)
+        for (size_t i = 0; i < image->color.rgb.size(); ++i) {
+            ASSERT_NEAR(image->color.rgb[i], valueAt({"", static_cast<float>(i % 3 + 1)}, i / 3), tolerance)
                 << "value " << i;
         }
     }
@@ -244,10 +244,10 @@ TEST_F(ExrColor, OfDamagedFilesShowsNothingOfTheMemory) {
     const std::vector<Channel> channels{{"B", 3}, {"G", 2}, {"R", 1}};
     std::mt19937 random(3);
     const auto decoded = [](const std::string& bytes) {
-        const auto picture = decodeExrColor(bytes, "a");
-        return picture ? std::string(reinterpret_cast<const char*>(picture->color.rgb.data()),
-                                     4 * picture->color.rgb.size())
-                       : "";
+        const auto image = decodeExrColor(bytes, "a");
+        return image ? std::string(reinterpret_cast<const char*>(image->color.rgb.data()),
+                                   4 * image->color.rgb.size())
+                     : "";
     };
     for (const Imf::Header& header : packings(channels)) {
         const std::string whole = written(channels, header);

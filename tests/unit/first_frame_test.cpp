@@ -81,9 +81,9 @@ double shareUnlike(const std::vector<float>& a, const std::vector<float>& b, int
     return static_cast<double>(unlike) / (static_cast<double>(width) * height);
 }
 
-double shareUnlike(const FilmSnapshot& frame, const std::vector<float>& picture) {
-    return std::max(shareUnlike(frame.radiance, picture, frame.width, frame.height),
-                    shareUnlike(picture, frame.radiance, frame.width, frame.height));
+double shareUnlike(const FilmSnapshot& frame, const std::vector<float>& image) {
+    return std::max(shareUnlike(frame.radiance, image, frame.width, frame.height),
+                    shareUnlike(image, frame.radiance, frame.width, frame.height));
 }
 
 std::shared_ptr<FilmSnapshot> frameOf(const SceneDescription& scene, int threads) {

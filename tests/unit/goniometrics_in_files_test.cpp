@@ -21,11 +21,11 @@ constexpr int kSize = 8;
 class GoniometricFiles : public PbrtTest {
   protected:
     GoniometricFiles() {
-        ImageF picture{kSize, kSize, {}};
+        ImageF image{kSize, kSize, {}};
         for (int i = 0; i < kSize * kSize; ++i) {
-            picture.rgb.insert(picture.rgb.end(), {valueOf(i), 2.0f * valueOf(i), 0.0f});
+            image.rgb.insert(image.rgb.end(), {valueOf(i), 2.0f * valueOf(i), 0.0f});
         }
-        EXPECT_TRUE(saveHdr(folder.path("g.hdr"), picture));
+        EXPECT_TRUE(saveHdr(folder.path("g.hdr"), image));
     }
     /// Each pixel has its own, which an HDR file holds exactly.
     static float valueOf(int pixel) { return static_cast<float>(pixel + 1) / 64.0f; }

@@ -60,9 +60,9 @@ TEST(ImageFile, ExrKeepsRadianceLayersAndMetadata) {
 
     const Result<ExrImage> loaded = loadExr(path);
     ASSERT_TRUE(loaded) << loaded.error().format();
-    const auto picture = loadExrColor(path);
-    ASSERT_TRUE(picture);
-    EXPECT_EQ(picture->color.rgb, snapshot.radiance);
+    const auto image = loadExrColor(path);
+    ASSERT_TRUE(image);
+    EXPECT_EQ(image->color.rgb, snapshot.radiance);
     for (const char* name :
          {"albedo.R", "albedo.G", "albedo.B", "normal.X", "normal.Y", "normal.Z", "geometricNormal.Z",
           "depth.Z", "objectId.id", "materialId.id", "standardError.Y"}) {

@@ -201,11 +201,11 @@ Translate 1 1 0 Shape "sphere" "float radius" 0.3 AttributeEnd)";
         R"(Film "rgb" "integer xresolution" 16 "integer yresolution" 16 PixelFilter "box" )";
     const auto brightest = [&](const std::string& camera) {
         const SceneDescription scene = loadText(sceneText(world, camera + film));
-        const Film picture = renderFilm(scene, 4);
+        const Film image = renderFilm(scene, 4);
         for (const bool isRight : {false, true}) {
             for (const bool isLow : {false, true}) {
                 const int x = isRight ? 8 : 0, y = isLow ? 8 : 0;
-                if (meanLuminance(picture, x, y, x + 8, y + 8).mean > 0.01) {
+                if (meanLuminance(image, x, y, x + 8, y + 8).mean > 0.01) {
                     return std::string(isLow ? "low " : "high ") + (isRight ? "right" : "left");
                 }
             }

@@ -22,8 +22,8 @@ class ProjectorFiles : public testing::Test {
   protected:
     ProjectorFiles() {
         // Red, green, blue; white, black, yellow.
-        const Image8 picture{3, 2, {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255, 0, 0, 0, 255, 255, 0}};
-        EXPECT_TRUE(savePng(folder.path("p.png"), picture));
+        const Image8 image{3, 2, {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255, 0, 0, 0, 255, 255, 0}};
+        EXPECT_TRUE(savePng(folder.path("p.png"), image));
     }
     SceneDescription load(const std::string& name, const std::string& text) {
         auto scene = loadScene(folder.write(name, text), {.noStudio = true});
@@ -100,7 +100,7 @@ TEST_F(ProjectorFiles, MitsubasHaveTheirPictures) {
                             "<rgb name='irradiance' value='1 2 3'/><string name='fov_axis' value='y'/>"
                             "<float name='fov' value='20'/>")
                             .lights.at(0);
-    EXPECT_EQ(plain.picture, ColorInput{Vec3(1.0f)});
+    EXPECT_EQ(plain.image, ColorInput{Vec3(1.0f)});
     EXPECT_EQ(plain.color, Vec3(1, 2, 3));
     EXPECT_NEAR(plain.fovDeg, 20.0f, 1e-4f);
 }
@@ -152,7 +152,7 @@ TEST_F(ProjectorFiles, SavedAndOpenedAgain) {
     EXPECT_EQ(after.fovDeg, before.fovDeg);
     EXPECT_EQ(after.aspect, before.aspect);
     EXPECT_EQ(after.strength, before.strength);
-    ASSERT_GE(after.picture.texture, 0);
+    ASSERT_GE(after.image.texture, 0);
     for (const char* name : {"out.xml", "out.pbrt", "out.gltf"}) {
         std::vector<std::string> said;
         ASSERT_TRUE(exporterOf(name)->save(scene, folder.path(name), &said));

@@ -176,7 +176,7 @@ TEST(SceneFields, FingerprintsHaveWhatThePictureDependsOn) {
             SceneDescription copy = changed;
             const bool isOwn = (field.traits.kinds & kindBit(*ownersIn<Owner>(&copy)[i])) != 0;
             EXPECT_EQ(!(sceneHash(changed) == before),
-                      field.traits.inPicture && (isOwn || !field.traits.onlyOwnKinds))
+                      field.traits.inFingerprint && (isOwn || !field.traits.onlyOwnKinds))
                 << titleOf<Owner>(field.key, i);
         });
     });

@@ -6,7 +6,7 @@
 
 #include "engine/io/image_io.h"
 #include "tests/viewer/play_script.h"
-#include "viewer/model/picture_difference.h"
+#include "viewer/model/shown_difference.h"
 #include "viewer/model/snapshots.h"
 
 namespace glint {
@@ -15,7 +15,7 @@ namespace {
 using namespace test;
 using testing::HasSubstr;
 
-std::shared_ptr<FilmSnapshot> picture(int width, std::vector<float> radiance) {
+std::shared_ptr<FilmSnapshot> image(int width, std::vector<float> radiance) {
     auto made = std::make_shared<FilmSnapshot>();
     made->width = width;
     made->height = static_cast<int>(radiance.size()) / 3 / width;
@@ -24,9 +24,9 @@ std::shared_ptr<FilmSnapshot> picture(int width, std::vector<float> radiance) {
     return made;
 }
 
-TEST(PictureDifference, SignedIsOrangeWhereTheLeftOneIsBrighter) {
-    const auto left = picture(3, {1, 1, 1, 0, 0, 0, 0.5f, 0.5f, 0.5f});
-    const auto right = picture(3, {0, 0, 0, 1, 1, 1, 0.5f, 0.5f, 0.5f});
+TEST(ShownDifference, SignedIsOrangeWhereTheLeftOneIsBrighter) {
+    const auto left = image(3, {1, 1, 1, 0, 0, 0, 0.5f, 0.5f, 0.5f});
+    const auto right = image(3, {0, 0, 0, 1, 1, 1, 0.5f, 0.5f, 0.5f});
     const auto made = makeDifference({CompareView::SignedDifference, left, right, 0.0f});
     ASSERT_EQ(made.rgba.size(), 12u);
     EXPECT_TRUE(made.scale.isSigned);
@@ -37,22 +37,22 @@ TEST(PictureDifference, SignedIsOrangeWhereTheLeftOneIsBrighter) {
     EXPECT_NEAR(made.mean, 0.0, 1e-7);
 }
 
-TEST(PictureDifference, FlipIsNothingForEqualPictures) {
-    const auto left = picture(8, std::vector<float>(8 * 8 * 3, 0.3f));
-    const auto right = picture(8, std::vector<float>(8 * 8 * 3, 0.6f));
+TEST(ShownDifference, FlipIsNothingForEqualPictures) {
+    const auto left = image(8, std::vector<float>(8 * 8 * 3, 0.3f));
+    const auto right = image(8, std::vector<float>(8 * 8 * 3, 0.6f));
     EXPECT_EQ(makeDifference({CompareView::FlipMap, left, left, 0.0f}).mean, 0.0);
     EXPECT_GT(makeDifference({CompareView::FlipMap, left, right, 0.0f}).mean, 0.05);
-    const auto other = picture(4, std::vector<float>(4 * 4 * 3, 0.3f));
+    const auto other = image(4, std::vector<float>(4 * 4 * 3, 0.3f));
     EXPECT_TRUE(makeDifference({CompareView::FlipMap, left, other, 0.0f}).rgba.empty());
 }
 
 TEST(Snapshots, PreviewsAreNotKept) {
     Snapshots snapshots;
-    auto preview = picture(2, std::vector<float>(12, 1.0f));
+    auto preview = image(2, std::vector<float>(12, 1.0f));
     preview->previewScale = 4;
     EXPECT_FALSE(snapshots.keep(preview, nullptr, {}));
     EXPECT_FALSE(snapshots.keep(nullptr, nullptr, {}));
-    ASSERT_TRUE(snapshots.keep(picture(2, std::vector<float>(12, 1.0f)), nullptr, {}));
+    ASSERT_TRUE(snapshots.keep(image(2, std::vector<float>(12, 1.0f)), nullptr, {}));
     EXPECT_THAT(snapshots.kept()[0].summary, HasSubstr("3 passes"));
     EXPECT_EQ(snapshots.kept()[0].thumbnail.rgba[0], 255);
     snapshots.left = 1;

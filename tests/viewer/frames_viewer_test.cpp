@@ -12,7 +12,7 @@ namespace {
 using namespace test;
 namespace fs = std::filesystem;
 
-std::string pictureOf(const std::string& folder, int number) {
+std::string imageOf(const std::string& folder, int number) {
     return *readFile(folder + "/frame-00000" + std::to_string(number) + ".png");
 }
 
@@ -55,9 +55,9 @@ expect message "3 pictures in window"
     const Ran command = run("render ball.json -o command/frame.png --threads 1 --passes 4 --turntable 3");
     ASSERT_EQ(command.exitCode, 0) << command.output;
     for (int i = 1; i <= 3; ++i) {
-        EXPECT_TRUE(pictureOf("window", i) == pictureOf("command", i)) << i;
+        EXPECT_TRUE(imageOf("window", i) == imageOf("command", i)) << i;
     }
-    EXPECT_FALSE(pictureOf("window", 1) == pictureOf("window", 2));
+    EXPECT_FALSE(imageOf("window", 1) == imageOf("window", 2));
 }
 
 TEST_F(FramesViewer, TheyCanBeCancelled) {
@@ -106,7 +106,7 @@ wait frames 3
 wait jobs
 )",
                       "--passes 2"));
-    EXPECT_EQ(pictureOf("window", 2), "mine");
+    EXPECT_EQ(imageOf("window", 2), "mine");
     EXPECT_FALSE(fs::exists("window/frame-000001.png"));
 }
 
@@ -142,8 +142,8 @@ expect no-widget "Question"
 wait jobs
 )",
                       "--passes 2"));
-    EXPECT_NE(pictureOf("window", 3), "mine");
-    EXPECT_EQ(pictureOf("window", 9), "mine");
+    EXPECT_NE(imageOf("window", 3), "mine");
+    EXPECT_EQ(imageOf("window", 9), "mine");
 }
 
 TEST_F(FramesViewer, WallsInTheWayAreSaid) {

@@ -204,7 +204,7 @@ wait jobs
     ASSERT_TRUE(saved) << saved.error().format();
     ASSERT_EQ(saved->lights.size(), 1u);
     EXPECT_EQ(saved->lights[0].kind, LightKind::Goniometric);
-    ASSERT_EQ(saved->lights[0].picture.texture, 0);
+    ASSERT_EQ(saved->lights[0].image.texture, 0);
     EXPECT_EQ(saved->textures[0].encoding, ColorEncoding::Srgb);
     EXPECT_TRUE(saved->textures[0].image.isRead());
 }

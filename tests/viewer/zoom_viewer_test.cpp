@@ -26,23 +26,23 @@ int indexOf(const std::string& choice) {
 
 TEST(ImageFraming, IsExactToThePixelWhereThereIsRoom) {
     for (const float pixelScale : {1.0f, 1.5f, 2.0f}) {
-        for (const Vec2i picture : {Vec2i(64, 48), Vec2i(431, 333), Vec2i(640, 480)}) {
+        for (const Vec2i image : {Vec2i(64, 48), Vec2i(431, 333), Vec2i(640, 480)}) {
             ImageArea area = kArea;
-            area.picture = picture;
+            area.image = image;
             area.pixelScale = pixelScale;
             const PlacedImage placed = ImageFraming().place(area);
             EXPECT_EQ(placed.zoom, std::floor(placed.zoom));
             EXPECT_GE(placed.zoom, 1.0f);
             for (const float edge : {placed.min.x, placed.min.y, placed.max.x, placed.max.y}) {
                 const float pixel = edge * pixelScale;
-                EXPECT_NEAR(pixel, std::round(pixel), 1e-3f) << picture.x << " at " << pixelScale;
+                EXPECT_NEAR(pixel, std::round(pixel), 1e-3f) << image.x << " at " << pixelScale;
             }
             EXPECT_LE(placed.max.x, area.max.x);
             EXPECT_LE(placed.max.y, area.max.y);
         }
     }
     ImageArea large = kArea;
-    large.picture = {1800, 690};
+    large.image = {1800, 690};
     EXPECT_FLOAT_EQ(ImageFraming().place(large).zoom, 0.5f) << "all of a large picture is seen";
 }
 
@@ -79,7 +79,7 @@ TEST(ImageFraming, PansToItsEdgesAndBackWithoutDelay) {
 
 TEST(ImageFraming, StepsFromAnySizeToTheNextWholeZoom) {
     ImageArea area = kArea;
-    area.picture = {1000, 100};  // fits at 0.9
+    area.image = {1000, 100};  // fits at 0.9
     ImageFraming framing;
     framing.zoomBy(1, {450.0f, 300.0f}, area);
     EXPECT_FLOAT_EQ(framing.place(area).zoom, 1.0f);
@@ -220,9 +220,9 @@ screenshot zoom_1.png
 )",
                           "--passes 1 --output zoom_picture.png" + more));
         const auto screen = loadImage8("zoom_1.png");
-        const auto picture = loadImage8("zoom_picture.png");
-        ASSERT_TRUE(screen && picture);
-        EXPECT_TRUE(contains(**screen, **picture)) << more;
+        const auto image = loadImage8("zoom_picture.png");
+        ASSERT_TRUE(screen && image);
+        EXPECT_TRUE(contains(**screen, **image)) << more;
     }
 }
 

@@ -23,8 +23,8 @@ std::string nameOf(const SceneDescription& scene, uint32_t object) {
 
 /// "" where the camera goes through nothing.
 std::string crossing(const CameraWay& way, const SceneDescription& scene, const BuiltScene& built) {
-    const uint32_t pictures = way.pictures();
-    const uint32_t gaps = way.isTurntable() ? pictures : pictures - 1;
+    const uint32_t images = way.images();
+    const uint32_t gaps = way.isTurntable() ? images : images - 1;
     const uint32_t steps = std::clamp(gaps, kLeastSteps, kMostSteps);
     const auto alongAt = [&](uint32_t step) {
         return static_cast<float>(gaps) * static_cast<float>(step) / static_cast<float>(steps);
@@ -59,9 +59,9 @@ std::string hiding(const CameraWay& way, const SceneDescription& scene, const Bu
     const double radius = static_cast<double>(glm::length(first.position - first.target));
     const uint32_t lookedAt = firstHitBetween(built, first.position, first.target).object;
     std::set<uint32_t> small;
-    const uint32_t stride = way.pictures() / kMostSteps + 1;
-    for (uint32_t picture = 1; picture < way.pictures(); picture += stride) {
-        const Camera camera = way.at(static_cast<float>(picture));
+    const uint32_t stride = way.images() / kMostSteps + 1;
+    for (uint32_t image = 1; image < way.images(); image += stride) {
+        const Camera camera = way.at(static_cast<float>(image));
         const uint32_t object = firstHitBetween(built, camera.position, camera.target).object;
         if (object == 0 || object == lookedAt || object > scene.objects.size()) { continue; }
         if (small.contains(object)) { continue; }
@@ -69,17 +69,17 @@ std::string hiding(const CameraWay& way, const SceneDescription& scene, const Bu
             small.insert(object);
             continue;
         }
-        return fmt::format("{} hides the target in picture {}", nameOf(scene, object), picture + 1);
+        return fmt::format("{} hides the target in picture {}", nameOf(scene, object), image + 1);
     }
     return "";
 }
 
 }  // namespace
 
-Camera CameraWay::at(float picture) const {
-    if (isTurntable()) { return turnedCamera(views_[0], picture / static_cast<float>(pictures_)); }
-    const auto last = static_cast<float>(std::max(1u, pictures_ - 1));
-    return cameraBetween(views_, picture * static_cast<float>(views_.size() - 1) / last);
+Camera CameraWay::at(float image) const {
+    if (isTurntable()) { return turnedCamera(views_[0], image / static_cast<float>(images_)); }
+    const auto last = static_cast<float>(std::max(1u, images_ - 1));
+    return cameraBetween(views_, image * static_cast<float>(views_.size() - 1) / last);
 }
 
 std::string obstaclesOn(const CameraWay& way, const SceneDescription& scene, const BuiltScene& built) {

@@ -15,22 +15,20 @@ namespace glint {
 class CameraWay {
   public:
     /// A whole turn around the camera's target.
-    static CameraWay turntable(const Camera& camera, uint32_t pictures) { return {{camera}, pictures}; }
+    static CameraWay turntable(const Camera& camera, uint32_t images) { return {{camera}, images}; }
     /// From the first view to the last, of which there are two at least.
-    static CameraWay flight(std::vector<Camera> views, uint32_t pictures) {
-        return {std::move(views), pictures};
-    }
+    static CameraWay flight(std::vector<Camera> views, uint32_t images) { return {std::move(views), images}; }
 
-    uint32_t pictures() const { return pictures_; }
+    uint32_t images() const { return images_; }
     bool isTurntable() const { return views_.size() == 1; }
     /// Of a picture, counted from 0; between whole numbers on the way to the next one.
-    Camera at(float picture) const;
+    Camera at(float image) const;
 
   private:
-    CameraWay(std::vector<Camera> views, uint32_t pictures) : views_(std::move(views)), pictures_(pictures) {}
+    CameraWay(std::vector<Camera> views, uint32_t images) : views_(std::move(views)), images_(images) {}
 
     std::vector<Camera> views_;
-    uint32_t pictures_;
+    uint32_t images_;
 };
 
 /// What people should know before the pictures are rendered: the camera goes through a surface, or something

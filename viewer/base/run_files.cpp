@@ -71,11 +71,11 @@ Status RunFiles::checkCanWrite(const std::string& path) const {
     return free ? checkWritable(path) : free;
 }
 
-Status RunFiles::checkCanWrite(const NumberedFiles& pictures) const {
-    std::vector<std::string> suspects = pictures.shared();
+Status RunFiles::checkCanWrite(const NumberedFiles& images) const {
+    std::vector<std::string> suspects = images.shared();
     const auto compareWith = [&](const std::string& other) {
-        const uint32_t number = pictures.numberOf(fs::path(followLinks(other)).filename().string());
-        if (number > 0) { suspects.push_back(numberedPath(pictures.path, number)); }
+        const uint32_t number = images.numberOf(fs::path(followLinks(other)).filename().string());
+        if (number > 0) { suspects.push_back(numberedPath(images.path, number)); }
     };
     std::ranges::for_each(inputs_, compareWith, &Input::path);
     std::ranges::for_each(outputs_, compareWith);

@@ -33,7 +33,7 @@ class RunFiles {
     /// The same, or it cannot be written.
     Status checkCanWrite(const std::string& path) const;
     /// The same of any of these, however many they are, at the cost of listing their folder.
-    Status checkCanWrite(const NumberedFiles& pictures) const;
+    Status checkCanWrite(const NumberedFiles& images) const;
     /// The first error of all outputs: again, after further inputs came to light.
     Status check() const;
     /// Error: `path` is a file that is read, or empty.

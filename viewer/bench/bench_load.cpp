@@ -55,17 +55,17 @@ Result<LoadFigures> measureFile(const std::string& path, int threads) {
     options.threads = threads;
     RenderSession session(makeCpuBackend(threads), options);
     session.post({std::make_shared<SceneDescription>(std::move(*scene)), EditKind::Everything});
-    const auto awaitPicture = [&](const auto& isIt) {
+    const auto awaitImage = [&](const auto& isIt) {
         while (!(session.snapshot() && isIt(*session.snapshot())) &&
                session.status().state != SessionState::Failed) {
             usleep(500);
         }
     };
-    awaitPicture([](const FilmSnapshot&) { return true; });
+    awaitImage([](const FilmSnapshot&) { return true; });
     if (session.snapshot() && session.snapshot()->isFirstFrame) {
         figures.frame = stopwatch.seconds() - figures.load;
     }
-    awaitPicture([](const FilmSnapshot& picture) { return !picture.isFirstFrame; });
+    awaitImage([](const FilmSnapshot& image) { return !image.isFirstFrame; });
     figures.total = stopwatch.seconds();
     const SessionStatus status = session.status();
     if (status.state == SessionState::Failed) { return Error{status.error, {}}; }

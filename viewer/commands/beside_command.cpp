@@ -31,7 +31,7 @@ Example:
   glint beside published/scene18_dof_0.pt.png testcases/scene18_dof_0.txt -o dof.png --depth 4)";
 
 struct BesideOptions {
-    std::string picture, scene, output;
+    std::string image, scene, output;
     uint32_t passes = 64;
     int reduce = 1;
     bool isSrgb = false;
@@ -41,7 +41,7 @@ struct BesideOptions {
 };
 
 /// Linear, as stored unless `isSrgb`.
-Result<ImageF> readPicture(const std::string& path, bool isSrgb) {
+Result<ImageF> readImage(const std::string& path, bool isSrgb) {
     const Result<SceneImage> image = loadImage(path);
     if (!image) { return image.error(); }
     if (isSrgb || image->floats) { return *linearColors(*image); }
@@ -86,8 +86,8 @@ Result<ImageF> render(std::shared_ptr<const SceneDescription> scene, const Besid
     progress.finish();
     const auto capture = session.capture();
     if (!capture || state == SessionState::Failed) { return Error{"nothing was rendered", {}}; }
-    const auto picture = makeSnapshot(*capture, {}, o.threads);
-    return ImageF{picture->width, picture->height, picture->radiance};
+    const auto image = makeSnapshot(*capture, {}, o.threads);
+    return ImageF{image->width, image->height, image->radiance};
 }
 
 Vec3 meanOf(const ImageF& image, float gain) {
@@ -137,17 +137,17 @@ int runBeside(BesideOptions* o) {
                            kExitBadInput);
     }
     RunFiles files;
-    files.reads("the picture", o->picture);
+    files.reads("the picture", o->image);
     files.reads("the scene", o->scene);
     if (Status writable = files.writes(o->output); !writable) {
         return reportError(writable.error(), kExitBadInput);
     }
-    Result<ImageF> picture = readPicture(o->picture, o->isSrgb);
-    if (!picture) { return reportError(picture.error(), kExitBadInput); }
-    if (o->reduce > std::min(picture->width, picture->height)) {
-        return reportError({"--reduce leaves nothing of the picture", {.file = o->picture}}, kExitBadInput);
+    Result<ImageF> image = readImage(o->image, o->isSrgb);
+    if (!image) { return reportError(image.error(), kExitBadInput); }
+    if (o->reduce > std::min(image->width, image->height)) {
+        return reportError({"--reduce leaves nothing of the picture", {.file = o->image}}, kExitBadInput);
     }
-    if (o->reduce > 1) { *picture = reduced(*picture, o->reduce); }
+    if (o->reduce > 1) { *image = reduced(*image, o->reduce); }
     auto scene = openScene(o->scene, o->load);
     if (!scene) { return reportError(scene.error(), kExitBadInput); }
     files.readsScene(*scene);
@@ -155,15 +155,15 @@ int runBeside(BesideOptions* o) {
     o->overrides.asOriginal = true;
     Status applied = applyTo(o->overrides, &*scene);
     if (!applied) { return reportError(applied.error(), kExitBadInput); }
-    scene->resolution = {picture->width, picture->height};
+    scene->resolution = {image->width, image->height};
     const InterruptGuard interrupt;
     const auto rendered = render(std::make_shared<SceneDescription>(std::move(*scene)), *o, interrupt);
     if (!rendered) { return reportError(rendered.error(), kExitFailed); }
-    const Vec3 theirs = meanOf(*picture, 1.0f), ours = meanOf(*rendered, 1.0f);
+    const Vec3 theirs = meanOf(*image, 1.0f), ours = meanOf(*rendered, 1.0f);
     const float stops = stopsTo(luminance(theirs), *rendered);
-    put("{}: mean {:.3f} {:.3f} {:.3f}; Glint {:.3f} {:.3f} {:.3f}, shown {:+.2f} stops brighter\n",
-        o->picture, theirs.x, theirs.y, theirs.z, ours.x, ours.y, ours.z, stops);
-    const Status saved = savePng(o->output, besideEachOther(*picture, *rendered, stops));
+    put("{}: mean {:.3f} {:.3f} {:.3f}; Glint {:.3f} {:.3f} {:.3f}, shown {:+.2f} stops brighter\n", o->image,
+        theirs.x, theirs.y, theirs.z, ours.x, ours.y, ours.z, stops);
+    const Status saved = savePng(o->output, besideEachOther(*image, *rendered, stops));
     if (!saved) { return reportError(saved.error(), kExitFailed); }
     return interrupt.interrupted() ? kExitInterrupted : kExitDone;
 }
@@ -174,7 +174,7 @@ void addBesideCommand(const Command& program) {
     const Command command = program.subcommand(
         "beside", "Puts a picture that another program made of a scene beside Glint's, at equal tone");
     const auto o = std::make_shared<BesideOptions>();
-    command.option("picture", &o->picture, "The picture; 8-bit files are linear without a gamma")
+    command.option("picture", &o->image, "The picture; 8-bit files are linear without a gamma")
         .required()
         .typeName("PICTURE");
     command.option("scene", &o->scene, "The scene").required().typeName("SCENE");

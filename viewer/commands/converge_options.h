@@ -29,7 +29,7 @@ struct ConvergeOptions {
     int seeds = 4;
     int points = 16;
     int images = 3;
-    std::vector<double> imageTimes;  ///< empty: as `pictures` says
+    std::vector<double> imageTimes;  ///< empty: as `images` says
     SceneOverrides overrides;
     float exposure = 0.0f;
     int threads = 0;

@@ -18,11 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kPictures = "pictures";
+constexpr const char* kImages = "pictures";
 
 /// All that a run replaces, but not the reference, which is kept to be used again.
 constexpr std::array<const char*, 7> kOwnNames{"index.html", "summary.json", "curve.csv", "summary.csv",
-                                               "plot.svg",   "plot.png",     kPictures};
+                                               "plot.svg",   "plot.png",     kImages};
 
 Error cannotWrite(const std::string& path, const std::string& why) {
     return {fmt::format("--out {}: {}", path, why), {}};
@@ -57,11 +57,11 @@ Status ConvergeFolder::check(bool overwrite, const RunFiles& files) const {
                                            "to replace an earlier run's results",
                                            name));
         }
-        const bool isFile = std::string_view(name) != kPictures && fs::exists(file(name), ignored);
+        const bool isFile = std::string_view(name) != kImages && fs::exists(file(name), ignored);
         const Status free = isFile ? files.checkCanWrite(file(name)) : files.checkIsFree(file(name));
         if (!free) { return free; }
     }
-    if (const Status free = files.checkHoldsNoInput(file(kPictures)); !free) { return free; }
+    if (const Status free = files.checkHoldsNoInput(file(kImages)); !free) { return free; }
     return files.checkIsFree(reference());
 }
 

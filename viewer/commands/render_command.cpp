@@ -116,8 +116,8 @@ int runCommand(const RenderCommandOptions& options) {
     files.readsScene(*loaded);
     if (Status outputs = files.check(); !outputs) { return reportError(outputs.error(), kExitBadInput); }
     if (options.pixel.empty()) {
-        const Status pictures = files.checkCanWrite(numberedPictures(options));
-        if (!pictures) { return reportError(pictures.error(), kExitBadInput); }
+        const Status images = files.checkCanWrite(numberedPictures(options));
+        if (!images) { return reportError(images.error(), kExitBadInput); }
     }
     if (Status applied = applyTo(options.overrides, &*loaded); !applied) {
         return reportError(applied.error(), kExitBadInput);

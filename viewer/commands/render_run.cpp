@@ -117,7 +117,7 @@ class BatchRender {
 
     /// Saves and reports what there is. Returns the exit code.
     int finish(End end) {
-        if (end == End::Interrupted && !stopsWithPicture()) { return kExitInterrupted; }
+        if (end == End::Interrupted && !stopsWithImage()) { return kExitInterrupted; }
         const SessionStatus status = session_->status();
         if (status.state == SessionState::Failed && status.passes == 0) {
             // The session has logged why.
@@ -129,7 +129,7 @@ class BatchRender {
         if (!saved) { logError("{}", saved.error().format()); }
         const Status reported = reportRender({options_, *capture, session_->status(), loadSeconds_,
                                               photonsPerPass_, exposure_.value_or(0.0f), denoiseSeconds_});
-        const bool hasAll = saved && !lacksPicture_ && end != End::OutOfMemory;
+        const bool hasAll = saved && !lacksImage_ && end != End::OutOfMemory;
         if (!hasAll || status.state == SessionState::Failed) { return kExitFailed; }
         if (!reported) { return reportError(reported.error(), kExitFailed); }
         return end == End::Done ? kExitDone : kExitInterrupted;
@@ -169,7 +169,7 @@ class BatchRender {
 
     /// After a signal: gives up the pass in flight where there is a picture without it. False: there is none,
     /// and none will be soon.
-    bool stopsWithPicture() {
+    bool stopsWithImage() {
         request_.paused = true;
         session_->request(request_);
         return announceInterruption(session_->status());
@@ -200,16 +200,16 @@ class BatchRender {
     /// The checkpoint, and a picture where it has a name. The render is worth more than these; a checkpoint
     /// that cannot be saved now may be at the end.
     void saveOnTheWay(const std::string& image = {}) {
-        bool hasPicture = image.empty();
+        bool hasImage = image.empty();
         const Status saved = withMemory(image.empty() ? options_.checkpoint : image, [&] {
             const auto capture = session_->capture();
             if (!capture) { return Status(); }
-            const Status written = hasPicture ? Status() : writeImage(*capture, image);
-            hasPicture = static_cast<bool>(written);
+            const Status written = hasImage ? Status() : writeImage(*capture, image);
+            hasImage = static_cast<bool>(written);
             const Status kept = checkpoint_.save(*capture);
             return written ? kept : written;
         });
-        if (!hasPicture) { lacksPicture_ = true; }
+        if (!hasImage) { lacksImage_ = true; }
         if (!saved) { logError("{}", saved.error().format()); }
     }
 
@@ -227,8 +227,8 @@ class BatchRender {
     }
 
     /// The same for all pictures of the run.
-    float exposureOf(const FilmSnapshot& picture) {
-        if (!exposure_) { exposure_ = autoExposure(picture.radiance, picture.width, picture.height); }
+    float exposureOf(const FilmSnapshot& image) {
+        if (!exposure_) { exposure_ = autoExposure(image.radiance, image.width, image.height); }
         return *exposure_;
     }
 
@@ -279,7 +279,7 @@ class BatchRender {
     uint32_t photonsPerPass_ = 0;  ///< SPPM: what the budget allows
     uint32_t startPasses_ = 0;     ///< that the checkpoint brought
     uint32_t nextImage_ = 0;       ///< pass count of the next numbered picture; 0: none before the end
-    bool lacksPicture_ = false;    ///< a numbered one could not be written
+    bool lacksImage_ = false;      ///< a numbered one could not be written
     std::optional<float> exposure_ = statedExposure(options_);  ///< of PNGs
     std::optional<double> denoiseSeconds_;                      ///< that the last picture took
     RenderRequest request_;

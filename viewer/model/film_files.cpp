@@ -68,7 +68,8 @@ Status saveOverShorter(const std::string& path, const SessionCapture& capture) {
 
 }  // namespace
 
-Status savePicture(const std::string& path, const SessionCapture& capture, const DisplaySettings& display) {
+Status saveShownImage(const std::string& path, const SessionCapture& capture,
+                      const DisplaySettings& display) {
     return saveImage(path, *snapshotOf(capture, display.denoises), *capture.scene, {.look = display.look()});
 }
 
@@ -97,14 +98,14 @@ void FilmFiles::startSave(const std::string& path, Save save) {
 
 void FilmFiles::savePng(const DisplaySettings& display) {
     saveCaptured(png, [path = png, display](const SessionCapture& capture) {
-        return savePicture(path, capture, display);
+        return saveShownImage(path, capture, display);
     });
 }
 
 Status FilmFiles::saveNow(const std::string& path, const DisplaySettings& display) {
     const auto capture = render_->capture();
     if (!capture) { return Error{"there is no picture to save", {.file = path}}; }
-    return savePicture(path, *capture, display);
+    return saveShownImage(path, *capture, display);
 }
 
 void FilmFiles::saveExr(const DisplaySettings& display) {

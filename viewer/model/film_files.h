@@ -23,7 +23,7 @@ inline constexpr uint32_t kAllAovs =
     kAovAlbedo | kAovShadingNormal | kAovGeometricNormal | kAovDepth | kAovObjectId | kAovMaterialId;
 
 /// As the display shows it, with exposure, tone map and what else it has. Error: it cannot be written.
-Status savePicture(const std::string& path, const SessionCapture& capture, const DisplaySettings& display);
+Status saveShownImage(const std::string& path, const SessionCapture& capture, const DisplaySettings& display);
 
 class FilmFiles {
   public:

@@ -59,7 +59,7 @@ Status FrameSeries::render(const Job& job) {
                      .aovs = job.display.denoises ? kDenoisingAovs : 0,
                      .aovsEndWithFilm = true,
                      .standardError = job.display.denoises});
-    for (uint32_t frame = 0; frame < job.way.pictures(); ++frame) {
+    for (uint32_t frame = 0; frame < job.way.images(); ++frame) {
         auto moved = std::make_shared<SceneDescription>(*job.scene);
         moved->camera = job.way.at(static_cast<float>(frame));
         const EditTicket ticket = session.post({moved, frame == 0 ? EditKind::Everything : EditKind::Camera});
@@ -73,7 +73,7 @@ Status FrameSeries::render(const Job& job) {
         }
         const auto capture = session.capture();
         if (!capture) { return Error{"nothing was rendered", {}}; }
-        if (Status saved = savePicture(numberedPath(job.path, frame + 1), *capture, job.display); !saved) {
+        if (Status saved = saveShownImage(numberedPath(job.path, frame + 1), *capture, job.display); !saved) {
             return saved;
         }
         ++job.work->done;
@@ -91,7 +91,7 @@ Status FrameSeries::renderWithMemory(const Job& job) {
 }
 
 CameraWay FrameSeries::way() const {
-    const auto count = static_cast<uint32_t>(pictures);
+    const auto count = static_cast<uint32_t>(images);
     const SceneDescription& scene = *document_->posted();
     return isFlight ? CameraWay::flight(viewsOf(*bookmarks_, scene.path), count)
                     : CameraWay::turntable(scene.camera, count);
@@ -105,7 +105,7 @@ std::string FrameSeries::missing() const {
 }
 
 NumberedFiles FrameSeries::files() const {
-    return {.path = pathIn(folder), .last = static_cast<uint32_t>(pictures)};
+    return {.path = pathIn(folder), .last = static_cast<uint32_t>(images)};
 }
 
 Status FrameSeries::checkFiles() const {
@@ -124,7 +124,7 @@ void FrameSeries::start(const DisplaySettings& display) {
 
 void FrameSeries::launch(const DisplaySettings& display) {
     work_ = std::make_shared<Work>();
-    work_->pictures = static_cast<uint32_t>(pictures);
+    work_->images = static_cast<uint32_t>(images);
     const auto job = std::make_shared<const Job>(Job{
         work_, way(), document_->posted(),
         StopLimits{.passes = static_cast<uint32_t>(passes), .renderSeconds = static_cast<double>(seconds)},
@@ -152,17 +152,17 @@ void FrameSeries::cancel() {
 }
 
 std::string FrameSeries::progressText() const {
-    return fmt::format("{} of {}, {} passes", std::min(work_->done + 1, work_->pictures), work_->pictures,
+    return fmt::format("{} of {}, {} passes", std::min(work_->done + 1, work_->images), work_->images,
                        work_->passes.load());
 }
 
 float FrameSeries::progress() const {
-    return static_cast<float>(work_->done) / static_cast<float>(work_->pictures);
+    return static_cast<float>(work_->done) / static_cast<float>(work_->images);
 }
 
 const std::string& FrameSeries::obstacles() {
     const size_t views = isFlight ? bookmarks_->of(document_->posted()->path).size() : 0;
-    const WayOf now{render_->builtScene(), pictures, views};
+    const WayOf now{render_->builtScene(), images, views};
     if (now == obstaclesOf_ || render_->request.interacting) { return obstacles_; }
     obstaclesOf_ = now;
     const bool isKnown = now.built && missing().empty();

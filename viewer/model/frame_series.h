@@ -42,7 +42,7 @@ class FrameSeries {
     BackendMaker makeBackend;  ///< what renders them; set before the first
 
     bool isFlight = false;  ///< through the bookmarks of the scene; otherwise a turn around the target
-    int pictures = 36;
+    int images = 36;
     int passes = 64;       ///< of each; 0: no limit
     float seconds = 0.0f;  ///< likewise
     std::string folder = "turntable";
@@ -68,7 +68,7 @@ class FrameSeries {
         std::atomic<bool> isCancelled = false;
         std::atomic<uint32_t> done = 0;    ///< pictures
         std::atomic<uint32_t> passes = 0;  ///< of the picture in flight
-        uint32_t pictures = 0;
+        uint32_t images = 0;
     };
     struct Job;
     static Status render(const Job& job);
@@ -89,7 +89,7 @@ class FrameSeries {
 
     struct WayOf {
         std::shared_ptr<const BuiltScene> built;
-        int pictures = 0;
+        int images = 0;
         size_t views = 0;  ///< of a flight; 0: a turn
 
         bool operator==(const WayOf&) const = default;

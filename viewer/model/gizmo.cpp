@@ -39,14 +39,14 @@ float distanceTo(const std::vector<Vec2>& line, Vec2 at) {
 
 }  // namespace
 
-ScreenView::ScreenView(const Camera& camera, Vec2i picture, const PlacedImage& placed)
+ScreenView::ScreenView(const Camera& camera, Vec2i image, const PlacedImage& placed)
     : position_(camera.position),
       view_(axesOf(camera)),
       isParallel_(camera.kind == ProjectionKind::Orthographic),
       placed_(placed) {
     half_.y = 0.5f * heightOfView(camera, 1.0f);
-    half_.x = half_.y * camera.horizontalScale * static_cast<float>(picture.x) /
-              static_cast<float>(std::max(picture.y, 1));
+    half_.x = half_.y * camera.horizontalScale * static_cast<float>(image.x) /
+              static_cast<float>(std::max(image.y, 1));
     middle_ = 2.0f * half_.y * camera.shift * Vec2(camera.horizontalScale, 1.0f);
 }
 

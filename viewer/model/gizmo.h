@@ -27,7 +27,7 @@ struct GizmoSettings {
 /// The camera as the picture on the screen shows the scene, through the lens's centre.
 class ScreenView {
   public:
-    ScreenView(const Camera& camera, Vec2i picture, const PlacedImage& placed);
+    ScreenView(const Camera& camera, Vec2i image, const PlacedImage& placed);
     /// Nothing for what is behind the camera.
     std::optional<Vec2> project(const Vec3& point) const;
     /// From the camera through that place of the screen; its direction has unit length.

@@ -69,11 +69,11 @@ void chooseTextureFile(SceneDocument* document, size_t material, size_t input, c
     document->nameEdit("Texture " + fs::path(file).filename().string());
 }
 
-void choosePictureFile(SceneDocument* document, size_t light, const std::string& path) {
+void chooseImageFile(SceneDocument* document, size_t light, const std::string& path) {
     SceneDescription& scene = document->draft();
     if (light >= scene.lights.size()) { return; }
     const std::string file = absolutePath(path);
-    scene.lights[light].picture.texture = textureOf(&scene, file, ColorEncoding::Srgb);
+    scene.lights[light].image.texture = textureOf(&scene, file, ColorEncoding::Srgb);
     document->nameEdit("Picture " + fs::path(file).filename().string());
 }
 

@@ -15,7 +15,7 @@ namespace glint {
 void chooseTextureFile(SceneDocument* document, size_t material, size_t input, const std::string& path);
 
 /// The image file is what a light shows, or by which it shines, in sRGB.
-void choosePictureFile(SceneDocument* document, size_t light, const std::string& path);
+void chooseImageFile(SceneDocument* document, size_t light, const std::string& path);
 
 /// The environment shows the image file, at its own brightness where the environment was black.
 void chooseEnvironmentFile(SceneDocument* document, const std::string& path);

@@ -16,7 +16,7 @@ static_assert(kZooms[kOneToOne] == 1.0f);
 constexpr int kBeforeZooms = 2;  // choices
 
 float fittingZoom(const ImageArea& area) {
-    const Vec2 shares = (area.max - area.min) * area.pixelScale / Vec2(area.picture);
+    const Vec2 shares = (area.max - area.min) * area.pixelScale / Vec2(area.image);
     return std::max(std::min(shares.x, shares.y), 1e-3f);
 }
 
@@ -46,7 +46,7 @@ PlacedImage ImageFraming::place(const ImageArea& area) const {
     const Vec2 middle = size_ == Size::Zoom ? middle_ : Vec2(0.5f);
     const Vec2 areaMin = area.min * area.pixelScale;
     const Vec2 areaMax = area.max * area.pixelScale;
-    const Vec2 shown = Vec2(area.picture) * placed.zoom;
+    const Vec2 shown = Vec2(area.image) * placed.zoom;
     const Vec2 begin(beginOf(areaMin.x, areaMax.x, shown.x, middle.x),
                      beginOf(areaMin.y, areaMax.y, shown.y, middle.y));
     placed.min = begin / area.pixelScale;
@@ -64,16 +64,16 @@ void ImageFraming::zoomBy(int steps, Vec2 at, const ImageArea& area) {
     step_ = static_cast<size_t>(std::clamp<std::ptrdiff_t>(next, 0, last));
     size_ = Size::Zoom;
     const Vec2 share = (at - before.min) / (before.max - before.min);
-    const Vec2 shown = Vec2(area.picture) * (kZooms[step_] / area.pixelScale);
+    const Vec2 shown = Vec2(area.image) * (kZooms[step_] / area.pixelScale);
     middle_ = share + ((area.min + area.max) * 0.5f - at) / shown;
     panBy(Vec2(0.0f), area);
 }
 
 void ImageFraming::panBy(Vec2 units, const ImageArea& area) {
     if (size_ != Size::Zoom) { return; }
-    middle_ -= units / (Vec2(area.picture) * (kZooms[step_] / area.pixelScale));
+    middle_ -= units / (Vec2(area.image) * (kZooms[step_] / area.pixelScale));
     // Not past what place() shows: the way back would seem to hang.
-    const Vec2 half = (area.max - area.min) * area.pixelScale / (Vec2(area.picture) * kZooms[step_]) * 0.5f;
+    const Vec2 half = (area.max - area.min) * area.pixelScale / (Vec2(area.image) * kZooms[step_]) * 0.5f;
     const Vec2 inset = glm::min(half, Vec2(0.5f));
     middle_ = glm::clamp(middle_, inset, Vec2(1.0f) - inset);
 }

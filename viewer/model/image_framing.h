@@ -18,7 +18,7 @@ namespace glint {
 struct ImageArea {
     Vec2 min{0.0f};
     Vec2 max{0.0f};
-    Vec2i picture{1};         ///< its size in pixels, at least 1
+    Vec2i image{1};           ///< its size in pixels, at least 1
     float pixelScale = 1.0f;  ///< screen pixels per unit
 };
 

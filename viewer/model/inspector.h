@@ -23,7 +23,7 @@ struct Inspector {
     AreaStatistics statistics{};
     std::shared_ptr<const FilmSnapshot> statisticsOf{};  ///< null: `area` is not measured yet
 
-    std::shared_ptr<const FilmSnapshot> picture{};  ///< that is shown, without its noise or kept; null: none
+    std::shared_ptr<const FilmSnapshot> image{};  ///< that is shown, without its noise or kept; null: none
 
     // Histogram or waveform, and what it is of.
     ScopeKind scope = ScopeKind::Histogram;

@@ -22,7 +22,7 @@ constexpr KeyActionInfo kActions[] = {
     {KeyAction::ZoomIn, "zoom-in", "+ kp+", "larger picture, around the mouse"},
     {KeyAction::ZoomOut, "zoom-out", "- kp-", "smaller picture"},
     {KeyAction::OneToOne, "one-to-one", "1 kp1", "picture at 1:1 pixels"},
-    {KeyAction::FitPicture, "fit", "0 kp0", "picture at its automatic size"},
+    {KeyAction::FitImage, "fit", "0 kp0", "picture at its automatic size"},
     {KeyAction::FlyForwards, "fly-forwards", "w", "fly forwards (Shift: fast)"},
     {KeyAction::FlyBack, "fly-back", "s", "fly back"},
     {KeyAction::FlyLeft, "fly-left", "a", "fly left"},

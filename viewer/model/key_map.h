@@ -19,7 +19,7 @@ enum class KeyAction : uint8_t {
     ZoomIn,
     ZoomOut,
     OneToOne,
-    FitPicture,
+    FitImage,
     FlyForwards,
     FlyBack,
     FlyLeft,

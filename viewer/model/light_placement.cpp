@@ -10,8 +10,8 @@ Affine placeOf(const Light& light, const Vec3& infinite) {
     const Frame frame = Frame::fromNormal(direction);
     Affine placed;
     placed.linear = Mat3(frame.s, frame.t, frame.n);
-    if (hasPicture(light.kind)) {  // which turns about its own axis, too
-        const Vec3 right = pictureRight(light);
+    if (hasImage(light.kind)) {  // which turns about its own axis, too
+        const Vec3 right = imageRight(light);
         placed.linear = Mat3(-right, glm::cross(right, direction), direction);
     }
     placed.translation = light.kind == LightKind::Directional ? infinite : light.position;
@@ -23,7 +23,7 @@ void placeLight(Light* light, const Affine& placed) {
     if (light->kind == LightKind::Point) { return; }
     const float length = glm::length(light->direction);
     light->direction = glm::normalize(placed.linear[2]) * (length > 0.0f ? length : 1.0f);
-    if (hasPicture(light->kind)) { light->up = glm::normalize(placed.linear[1]); }
+    if (hasImage(light->kind)) { light->up = glm::normalize(placed.linear[1]); }
 }
 
 GizmoSettings settingsFor(const Light& light, GizmoSettings settings) {

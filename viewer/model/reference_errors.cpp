@@ -27,19 +27,19 @@ double meanOf(const ImageF& image) {
 }
 
 Status readExr(std::string_view bytes, LoadedReference* reference) {
-    auto picture = decodeExrColor(bytes, reference->path);
-    if (!picture) { return picture.error(); }
-    if (Status finite = checkFinite(picture->color, reference->path); !finite) { return finite; }
-    reference->image = std::move(picture->color);
-    reference->attributes = std::move(picture->attributes);
+    auto image = decodeExrColor(bytes, reference->path);
+    if (!image) { return image.error(); }
+    if (Status finite = checkFinite(image->color, reference->path); !finite) { return finite; }
+    reference->image = std::move(image->color);
+    reference->attributes = std::move(image->attributes);
     return {};
 }
 
 Status readOther(const std::string& bytes, LoadedReference* reference) {
-    const auto picture = decodeImage(bytes, reference->path);
-    if (!picture) { return picture.error(); }
-    reference->isEightBit = picture->bytes != nullptr;
-    reference->image = *linearColors(*picture);
+    const auto image = decodeImage(bytes, reference->path);
+    if (!image) { return image.error(); }
+    reference->isEightBit = image->bytes != nullptr;
+    reference->image = *linearColors(*image);
     return checkFinite(reference->image, reference->path);
 }
 
@@ -85,9 +85,9 @@ double ReferencePoint::error(ReferenceMetric metric) const {
     return mape;
 }
 
-void ReferenceErrors::load(const std::string& path, const Resolution& picture) {
+void ReferenceErrors::load(const std::string& path, const Resolution& image) {
     if (path.empty()) { return; }
-    picture_ = picture;
+    image_ = image;
     if (loading_) {
         next_ = path;
         return;
@@ -102,7 +102,7 @@ void ReferenceErrors::load(const std::string& path, const Resolution& picture) {
                 loading_ = false;
                 Status taken = *loaded ? whyWorse(***loaded) : Status(loaded->error());
                 if (!taken) { logError("{}", taken.error().format()); }
-                if (!next_.empty()) { return load(std::exchange(next_, ""), picture_); }
+                if (!next_.empty()) { return load(std::exchange(next_, ""), image_); }
                 if (!taken) {
                     loadError_ = taken.error();
                     return;
@@ -119,11 +119,11 @@ void ReferenceErrors::load(const std::string& path, const Resolution& picture) {
 /// Error: the reference before can be compared with the picture, and this one cannot.
 Status ReferenceErrors::whyWorse(const LoadedReference& reference) const {
     const auto fits = [&](const ImageF& image) {
-        return image.width == picture_.width && image.height == picture_.height;
+        return image.width == image_.width && image.height == image_.height;
     };
     if (!loaded_ || !fits(loaded_->image) || fits(reference.image)) { return {}; }
     return Error{fmt::format("the picture has {} × {} pixels, this reference {} × {}; the one before stays",
-                             picture_.width, picture_.height, reference.image.width, reference.image.height),
+                             image_.width, image_.height, reference.image.width, reference.image.height),
                  {reference.path, 0, 0, ""}};
 }
 

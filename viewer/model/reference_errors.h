@@ -52,7 +52,7 @@ class ReferenceErrors {
     /// Loads any picture that is read (image_formats.h) in the background; loadError() says if it could not.
     /// Until it is there, the one before stays; it also stays where it has the picture's size and the new one
     /// has not. Of several asked for at once, the last counts.
-    void load(const std::string& path, const Resolution& picture);
+    void load(const std::string& path, const Resolution& image);
     void clear();
     bool loading() const { return loading_; }
     const std::optional<Error>& loadError() const { return loadError_; }
@@ -93,8 +93,8 @@ class ReferenceErrors {
     std::shared_ptr<const LoadedReference> loaded_;
     std::optional<Error> loadError_;
     bool loading_ = false;
-    std::string next_;          ///< to be loaded after the one that is being loaded
-    Resolution picture_{0, 0};  ///< its size
+    std::string next_;        ///< to be loaded after the one that is being loaded
+    Resolution image_{0, 0};  ///< its size
     std::array<Series, kIntegratorTable.size()> series_;
 };
 

@@ -25,6 +25,6 @@ struct RegionTool {
 FilmRegion regionBetween(Vec2i a, Vec2i b);
 /// A square of a sixth of the picture's height around the pixel, in steps, so that a hand that trembles
 /// changes nothing.
-FilmRegion spotAround(Vec2i pixel, int pictureHeight);
+FilmRegion spotAround(Vec2i pixel, int imageHeight);
 
 }  // namespace glint

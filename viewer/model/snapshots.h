@@ -15,10 +15,10 @@
 
 namespace glint {
 
-struct KeptPicture {
+struct KeptRender {
     int number = 0;       ///< for people, from 1; no two have the same
     std::string summary;  ///< integrator, passes, time and error
-    std::shared_ptr<const FilmSnapshot> picture;
+    std::shared_ptr<const FilmSnapshot> image;
     std::shared_ptr<const SceneDescription> scene;
     DisplayLook look{};
     Thumbnail thumbnail;
@@ -29,14 +29,14 @@ struct KeptPicture {
 class Snapshots {
   public:
     /// Keeps the picture as it is shown. Previews and empty ones are not kept: false.
-    bool keep(const std::shared_ptr<const FilmSnapshot>& picture,
-              std::shared_ptr<const SceneDescription> scene, const DisplaySettings& display);
+    bool keep(const std::shared_ptr<const FilmSnapshot>& image, std::shared_ptr<const SceneDescription> scene,
+              const DisplaySettings& display);
     void remove(int number);
-    const std::vector<KeptPicture>& kept() const { return kept_; }
+    const std::vector<KeptRender>& kept() const { return kept_; }
     /// In how many settings the picture's scene differs from `now`. Found once for each version of the scene.
-    size_t differences(const KeptPicture& kept, const std::shared_ptr<const SceneDescription>& now) const;
+    size_t differences(const KeptRender& kept, const std::shared_ptr<const SceneDescription>& now) const;
     /// Null: there is none of that number.
-    const KeptPicture* find(int number) const;
+    const KeptRender* find(int number) const;
 
     /// The one that is left in the comparison; 0: none is compared.
     int left = 0;
@@ -50,14 +50,14 @@ class Snapshots {
 
     /// The scene of that picture is to be opened again.
     void askForScene(int number) { asked_ = number; }
-    const KeptPicture* takeAsked() { return find(std::exchange(asked_, 0)); }
+    const KeptRender* takeAsked() { return find(std::exchange(asked_, 0)); }
 
   private:
     struct Found {
         std::shared_ptr<const SceneDescription> of;
         size_t differences = 0;
     };
-    std::vector<KeptPicture> kept_;
+    std::vector<KeptRender> kept_;
     mutable std::map<int, Found> found_;  ///< by the pictures' numbers
     int lastNumber_ = 0;
     int asked_ = 0;

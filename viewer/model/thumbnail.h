@@ -20,6 +20,6 @@ struct Thumbnail {
 uint64_t newThumbnailId();
 
 /// Means of the picture's pixels, in a square of that side.
-Thumbnail makeThumbnail(const FilmSnapshot& picture, const DisplayLook& look, int side);
+Thumbnail makeThumbnail(const FilmSnapshot& image, const DisplayLook& look, int side);
 
 }  // namespace glint

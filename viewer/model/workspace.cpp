@@ -182,11 +182,11 @@ void Workspace::refresh() {
     denoised.refresh(wantsDenoised() ? render.snapshot() : nullptr, rests);
     filmFiles.refresh(busy());
     backup.refresh();
-    if (snapshots.takeKeep() && !snapshots.keep(livePicture(), document.posted(), display)) {
+    if (snapshots.takeKeep() && !snapshots.keep(liveImage(), document.posted(), display)) {
         notice.show("There is no picture at full resolution yet");
     }
     refreshDifference();
-    inspector.picture = ownPicture();
+    inspector.image = ownImage();
     focusOverlay.refresh({.kind = lens.overlay,
                           .sharpPixels = lens.sharpPixels,
                           .camera = document.draft().camera,
@@ -198,7 +198,7 @@ void Workspace::refresh() {
 bool Workspace::commitEdits(bool held, bool mayBeEdited) {
     if (!document.isOpen()) { return false; }
     if (!held) { ++gesture_; }
-    if (const KeptPicture* kept = snapshots.takeAsked()) { openSceneOf(*kept); }
+    if (const KeptRender* kept = snapshots.takeAsked()) { openSceneOf(*kept); }
     bool isPosted = commitDraft(held, std::exchange(jobsEnded_, false) || mayBeEdited);
     if (const auto asked = history.takeAsked()) {
         goTo(*asked);
@@ -214,11 +214,11 @@ bool Workspace::commitEdits(bool held, bool mayBeEdited) {
 
 /// Not once the user has moved it.
 void Workspace::chooseExposure() {
-    const auto& picture = render.snapshot();
-    if (!awaitsExposure_ || !picture || render.awaitsImage()) { return; }
+    const auto& image = render.snapshot();
+    if (!awaitsExposure_ || !image || render.awaitsImage()) { return; }
     awaitsExposure_ = false;
     if (!display.awaitsExposure()) { return; }
-    const float stops = autoExposure(picture->radiance, picture->width, picture->height);
+    const float stops = autoExposure(image->radiance, image->width, image->height);
     display.exposureStops = display.chosenExposureStops = stops;
     history.noteExposure(document.version().opened.get(), stops);
     if (stops != 0.0f) {

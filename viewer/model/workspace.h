@@ -15,7 +15,7 @@
 #include "viewer/model/asset_reader.h"
 #include "viewer/model/convergence_watch.h"
 #include "viewer/model/curve_export.h"
-#include "viewer/model/denoised_picture.h"
+#include "viewer/model/denoised_view.h"
 #include "viewer/model/display_settings.h"
 #include "viewer/model/edit_history.h"
 #include "viewer/model/example_scenes.h"
@@ -31,13 +31,13 @@
 #include "viewer/model/notice.h"
 #include "viewer/model/ocio_chooser.h"
 #include "viewer/model/outliner.h"
-#include "viewer/model/picture_difference.h"
-#include "viewer/model/preset_pictures.h"
+#include "viewer/model/preset_images.h"
 #include "viewer/model/region_tool.h"
 #include "viewer/model/render_control.h"
 #include "viewer/model/scene_document.h"
 #include "viewer/model/scene_files.h"
 #include "viewer/model/session_backup.h"
+#include "viewer/model/shown_difference.h"
 #include "viewer/model/snapshots.h"
 #include "viewer/model/window_layout.h"
 
@@ -66,7 +66,7 @@ class Workspace {
     GizmoSettings gizmo;
     Outliner outliner;
     MaterialLibrary library;
-    PresetPictures presets{&jobs};
+    PresetImages presets{&jobs};
     SceneFiles sceneFiles;
     FilmFiles filmFiles;
     AssetReader assets;
@@ -78,8 +78,8 @@ class Workspace {
     FileWatch watch;  ///< of the scene that is open
     FaultFinder faults;
     Snapshots snapshots;
-    PictureDifference difference;
-    DenoisedPicture denoised;
+    ShownDifference difference;
+    DenoisedView denoised;
     WindowLayout layout;
     KeyMap keys;
     /// Set by who draws: what is on the screen is not of the newest snapshots yet.
@@ -121,22 +121,22 @@ class Workspace {
     /// Two pictures are on the screen, or their difference.
     bool isComparing() const { return display.split || snapshots.isComparing(); }
     /// The picture that the own pane shows, and the one of the other pane, which matters while isComparing().
-    const std::shared_ptr<const FilmSnapshot>& ownPicture() const;
-    const std::shared_ptr<const FilmSnapshot>& otherPicture() const;
+    const std::shared_ptr<const FilmSnapshot>& ownImage() const;
+    const std::shared_ptr<const FilmSnapshot>& otherImage() const;
     /// Of a comparison of snapshots always; else as the table of integrators has it.
     bool ownIsRight() const;
 
   private:
     bool wantsDenoised() const;
     /// As it is shown.
-    const std::shared_ptr<const FilmSnapshot>& livePicture() const;
+    const std::shared_ptr<const FilmSnapshot>& liveImage() const;
     void sendRequest();
     void addObjectsOf(SceneDescription scene);
     FirstHit hitAt(Vec2i pixel) const;
     void refreshDifference();
     /// Another program has changed a file of the scene.
     void reload();
-    void openSceneOf(const KeptPicture& kept);
+    void openSceneOf(const KeptRender& kept);
     void chooseExposure();
     void expectExposure();
     bool commitDraft(bool held, bool mayBeEdited);

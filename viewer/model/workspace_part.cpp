@@ -36,6 +36,6 @@ template Snapshots* partOf(Workspace*);
 template KeyMap* partOf(Workspace*);
 template FrameSeries* partOf(Workspace*);
 template OcioChooser* partOf(Workspace*);
-template PresetPictures* partOf(Workspace*);
+template PresetImages* partOf(Workspace*);
 
 }  // namespace glint

@@ -18,7 +18,7 @@ void drawWishes(FrameSeries* frames) {
                                                  {true, "Through the bookmarks"}};
     ui::kindChoice("Way", &frames->isFlight, kWays, "A whole turn of the camera, or from view to view");
     ui::integer(
-        "Pictures", &frames->pictures,
+        "Pictures", &frames->images,
         {.format = "%d", .speed = 0.2f, .min = 2.0f, .max = 100000.0f, .tooltip = "On the whole way"});
     ui::integer("Passes each", &frames->passes,
                 {.format = "%d passes",

@@ -14,8 +14,8 @@
 #include "viewer/model/inspector.h"
 #include "viewer/model/render_control.h"
 #include "viewer/model/scene_document.h"
+#include "viewer/panels/image_scopes.h"
 #include "viewer/panels/panel.h"
-#include "viewer/panels/picture_scopes.h"
 #include "viewer/ui/widgets.h"
 
 namespace glint {
@@ -108,7 +108,7 @@ void draw(RenderControl* render, const DisplaySettings* display, const SceneDocu
         ui::hint("Move the mouse over the picture.");
     }
     drawMeasured(snapshot, inspector);
-    drawScopes(inspector->picture ? inspector->picture : snapshot, display->look(), inspector);
+    drawScopes(inspector->image ? inspector->image : snapshot, display->look(), inspector);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 #include "viewer/model/copy_name.h"
 #include "viewer/model/material_presets.h"
-#include "viewer/model/preset_pictures.h"
+#include "viewer/model/preset_images.h"
 #include "viewer/model/scene_document.h"
 #include "viewer/panels/material_drag.h"
 #include "viewer/panels/material_patch.h"
@@ -22,10 +22,10 @@ namespace {
 constexpr float kMostRows = 6.0f;
 constexpr float kRowUnits = 30.0f;
 
-void drawPresets(PresetPictures* pictures, size_t shown, SceneDocument* document, Material* selected) {
+void drawPresets(PresetImages* images, size_t shown, SceneDocument* document, Material* selected) {
     const MaterialPresetGroup& group = materialPresets()[shown];
-    const PresetSheet& sheet = pictures->sheets[shown];
-    pictures->ask(shown);
+    const PresetSheet& sheet = images->sheets[shown];
+    images->ask(shown);
     const unsigned int texture = ui::textureOf(sheet.thumbnail.id);
     const float row = kRowUnits * ui::scale() + ImGui::GetStyle().ItemSpacing.y;
     const float rows = std::min(static_cast<float>(group.presets.size()), kMostRows);
@@ -33,8 +33,8 @@ void drawPresets(PresetPictures* pictures, size_t shown, SceneDocument* document
     for (size_t i = 0; i < group.presets.size(); ++i) {
         const MaterialPreset& preset = group.presets[i];
         const Vec2 corner = sheet.cornerOf(i);
-        if (ui::pictureLine(preset.name.c_str(), {texture, corner, corner + sheet.cellSize()},
-                            patchColor(preset.material), kRowUnits)) {
+        if (ui::imageLine(preset.name.c_str(), {texture, corner, corner + sheet.cellSize()},
+                          patchColor(preset.material), kRowUnits)) {
             takeMaterial(preset.material, selected);
             document->nameEdit("Material " + preset.name);
         }
@@ -77,7 +77,7 @@ void drawCopying(MaterialLibrary* library, SceneDocument* document, Material* se
     }
 }
 
-void draw(SceneDocument* document, MaterialLibrary* library, PresetPictures* pictures) {
+void draw(SceneDocument* document, MaterialLibrary* library, PresetImages* images) {
     std::vector<Material>& materials = document->draft().materials;
     if (materials.empty()) { return ui::hint("The scene has no materials."); }
     const int last = static_cast<int>(materials.size()) - 1;
@@ -90,7 +90,7 @@ void draw(SceneDocument* document, MaterialLibrary* library, PresetPictures* pic
     ui::choice(
         "Group", &library->group, names,
         "A click on one makes the selected material such a one; dragged to the picture, an object has it");
-    drawPresets(pictures, static_cast<size_t>(library->group), document, material);
+    drawPresets(images, static_cast<size_t>(library->group), document, material);
     drawCopying(library, document, material);
 }
 

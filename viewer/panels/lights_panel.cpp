@@ -69,11 +69,11 @@ void drawEnvironment(SceneDocument* document, SceneFiles* files, AssetReader* as
 }
 
 /// None, one of the scene's textures, or a file.
-void drawPictureChoice(SceneDocument* document, SceneFiles* files, size_t number) {
+void drawImageChoice(SceneDocument* document, SceneFiles* files, size_t number) {
     const std::vector<std::string> names = textureChoices(document->draft().textures);
     const std::vector<std::string_view> views(names.begin(), names.end());
     Light& light = document->draft().lights[number];
-    int index = light.picture.texture + 1;
+    int index = light.image.texture + 1;
     const char* tooltip =
         light.kind == LightKind::Projector
             ? "What is projected"
@@ -81,11 +81,11 @@ void drawPictureChoice(SceneDocument* document, SceneFiles* files, size_t number
               "its middle";
     if (!ui::choice("Picture", &index, views, tooltip)) { return; }
     if (static_cast<size_t>(index) + 1 < views.size()) {
-        light.picture.texture = index - 1;
+        light.image.texture = index - 1;
         return;
     }
     files->dialog.ask({"Choose a picture", files->opened, false, [document, number](const std::string& path) {
-                           choosePictureFile(document, number, path);
+                           chooseImageFile(document, number, path);
                        }});
 }
 
@@ -132,8 +132,8 @@ void drawLight(SceneDocument* document, SceneFiles* files, size_t number, float 
             light->direction = direction;
         }
     }
-    if (hasPicture(light->kind)) {
-        drawPictureChoice(document, files, number);
+    if (hasImage(light->kind)) {
+        drawImageChoice(document, files, number);
         drawUp(light);
     }
     if (projects) { drawProjection(light); }

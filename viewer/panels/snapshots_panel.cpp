@@ -21,7 +21,7 @@ namespace {
 
 constexpr float kThumbnailUnits = 64.0f;
 
-void drawThumbnail(const KeptPicture& kept) {
+void drawThumbnail(const KeptRender& kept) {
     const float side = kThumbnailUnits * ui::scale();
     const auto [width, height] =
         std::pair(static_cast<float>(kept.thumbnail.width), static_cast<float>(kept.thumbnail.height));
@@ -35,7 +35,7 @@ void drawThumbnail(const KeptPicture& kept) {
     ImGui::SameLine(side + 2.0f * ImGui::GetStyle().ItemSpacing.x);
 }
 
-void drawKept(const KeptPicture& kept, const SceneDocument& document, Snapshots* snapshots) {
+void drawKept(const KeptRender& kept, const SceneDocument& document, Snapshots* snapshots) {
     ImGui::PushID(kept.number);
     drawThumbnail(kept);
     ImGui::BeginGroup();
@@ -61,7 +61,7 @@ void drawRight(Snapshots* snapshots) {
     std::vector<std::string> names{"Live picture"};
     std::vector<int> numbers{0};
     int index = 0;
-    for (const KeptPicture& kept : snapshots->kept()) {
+    for (const KeptRender& kept : snapshots->kept()) {
         if (kept.number == snapshots->left) { continue; }
         if (kept.number == snapshots->right) { index = static_cast<int>(numbers.size()); }
         names.push_back(kept.name());
@@ -85,7 +85,7 @@ void drawActions(Snapshots* snapshots) {
 void draw(Snapshots* snapshots, const SceneDocument* document, DisplaySettings* display, const KeyMap* keys) {
     const std::string tip = keys->tip("With its settings and its error", KeyAction::Keep);
     if (ui::button("Keep this picture", ui::buttonWidth(1), tip.c_str())) { snapshots->askToKeep(); }
-    for (const KeptPicture& kept : snapshots->kept()) {
+    for (const KeptRender& kept : snapshots->kept()) {
         drawKept(kept, *document, snapshots);
     }
     if (snapshots->kept().empty()) { return; }

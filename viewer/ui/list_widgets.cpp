@@ -26,17 +26,17 @@ bool selectable(const char* label, bool selected, const Vec3* swatch) {
     return pressed;
 }
 
-bool pictureLine(const char* label, const PicturePart& picture, const Vec3& swatch, float height) {
+bool imageLine(const char* label, const ImagePart& image, const Vec3& swatch, float height) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float side = height * scale(), inset = scale();
     const bool pressed = ImGui::Selectable(fmt::format("##{}", label).c_str(), false, 0, {0.0f, side});
-    record(WidgetKind::Button, label, picture.texture != 0 ? "pictured" : "");
+    record(WidgetKind::Button, label, image.texture != 0 ? "pictured" : "");
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const ImVec2 min{corner.x + inset, corner.y + inset};
     const ImVec2 max{corner.x + side - inset, corner.y + side - inset};
-    if (picture.texture != 0) {
-        draw->AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(picture.texture)), min, max,
-                       {picture.min.x, picture.min.y}, {picture.max.x, picture.max.y});
+    if (image.texture != 0) {
+        draw->AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(image.texture)), min, max,
+                       {image.min.x, image.min.y}, {image.max.x, image.max.y});
     } else {
         draw->AddRectFilled(min, max, ImGui::GetColorU32(screenColor4(swatch)), 3.0f * scale());
     }

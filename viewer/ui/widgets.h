@@ -80,12 +80,12 @@ void value(const char* label, const std::string& shown, const char* tooltip = nu
 /// A line of a list. A colour patch in front of it unless `swatch` is null (linear).
 bool selectable(const char* label, bool selected, const Vec3* swatch = nullptr);
 /// Part of a texture: from one corner to the other, in shares of its sides.
-struct PicturePart {
+struct ImagePart {
     unsigned int texture = 0;  ///< 0: there is none yet
     Vec2 min{0.0f}, max{1.0f};
 };
 /// A line of a list, `height` units high, with a square picture in front; a colour patch while there is none.
-bool pictureLine(const char* label, const PicturePart& picture, const Vec3& swatch, float height);
+bool imageLine(const char* label, const ImagePart& image, const Vec3& swatch, float height);
 /// Dim text that wraps.
 void hint(const char* text);
 /// A row of small buttons that wraps, without section. Returns the index of the one that was pressed, or -1.

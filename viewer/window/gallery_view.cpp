@@ -13,17 +13,17 @@ namespace glint {
 namespace {
 
 constexpr float kCardUnits = 156.0f;
-constexpr float kPictureUnits = 117.0f;  // of a card's height
+constexpr float kImageUnits = 117.0f;  // of a card's height
 constexpr float kGapUnits = 14.0f;
 
-void drawPicture(const ExampleScene& example, Vec2 corner, Vec2 size) {
+void drawImage(const ExampleScene& example, Vec2 corner, Vec2 size) {
     ImDrawList* draw = ImGui::GetWindowDrawList();
     draw->AddRectFilled({corner.x, corner.y}, {corner.x + size.x, corner.y + size.y},
                         IM_COL32(20, 20, 20, 255), 4.0f * ui::scale());
     const unsigned int texture = ui::textureOf(example.thumbnail.id);
     if (texture == 0) { return; }
-    const Vec2 picture(example.thumbnail.width, example.thumbnail.height);
-    const Vec2 shown = picture * std::min(size.x / picture.x, size.y / picture.y);
+    const Vec2 image(example.thumbnail.width, example.thumbnail.height);
+    const Vec2 shown = image * std::min(size.x / image.x, size.y / image.y);
     const Vec2 from = corner + (size - shown) * 0.5f;
     draw->AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(texture)), {from.x, from.y},
                    {from.x + shown.x, from.y + shown.y});
@@ -33,20 +33,20 @@ void drawPicture(const ExampleScene& example, Vec2 corner, Vec2 size) {
 bool drawCard(const ExampleScene& example, float width) {
     const std::string name = std::filesystem::path(example.path).stem().string();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float pictureHeight = kPictureUnits * ui::scale();
+    const float imageHeight = kImageUnits * ui::scale();
     const float line = ImGui::GetTextLineHeight();
-    const float height = pictureHeight + 2.6f * line;
+    const float height = imageHeight + 2.6f * line;
     const bool isClicked = ImGui::InvisibleButton(name.c_str(), {width, height});
     const bool isHovered = ImGui::IsItemHovered();
     ui::itemArea(("Example " + name).c_str(), example.title);
-    drawPicture(example, {corner.x, corner.y}, {width, pictureHeight});
+    drawImage(example, {corner.x, corner.y}, {width, imageHeight});
     ImDrawList* draw = ImGui::GetWindowDrawList();
     if (isHovered) {
-        draw->AddRect(corner, {corner.x + width, corner.y + pictureHeight},
-                      ImGui::GetColorU32(theme::kAccent), 4.0f * ui::scale(), 0, 2.0f * ui::scale());
+        draw->AddRect(corner, {corner.x + width, corner.y + imageHeight}, ImGui::GetColorU32(theme::kAccent),
+                      4.0f * ui::scale(), 0, 2.0f * ui::scale());
     }
     const ImVec4 clip{corner.x, corner.y, corner.x + width, corner.y + height};
-    draw->AddText(ImGui::GetFont(), ImGui::GetFontSize(), {corner.x, corner.y + pictureHeight + 0.2f * line},
+    draw->AddText(ImGui::GetFont(), ImGui::GetFontSize(), {corner.x, corner.y + imageHeight + 0.2f * line},
                   ImGui::GetColorU32(isHovered ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : theme::kTextDim),
                   example.title.c_str(), nullptr, width, &clip);
     return isClicked;

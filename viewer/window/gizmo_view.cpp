@@ -8,6 +8,7 @@
 
 #include "engine/scene/object_box.h"
 #include "viewer/model/light_placement.h"
+#include "viewer/ui/im_vec.h"
 #include "viewer/ui/widgets.h"
 #include "viewer/window/key_input.h"
 #include "viewer/window/split_view.h"
@@ -34,8 +35,6 @@ constexpr NudgeKey kNudgeKeys[] = {
     {KeyAction::GizmoYMore, 1, 1.0f},  {KeyAction::GizmoZLess, 2, -1.0f}, {KeyAction::GizmoZMore, 2, 1.0f},
     {KeyAction::GizmoLess, {}, -1.0f}, {KeyAction::GizmoMore, {}, 1.0f},
 };
-
-ImVec2 im(Vec2 v) { return {v.x, v.y}; }
 
 bool isSame(const GizmoHandle& a, const GizmoHandle& b) { return a.kind == b.kind && a.axis == b.axis; }
 
@@ -142,8 +141,8 @@ bool GizmoView::handle(Workspace* workspace, const PlacedImage& placed, bool hov
         return false;
     }
     auto target = targetOf(workspace);
-    const Vec2i picture(scene.resolution.width, scene.resolution.height);
-    const ScreenView view(scene.camera, picture, placed);
+    const Vec2i image(scene.resolution.width, scene.resolution.height);
+    const ScreenView view(scene.camera, image, placed);
     const Vec2 mouse(io.MousePos.x, io.MousePos.y);
     if (!held || !target) { gizmo_.end(); }
     if (gizmo_.isDragging()) {

@@ -28,12 +28,12 @@ void ImagePanes::takeOverlay(const FocusOverlay& focus) {
     overlay->uploadColors(focus.colors().data(), focus.width(), focus.height(), true);
 }
 
-void ImagePanes::takeDifference(const PictureDifference& made) {
+void ImagePanes::takeDifference(const ShownDifference& made) {
     if (made.made() == differenceOf) { return; }
     differenceOf = made.made();
-    const auto& picture = differenceOf->of.left;
+    const auto& image = differenceOf->of.left;
     if (differenceOf->rgba.empty()) { return; }
-    difference->uploadColors(differenceOf->rgba.data(), picture->width, picture->height, false);
+    difference->uploadColors(differenceOf->rgba.data(), image->width, image->height, false);
 }
 
 void ImagePanes::takeColors(Workspace* workspace) {
@@ -45,11 +45,11 @@ void ImagePanes::takeColors(Workspace* workspace) {
 void ImagePanes::show(Workspace* workspace) {
     const DisplaySettings& settings = workspace->display;
     const bool isComparing = workspace->isComparing();
-    ShownImageSource::Wanted wanted{workspace->ownPicture(), settings.shown,
+    ShownImageSource::Wanted wanted{workspace->ownImage(), settings.shown,
                                     workspace->convergence.usableReference(), settings.look()};
     own.source.show(wanted, nullptr, own.display.get());
     if (isComparing) {
-        wanted.snapshot = workspace->otherPicture();
+        wanted.snapshot = workspace->otherImage();
         // What was not kept with a picture cannot be asked for any more.
         const bool isThere = wanted.snapshot && carries(*wanted.snapshot, wanted.shown);
         if (workspace->snapshots.isComparing() && !isThere) { wanted.shown = ShownImage::Radiance; }

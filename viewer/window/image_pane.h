@@ -24,7 +24,7 @@ struct ImagePanes {
     std::unique_ptr<ImageDisplay> overlay;  ///< FocusOverlay's colours
     uint64_t overlayVersion = 0;            ///< that it holds
     std::unique_ptr<ImageDisplay> difference;
-    std::shared_ptr<const PictureDifference::Made> differenceOf;  ///< that it holds; null: nothing
+    std::shared_ptr<const ShownDifference::Made> differenceOf;  ///< that it holds; null: nothing
     ThumbnailUploads thumbnails;
 
     /// Error: as ImageDisplay::create().
@@ -42,7 +42,7 @@ struct ImagePanes {
 
   private:
     void takeOverlay(const FocusOverlay& focus);
-    void takeDifference(const PictureDifference& made);
+    void takeDifference(const ShownDifference& made);
 };
 
 }  // namespace glint

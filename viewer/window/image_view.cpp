@@ -12,8 +12,8 @@
 #include "viewer/ui/theme.h"
 #include "viewer/ui/widgets.h"
 #include "viewer/window/gallery_view.h"
+#include "viewer/window/image_notes.h"
 #include "viewer/window/key_input.h"
-#include "viewer/window/picture_notes.h"
 #include "viewer/window/split_view.h"
 
 namespace glint {
@@ -115,7 +115,7 @@ void ImageView::handleZoomKeys(const KeyMap& keys, const ImageArea& area, ImageF
     if (isPressed(keys, KeyAction::ZoomIn, true)) { framing->zoomBy(1, at, area); }
     if (isPressed(keys, KeyAction::ZoomOut, true)) { framing->zoomBy(-1, at, area); }
     if (isPressed(keys, KeyAction::OneToOne)) { framing->chooseOneToOne(); }
-    if (isPressed(keys, KeyAction::FitPicture)) { *framing = {}; }
+    if (isPressed(keys, KeyAction::FitImage)) { *framing = {}; }
 }
 
 bool ImageView::navigate(Workspace* workspace, const ImageArea& area, bool hovered, bool held) {
@@ -168,7 +168,7 @@ void ImageView::findPixel(const Workspace& workspace, const ImageArea& area) {
 
 /// A click gives the colour that is under the mouse to the field that waits for one.
 void ImageView::giveColor(const Workspace& workspace, bool isClick) const {
-    const auto& snapshot = hoversOther_ ? workspace.otherPicture() : workspace.ownPicture();
+    const auto& snapshot = hoversOther_ ? workspace.otherImage() : workspace.ownImage();
     if (!hoveredPixel_ || !snapshot || snapshot->radiance.empty()) { return; }
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     if (isClick) { ui::giveColor(colorAt(*snapshot, *hoveredPixel_)); }

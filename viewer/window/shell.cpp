@@ -137,7 +137,7 @@ bool Shell::showsNotice(const Notice& notice) {
 /// The file, the size, and the pixel under the mouse.
 std::string Shell::imageText(const Workspace& workspace) const {
     const SceneDescription& scene = workspace.document.draft();
-    const auto& snapshot = view_.hoversOther() ? workspace.otherPicture() : workspace.ownPicture();
+    const auto& snapshot = view_.hoversOther() ? workspace.otherImage() : workspace.ownImage();
     std::string text =
         fmt::format("{}    {} × {} px    {:.0f} %", std::filesystem::path(scene.path).filename().string(),
                     scene.resolution.width, scene.resolution.height, view_.zoom() * 100.0f);
@@ -152,7 +152,7 @@ std::string Shell::imageText(const Workspace& workspace) const {
 /// "PT · 90 passes · 38.0 s · error 2.60 % ± 0.31".
 std::string Shell::progressText(const Workspace& workspace) {
     const SessionStatus& status = workspace.render.status();
-    const auto& shown = workspace.ownPicture();
+    const auto& shown = workspace.ownImage();
     const std::string error = status.passes > 1 ? percentWithin(status.relativeError, status.relativeErrorLow,
                                                                 status.relativeErrorHigh)
                                                 : "–";

@@ -8,9 +8,10 @@
 #include <imgui.h>
 
 #include "viewer/base/units.h"
+#include "viewer/ui/im_vec.h"
 #include "viewer/ui/theme.h"
 #include "viewer/ui/widgets.h"
-#include "viewer/window/picture_notes.h"
+#include "viewer/window/image_notes.h"
 
 namespace glint {
 namespace {
@@ -18,8 +19,6 @@ namespace {
 constexpr float kGrabUnits = 5.0f;  // each side of the divider
 constexpr ImU32 kEmpty = IM_COL32(20, 20, 20, 190);
 constexpr ImU32 kWaiting = IM_COL32(110, 110, 110, 255);  // tint of a picture that is not of this scene
-
-ImVec2 im(Vec2 v) { return {v.x, v.y}; }
 
 ImTextureID textureOf(const ImageDisplay& display) {
     return reinterpret_cast<ImTextureID>(static_cast<intptr_t>(display.texture()));
@@ -61,7 +60,7 @@ SideLabels labelsOf(const IntegratorInfo& integrator, const FilmSnapshot* snapsh
     return {fmt::format("{}   {}", passes, duration(snapshot->renderSeconds)), passes, name, shortName};
 }
 
-SideLabels labelsOf(const KeptPicture& kept) {
+SideLabels labelsOf(const KeptRender& kept) {
     return {fmt::format("{}   {}", kept.name(), kept.summary), kept.name(), std::to_string(kept.number), ""};
 }
 
@@ -85,9 +84,9 @@ Sides integratorSides(const Workspace& workspace, const ImagePanes& panes) {
 }
 
 Sides sidesOf(const Workspace& workspace, const ImagePanes& panes) {
-    const KeptPicture* left = workspace.snapshots.find(workspace.snapshots.left);
+    const KeptRender* left = workspace.snapshots.find(workspace.snapshots.left);
     if (left == nullptr) { return integratorSides(workspace, panes); }
-    const KeptPicture* right = workspace.snapshots.find(workspace.snapshots.right);
+    const KeptRender* right = workspace.snapshots.find(workspace.snapshots.right);
     const FilmSnapshot* live = workspace.render.snapshot().get();
     const IntegratorKind kind = workspace.document.draft().options.integrator;
     return {{labelsOf(*left), panes.other.display.get(), true},
@@ -149,7 +148,7 @@ void drawSideBySide(const Sides& sides, const PlacedImage& placed) {
 
 void drawDifference(const Workspace& workspace, const ImagePanes& panes, const PlacedImage& placed) {
     const WindowArea seen = seenPart(placed, wholeWindow());
-    const PictureDifference::Made* made = panes.differenceOf.get();
+    const ShownDifference::Made* made = panes.differenceOf.get();
     const bool isSigned = workspace.display.compareView == CompareView::SignedDifference;
     std::string label = "Comparing…";
     if (made != nullptr && made->of.view == workspace.display.compareView) {
@@ -207,7 +206,7 @@ void drawNotes(const Workspace& workspace, const WindowArea& seen, float divider
     const auto reference = workspace.convergence.usableReference();
     const char* widget = "Note";
     for (const bool isOwn : {true, false}) {
-        const auto& snapshot = isOwn ? workspace.ownPicture() : workspace.otherPicture();
+        const auto& snapshot = isOwn ? workspace.ownImage() : workspace.otherImage();
         if (!snapshot || (!isOwn && !isSplit)) { continue; }
         const bool isRight = isSplit && isOnRight(workspace, snapshot->integrator, isOwn);
         const float left = isRight ? std::max(dividerAt, seen.min.x) : seen.min.x;

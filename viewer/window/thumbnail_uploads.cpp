@@ -11,7 +11,7 @@ std::vector<const Thumbnail*> listedIn(const Workspace& workspace) {
     const auto add = [&all](const Thumbnail& thumbnail) {
         if (!thumbnail.rgba.empty()) { all.push_back(&thumbnail); }
     };
-    for (const KeptPicture& each : workspace.snapshots.kept()) {
+    for (const KeptRender& each : workspace.snapshots.kept()) {
         add(each.thumbnail);
     }
     for (const ExampleScene& each : workspace.examples.scenes) {

@@ -1,4 +1,4 @@
-#include "viewer/model/picture_difference.h"
+#include "viewer/model/shown_difference.h"
 
 #include <algorithm>
 #include <numeric>
@@ -12,8 +12,8 @@
 namespace glint {
 namespace {
 
-float luminanceAt(const FilmSnapshot& picture, size_t pixel) {
-    const float* rgb = picture.radiance.data() + 3 * pixel;
+float luminanceAt(const FilmSnapshot& image, size_t pixel) {
+    const float* rgb = image.radiance.data() + 3 * pixel;
     return luminance(Vec3(rgb[0], rgb[1], rgb[2]));
 }
 
@@ -21,12 +21,12 @@ double meanOf(const std::vector<float>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-ImageF imageOf(const FilmSnapshot& picture) { return {picture.width, picture.height, picture.radiance}; }
+ImageF imageOf(const FilmSnapshot& image) { return {image.width, image.height, image.radiance}; }
 
 }  // namespace
 
-PictureDifference::Made makeDifference(const PictureDifference::Wanted& wanted) {
-    PictureDifference::Made made{wanted, {}, {}, 0.0};
+ShownDifference::Made makeDifference(const ShownDifference::Wanted& wanted) {
+    ShownDifference::Made made{wanted, {}, {}, 0.0};
     const FilmSnapshot& left = *wanted.left;
     const FilmSnapshot& right = *wanted.right;
     if (left.width != right.width || left.height != right.height || left.radiance.empty()) { return made; }
@@ -53,7 +53,7 @@ PictureDifference::Made makeDifference(const PictureDifference::Wanted& wanted) 
     return made;
 }
 
-void PictureDifference::refresh(const Wanted& wanted) {
+void ShownDifference::refresh(const Wanted& wanted) {
     jobs_.runCompletions();
     isWaiting_ = false;
     if (!isDifference(wanted.view) || !wanted.left || !wanted.right || wanted == wanted_) { return; }

@@ -12,7 +12,7 @@
 
 namespace glint {
 
-class PictureDifference {
+class ShownDifference {
   public:
     struct Wanted {
         CompareView view = CompareView::Wipe;  ///< of those that are no difference, nothing is made
@@ -43,6 +43,6 @@ class PictureDifference {
 };
 
 /// Both views' colours. `wanted` has two pictures; of different sizes, nothing is made.
-PictureDifference::Made makeDifference(const PictureDifference::Wanted& wanted);
+ShownDifference::Made makeDifference(const ShownDifference::Wanted& wanted);
 
 }  // namespace glint

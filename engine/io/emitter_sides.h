@@ -13,6 +13,6 @@ namespace glint {
 /// over if need be. Light that leaves them backwards is hardly seen, and noise: the spot of it on the ceiling
 /// is next to singular. Everything else goes on shining on both sides. Notes what it made one-sided. The
 /// first 64 parts that shine are looked at, so that time stays linear in the triangles.
-void chooseLampSides(const std::string& path, MeshFile* file);
+void chooseEmitterSides(const std::string& path, MeshFile* file);
 
 }  // namespace glint

@@ -25,9 +25,9 @@ struct PresetSheet {
 /// The scene that such a sheet shows.
 SceneDescription presetScene(const MaterialPresetGroup& group);
 
-class PresetPictures {
+class PresetImages {
   public:
-    explicit PresetPictures(JobQueue* jobs);
+    explicit PresetImages(JobQueue* jobs);
 
     BackendMaker makeBackend;  ///< what renders them; without one there are none
 

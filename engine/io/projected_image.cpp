@@ -1,4 +1,4 @@
-#include "engine/io/projected_picture.h"
+#include "engine/io/projected_image.h"
 
 #include <cmath>
 
@@ -14,11 +14,11 @@ void mirror(Texture* texture) {
     texture->scale.x = -width;
 }
 
-Vec3 meanOf(const SceneDescription& scene, const ColorInput& picture) {
-    if (picture.texture < 0) { return picture.value; }
-    const Texture& texture = scene.textures[static_cast<size_t>(picture.texture)];
+Vec3 meanOf(const SceneDescription& scene, const ColorInput& image) {
+    if (image.texture < 0) { return image.value; }
+    const Texture& texture = scene.textures[static_cast<size_t>(image.texture)];
     const auto pixels = texture.image.isRead() ? linearColors(texture.image) : nullptr;
-    if (!pixels || pixels->rgb.empty()) { return picture.value; }
+    if (!pixels || pixels->rgb.empty()) { return image.value; }
     glm::dvec3 sum(0.0);
     for (size_t i = 0; i + 2 < pixels->rgb.size(); i += 3) {
         sum += glm::dvec3(pixels->rgb[i], pixels->rgb[i + 1], pixels->rgb[i + 2]);
@@ -34,10 +34,10 @@ bool aimProjector(const Affine& toWorld, const Vec3& right, Light* light, SceneD
     light->direction = toWorld.vector(Vec3(0, 0, 1));
     light->up = toWorld.vector(Vec3(0, 1, 0));
     const bool isMirrored = glm::dot(toWorld.vector(right), glm::cross(light->direction, light->up)) < 0.0f;
-    if (isMirrored && light->picture.texture >= 0) {
-        Texture texture = scene->textures[static_cast<size_t>(light->picture.texture)];
+    if (isMirrored && light->image.texture >= 0) {
+        Texture texture = scene->textures[static_cast<size_t>(light->image.texture)];
         mirror(&texture);
-        light->picture.texture = static_cast<int>(scene->textures.size());
+        light->image.texture = static_cast<int>(scene->textures.size());
         scene->textures.push_back(std::move(texture));
     }
     return true;
@@ -48,7 +48,7 @@ Vec2 projectedExtent(const Light& projector) {
     return {half, half / projector.aspect};
 }
 
-std::string_view lostPicture(LightKind kind) {
+std::string_view lostImage(LightKind kind) {
     return kind == LightKind::Projector
                ? "approximated: projectors are spots of the same power, without a picture"
                : "approximated: goniometric lights shine alike in all directions";
@@ -58,23 +58,22 @@ float aspectOf(const SceneImage& image) {
     if (image.floats) {
         return static_cast<float>(image.floats->width) / static_cast<float>(image.floats->height);
     }
-    const bool isPicture = image.bytes && !std::holds_alternative<Checkerboard>(image.source);
-    return isPicture ? static_cast<float>(image.bytes->width) / static_cast<float>(image.bytes->height)
-                     : 1.0f;
+    const bool isImage = image.bytes && !std::holds_alternative<Checkerboard>(image.source);
+    return isImage ? static_cast<float>(image.bytes->width) / static_cast<float>(image.bytes->height) : 1.0f;
 }
 
-Light withoutPicture(const SceneDescription& scene, const Light& projector) {
+Light withoutImage(const SceneDescription& scene, const Light& projector) {
     Light spot = projector;
     if (projector.kind == LightKind::Goniometric) {
         spot.kind = LightKind::Point;
-        spot.color *= meanOf(scene, projector.picture);
+        spot.color *= meanOf(scene, projector.image);
         return spot;
     }
     spot.kind = LightKind::Spot;
     const Vec2 half = projectedExtent(projector);
     const float area = 4.0f * half.x * half.y;
     const float cone = std::atan(std::sqrt(area / kPi));
-    spot.color = projector.color * meanOf(scene, projector.picture);
+    spot.color = projector.color * meanOf(scene, projector.image);
     spot.strength = projector.strength * area / (kTwoPi * (1.0f - std::cos(cone)));
     spot.coneAngleDeg = spot.coneFalloffStartDeg = cone * kDegreesPerRadian;
     return spot;

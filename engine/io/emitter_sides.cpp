@@ -1,4 +1,4 @@
-#include "engine/io/lamp_sides.h"
+#include "engine/io/emitter_sides.h"
 
 #include <algorithm>
 #include <array>
@@ -86,14 +86,14 @@ std::vector<Probe> probesOf(const MeshData& mesh) {
     return probes;
 }
 
-void look(const MeshFile& file, const MeshPart& lamp, std::vector<Probe>* probes) {
+void look(const MeshFile& file, const MeshPart& emitter, std::vector<Probe>* probes) {
     glm::dvec3 lo(HUGE_VAL), hi(-HUGE_VAL);
     for (const Probe& probe : *probes) {
         lo = glm::min(lo, probe.origin - glm::abs(probe.reach));
         hi = glm::max(hi, probe.origin + glm::abs(probe.reach));
     }
     for (const MeshPart& part : file.parts) {
-        if (part.mesh == lamp.mesh) { continue; }
+        if (part.mesh == emitter.mesh) { continue; }
         const MeshData& mesh = *part.mesh;
         for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
             const glm::dvec3 a = corner(mesh, i), b = corner(mesh, i + 1), c = corner(mesh, i + 2);
@@ -110,12 +110,12 @@ void look(const MeshFile& file, const MeshPart& lamp, std::vector<Probe>* probes
     }
 }
 
-Side sideOf(const MeshFile& file, const MeshPart& lamp) {
-    if (const double volume = volumeIfClosed(*lamp.mesh); volume != 0.0) {
+Side sideOf(const MeshFile& file, const MeshPart& emitter) {
+    if (const double volume = volumeIfClosed(*emitter.mesh); volume != 0.0) {
         return volume > 0.0 ? Side::Front : Side::Back;
     }
-    std::vector<Probe> probes = probesOf(*lamp.mesh);
-    look(file, lamp, &probes);
+    std::vector<Probe> probes = probesOf(*emitter.mesh);
+    look(file, emitter, &probes);
     const auto all = [&](bool front, bool back) {
         return !probes.empty() && std::ranges::all_of(probes, [&](const Probe& probe) {
             return probe.front == front && probe.back == back;
@@ -135,36 +135,36 @@ void turnOver(MeshData* mesh) {
 
 }  // namespace
 
-void chooseLampSides(const std::string& path, MeshFile* file) {
-    std::vector<std::vector<MeshPart*>> lamps(file->materials.size());
+void chooseEmitterSides(const std::string& path, MeshFile* file) {
+    std::vector<std::vector<MeshPart*>> emitters(file->materials.size());
     size_t count = 0;
     for (MeshPart& part : file->parts) {
         const auto material = static_cast<size_t>(part.material);
         if (file->materials[material].emissive() && ++count <= kMostParts) {
-            lamps[material].push_back(&part);
+            emitters[material].push_back(&part);
         }
     }
     if (count > kMostParts) { return; }
     std::string names;
-    for (size_t m = 0; m < lamps.size(); ++m) {
+    for (size_t m = 0; m < emitters.size(); ++m) {
         std::vector<MeshPart*> oneSided;
-        for (MeshPart* lamp : lamps[m]) {
-            const Side side = sideOf(*file, *lamp);
-            if (side == Side::Back) { turnOver(lamp->mesh.get()); }
-            if (side != Side::Both) { oneSided.push_back(lamp); }
+        for (MeshPart* emitter : emitters[m]) {
+            const Side side = sideOf(*file, *emitter);
+            if (side == Side::Back) { turnOver(emitter->mesh.get()); }
+            if (side != Side::Both) { oneSided.push_back(emitter); }
         }
         if (oneSided.empty()) { continue; }
         names += (names.empty() ? "" : ", ") + file->materials[m].name;
         Material outer = file->materials[m];
         outer.emitsBothSides = false;
-        if (oneSided.size() == lamps[m].size()) {
+        if (oneSided.size() == emitters[m].size()) {
             file->materials[m] = std::move(outer);
             continue;
         }
         // Other lamps of the material stand free.
         outer.name += " (outer side)";
-        for (MeshPart* lamp : oneSided) {
-            lamp->material = static_cast<int>(file->materials.size());
+        for (MeshPart* emitter : oneSided) {
+            emitter->material = static_cast<int>(file->materials.size());
         }
         file->materials.push_back(std::move(outer));
     }

@@ -1,4 +1,4 @@
-#include "viewer/model/preset_pictures.h"
+#include "viewer/model/preset_images.h"
 
 #include <exception>
 #include <memory>
@@ -32,8 +32,8 @@ Thumbnail render(const BackendMaker& makeBackend, const MaterialPresetGroup& gro
     }
     const auto capture = session.capture();
     if (!capture) { return {}; }
-    const auto picture = makeSnapshot(*capture, {}, 0);
-    return makeThumbnail(*picture, {.toneMap = ToneMap::Soft}, std::max(picture->width, picture->height));
+    const auto image = makeSnapshot(*capture, {}, 0);
+    return makeThumbnail(*image, {.toneMap = ToneMap::Soft}, std::max(image->width, image->height));
 }
 
 }  // namespace
@@ -72,10 +72,10 @@ SceneDescription presetScene(const MaterialPresetGroup& group) {
     return scene;
 }
 
-PresetPictures::PresetPictures(JobQueue* jobs)
+PresetImages::PresetImages(JobQueue* jobs)
     : sheets(materialPresets().size()), jobs_(jobs), isAsked_(sheets.size(), false) {}
 
-void PresetPictures::ask(size_t group) {
+void PresetImages::ask(size_t group) {
     if (isAsked_[group] || !makeBackend) { return; }
     isAsked_[group] = true;
     jobs_->start(

@@ -1,4 +1,4 @@
-#include "viewer/panels/picture_scopes.h"
+#include "viewer/panels/image_scopes.h"
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,11 @@
-#include "viewer/window/picture_notes.h"
+#include "viewer/window/image_notes.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "viewer/ui/im_vec.h"
 #include "viewer/ui/widgets.h"
 
 namespace glint {
@@ -14,8 +15,6 @@ constexpr float kMarginUnits = 8.0f;
 constexpr float kPlatePadX = 6.0f;
 constexpr float kPlatePadY = 3.0f;
 constexpr ImU32 kPlate = IM_COL32(20, 20, 20, 190);
-
-ImVec2 im(Vec2 v) { return {v.x, v.y}; }
 
 }  // namespace
 

@@ -9,18 +9,18 @@ bool Workspace::wantsDenoised() const {
            render.status().state != SessionState::Failed;
 }
 
-const std::shared_ptr<const FilmSnapshot>& Workspace::livePicture() const {
-    return wantsDenoised() && denoised.picture() ? denoised.picture() : render.snapshot();
+const std::shared_ptr<const FilmSnapshot>& Workspace::liveImage() const {
+    return wantsDenoised() && denoised.image() ? denoised.image() : render.snapshot();
 }
 
-const std::shared_ptr<const FilmSnapshot>& Workspace::ownPicture() const {
-    const KeptPicture* right = snapshots.isComparing() ? snapshots.find(snapshots.right) : nullptr;
-    return right != nullptr ? right->picture : livePicture();
+const std::shared_ptr<const FilmSnapshot>& Workspace::ownImage() const {
+    const KeptRender* right = snapshots.isComparing() ? snapshots.find(snapshots.right) : nullptr;
+    return right != nullptr ? right->image : liveImage();
 }
 
-const std::shared_ptr<const FilmSnapshot>& Workspace::otherPicture() const {
-    const KeptPicture* left = snapshots.find(snapshots.left);
-    return left != nullptr ? left->picture : render.otherSnapshot();
+const std::shared_ptr<const FilmSnapshot>& Workspace::otherImage() const {
+    const KeptRender* left = snapshots.find(snapshots.left);
+    return left != nullptr ? left->image : render.otherSnapshot();
 }
 
 bool Workspace::ownIsRight() const {
@@ -29,14 +29,14 @@ bool Workspace::ownIsRight() const {
 
 void Workspace::refreshDifference() {
     const bool isWanted = isComparing();
-    const auto& right = ownIsRight() ? ownPicture() : otherPicture();
-    const auto& left = ownIsRight() ? otherPicture() : ownPicture();
+    const auto& right = ownIsRight() ? ownImage() : otherImage();
+    const auto& left = ownIsRight() ? otherImage() : ownImage();
     difference.refresh({isWanted ? display.compareView : CompareView::Wipe, left, right,
                         display.compareView == CompareView::FlipMap ? display.exposureStops : 0.0f});
 }
 
 /// The scene of a picture that was kept, as an edit or as another scene that is opened.
-void Workspace::openSceneOf(const KeptPicture& kept) {
+void Workspace::openSceneOf(const KeptRender& kept) {
     display.take(kept.look);
     if (kept.scene->path == document.draft().path) {
         document.draft() = *kept.scene;

@@ -12,15 +12,15 @@
 
 namespace glint {
 
-class DenoisedPicture {
+class DenoisedView {
   public:
-    ~DenoisedPicture() { stop(); }
+    ~DenoisedView() { stop(); }
 
     /// Once a frame: of this picture (null: of none), which stays as it is when `rests`.
     void refresh(const std::shared_ptr<const FilmSnapshot>& wanted, bool rests);
 
     /// Null: there is none.
-    const std::shared_ptr<const FilmSnapshot>& picture() const { return picture_; }
+    const std::shared_ptr<const FilmSnapshot>& image() const { return image_; }
     /// The picture is of another edit than what was wanted last, or that rests and is not denoised yet.
     bool isBehind() const { return isBehind_; }
 
@@ -40,7 +40,7 @@ class DenoisedPicture {
     std::shared_ptr<std::atomic<bool>> stopsWork_;  ///< of the job that is running; null: none is
     Of working_;                                    ///< what that is of
     Of made_;                                       ///< what the picture is of
-    std::shared_ptr<const FilmSnapshot> picture_;
+    std::shared_ptr<const FilmSnapshot> image_;
     bool isBehind_ = false;
 };
 

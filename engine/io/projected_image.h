@@ -20,8 +20,8 @@ float aspectOf(const SceneImage& image);
 
 /// A spot of the same power and mean colour as a projector, in a circle of its picture's area; a point of the
 /// same power and mean colour as a goniometric light.
-Light withoutPicture(const SceneDescription& scene, const Light& light);
-/// What withoutPicture() does, for exporters to say.
-std::string_view lostPicture(LightKind kind);
+Light withoutImage(const SceneDescription& scene, const Light& light);
+/// What withoutImage() does, for exporters to say.
+std::string_view lostImage(LightKind kind);
 
 }  // namespace glint
