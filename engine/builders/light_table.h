@@ -1,6 +1,6 @@
 // All lights of a scene as flat arrays: emitters, how they are chosen, and the environment's distribution.
 //
-// Made anew whenever emission, a transform of an emissive object, a light or the
+// It is made anew whenever emission, a transform of an emissive object, a light or the
 // environment changed. Knows nothing of sampling itself (kernels/light_sampling.h).
 #pragma once
 

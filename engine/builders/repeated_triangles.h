@@ -1,7 +1,7 @@
 // Triangles that a mesh holds more than once, as exporters leave them. A lamp of such triangles would be
 // sampled as often as it is there, and shine too bright.
 //
-// For emissive meshes only: others render alike with or without.
+// It is for emissive meshes only: others render alike with or without.
 #pragma once
 
 #include <cstdint>

@@ -195,7 +195,7 @@ Status GltfMaterials::takeSurface(const tinygltf::Material& from, Material* out)
         out->kind = MaterialKind::Principled;
         if (Status status = takeLayers(from, out); !status) { return status; }
         if (transmits(*out)) { takeVolume(extensionOf(from, "KHR_materials_volume"), out); }
-        if (const Status status = takeAnisotropy(from, out); !status) { return status; }
+        if (Status status = takeAnisotropy(from, out); !status) { return status; }
         if (const auto* film = extensionOf(from, "KHR_materials_iridescence")) {
             takeIridescence(*film, out);
             file_.remark("approximated: iridescence is the colour that it shows from the front", from.name);

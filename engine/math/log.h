@@ -1,6 +1,6 @@
 // The natural logarithm without a library call, so that loops around it become vector code. Host and device.
 //
-// For the reconstruction filters. The C library's logarithm does as well wherever one number at a time
+// It is for the reconstruction filters. The C library's logarithm does as well wherever one number at a time
 // is needed.
 #pragma once
 

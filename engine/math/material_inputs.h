@@ -88,7 +88,7 @@ struct ModelInput {
 template <class MemberIn>
 ModelInput(InputInfo, MemberIn) -> ModelInput<MemberIn>;
 
-/// combine(input...) with every ModelInput that is described here: no more is needed of it.
+/// combine(input...) with every ModelInput that is described here; their numbers are from 0 to 1.
 template <class Combine>
 GLINT_HD constexpr auto withDescribedInputs(const Combine& combine) {
     constexpr uint32_t kPrincipled = kindBit(MaterialKind::Principled);

@@ -6,8 +6,8 @@ namespace glint {
 
 const IntegratorType& integratorType(IntegratorKind kind) {
     switch (kind) {
-#define GLINT_RETURN_TYPE(kind, key, alias, displayName) \
-    case IntegratorKind::kind:                           \
+#define GLINT_RETURN_TYPE(kind, key, alias, displayName, help) \
+    case IntegratorKind::kind:                                 \
         return typeOf##kind();
         GLINT_INTEGRATORS(GLINT_RETURN_TYPE)
 #undef GLINT_RETURN_TYPE

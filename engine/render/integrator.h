@@ -63,7 +63,7 @@ class IntegratorType {
 };
 
 /// typeOfPathTracing() and so on.
-#define GLINT_DECLARE_TYPE(kind, key, alias, displayName) const IntegratorType& typeOf##kind();
+#define GLINT_DECLARE_TYPE(kind, key, alias, displayName, help) const IntegratorType& typeOf##kind();
 GLINT_INTEGRATORS(GLINT_DECLARE_TYPE)
 #undef GLINT_DECLARE_TYPE
 

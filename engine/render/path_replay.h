@@ -1,5 +1,5 @@
 // Repeats the path of one pixel in one pass and tells what happened, vertex by vertex: for dropped samples,
-// fireflies and tests. Not part of rendering.
+// fireflies and tests. It is no part of rendering.
 #pragma once
 
 #include <string>

@@ -1,7 +1,7 @@
 // What is known of each pixel's error, as means over a pixel and its neighbours: a pixel that has missed a
 // rare path knows neither its own variance nor its brightness.
 //
-// For errors that are relative to the pixels' own brightness.
+// It is for errors that are relative to the pixels' own brightness.
 #pragma once
 
 #include <cstddef>

@@ -54,7 +54,7 @@ std::vector<IntegratorKind> SessionImages::takeScene(std::shared_ptr<const Scene
         }
     }
     if (take != take_) { kinds |= EditKind::Everything; }
-    const std::vector<IntegratorKind> emptied = empty(kinds, before, request);
+    std::vector<IntegratorKind> emptied = empty(kinds, before, request);
     take_ = take;
     if (held_.isEnabled()) {
         for (IntegratorKind kind : emptied) {

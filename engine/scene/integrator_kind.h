@@ -10,19 +10,20 @@
 
 namespace glint {
 
-/// X(enumerator, key, alias, display name). The key is the name in scene files, reports and on the command
-/// line; the alias is understood wherever a key is, and in capitals labels what has little room. The display
-/// name is for people. render/integrator.h says what else an integrator is made of.
+/// X(enumerator, key, alias, display name, help). The key is the name in scene files, reports and on the
+/// command line; the alias is understood wherever a key is, and in capitals labels what has little room. The
+/// display name is for people, the help for those who read the key. render/integrator.h says what else an
+/// integrator is made of.
 // clang-format off
 #define GLINT_INTEGRATORS(X) \
-    X(PathTracing, "path", "pt", "Path tracing") \
-    X(Sppm, "sppm", "sppm", "SPPM") \
-    X(AmbientOcclusion, "ao", "ao", "Ambient occlusion") \
-    X(RayCast, "raycast", "rc", "Ray casting")
+    X(PathTracing, "path", "pt", "Path tracing", "path tracing") \
+    X(Sppm, "sppm", "sppm", "SPPM", "progressive photon mapping") \
+    X(AmbientOcclusion, "ao", "ao", "Ambient occlusion", "ambient occlusion") \
+    X(RayCast, "raycast", "rc", "Ray casting", "Phong's model without bounces")
 // clang-format on
 
 enum class IntegratorKind : uint8_t {
-#define GLINT_ENUMERATOR(kind, key, alias, displayName) kind,
+#define GLINT_ENUMERATOR(kind, key, alias, displayName, help) kind,
     GLINT_INTEGRATORS(GLINT_ENUMERATOR)
 #undef GLINT_ENUMERATOR
 };
@@ -36,7 +37,8 @@ struct IntegratorInfo {
 
 /// In the order of IntegratorKind.
 inline constexpr auto kIntegratorTable = std::to_array<IntegratorInfo>({
-#define GLINT_INTEGRATOR_INFO(kind, key, alias, displayName) {IntegratorKind::kind, key, alias, displayName},
+#define GLINT_INTEGRATOR_INFO(kind, key, alias, displayName, help) \
+    {IntegratorKind::kind, key, alias, displayName},
     GLINT_INTEGRATORS(GLINT_INTEGRATOR_INFO)
 #undef GLINT_INTEGRATOR_INFO
 });

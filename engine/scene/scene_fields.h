@@ -96,13 +96,13 @@ struct FieldsOf<Resolution> {
         field("height", &Resolution::height, {.range = {.lo = 1, .hi = 32768}, .unit = "pixels"})};
 };
 
-#define GLINT_KEY_AND_NAME(kind, key, alias, displayName) "; " key ": " displayName
+#define GLINT_KEY_AND_HELP(kind, key, alias, displayName, help) "; " key ": " help
 template <>
 struct FieldsOf<RenderOptions> {
     static constexpr EditKind kEdit = EditKind::Options;
     static constexpr FieldList kList{
         field("integrator", &RenderOptions::integrator,
-              {.help = "the algorithm" GLINT_INTEGRATORS(GLINT_KEY_AND_NAME),
+              {.help = "the algorithm" GLINT_INTEGRATORS(GLINT_KEY_AND_HELP),
                .edit = EditKind::Integrator,
                .option = "--integrator"}),
         field("maxDepth", &RenderOptions::maxDepth,
@@ -141,7 +141,7 @@ struct FieldsOf<RenderOptions> {
                .help = "the most radiance a sample may bring, biased; 0: off",
                .variant = "clamp"})};
 };
-#undef GLINT_KEY_AND_NAME
+#undef GLINT_KEY_AND_HELP
 
 template <>
 struct FieldsOf<SppmOptions> {
@@ -255,11 +255,6 @@ constexpr bool isTinted(MaterialKind kind) {
            kind == MaterialKind::Dielectric || kind == MaterialKind::Coated;
 }
 
-constexpr NumberRange rangeOf(const InputInfo& info, bool isColor) {
-    if (info.least != 0.0f || info.most != 1.0f) { return {.lo = info.least, .hi = info.most}; }
-    return isColor ? kReflectance : kUnitInterval;
-}
-
 /// The field of an input that material_inputs.h describes.
 template <class MemberIn>
 constexpr auto inputField(const ModelInput<MemberIn>& described) {
@@ -267,7 +262,7 @@ constexpr auto inputField(const ModelInput<MemberIn>& described) {
     using Input = std::remove_cvref_t<decltype(std::declval<Material>().*member)>;
     constexpr bool kIsColor = std::is_same_v<Input, ColorInput>;
     return field<Material, Input>(described.info.key, member,
-                                  {.range = rangeOf(described.info, kIsColor),
+                                  {.range = kIsColor ? kReflectance : kUnitInterval,
                                    .isColor = kIsColor,
                                    .help = described.info.help,
                                    .kinds = described.info.kinds,

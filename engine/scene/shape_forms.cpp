@@ -19,7 +19,7 @@ MeshData trianglesOf() {
     for (size_t i = 0; i < mesh.positions.size(); ++i) {
         const ObjectPoint point = Shape::template surface<kAllFeatures>(mesh.positions[i]);
         if (!isOwnUv) { mesh.uvs[i] = point.uv; }
-        mesh.normals[i] = point.ng;
+        mesh.normals[i] = glm::normalize(point.ng);
     }
     const bool isFlat = std::ranges::count(mesh.normals, mesh.normals[0]) == std::ssize(mesh.normals);
     if (isFlat) { mesh.normals.clear(); }

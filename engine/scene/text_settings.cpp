@@ -45,8 +45,8 @@ void addSettings(std::optional<IntegratorKind> only, std::vector<TextSetting>* s
                              .isVector = std::is_same_v<Member, Vec3>,
                              .only = only,
                              .set = [field](std::string_view text, const SettingTargets& targets) {
-                                 const Owner* owner = nullptr;
-                                 return setFromText(field, text, targetOf(targets, owner));
+                                 Owner* target = targetOf(targets, static_cast<Owner*>(nullptr));
+                                 return target != nullptr && setFromText(field, text, target);
                              }});
     });
 }

@@ -142,6 +142,7 @@ Status runStressCases(const std::vector<StressCase>& cases, const StressEffort& 
     {
         std::vector<std::jthread> threads;
         const int count = startableThreads(effort.threads);
+        threads.reserve(static_cast<size_t>(count));
         for (int i = 0; i < count; ++i) {
             threads.emplace_back(work);
         }

@@ -9,7 +9,7 @@ import sys
 from collections import defaultdict
 from pathlib import Path
 
-TYPE = re.compile(r"^(?:struct|class|enum class) (\w+)(?: final)?(?: : .*)? ?\{")
+TYPE = re.compile(r"^(?:struct|class|union|enum(?: class)?) (?:alignas\(\w+\) |\[\[\w+\]\] )?(\w+)(?![\w:<])(?![^{]*;)")
 OPENED = re.compile(r"^namespace( [\w:]+)? \{")
 CLOSED = re.compile(r"^\}\s+// namespace")
 

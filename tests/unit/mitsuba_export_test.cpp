@@ -129,7 +129,7 @@ TEST_F(MitsubaExport, NamesAndColoursOfVerticesPass) {
     SceneDescription scene = load("<shape type='cube'/>");
     auto mesh = std::make_shared<MeshData>(*scene.meshes[0].data);
     for (size_t i = 0; i < mesh->positions.size(); ++i) {
-        mesh->colors.push_back(Vec3(0.25f, 0.03125f * static_cast<float>(i), 1.0f));
+        mesh->colors.emplace_back(0.25f, 0.03125f * static_cast<float>(i), 1.0f);
     }
     scene.meshes[0].data = mesh;
     scene.materials[0].color.value = Vec3(1.0f);

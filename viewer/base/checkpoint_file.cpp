@@ -50,7 +50,7 @@ Status CheckpointFile::save(const SessionCapture& capture) {
         logWarning("{} {}; this film is saved as {}", path_, reason, free);
         path_ = free;
     }
-    const Status saved = saveCheckpoint(path_, capture);
+    Status saved = saveCheckpoint(path_, capture);
     if (saved) {
         known_ = stampOf(path_);
         atFirst_.reset();

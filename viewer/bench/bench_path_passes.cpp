@@ -15,10 +15,10 @@ PathPasses::PathPasses(const BenchSubject& subject, int threads)
       status_(backend_->setScene(subject.built)) {}
 
 double PathPasses::render(uint32_t pass) {
-    static const std::atomic<bool> never{false};
+    static const std::atomic<bool> kNever{false};
     params_.pass = pass;
     const Stopwatch stopwatch;
-    (void)renderPathPass(*backend_, params_, never, &samples_);
+    (void)renderPathPass(*backend_, params_, kNever, &samples_);
     film_.commit(samples_, pass, threads_);
     return stopwatch.seconds();
 }

@@ -56,16 +56,16 @@ std::string benchRaysText(const BenchRaysReport& r) {
 }
 
 nlohmann::ordered_json benchRaysJson(const BenchRaysReport& r) {
-    using json = nlohmann::ordered_json;
-    const auto orNull = [&](double x) { return r.hasEmbree ? json(x) : json(nullptr); };
-    json out;
+    using Json = nlohmann::ordered_json;
+    const auto orNull = [&](double x) { return r.hasEmbree ? Json(x) : Json(nullptr); };
+    Json out;
     out["mesh"] = r.options.generator;
     out["triangles"] = r.triangles;
     out["threads"] = r.threads;
     out["turns"] = r.options.turns;
-    out["embree"] = r.hasEmbree ? json(r.embreeVersion) : json(nullptr);
-    out["embree_robust"] = r.hasEmbree ? json(true) : json(nullptr);
-    out["rows"] = json::array();
+    out["embree"] = r.hasEmbree ? Json(r.embreeVersion) : Json(nullptr);
+    out["embree_robust"] = r.hasEmbree ? Json(true) : Json(nullptr);
+    out["rows"] = Json::array();
     for (const BenchRaysRow& row : r.rows) {
         out["rows"].push_back({{"name", row.name},
                                {"glint_mrays_per_s", row.glintMraysPerS},
@@ -77,7 +77,7 @@ nlohmann::ordered_json benchRaysJson(const BenchRaysReport& r) {
                     {"ratio", orNull(r.buildRatio)},
                     {"bytes_per_triangle", r.bytesPerTriangle}};
     out["rays"] = r.raysCompared;
-    out["disagreements"] = r.hasEmbree ? json(r.disagreementCount()) : json(nullptr);
+    out["disagreements"] = r.hasEmbree ? Json(r.disagreementCount()) : Json(nullptr);
     for (size_t i = 0; r.hasEmbree && i < kRayDisagreementCount; ++i) {
         out["disagreements_by_kind"][kRayKinds[i].key] = r.disagreements[i];
     }

@@ -111,9 +111,9 @@ MeshData trianglesOf(const std::vector<Vec2>& polygon, int sides) {
     for (const Vec2& point : polygon) {
         for (int i = 0; i < sides; ++i) {
             const double angle = 2.0 * std::numbers::pi * i / sides;
-            mesh.positions.push_back(Vec3(static_cast<double>(point.x) * std::cos(angle),
-                                          static_cast<double>(point.y),
-                                          -static_cast<double>(point.x) * std::sin(angle)));
+            mesh.positions.emplace_back(static_cast<double>(point.x) * std::cos(angle),
+                                        static_cast<double>(point.y),
+                                        -static_cast<double>(point.x) * std::sin(angle));
         }
     }
     const auto vertex = [&](size_t ring, int side) {

@@ -1,7 +1,7 @@
 // `glint bench variants`: the kernels compiled for what a scene needs beside the ones that do everything,
 // pass by pass in turn on the same threads, and whether their pictures agree. Passes alone, without the film.
 //
-// The ratio is of processor time: kernels never wait, and what else the machine does hardly counts.
+// The ratio is of processor time: kernels kNever wait, and what else the machine does hardly counts.
 #include <atomic>
 #include <ctime>
 
@@ -44,13 +44,13 @@ class KernelRun {
 
     /// Renders and commits a pass; processor time of rendering.
     double renderPass(uint32_t pass) {
-        static const std::atomic<bool> never{false};
+        static const std::atomic<bool> kNever{false};
         params_.pass.pass = pass;
         const Stopwatch stopwatch;
         const double processorBefore = processorSeconds();
         const auto done = integrator_ == IntegratorKind::Sppm
-                              ? renderSppmPass(*backend_, params_, never, &sppm_, &samples_)
-                              : renderPathPass(*backend_, params_.pass, never, &samples_);
+                              ? renderSppmPass(*backend_, params_, kNever, &sppm_, &samples_)
+                              : renderPathPass(*backend_, params_.pass, kNever, &samples_);
         const double processor = processorSeconds() - processorBefore;
         const double wall = stopwatch.seconds();
         if (pass > 0) { wallSeconds_.push_back(wall); }

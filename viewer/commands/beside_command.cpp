@@ -1,6 +1,7 @@
 // `glint beside`: a picture that another program made of a scene, and Glint's, side by side at equal tone.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -76,7 +77,7 @@ Result<ImageF> render(std::shared_ptr<const SceneDescription> scene, const Besid
     RenderSession session(std::move(*backend), {.previews = false, .snapshots = false, .threads = o.threads});
     const StopLimits limits{.passes = o.passes};
     session.request({.limits = limits});
-    session.post({scene, EditKind::Everything});
+    session.post({std::move(scene), EditKind::Everything});
     ProgressLine progress;
     SessionState state = SessionState::Empty;
     while (state != SessionState::Finished && state != SessionState::Failed && !interrupt.interrupted()) {

@@ -58,10 +58,10 @@ Status ConvergeFolder::check(bool overwrite, const RunFiles& files) const {
                                            name));
         }
         const bool isFile = std::string_view(name) != kImages && fs::exists(file(name), ignored);
-        const Status free = isFile ? files.checkCanWrite(file(name)) : files.checkIsFree(file(name));
+        Status free = isFile ? files.checkCanWrite(file(name)) : files.checkIsFree(file(name));
         if (!free) { return free; }
     }
-    if (const Status free = files.checkHoldsNoInput(file(kImages)); !free) { return free; }
+    if (Status free = files.checkHoldsNoInput(file(kImages)); !free) { return free; }
     return files.checkIsFree(reference());
 }
 
@@ -84,14 +84,12 @@ Status ConvergeFolder::write(const ConvergenceReport& report, ConvergenceResult*
     const Result<ImageLegend> legend = saveImages(path_, report.plan, report.reference, result);
     // Numbers first: a picture that cannot be written must not cost them.
     for (const auto& [name, textOf] : texts) {
-        if (const Status written = writeFileAtomically(file(name), textOf(report)); !written) {
-            return written;
-        }
+        if (Status written = writeFileAtomically(file(name), textOf(report)); !written) { return written; }
     }
     if (!legend) { return legend.error(); }
     const LogLogChart chart = errorChart(report, ErrorMeasure::RelativeError);
     for (const char* name : {"plot.svg", "plot.png"}) {
-        if (const Status saved = saveChart(file(name), chart); !saved) { return saved; }
+        if (Status saved = saveChart(file(name), chart); !saved) { return saved; }
     }
     return writeFileAtomically(file("index.html"), convergencePage(report, path_, *legend));
 }

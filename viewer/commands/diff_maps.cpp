@@ -67,7 +67,7 @@ Status prepareMapFolder(const std::string& folder, RunFiles* files) {
         return Error{fmt::format("--maps {}: cannot make that folder: {}", folder, problem.message()), {}};
     }
     for (int i = 0; i < kErrorMapKindCount; ++i) {
-        const Status free = files->writes(mapFile(folder, static_cast<ErrorMapKind>(i)));
+        Status free = files->writes(mapFile(folder, static_cast<ErrorMapKind>(i)));
         if (!free) { return free; }
     }
     return {};

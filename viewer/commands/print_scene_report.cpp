@@ -49,6 +49,7 @@ void printList(std::string_view label, std::string_view lead, const std::vector<
 
 std::vector<std::string> counted(const std::vector<NamedCount>& counts) {
     std::vector<std::string> items;
+    items.reserve(std::size(counts));
     for (const NamedCount& item : counts) {
         items.push_back(counted(item));
     }

@@ -12,6 +12,7 @@ namespace glint {
 
 void CurveExport::save(const ConvergenceWatch& convergence) {
     std::vector<IntegratorCurves> curves;
+    curves.reserve(std::size(kIntegratorTable));
     for (const IntegratorInfo& info : kIntegratorTable) {
         curves.push_back({info.kind, *convergence.curve(info.kind), convergence.reference.points(info.kind)});
     }

@@ -79,7 +79,7 @@ std::vector<uint8_t> heatColors(const std::vector<float>& values, const HeatScal
         }
         const float share = span > 1e-6f ? (std::log2(value) - lowest) / span : 0.5f;
         const float step = std::clamp(share, 0.0f, 1.0f) * static_cast<float>(kRampSteps - 1);
-        colors.add(kRamp[static_cast<size_t>(step + 0.5f)]);
+        colors.add(kRamp[static_cast<size_t>(std::lround(step))]);
     }
     return colors.take();
 }

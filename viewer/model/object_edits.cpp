@@ -21,7 +21,7 @@ namespace glint {
 namespace {
 
 constexpr float kSizeShare = 0.1f;  // half the size of something new, of the target's distance
-constexpr MeshGenerator kBox{"cube", 12, 0};
+const MeshGenerator kBox{"cube", 12, 0};
 
 std::vector<Object>& objectsOf(SceneDocument* document) { return document->draft().objects; }
 

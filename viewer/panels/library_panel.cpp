@@ -45,6 +45,7 @@ void drawPresets(PresetImages* images, size_t shown, SceneDocument* document, Ma
 
 std::vector<std::string_view> namesOf(const std::vector<Material>& materials) {
     std::vector<std::string_view> names;
+    names.reserve(std::size(materials));
     for (const Material& material : materials) {
         names.push_back(material.name);
     }

@@ -179,18 +179,12 @@ void drawPassing(Material* material) {
     if (!material->thin) { drawAttenuation(material); }
 }
 
-void drawInput(const char* label, NumberInput* input, const char* tooltip, const InputInfo& info) {
-    if (info.least == 0.0f && info.most == 1.0f) { return drawShare(label, input, tooltip); }
-    ui::number(label, &input->value,
-               {.format = "%.4g",
-                .speed = std::max(std::fabs(input->value) * 0.01f, 1e-4f),
-                .min = info.least,
-                .max = info.most,
-                .tooltip = tooltip});
+void drawInput(const char* label, NumberInput* input, const char* tooltip) {
+    drawShare(label, input, tooltip);
 }
 
-void drawInput(const char* label, ColorInput* input, const char* tooltip, const InputInfo& info) {
-    ui::color(label, &input->value, info.most, tooltip);
+void drawInput(const char* label, ColorInput* input, const char* tooltip) {
+    ui::color(label, &input->value, 1.0f, tooltip);
 }
 
 /// A row of its own is drawn where the others would be of no use, or say too little.
@@ -206,7 +200,7 @@ void drawDescribed(Material* material) {
         const InputInfo& info = described.info;
         if (!looksAt(*material, info) || hasOwnRow(info.key)) { return; }
         drawInput(inputLabel(info.key).c_str(), &(material->*described.memberIn(TypeTag<Material>())),
-                  inputTooltip(info.help).c_str(), info);
+                  inputTooltip(info.help).c_str());
     };
     withDescribedInputs([&](const auto&... described) { (draw(described), ...); });
 }

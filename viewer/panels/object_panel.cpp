@@ -41,6 +41,7 @@ void drawAdding(SceneDocument* document, SceneFiles* files) {
                                                 [files](const std::string& path) { files->add(path); }});
                          }});
     std::vector<std::string_view> names;
+    names.reserve(std::size(additions));
     for (const Addition& addition : additions) {
         names.push_back(addition.name);
     }

@@ -148,6 +148,7 @@ void draw(SceneDocument* document) {
     std::vector<Object>& objects = document->draft().objects;
     const std::vector<size_t> turned = turnedObjects(document->draft());
     std::vector<std::string> names;
+    names.reserve(std::size(turned));
     for (const size_t index : turned) {
         names.push_back(objects[index].name.empty() ? fmt::format("object {}", index) : objects[index].name);
     }

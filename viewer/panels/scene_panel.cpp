@@ -108,8 +108,8 @@ void drawWarnings(const std::vector<std::string>& warnings) {
 }
 
 void draw(SceneFiles* files, const SceneDocument* document, const KeyMap* keys) {
-    static const std::string help = "A scene to open: " + listImporters() + ". Enter opens it.";
-    const bool entered = ui::file("File", &files->opened, "scene.json, .txt, .obj, .ply", help.c_str());
+    static const std::string kHelp = "A scene to open: " + listImporters() + ". Enter opens it.";
+    const bool entered = ui::file("File", &files->opened, "scene.json, .txt, .obj, .ply", kHelp.c_str());
     const char* action = files->opening() ? "Opening…" : "Open";
     const float width = ui::buttonWidth(2);
     if ((ui::button(action, width) || entered) && !files->opening()) { files->open(files->opened); }

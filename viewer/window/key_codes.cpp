@@ -129,6 +129,7 @@ std::optional<int> keyCode(std::string_view name) {
 
 std::vector<std::string_view> keyNames() {
     std::vector<std::string_view> names;
+    names.reserve(std::size(kKeys));
     for (const auto& key : kKeys) {
         names.push_back(key.first);
     }

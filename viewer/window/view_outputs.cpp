@@ -12,7 +12,7 @@ Status saveWindow(const ViewerOptions& options, const Surface& surface, const Wo
     if (options.screenshot.empty()) { return {}; }
     // Scenes and references that came later may have it as an input.
     if (Status free = workspace.inputs.checkIsNoInput(options.screenshot); !free) { return free; }
-    const Status saved = saveScreenshot(surface, options.screenshot);
+    Status saved = saveScreenshot(surface, options.screenshot);
     if (saved) { say("the window is in {}\n", options.screenshot); }
     return saved;
 }
@@ -25,7 +25,7 @@ Status saveImageFile(const ViewerOptions& options, bool interrupted, Workspace* 
         workspace->render.send();
         if (!announceInterruption(workspace->render.statusNow())) { return {}; }
     }
-    const Status saved = workspace->filmFiles.saveNow(options.output, workspace->display);
+    Status saved = workspace->filmFiles.saveNow(options.output, workspace->display);
     if (saved) { say("the picture is in {}\n", options.output); }
     return saved;
 }

@@ -88,6 +88,7 @@ struct RectangleShape {
             .grid = {.at = [](double u, double v) { return glm::dvec3(2.0 * u - 1.0, 2.0 * v - 1.0, 0.0); }}};
     }
 
+  private:
     /// The third axis has the edges' mean length, so that the transform can be undone.
     static bool place(const Placement& values, Affine* placed) {
         const auto& [center, edgeU, edgeV] = values;
@@ -98,7 +99,6 @@ struct RectangleShape {
         return true;
     }
 
-  private:
     GLINT_HD static SphericalRectangle asSeen(const EmitterData& e, const Vec3& from) {
         return makeSphericalRectangle(e.position - e.axisU - e.axisV, 2.0f * e.axisU, 2.0f * e.axisV,
                                       e.direction, from);

@@ -1,5 +1,5 @@
 // How scene files and other programs know a shape: its word, the keys that place it with the transform that
-// they stand for, and a grid to make triangles of. For the host.
+// they stand for, and a grid to make triangles of. It is for the host.
 #pragma once
 
 #include <array>

@@ -67,7 +67,7 @@ GLINT_HD constexpr Result visitShape(ShapeKind kind, Visit&& visit) {
     __builtin_unreachable();
 }
 
-/// The bits of the shapes of all those kinds together, without those of `without`.
+/// The bits of all kinds of shapes but `without`; some share one.
 constexpr FeatureMask featuresOfShapes(ShapeKind without) {
     FeatureMask mask = 0;
     for (const ShapeKind kind : kShapeKinds) {

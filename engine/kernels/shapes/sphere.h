@@ -149,7 +149,11 @@ struct SphereShape {
                         return true;
                     },
                 .valuesOf = centerAndRadius,
-                .grid = {256, 128, true, false, true, [](double u, double v) {
+                .grid = {.columns = 256,
+                         .rows = 128,
+                         .wrapsColumns = true,
+                         .poles = true,
+                         .at = [](double u, double v) {
                              const double around = (2.0 * u - 1.0) * std::numbers::pi;
                              const double up = (v - 0.5) * std::numbers::pi;
                              return glm::dvec3(std::sin(around) * std::cos(up), std::sin(up),
@@ -157,6 +161,8 @@ struct SphereShape {
                          }}};
     }
 
+  private:
+    /// Those of a sphere that is placed by nothing else.
     static bool centerAndRadius(const Affine& placed, Placement* values) {
         const float radius = placed.linear[0].x;
         if (!(radius > 0.0f) || !sameBits(placed.linear, Mat3(radius))) { return false; }
@@ -164,7 +170,6 @@ struct SphereShape {
         return true;
     }
 
-  private:
     GLINT_HD static SphereView asSeen(const EmitterData& e, const Vec3& from) {
         return viewSphere(e.position, e.radiusWorld, from, maxComponent(absVec(from)));
     }
