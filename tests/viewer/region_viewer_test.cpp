@@ -72,6 +72,15 @@ screenshot settled.png
     }
 }
 
+/// The render ends where the wait does, after longer than a script may wait for what does not come.
+TEST(ScriptedWaits, ForPassesMayTakeLong) {
+    std::string large = kNoisy;
+    large.replace(large.find("[64, 48]"), 8, "[1024, 768]");
+    write("large.json", large);
+    write("script.txt", "wait passes 5\nexpect no-error\n");
+    expectPlayed(run("view large.json --headless --threads 1 --passes 5 --script script.txt"));
+}
+
 TEST(RegionViewer, OnlyWhatIsDrawnIsRenderedOn) {
     // 14 screen pixels a picture pixel, from (3, 12) on.
     const Ran ran = playNoisy(R"(

@@ -248,7 +248,8 @@ Result<ScriptPlayer::Progress> ScriptPlayer::runWait(const ScriptStatement& stat
     }
     const bool isOver =
         !workspace_->awaitsEdit() && status.state == SessionState::Finished && waited > kSettlingSeconds;
-    if (isOver && (what == "passes" || what == "paused")) {
+    const bool isShort = what == "passes" && status.passes < static_cast<uint32_t>(statement.number(1));
+    if (isOver && (isShort || what == "paused")) {
         return statement.error(fmt::format("the render has finished, with {} passes", status.passes));
     }
     if (waited > kHangGuardSeconds) { return statement.error("waited in vain"); }
