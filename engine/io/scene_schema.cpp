@@ -224,7 +224,7 @@ class SchemaWriter {
                                                ? numberSchema(kPositive, false)
                                                : R"("$ref": "#/definitions/vec3")";
                 const std::string help =
-                    *key.help == 0 ? "" : fmt::format("\"description\": {}, ", quoteJson(key.help));
+                    key.help[0] == '\0' ? "" : fmt::format("\"description\": {}, ", quoteJson(key.help));
                 more.emplace_back(key.key, help + schema);
             }
             if (isMesh) {

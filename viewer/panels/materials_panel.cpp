@@ -24,15 +24,18 @@ namespace {
 
 /// By the words of scene files.
 void drawKind(MaterialKind* kind) {
-    const auto kinds = kindNames<MaterialKind>();
-    std::vector<std::string> labels;
-    int index = 0;
-    for (const auto& entry : kinds) {
-        if (entry.kind == *kind) { index = static_cast<int>(labels.size()); }
-        labels.push_back(inputLabel(entry.name));
-    }
-    const std::vector<std::string_view> views(labels.begin(), labels.end());
-    if (ui::choice("Kind", &index, views)) { *kind = kinds[static_cast<size_t>(index)].kind; }
+    struct Labelled {
+        MaterialKind kind;
+        std::string label;
+    };
+    static const auto kLabels = [] {
+        std::vector<Labelled> labels;
+        for (const KindName<MaterialKind>& entry : kindNames<MaterialKind>()) {
+            labels.push_back({entry.kind, inputLabel(entry.name)});
+        }
+        return labels;
+    }();
+    ui::kindChoice("Kind", kind, kLabels);
 }
 
 std::string nameOf(const Material& material, size_t index) {

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/math/vec.h"
 #include "viewer/ui/fonts.h"
@@ -54,18 +55,18 @@ struct KindLabel {
     Kind kind;
     std::string_view label;
 };
-/// A choice among the kinds that `labels` lists, which must hold *kind.
-template <class Kind, size_t kCount>
-bool kindChoice(const char* label, Kind* kind, const KindLabel<Kind> (&labels)[kCount],
-                const char* tooltip = nullptr) {
-    std::string_view names[kCount];
+/// A choice among the kinds that `labels` lists, each with its `kind` and `label`; *kind must be one of them.
+template <class Kind, class Labels>
+bool kindChoice(const char* label, Kind* kind, const Labels& labels, const char* tooltip = nullptr) {
+    std::vector<std::string_view> names;
+    names.reserve(std::size(labels));
     int index = 0;
-    for (size_t i = 0; i < kCount; ++i) {
-        names[i] = labels[i].label;
-        if (labels[i].kind == *kind) { index = static_cast<int>(i); }
+    for (const auto& each : labels) {
+        if (each.kind == *kind) { index = static_cast<int>(names.size()); }
+        names.push_back(each.label);
     }
     if (!choice(label, &index, names, tooltip)) { return false; }
-    *kind = labels[index].kind;
+    *kind = std::begin(labels)[index].kind;
     return true;
 }
 bool toggle(const char* label, bool* value, const char* tooltip = nullptr);
